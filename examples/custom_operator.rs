@@ -31,8 +31,9 @@ impl Operator for SpringRow {
         }
     }
 
-    /// Returns the lower bound of the eigenvalues by Gershgorin's theorem: no eigenvalue is farther from the diagonal
-    /// than the sum of the other entries of its row. The solver uses this bound to certify the error from the residual.
+    /// Returns the lower bound on the eigenvalues by Gershgorin's theorem: every eigenvalue differs from some diagonal entry by
+    /// at most the sum of the magnitudes of the other entries in the row. The solver uses this bound to certify the error from
+    /// the residual.
     fn lower_bound(&self) -> f64 {
         self.own - 2.0 * self.neighbour.abs()
     }

@@ -1,5 +1,5 @@
-//! A simulation with a user-defined wear law. It steps the contact through load cycles, updates the gap by the wear
-//! after every step, saves the state half way, and continues from the saved state with bitwise identical results.
+//! A simulation with a user-defined wear law. It steps the contact through load cycles, updates the gap by the wear after every
+//! step, saves the state halfway, and continues from the saved state with bitwise identical results.
 //!
 //! `cargo run --release -p stickslip-examples --example custom_wear_law [cells]` (default 64, at least 32)
 //! writes `target/gallery/custom_wear_law.csv` and `.svg`.

@@ -20,7 +20,7 @@ use stickslip::{
 const RADIUS: f64 = 10e-3;
 const FORCE: f64 = 100.0;
 const FRICTION: f64 = 0.3;
-/// Tolerance of the tractions during pressing, which is also a history.
+/// Tolerance of the tractions while the ball is pressed in steps.
 const TOLERANCE: f64 = 2e-3;
 /// Turning points of the tangential force, divided by the sliding force.
 const TURNS: [f64; 3] = [0.6, -0.6, 0.6];

@@ -266,7 +266,7 @@ fn draw_map(
     Ok(())
 }
 
-/// Returns an arrow along a vector, with a head in proportion to its length.
+/// Returns an arrow along a vector, with a head proportional to its length.
 fn arrow([x, y]: [f64; 2], [u, v]: [f64; 2]) -> PathElement<(f64, f64)> {
     let at = |along: f64, across: f64| (x + along * u - across * v, y + along * v + across * u);
     let line = [

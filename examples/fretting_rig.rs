@@ -47,7 +47,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let boundary = Boundary::PeriodicAlongY { datum: DATUM };
     let bodies = HalfSpace::with_boundary(grid, *hertz.pair(), boundary)?;
 
-    // The specimen is body 1. A bulk stress of 1 MPa stretches it by this much.
+    // The specimen is body 1. A bulk stress of 1 MPa causes this strain in it.
     let strain = [[titanium.plane_strain_under(1.0), 0.0], [0.0, 0.0]];
     let bulk = RelativeDisplacement::bulk_strain(grid, strain)?;
     let cylinder = surface::cylinder(grid, RADIUS)?;
@@ -217,8 +217,8 @@ fn stresses(
     Ok((rows, largest[0]))
 }
 
-/// Compares the largest tension, at the edge where a crack would start, with the closed form: for the cells of the surface, which
-/// converge slowly with the cell size, and for a plane at a depth of a fiftieth of a.
+/// Compares the largest tension, at the edge where a crack would start, with the closed form. The tension is computed for the
+/// cells of the surface, where it converges slowly with the cell size, and for a plane at a depth of a fiftieth of a.
 fn compare_tension(
     history: &History,
     bodies: &HalfSpace,

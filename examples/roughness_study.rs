@@ -124,8 +124,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let cells: usize = std::env::args()
         .nth(1)
         .map_or(Ok(512), |cells| cells.parse())?;
-    // The paper's rubber on a rigid plane: E* = 25 MPa. The half-spaces are periodic, since the pressure would vary
-    // near free edges.
+    // The paper's rubber on a rigid plane: E* = 25 MPa. The half-spaces are periodic, because the pressure would vary near free
+    // edges.
     let pair = ElasticPair::new(Material::new(18.75, 0.5)?, Material::rigid())?;
     let bodies = HalfSpace::with_boundary(Grid::square(cells, SIDE)?, pair, Boundary::Periodic)?;
     let mut jobs = Vec::new();

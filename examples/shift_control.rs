@@ -48,8 +48,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         .into_solver()?;
     let mut tangential = solver.new_solution();
 
-    // In fractions of the shift and the force at which the whole contact slides, the closed forms
-    // are F = 1 - (1 - shift)^(3/2) and stick ratio = 1 - shift, until the whole contact slides.
+    // Until the whole contact slides, the closed forms are F = 1 - (1 - shift)^(3/2) and stick ratio = 1 - shift. Force and
+    // shift are divided by their values at which the whole contact starts to slide.
     let exact_force = |shift: f64| 1.0 - (1.0 - shift).max(0.0).powf(1.5);
     let exact_stick = |shift: f64| (1.0 - shift).max(0.0);
     println!("           |         force / (mu W)  |            stick ratio");

@@ -65,7 +65,7 @@ const SCENES: [Scene; 4] = [
 /// Results for a surface along its load path.
 struct Sheared {
     normal: NormalSolution,
-    /// Solution half way to sliding.
+    /// Solution at half of the sliding force.
     half: TangentialSolution,
     /// Pairs of F / mu W and the stick ratio.
     ratios: Vec<[f64; 2]>,
@@ -75,8 +75,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let cells = std::env::args()
         .nth(1)
         .map_or(Ok(512), |cells| cells.parse())?;
-    // The paper's rubber on a rigid plane: E* = 25 MPa. The half-spaces are periodic, since the pressure would vary
-    // near free edges.
+    // The paper's rubber on a rigid plane: E* = 25 MPa. The half-spaces are periodic, because the pressure would vary near free
+    // edges.
     let pair = ElasticPair::new(Material::new(18.75, 0.5)?, Material::rigid())?;
     let grid = Grid::square(cells, SIDE)?;
     let bodies = HalfSpace::with_boundary(grid, pair, Boundary::Periodic)?;

@@ -4,9 +4,9 @@
 //! `cargo run --release -p stickslip-examples --example wear_loop [cells] [Poisson's ratio]` (default 128, at least 48; and 0)
 //! writes `target/gallery/wear_loop.csv`, `wear_loop_profiles.csv` and `wear_loop.svg`.
 //!
-//! The limiting shape assumes equal wear in all directions, which is true for the slip if Poisson's ratio is zero. At 0.29 slip
-//! is larger across the motion than along it. Wear then extends into the stick disc, and the remaining load is 1.6 % below the
-//! closed form.
+//! The limiting shape assumes equal wear in all directions, which requires equal slip and therefore a Poisson's ratio of zero.
+//! At 0.29 the slip is larger across the motion than along it. Wear then extends into the stick disc, and the remaining load is
+//! 1.6 % below the closed form.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -37,7 +37,8 @@ const WEAR_COEFFICIENT: f64 = 1e-13;
 const CYCLES: f64 = 2e4;
 /// Largest fraction of the approach that is worn in one jump.
 const APPROACH_FRACTION: f64 = 0.01;
-/// Cycles after which profiles are drawn, or after the first simulated cycle that follows.
+/// Numbers of cycles after which profiles are drawn. If such a cycle is not simulated, the profile of the next simulated cycle
+/// is drawn.
 const SHOWN: [f64; 4] = [0.0, 1000.0, 3000.0, CYCLES];
 /// Largest pressure in the drawing, divided by the maximum pressure of the unworn ball.
 const HIGHEST: f64 = 5.0;

@@ -10,7 +10,7 @@ use crate::report::EigenvalueBound;
 /// Displacement of a half-space cell under a unit traction on this cell, in multiples of the smallest eigenvalue.
 pub(crate) const SELF_COMPLIANCE: f64 = 5.0;
 
-/// Lower bound of the eigenvalues of an operator for the vectors that a problem allows.
+/// Lower bound on the eigenvalues of an operator for the vectors that a problem allows.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LowerBound {
     /// Value of the bound; zero if no bound is available.
@@ -99,11 +99,11 @@ pub trait Operator<const N: usize = 1>: Sync {
         self.apply(x, out, scratch);
     }
 
-    /// Returns a lower bound of the smallest eigenvalue, `x' C x >= bound * x' x`. It is valid for all `x`, or for all
-    /// `x` whose components have sum zero if the operator maps constants to zero, like the operator of a periodic grid.
+    /// Returns a lower bound on the smallest eigenvalue, `x' C x >= bound * x' x`. It is valid for all `x`, or, if the
+    /// operator maps constants to zero as on a periodic grid, for all `x` in which each component sums to zero.
     ///
-    /// The bound turns a residual into a certified error: relative to the minimum or, in the second case, to the
-    /// minimum under the totals of the iterate. The default, zero, states only that the operator is positive
+    /// The bound converts a residual to a certified error. The error is relative to the minimum or, in the second case,
+    /// to the minimum under the totals of the iterate. The default, zero, states only that the operator is positive
     /// semi-definite; the certificate is then the duality gap. A negative number or NaN counts as zero.
     fn lower_bound(&self) -> f64 {
         0.0

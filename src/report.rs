@@ -1,4 +1,4 @@
-//! Report of a solver: status, residual, certified bounds.
+//! Report of a solver: status, residual and certified bounds.
 //!
 //! These types are kept next to [`Error`](crate::Error) because the error for a solve that has not converged contains
 //! the whole [`Report`].
@@ -59,7 +59,7 @@ pub enum EigenvalueBound {
 ///
 /// The observer is called before every product, including products on the coarser grids of a nested start. After the
 /// observer cancels, or after a time limit, the solver computes one more product on each grid in use, to measure the
-/// error of the remaining iterate. A solve that the observer has cancelled always ends as [`Status::Cancelled`], even
+/// error of the remaining iterate. A solve that the observer has cancelled always ends with [`Status::Cancelled`], even
 /// if that iterate satisfies the tolerance. A step of a history is then not taken. Residual and free entries are the
 /// last measured values: between two outer steps of the active-set method they do not change.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -251,7 +251,7 @@ impl Clone for Report {
         copy
     }
 
-    /// Reuses the memory of the history, since a solver fills the same report repeatedly.
+    /// Reuses the memory of the history, because a solver fills the same report repeatedly.
     fn clone_from(&mut self, source: &Self) {
         let mut history = std::mem::take(&mut self.history);
         history.clone_from(&source.history);

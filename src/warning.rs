@@ -2,14 +2,14 @@
 
 use crate::grid::Grid;
 
-/// Warning that a converged solution may mislead.
+/// Warning that a converged solution may be misleading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Warning {
     /// No cell carries pressure.
     NoContact,
-    /// Contact reaches the outermost ring of cells: the bodies may also touch beyond the grid.
+    /// The contact reaches the outermost ring of cells: the bodies may also touch beyond the grid.
     ContactAtEdge {
         /// Number of contact cells in the ring.
         cells: usize,
@@ -67,11 +67,11 @@ pub enum Warning {
     /// no cell slips, which can happen if the ring is narrower than a cell. No warning is given either if the mean
     /// radius of the contact spots is less than four cells, because a ring of two cells does not fit there.
     ///
-    /// A rolling step has the warning only below one cell. Its slip zone lies along the trailing edge, and the mean is
-    /// over the whole edge. The error of forces and creepages of steady rolling is then at most 0.6 %, for widths of
-    /// 0.3 cells or more. On a sphere `dissipated_energy` is too small by 72 % at 0.3 cells and 28 % at one cell. It is
-    /// too small by 15 % at two cells and 8 % at four cells. On a cylinder it is too small by 51 % at one cell and 28 %
-    /// at two cells. The work of rolling is accurate to 0.4 %.
+    /// A rolling step has the warning only if the slip zone is narrower than one cell. The slip zone of rolling lies
+    /// along the trailing edge, but its mean width is taken over the whole edge. The error of forces and creepages of
+    /// steady rolling is then at most 0.6 %, for widths of 0.3 cells or more. On a sphere `dissipated_energy` is too
+    /// small by 72 % at 0.3 cells and 28 % at one cell. It is too small by 15 % at two cells and 8 % at four cells. On
+    /// a cylinder it is too small by 51 % at one cell and 28 % at two cells. The work of rolling is accurate to 0.4 %.
     UnderresolvedSlipZone {
         /// Mean width of the zone in tenths of a cell: the number of its cells divided by the number of cell sides
         /// along the edge of the contact. On a grid of rows and columns each side counts as $`\pi/4`$.
@@ -92,15 +92,15 @@ pub enum Warning {
         spots: usize,
     },
     /// Dissimilar bodies with friction were pressed in too few steps. Under a growing load, cells come into contact one
-    /// after another while other cells slip and stick. [`History::press`](crate::History::press) presses in the
-    /// necessary number of steps.
+    /// after another while other cells slip and stick. [`History::press`](crate::History::press) applies the load in
+    /// the necessary number of steps.
     ///
     /// A step of a history has the warning if more than a tenth of the contact came into contact in the step. The first
     /// step from zero load thus has the warning for any load. Steps that `press` or
-    /// [`AdaptiveSteps`](crate::history::AdaptiveSteps) took to a tolerance do not have it. A
-    /// [`CoupledProblem`](crate::CoupledProblem) presses in one step, and so does a
-    /// [`TangentialProblem`](crate::TangentialProblem) with [one-way coupling](crate::Coupling::OneWay), which has a
-    /// pressure and no gap. Its solutions therefore also have the warning for a flat punch, for which they are exact.
+    /// [`AdaptiveSteps`](crate::history::AdaptiveSteps) took to a tolerance do not have it. In a
+    /// [`CoupledProblem`](crate::CoupledProblem), and in a [`TangentialProblem`](crate::TangentialProblem) with
+    /// [one-way coupling](crate::Coupling::OneWay), the bodies are pressed in one step. A tangential problem has a
+    /// pressure but no gap, so its solutions also have the warning for a flat punch, for which they are exact.
     SingleLoadStep,
     /// The approach from the first touch exceeds the longest side of the grid. A common cause is an inconsistent unit
     /// of gap, grid or modulus.
@@ -294,7 +294,7 @@ impl Warning {
 }
 
 impl Warning {
-    /// Returns a neglected lift by tractions, in millionths, or `None` if the lift is within the tolerance.
+    /// Returns a neglected lift due to tractions, in millionths, or `None` if the lift is within the tolerance.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -308,7 +308,7 @@ impl Warning {
 /// Least number of cells of a resolved spot.
 pub(crate) const RESOLVED: usize = 5;
 
-/// Least numbers of cells of a resolved contact and of a resolved stick zone, for an area and for a line. On a line,
+/// Minimum numbers of cells in a resolved contact and in a resolved stick zone: for an area, and for a line. On a line,
 /// one cell is a tenth of the stick zone.
 const RESOLVED_AREA: [usize; 2] = [100, 50];
 const RESOLVED_LINE: [usize; 2] = [20, 10];
@@ -316,11 +316,11 @@ const RESOLVED_LINE: [usize; 2] = [20, 10];
 /// Least width of a resolved slip zone in tenths of a cell.
 const RESOLVED_WIDTH: usize = 20;
 
-/// Least width of a resolved slip zone of a rolling step in tenths of a cell: forces need less resolution than
-/// energies.
+/// Least width of a resolved slip zone of a rolling step in tenths of a cell. It is smaller because forces need less
+/// resolution than energies.
 const RESOLVED_ROLLING_WIDTH: usize = 10;
 
-/// Least number of cells on the mean radius of contact spots that resolves a slip zone.
+/// Least number of cells on the mean radius of contact spots at which a slip zone can be resolved.
 const LEAST_RADIUS: usize = 4;
 
 /// Resolution of the zones of a contact, or of several steps; `None` for a zone that does not exist.
@@ -368,7 +368,7 @@ impl Resolution {
         }
     }
 
-    /// Returns the resolution of a rolling step, which resolves narrower slip zones.
+    /// Returns the resolution of a rolling step, for which narrower slip zones count as resolved.
     pub(crate) fn of_rolling(self) -> Self {
         let resolved = |width: usize| {
             if width < RESOLVED_ROLLING_WIDTH {
@@ -413,7 +413,7 @@ impl Resolution {
         stick.into_iter().chain(slip)
     }
 
-    /// Returns the least numbers of cells of a resolved contact and stick zone.
+    /// Returns the minimum numbers of cells in a resolved contact and in a resolved stick zone.
     fn least(self) -> [usize; 2] {
         if self.is_line {
             RESOLVED_LINE

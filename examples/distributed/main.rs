@@ -3,9 +3,9 @@
 //!
 //! `cargo run --release -p stickslip-examples --example distributed -- [cells] [--press] [--threads-as-ranks N]` (default 256
 //! cells along a side, pressed and sheared, two ranks as threads). With the feature `mpi` the ranks are processes:
-//! `mpirun -n 4 target/release/examples/distributed 1024`. With `--press` the surface is not sheared, which needs a fifth of the
-//! memory. With `--history FILE` the example computes twenty steps with wear instead, and all ranks save the history to the file
-//! after ten steps. `--from FILE` continues from this file on any number of ranks and yields the same hash.
+//! `mpirun -n 4 target/release/examples/distributed 1024`. With `--press` the surface is not sheared, which reduces the memory
+//! to a fifth. With `--history FILE` the example computes twenty steps with wear instead, and all ranks save the history to the
+//! file after ten steps. `--from FILE` continues from this file on any number of ranks and yields the same hash.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 

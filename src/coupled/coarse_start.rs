@@ -9,8 +9,8 @@ use crate::normal::Hardness;
 use crate::tangential::{RigidMotion, prolongated_traction, reserve};
 
 impl CoupledIncrement {
-    /// Solves on cells twice as large, recursively, and uses the result as the start. Returns whether there is such a
-    /// start.
+    /// Solves recursively on cells of twice the side length and uses the result as the start. Returns whether there is
+    /// such a start.
     pub(super) fn start_from_coarser(
         &mut self,
         demand: CoupledTarget<'_>,

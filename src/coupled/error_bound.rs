@@ -11,10 +11,11 @@ use crate::coupled::ErrorEstimate;
 ///
 /// ```math
 /// |P(q_1) - P(q_2)| \le \kappa\,|q_1 - q_2|, \qquad |Q(p_1) - Q(p_2)| \le L\,|p_1 - p_2|, \qquad
-/// L = \tfrac12 \with_remaining_limits(b + \sqrt{b^2 + 4 \kappa \mu c}\right), \quad b = \kappa + \mu c .
+/// L = \tfrac12 \left(b + \sqrt{b^2 + 4 \kappa \mu c}\right), \quad b = \kappa + \mu c .
 /// ```
 ///
-/// If $`\kappa L < 1`$, there is exactly one solution. With the bounds $`\epsilon_N`$ and $`\epsilon_T`$ of the halves,
+/// If $`\kappa L < 1`$, there is exactly one solution. With the error bounds $`\epsilon_N`$ and $`\epsilon_T`$ of the
+/// halves,
 ///
 /// ```math
 /// |p - p^*| \le \frac{\epsilon_N + \kappa\,\epsilon_T}{1 - \kappa L}, \qquad
@@ -34,7 +35,7 @@ pub(super) struct Contraction {
 const TYPICAL: f64 = 0.7;
 
 impl Contraction {
-    /// Returns bounds of the errors of pressure and traction for this friction; `None` if $`\kappa L \ge 1`$.
+    /// Returns bounds on the errors of pressure and traction for this friction; `None` if $`\kappa L \ge 1`$.
     pub(super) fn bounds(self, friction: f64, findings: &ConeMeasures) -> Option<[f64; 2]> {
         let Self {
             coupling, spread, ..

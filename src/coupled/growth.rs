@@ -18,9 +18,9 @@ pub(crate) struct SensitivityInput<'a> {
 }
 
 impl SensitivityInput<'_> {
-    /// Returns whether a contact with friction came into contact largely in this step, although a growing load would
-    /// close it cell by cell. Cells with the least gap of the contact do not count, since they also close
-    /// simultaneously under a growing load.
+    /// Returns whether a large part of a contact with friction formed in this step, although a growing load would close
+    /// it cell by cell. Cells with the least gap of the contact do not count, because they also close simultaneously
+    /// under a growing load.
     pub(crate) fn is_at_once(&self, layout: &Layout) -> bool {
         let Self { gap, pressure, .. } = *self;
         let [qx, qy] = self.traction;

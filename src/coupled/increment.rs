@@ -85,7 +85,7 @@ impl CoupledIncrement {
     /// Creates a step without traction.
     pub(crate) fn new(bodies: &HalfSpace) -> Result<Self> {
         let (grid, size) = (bodies.grid(), bodies.grid().whole().size());
-        // Reports coefficients that cannot be computed here rather than in the first solve.
+        // An error of the coefficients is returned here rather than by the first solve.
         bodies.compliance([Direction::Z, Direction::X, Direction::Y], size)?;
         let zeros_of_all = || fallible::vector(grid.cells());
         Ok(Self {
@@ -322,7 +322,7 @@ impl CoupledIncrement {
         })
     }
 
-    /// Converts the load to totals of the tractions and sets the motion from which they are measured.
+    /// Converts the load to totals of the tractions and sets the datum of the motion.
     fn compute_totals(
         &mut self,
         demand: &CoupledTarget<'_>,

@@ -7,8 +7,8 @@
 //! u_z = C_{zz}\,p + B\,q, \qquad u_t = B^{T} p + C_{tt}\,q, \qquad B = (C_{zx}, C_{zy}) .
 //! ```
 //!
-//! A [`CoupledProblem`] presses and shears from rest in one step; a [`History`](crate::History) of such bodies does so
-//! in many steps. Both solve for p and q under
+//! A [`CoupledProblem`] describes bodies that are pressed and sheared from rest in one step. In a
+//! [`History`](crate::History) this happens in many steps. Both solve for p and q that satisfy
 //!
 //! ```math
 //! g = h + u_z - \delta \ge 0,\; p \ge 0,\; p\,g = 0, \qquad
@@ -26,9 +26,9 @@
 //!
 //! Friction makes pressing depend on the load history: cells at the rim of a growing contact slip while cells inside
 //! stick. One step from rest underestimates the stick radius of a pressed sphere by more than a factor of two (0.23
-//! instead of 0.50 at $`\beta = 0.5`$, $`\mu = 0.3`$). Its approach is accurate to 4e-4 and its peak pressure to 9e-3.
-//! For a flat punch, whose contact does not grow, one step is exact. [`History::press`](crate::History::press) takes as
-//! many steps as a tolerance requires.
+//! instead of 0.50 of the contact radius at $`\beta = 0.5`$, $`\mu = 0.3`$). Its approach is accurate to 4e-4 and its
+//! peak pressure to 9e-3. For a flat punch, whose contact does not grow, one step is exact.
+//! [`History::press`](crate::History::press) takes as many steps as a tolerance requires.
 //!
 //! # Sliding forces
 //!
@@ -37,9 +37,9 @@
 //! solved.
 //!
 //! Under a prescribed approach, or with a coefficient per cell or a shear cap, the sum of the limits depends on the
-//! unknown pressure. A solve that stalls is then compared with bodies that slide steadily in the direction of the
-//! force, and [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) states the force that sliding
-//! takes. Equilibria under slightly larger forces are returned if the solver finds them.
+//! unknown pressure. If a solve stalls, the prescribed force is compared with the force at which the bodies slide
+//! steadily in the same direction. [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) states this
+//! sliding force. Equilibria under slightly larger forces are returned if the solver finds them.
 //!
 //! # Certificates
 //!

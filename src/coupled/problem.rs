@@ -16,10 +16,10 @@ use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, Ta
 ///
 /// One step equals gradual pressing if the contact has its full size from the first load (a flat punch), if the bodies
 /// are not coupled, or without friction. In a growing contact of dissimilar bodies, cells that come into contact later
-/// slip less. A ball of $`\beta = 1/2`$ pressed in one step sticks on 0.23 of the contact radius, but on 0.50 of it if
-/// pressed in 32 steps ([Spence](crate::analytical::SpencePressing)). The solution then has the warning
-/// [`SingleLoadStep`](crate::Warning::SingleLoadStep). [`History::press`](crate::History::press) takes as many steps as a
-/// tolerance requires.
+/// slip less than in one step. A ball of $`\beta = 1/2`$ pressed in one step sticks on 0.23 of the contact radius, but
+/// on 0.50 of it if pressed in 32 steps ([Spence](crate::analytical::SpencePressing)). The solution of such a contact
+/// has the warning [`SingleLoadStep`](crate::Warning::SingleLoadStep). [`History::press`](crate::History::press) takes
+/// as many steps as a tolerance requires.
 ///
 /// ```
 /// use stickslip::*;

@@ -7,11 +7,11 @@ use crate::report::{Report, Status};
 
 /// Report of a coupled solve: status, cost, and certificates of its normal and tangential halves.
 ///
-/// The equations of a coupled contact are not the optimality conditions of any energy, and no bound of the whole error
-/// is known except for weak friction. One product certifies the two halves instead. The normal half is the distance of
-/// the pressure from the exact pressure under the computed tractions. The tangential half is the distance of the
-/// tractions from the exact tractions under the computed pressure. If friction is weak, they also bound the whole
-/// error.
+/// The equations of a coupled contact are not the optimality conditions of any energy, and no bound on the whole error
+/// is known except for weak friction. Instead, one product yields certificates for the two halves. The certificate of
+/// the normal half bounds the distance of the pressure from the exact pressure under the computed tractions. The
+/// certificate of the tangential half bounds the distance of the tractions from the exact tractions under the computed
+/// pressure. If friction is weak, the two certificates also bound the whole error.
 #[derive(Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -24,19 +24,19 @@ pub struct CoupledReport {
     pub normal: Report,
     /// Steps and products with the tangential operator in the alternating sweeps.
     pub tangential: Report,
-    /// Bound of the error of the pressure in the energy norm, for the computed tractions, relative to the square root
+    /// Bound on the error of the pressure in the energy norm, for the computed tractions, relative to the square root
     /// of `x' C x`.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub pressure_error_bound: f64,
-    /// Bound of the error of the tractions in the energy norm, for the computed pressure, relative to the square root
+    /// Bound on the error of the tractions in the energy norm, for the computed pressure, relative to the square root
     /// of `x' C x`.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub traction_error_bound: f64,
-    /// Rigorous bounds of the whole errors of pressure and of traction, each in its energy norm relative to the square
+    /// Rigorous bounds on the whole errors of pressure and of traction, each in its energy norm relative to the square
     /// root of `x' C x`. They exist if friction is weak enough for the grid and no tangential force is prescribed.
     /// Otherwise, and on periodic grids, they are `None`, and only the halves are certified.
     pub error_bounds: Option<[f64; 2]>,
-    /// Estimated errors of the whole solution; `None` for the strongest friction.
+    /// Estimated errors of the whole solution; `None` if friction is too strong.
     pub error_estimate: Option<ErrorEstimate>,
 }
 
@@ -44,9 +44,10 @@ pub struct CoupledReport {
 /// are not bounds.
 ///
 /// The estimate has the form of [`CoupledReport::error_bounds`] but uses the sensitivities observed in measured
-/// contacts. A change of the traction changed the pressure by at most $`0.7\,|\beta|`$, and a change of the pressure
-/// changed the traction by at most $`0.7\,|\beta| + \mu`$. The estimate is `None` if the product of the two is not
-/// below one, which happens at $`\beta = 1/2`$ for $`\mu > 2.5`$.
+/// contacts. The change of the pressure was at most $`0.7\,|\beta|`$ times the change of the traction that caused it.
+/// The change of the traction was at most $`0.7\,|\beta| + \mu`$ times the change of the pressure that caused it. The
+/// estimate is `None` if the product of the two factors is not below one, which happens at $`\beta = 1/2`$ for
+/// $`\mu > 2.5`$.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

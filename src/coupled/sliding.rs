@@ -11,12 +11,13 @@ use crate::report::Status;
 /// Shift of the sliding solve over the largest displacement. The directions of slip of the cells differ by the inverse
 /// of this ratio.
 const FAR: f64 = 1e6;
-/// Least tolerance of the sliding solve, since the slip of a cell is a small difference between shift and displacement.
+/// Least tolerance of the sliding solve, because the slip of a cell is a small difference between shift and
+/// displacement.
 const LEAST_TOLERANCE: f64 = 1e-8;
 
 impl CoupledIncrement {
     /// Solves for a force that may exceed the friction capacity. If the solve stalls, the force at which the bodies
-    /// slide in the direction of the load decides whether this is an error.
+    /// slide in the direction of the load determines whether this is an error.
     ///
     /// # Errors
     /// - [`Error::BeyondFrictionCapacity`] if the bodies slide under the force.

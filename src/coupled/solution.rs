@@ -112,23 +112,24 @@ impl CoupledSolution {
         self.whole_energy = bodies.is_shared().then(|| self.energy_over(&layout));
     }
 
-    /// Returns the normal part: pressure, gap under load, approach, contact area. Its report belongs to the whole
+    /// Returns the normal part: pressure, gap under load, approach and contact area. Its report belongs to the whole
     /// solve.
     #[must_use]
     pub fn normal(&self) -> &NormalSolution {
         &self.normal
     }
 
-    /// Returns the tangential part: tractions along both axes, slip, zones, shift. Its report belongs to the whole
+    /// Returns the tangential part: tractions along both axes, slip, zones and shift. Its report belongs to the whole
     /// solve.
     #[must_use]
     pub fn tangential(&self) -> &TangentialSolution {
         &self.tangential
     }
 
-    /// Returns the displacements of all cells along x, y and z by pressure and traction together (lengths). They are
-    /// body 1 minus body 2 along x and y, and the sum of both bodies along z. The `displacement` functions of the two
-    /// parts compute displacements by the pressure or the tractions alone.
+    /// Returns the displacements of all cells along x, y and z due to pressure and traction together (lengths). Along x
+    /// and y they are the displacement of body 1 minus the displacement of body 2; along z they are the sum for both
+    /// bodies. The `displacement` functions of the two parts compute the displacements due to the pressure or the
+    /// tractions alone.
     #[must_use]
     pub fn displacement(&self) -> [&Field; 3] {
         let [z, x, y] = &self.displacement;

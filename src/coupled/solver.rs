@@ -14,8 +14,8 @@ use crate::tangential::{Axis, Friction, RigidMotion, TangentialLoad, TangentialM
 
 /// Solver of a sequence of coupled contacts, each from rest in one step. Each solve starts from the last solution.
 ///
-/// The solver has no memory of slip, which is the purpose of a [`History`](crate::History). Gap, friction and loads may
-/// change between calls. A solve on the window of the last contact does not allocate.
+/// The solver has no memory of slip; use a [`History`](crate::History) for steps that depend on earlier slip. Gap,
+/// friction and loads may change between calls. A solve on the window of the last contact does not allocate.
 ///
 /// ```
 /// use stickslip::*;
@@ -73,7 +73,7 @@ impl CoupledSolver {
         Ok(())
     }
 
-    /// Changes the gap before loading of the next solve.
+    /// Changes the gap before loading for the next solve.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.
@@ -106,7 +106,7 @@ impl CoupledSolver {
         TangentialModel::Vector.check(settings)
     });
 
-    /// Discards the last solution. The next solve starts as the first did.
+    /// Discards the last solution. The next solve starts in the same way as the first.
     pub fn reset(&mut self) {
         self.increment.forget();
     }
@@ -145,7 +145,7 @@ impl CoupledSolver {
         if has_iterate(&outcome) {
             solution.fill(problem, &self.increment);
         }
-        // The next solve must not start from NaN, or from a state that a lack of memory interrupted.
+        // The next solve must not start from NaN, or from a state that is incomplete because memory ran out.
         let is_broken = outcome.is_err() && !self.increment.report().residual.is_finite();
         if is_broken || matches!(outcome, Err(Error::Memory { .. })) {
             self.increment.forget();

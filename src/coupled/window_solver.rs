@@ -69,7 +69,8 @@ pub(super) struct CoupledRequest<'a> {
     pub(super) multiplier: [f64; N],
     /// Largest coefficient of friction of the whole grid.
     pub(super) largest_coefficient: f64,
-    /// Whether the solve ends as stalled as soon as the force exceeds the friction capacity of the present pressure.
+    /// Whether the solve stops with the status `Stalled` as soon as the force exceeds the friction capacity of the
+    /// present pressure.
     pub(super) is_doubtful: bool,
 }
 
@@ -113,7 +114,7 @@ pub(super) struct CoupledEngine {
     asked: [Vec<f64>; N],
     /// Tractions after the last alternating solves; empty before the first.
     kept: [Vec<f64>; N],
-    /// Linear term of a half, including the displacements by the other half.
+    /// Linear term of a half, including the displacements due to the other half.
     linear: [Vec<f64>; N],
     /// `kappa g` of the cells that would come into contact; empty if no cell lags. `closing` is the mean over all
     /// directions, and `closing_deviator` the deviator for rolling bodies.
@@ -255,7 +256,7 @@ impl CoupledEngine {
             self.region.gather(mean, &mut self.closing);
             self.closing_deviator.clear();
             if !deviator.is_empty() {
-                // Bodies that roll are not distributed, so that the cells have their global numbers.
+                // Rolling bodies are not distributed, so the cells have their global numbers.
                 let cells = self.region.own().indices().map(|i| deviator[i]);
                 fallible::make_room(&mut self.closing_deviator, self.region.cells())?;
                 self.closing_deviator.extend(cells);
@@ -502,7 +503,7 @@ impl CoupledEngine {
         reduce::total(&self.layout, &self.limits)
     }
 
-    /// Computes the linear term including the displacements by these components of the tractions.
+    /// Computes the linear term including the displacements due to these components of the tractions.
     fn add_displacements_of(&mut self, components: &[usize]) {
         for c in 0..N {
             if components.contains(&c) {
@@ -523,7 +524,7 @@ impl CoupledEngine {
 }
 
 /// Solves a half; returns the status if the observer or the time limit ended it. The result of an unfinished half is
-/// used, too.
+/// also used.
 fn half(
     tolerance: f64,
     conditions: &mut SolveContext<'_, '_>,

@@ -32,8 +32,8 @@ pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64> {
     }
 }
 
-/// Numbers for which sums over all cells of squares, and of products of up to three with other such numbers, do not
-/// over- or underflow.
+/// Range of numbers for which sums over all cells of squares, and of products of two such numbers, neither overflow nor
+/// underflow.
 const WITH_SQUARES: RangeInclusive<f64> = 1e-130..=1e130;
 
 /// Checks that the squares of a positive value, and of small fractions of it, do not over- or underflow.
@@ -146,7 +146,7 @@ pub(crate) fn not_converged(iterations: usize, residual: f64) -> Error {
     }))
 }
 
-/// Checks that a value is at least its lower limit, to round-off.
+/// Checks that a value is at least its lower limit, within round-off.
 pub(crate) fn at_least(
     least_is: &'static str,
     least: f64,

@@ -103,11 +103,11 @@ impl HistoryBuilder<'_> {
         self
     }
 
-    /// Sets a displacement of body 1 relative to body 2 that the contact does not cause (default: none). Steps apply
-    /// [an amount](crate::LoadStep::relative_displacement) of it.
+    /// Sets a displacement of body 1 relative to body 2 that the contact does not cause (default: none). Each step
+    /// prescribes or holds [an amount](crate::LoadStep::relative_displacement) of it.
     ///
-    /// Its work on the tractions is part of the [balance](crate::history::EnergyBalance). A cell that comes into
-    /// contact within a step follows the whole change of the displacement.
+    /// The work of a change of the displacement is part of the [balance](crate::history::EnergyBalance). A cell that
+    /// comes into contact within a step follows the whole change of the displacement.
     ///
     /// ```
     /// use stickslip::{*, tangential::RelativeDisplacement};
@@ -142,9 +142,9 @@ impl HistoryBuilder<'_> {
         self
     }
 
-    /// Sets whether the plastic overlap under the [hardness](Self::hardness) is permanent (default: it is not). The
-    /// overlap of a step is then added to the gap of all following steps and to [`State::yielded`]. The next contact
-    /// under the same load, or less, is elastic. This option has no effect without a hardness.
+    /// Sets whether the plastic overlap under the [hardness](Self::hardness) is permanent (default: not permanent). If
+    /// it is permanent, the overlap of a step is added to the gap of all following steps and to [`State::yielded`]. The
+    /// next contact under the same load, or less, is elastic. This option has no effect without a hardness.
     ///
     /// ```
     /// use stickslip::{*, normal::Hardness};

@@ -57,14 +57,14 @@ pub struct EnergyBalance {
     pub elastic_before: f64,
     /// Elastic energy of shear after the step; for coupled bodies the energy of pressure and traction.
     pub elastic_after: f64,
-    /// Energy dissipated, from the tractions at the end of the step: $`-A \sum q_{n+1} s \ge 0`$. Under an unchanged
-    /// pressure and a load that does not turn within the step, cells slip only at the friction limit. The value is then
-    /// exact for any length of the step.
+    /// Dissipated energy, computed from the tractions at the end of the step: $`-A \sum q_{n+1} s \ge 0`$. Under an
+    /// unchanged pressure and a load that does not turn within the step, cells slip only at the friction limit. The
+    /// value is then exact for any length of the step.
     pub dissipated_energy: f64,
-    /// Energy dissipated, from the mean tractions: $`-A \sum \bar q s`$, which closes the balance. It is non-negative
-    /// under an unchanged pressure and friction (in the plane up to the tolerance).
+    /// Dissipated energy, computed from the mean tractions: $`-A \sum \bar q s`$, which closes the balance. It is
+    /// non-negative under an unchanged pressure and friction (in the plane up to the tolerance).
     pub dissipated_energy_midpoint: f64,
-    /// Energy of the tractions that cells lose when they leave the contact, from the mean tractions.
+    /// Energy of the tractions that cells lose when they leave the contact, computed from the mean tractions.
     pub released: f64,
     /// Work on the residual motion of stick cells, which the tolerance allows.
     pub residual: f64,

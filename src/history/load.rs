@@ -140,8 +140,8 @@ impl LoadStep {
         self
     }
 
-    /// Returns the step to a fraction of this step, in `[0, 1]`. Each prescribed quantity is interpolated between its
-    /// value in the state and its value at the end.
+    /// Returns the step that ends at a fraction of this step, in `[0, 1]`. Each prescribed quantity is interpolated
+    /// between its value in the state and its value at the end.
     pub(super) fn part(&self, state: &State, part: f64) -> Self {
         let between = |start: f64, end: f64| {
             if part < 1.0 {

@@ -33,7 +33,7 @@
 //!
 //! If the load turns in the plane, the error of a step is proportional to its length. Around a circle of force at 0.8
 //! of the sliding force, cycles of 32, 64 and 128 steps dissipate 14, 7 and 3.5 % too little. Extrapolations from the
-//! first two and from the last two of them agree to 0.2 %.
+//! first two and from the last two of these results agree to 0.2 %.
 //!
 //! By default the tractions act along one axis, and tractions across it are neglected, as in the paper.
 //! [`HistoryBuilder::model`] selects both components. Each component of the load is then prescribed separately, as a
@@ -43,16 +43,16 @@
 //!
 //! # Bodies of different materials
 //! If the materials couple pressure and traction, each step solves for both together ([`coupled`](crate::coupled)),
-//! with both components of the traction in either model. Then $`u`$ is the displacement by traction and pressure. A
+//! with both components of the traction in either model. Then $`u`$ is the displacement due to traction and pressure. A
 //! change of the normal load is also a step of the tangential contact, because pressing draws the surfaces inwards and
 //! makes them slip. A step without a normal load keeps the normal force, not the pressure. The [`EntryRule`] also
 //! applies to the slip caused by pressing.
 //!
-//! If most of the cells that come into contact slip, the error of a growing contact is of first order in its steps. For
-//! a ball pressed in 1, 2, 4, 8, 16, 32 steps, the ratio of stick radius to contact radius is 0.29, 0.37, 0.44, 0.47,
-//! 0.49, 0.497, where 0.5 is exact ($`\beta = 0.5`$, $`\mu = 0.299`$). Steps of equal growth of the contact radius are
-//! the most accurate. [`History::press`](crate::History::press) takes such steps, as many as a tolerance requires.
-//! Approach and peak pressure hardly depend on the number of steps.
+//! If most of the cells that come into contact slip, the error of a growing contact is of first order in the length of
+//! its steps. For a ball pressed in 1, 2, 4, 8, 16 and 32 steps, the ratio of stick radius to contact radius is 0.29,
+//! 0.37, 0.44, 0.47, 0.49 and 0.497; the exact ratio is 0.5 ($`\beta = 0.5`$, $`\mu = 0.299`$). Steps of equal growth
+//! of the contact radius are the most accurate. [`History::press`](crate::History::press) takes such steps, as many as
+//! a tolerance requires. Approach and peak pressure hardly depend on the number of steps.
 //!
 //! # Rolling
 //! In a step with [`LoadStep::roll`] the bodies roll by a length d, a whole number of cells, and the particles of both
@@ -78,12 +78,12 @@
 //! and a [`FrettingLoop`] does not detect a steady state.
 //!
 //! The gap of a step is given in the frame of the contact. A macroscopic form stays in place, but a texture moves with
-//! the particles, so that a rough surface needs a new gap in every step ([`History::set_gap`]). A cell that enters the
+//! the particles, so a rough surface needs a new gap in every step ([`History::set_gap`]). A cell that enters the
 //! contact has closed the gap under load that its particle had in the previous step.
 //!
 //! In the [`EnergyBalance`] traction, displacement and elastic energy before the step belong to the particles; the
-//! balance closes to round-off. The [stiffness](History::stiffness) of the vector model after such a step uses the mean
-//! over all directions of the entry compliance B.
+//! balance closes to round-off. The [stiffness](History::stiffness) of the vector model after such a step uses the
+//! entry compliance B averaged over all directions.
 //!
 //! Rolling is not supported in the following cases:
 //!
@@ -99,13 +99,13 @@
 //! [`NeglectedLift`](crate::Warning::NeglectedLift).
 //!
 //! For Carter's cylinder at 0.8 of the creepage of sliding, the force is within 2.1e-5 of $`\mu P`$ on 128 cells after
-//! 30 half-widths; without the entry compliance it is within 3e-3. On the cells of CONTACT and without the entry
-//! compliance, tractions agree to 2e-10 of the largest limit.
+//! 30 half-widths; without the entry compliance it is within 3e-3. The tractions on the cells of CONTACT, computed
+//! without the entry compliance, agree with the tractions of CONTACT to 2e-10 of the largest limit.
 //!
 //! The next table lists the products per step for the tractions of a sphere, on 32, 64 and 128 cells over the contact.
 //! They are means over the steps 11 to 30 after pressing. The creepage is relative to the creepage at which the linear
-//! theory reaches the friction limit. The last column is a step without rolling in which the shift grows by the same
-//! amount.
+//! theory reaches the friction limit. The last column refers to a step without rolling in which the shift grows by the
+//! same amount.
 //!
 //! | creepage | normal load | rolled step | step without rolling |
 //! |---|---|---|---|
@@ -126,10 +126,10 @@
 //! in every step.
 //!
 //! # Cycles
-//! A [`FrettingLoop`] repeats a [`LoadPath`] until the loop is steady or for a given number of cycles, and lets an
-//! observer wear the gap between steps. A [`Cycle`] accumulates the results of its steps: slip, energy, loop of force
-//! and shift, and [`Regime`]. A simulator with its own loop over cycles calls [`FrettingLoop::cycle`]; a simulator with
-//! its own loop over steps calls [`History::step`] and [`Cycle::add`].
+//! A [`FrettingLoop`] repeats a [`LoadPath`] until the loop is steady or for a given number of cycles, and its observer
+//! may apply wear to the gap between steps. A [`Cycle`] accumulates the results of its steps: slip, energy, loop of
+//! force and shift, and [`Regime`]. A simulator with its own loop over cycles calls [`FrettingLoop::cycle`]; a
+//! simulator with its own loop over steps calls [`History::step`] and [`Cycle::add`].
 //!
 //! # Wear
 //! [`wear`] converts the slip or the energy of steps or cycles to wear depth. [`History::set_gap`] applies the depth

@@ -7,8 +7,8 @@ use crate::error::{Error, Result, all_finite, finite, memory};
 /// Cycle of a tangential load in the plane, stored as the values `[x, y]` at the ends of its steps.
 ///
 /// The values are forces or shifts: [`LoadStep::force`](crate::history::LoadStep::force) and
-/// [`LoadStep::shift`](crate::history::LoadStep::shift) turn a value into a step. The next cycle starts where a cycle
-/// ends. If `n` steps follow from a formula, the k-th step ends at $`t = k/n`$, so that [`sine`](Self::sine) and
+/// [`LoadStep::shift`](crate::history::LoadStep::shift) turn a value into a step. Each cycle starts where the previous
+/// cycle ends. If `n` steps follow from a formula, the k-th step ends at $`t = k/n`$, so [`sine`](Self::sine) and
 /// [`triangle`](Self::triangle) start and end without load.
 ///
 /// ```
@@ -78,8 +78,8 @@ impl LoadPath {
     /// phase $`\varphi`$ in radians.
     ///
     /// A phase of $`\pi/2`$ with equal amplitudes gives a circle. No value exceeds its amplitude. The cycle starts and
-    /// ends at $`[0, A_y\sin\varphi]`$, so that the first step from an unloaded contact is longer by this load. The
-    /// error of energies is of first order in the length of a step, see [`history`](crate::history).
+    /// ends at $`[0, A_y\sin\varphi]`$, so the first step from an unloaded contact is longer by this load. The error of
+    /// energies is of first order in the length of a step, see [`history`](crate::history).
     ///
     /// # Errors
     /// - [`Error::NotFinite`] if the phase is not finite.

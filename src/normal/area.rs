@@ -16,8 +16,8 @@ impl NormalSolution {
         self.contact_map().cells()
     }
 
-    /// Returns the contact area from the number of contact cells. It is too large by about 0.3 cell sides over the
-    /// contact radius.
+    /// Returns the contact area from the number of contact cells. Its relative error is about 0.3 times the ratio of
+    /// the cell side to the contact radius; the area is too large.
     #[must_use]
     pub fn contact_area(&self) -> f64 {
         self.contact_map().area()
@@ -84,7 +84,7 @@ impl NormalSolution {
         Ok(warnings)
     }
 
-    /// Returns the number of cells whose pressure exceeds the hardness of the softer body, if its material states one.
+    /// Returns the number of cells whose pressure exceeds the hardness of the softer body, if its material has one.
     pub(crate) fn overloaded_cells(&self) -> usize {
         if let Some(whole) = &self.whole {
             return whole.overloaded;

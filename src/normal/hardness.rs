@@ -27,8 +27,8 @@ const ROOM: f64 = 1.01;
 /// (2007) 574 (<https://doi.org/10.1016/j.triboint.2005.11.008>). H is the indentation hardness. The certified error
 /// refers to the pressure of this model.
 ///
-/// A contact without yielded cells is first solved without the limit. A hardness that no cell reaches therefore leaves
-/// the solution bitwise identical.
+/// A contact without yielded cells is first solved without the limit. If no cell reaches the hardness, the solution is
+/// therefore bitwise identical to the solution without a hardness.
 ///
 /// ```
 /// use stickslip::*;
@@ -90,7 +90,7 @@ impl Hardness {
         Ok(Self { limit })
     }
 
-    /// Creates a limit H >= 0 for each cell. A cell with zero cannot carry pressure.
+    /// Creates a limit H >= 0 for each cell. A cell whose limit is zero cannot carry pressure.
     ///
     /// # Errors
     /// - [`Error::Sample`] at the first limit that is negative or not finite.
@@ -142,7 +142,8 @@ impl Hardness {
         Self { limit }
     }
 
-    /// Returns the limit for restoring a saved state. A change must satisfy the conditions of the constructors.
+    /// Returns mutable access to the limit, used to restore a saved state. A change must satisfy the conditions of the
+    /// constructors.
     pub(crate) fn limit_mut(&mut self) -> &mut PerCell<Field> {
         &mut self.limit
     }
@@ -164,7 +165,7 @@ impl Hardness {
         self.limit.map(Field::as_slice)
     }
 
-    /// Restricts the limits to cells twice as large, each with the mean of its fine cells.
+    /// Restricts the limits to cells with twice the side length. Each coarse cell receives the mean of its fine cells.
     pub(crate) fn coarsened(&self, bodies: &HalfSpace, coarser: &HalfSpace) -> Result<Self> {
         let coarsened = |cells: &Field| bodies.coarsened_field(coarser, cells);
         let limit = self.limit.try_map(coarsened)?;
@@ -176,8 +177,8 @@ impl Hardness {
         self.limit.check("hardness", grid)
     }
 
-    /// Returns whether a window is the whole grid or its cells can carry this total of the pressures with a margin of
-    /// [`ROOM`].
+    /// Returns whether a window is the whole grid, or whether the capacity of its cells is at least [`ROOM`] times this
+    /// total of the pressures.
     pub(crate) fn holds(&self, bodies: &HalfSpace, window: Window, total: Total) -> bool {
         let Some(total) = total
             .sum()

@@ -13,8 +13,8 @@ use crate::half_space::{HalfSpace, Region};
 use crate::memory::fallible;
 use crate::parallel::layout::Layout;
 
-/// Least ratio of the cells of the grid to those of a coarse window for which the window is used. Operators of the
-/// whole grid are cached, whereas operators of such windows are created for one solve.
+/// Least ratio of the number of cells of the grid to the number of cells of a coarse window at which the window is
+/// used. Operators of the whole grid are cached, whereas operators of such windows are created for one solve.
 const FEW: usize = 4;
 
 /// Relative change of a load below which it counts as round-off.

@@ -21,8 +21,8 @@ use crate::observer::Observer;
 use crate::parallel;
 use crate::report::{Report, Status};
 
-/// Smallest fraction of the tolerance to which a window is solved. If the whole grid still misses the tolerance, it
-/// counts as out of reach.
+/// Smallest fraction of the tolerance to which a window is solved. If the solution still misses the tolerance on the
+/// whole grid, the tolerance counts as out of reach.
 const STRICTEST: f64 = 0.1;
 
 /// Margin in cells on each side of the first window, into which the contact of later loads can grow.
@@ -67,7 +67,7 @@ impl<'a> NormalInput<'a> {
     }
 }
 
-/// State that one solve leaves to the next, except for the pressure. The caller stores the pressure, which must be zero
+/// State that is kept between solves, except for the pressure. The caller stores the pressure, which must be zero
 /// before the first solve.
 #[derive(Debug, Clone)]
 pub(crate) struct PressureSolver {
@@ -118,7 +118,7 @@ impl PressureSolver {
             .map_or(0, NormalEngine::trend_cells)
     }
 
-    /// Counts a step, whether or not it solves.
+    /// Counts a step, whether or not it requires a solve.
     pub(crate) fn tick(&mut self) {
         self.windows.tick();
     }
@@ -148,14 +148,14 @@ impl PressureSolver {
         outcome
     }
 
-    /// Discards the last solution. The next solve starts as the first did.
+    /// Discards the last solution. The next solve starts in the same way as the first.
     pub(crate) fn reset(&mut self) {
         self.windows.present = None;
         self.held = [f64::NEG_INFINITY; 2];
     }
 
-    /// Discards the last solution if the contact will grow beyond its window. A start on coarser cells then takes a
-    /// fourth of the products.
+    /// Discards the last solution if the contact will grow beyond its window. In this case, a start on coarser cells
+    /// takes a quarter of the products of a start from the last solution.
     ///
     /// The widest closed gap is assumed to grow in proportion to the depth of penetration, and the window is too small
     /// if a gap outside it would close. Loads up to the largest load that the window has contained are accepted without
@@ -264,7 +264,7 @@ impl PressureSolver {
         let mut scene = of.scene()?;
         let layout = of.bodies.grid_layout();
         let from = [reduce::total(&layout, pressure), self.approach];
-        // A window that cannot carry the load cannot be the start.
+        // The solve cannot start on a window that cannot carry the load.
         let holds = |window: Window| {
             of.hardness
                 .is_none_or(|hardness| hardness.holds(of.bodies, window, scene.total))
@@ -307,7 +307,7 @@ impl PressureSolver {
         outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
     }
 
-    /// Solves again from scratch if a pressure that was found without the hardness exceeds it, since the contact is
+    /// Solves again from scratch if a pressure that was found without the hardness exceeds it, because the contact is
     /// wider. If the solve has reached its limits or was cancelled, the pressure is only projected onto the limits and
     /// no step is taken.
     fn bring_within_limits(

@@ -14,7 +14,8 @@ use crate::normal::{Hardness, NormalSolution, NormalSolver};
 
 /// Prescribed normal load: a force, an approach or a fixed pressure.
 ///
-/// A [`NormalProblem`] applies it to unloaded bodies. A step of a [`History`](crate::History) reaches it at its end.
+/// A [`NormalProblem`] applies it to unloaded bodies. In a [`History`](crate::History), it is reached at the end of the
+/// step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -24,8 +25,8 @@ pub enum NormalControl {
     /// Approach delta of the bodies from the datum of the gap (a length, positive for bodies that move together); the
     /// force follows. At or below the least gap the bodies do not touch.
     ///
-    /// On a periodic grid the approach must be less than the mean gap, at which the gap would be closed. There the
-    /// certified error is measured against the exact contact under the computed force.
+    /// On a periodic grid the approach must be less than the mean gap; at the mean gap, the whole gap would be closed.
+    /// On such a grid the certified error is measured against the exact contact under the computed force.
     Approach(f64),
     /// Unchanged pressure, whatever the gap; no pressure is solved for. A [`NormalProblem`] has no earlier pressure and
     /// returns an error.
@@ -33,8 +34,8 @@ pub enum NormalControl {
 }
 
 impl NormalControl {
-    /// Returns the datum of the gap and the prescribed total of the pressures. Gaps measured from a datum near the
-    /// contact lose no digits in the sums.
+    /// Returns the datum of the gap and the prescribed total of the pressures. If the gaps are measured from a datum
+    /// near the contact, their sums lose no digits.
     pub(crate) fn to_datum_and_total(
         self,
         bodies: &HalfSpace,

@@ -75,7 +75,7 @@ impl Scale {
         }
     }
 
-    /// Returns the warnings of the values that are too large.
+    /// Returns a warning for each value that is too large.
     pub(crate) fn warnings(self) -> impl Iterator<Item = Warning> {
         let Self {
             approach_tenths,

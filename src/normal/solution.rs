@@ -213,7 +213,7 @@ impl NormalSolution {
         self.pressure.as_mut_slice()
     }
 
-    /// Sets the gap under load and the approach from the displacements by the present pressure and the initial gap.
+    /// Sets the gap under load and the approach from the initial gap and the displacements under the present pressure.
     pub(crate) fn fill(
         &mut self,
         bodies: &HalfSpace,
@@ -258,8 +258,9 @@ impl NormalSolution {
         self.pressure.grid()
     }
 
-    /// Returns the pressure p >= 0, positive if it pushes into the bodies; exactly zero outside the contact. The value
-    /// of a cell is uniform over the cell or its value at the centre, see [`cell_value`](Self::cell_value).
+    /// Returns the pressure p >= 0, positive if it pushes into the bodies; exactly zero outside the contact. Each value
+    /// is either the uniform pressure of its cell or the pressure at the centre of the cell; see
+    /// [`cell_value`](Self::cell_value).
     #[must_use]
     pub fn pressure(&self) -> &Field {
         &self.pressure
@@ -416,12 +417,12 @@ impl NormalSolution {
     ///
     /// with f = 1.4 for [uniform cells](crate::CellValue::Uniform), 1 for [values at the
     /// centres](crate::CellValue::Centre) and 1.25 on grids with [`Boundary::Periodic`]. Inside the contact the second
-    /// difference measures the variation that the cells do not resolve. At the edge of the contact both are of the same
-    /// size.
+    /// difference measures the variation that the cells do not resolve. At the edge of the contact, the second
+    /// difference and this variation are of the same size.
     ///
     /// The result is an estimate and not a bound. A solver's [certificate](crate::Report) bounds a different error, the
-    /// error of the solution on the given cells. The estimate decreases with the power 3/2 of the cell size. Compared
-    /// with exact means:
+    /// error of the solution on the given cells. The estimate decreases with the power 3/2 of the cell size. The table
+    /// gives the ratio of the estimate to the error relative to exact means:
     ///
     /// | contact | estimate over error |
     /// |---|---|
@@ -442,7 +443,7 @@ impl NormalSolution {
     /// The difference from a solve with half as many cells per side estimates only the error of the approach of uniform
     /// cells. A third of the difference is 0.4 to 1.2 times the error on 64 and 128 cells (a sphere and an ellipse 2:1
     /// at 8 positions each). For the approach of centre values, energies, the shift in partial slip and rough surfaces,
-    /// the ratio lies anywhere between -100 and 60, also for other orders.
+    /// the ratio lies anywhere between -100 and 60, even if other orders of convergence are assumed.
     ///
     /// ```
     /// use stickslip::*;

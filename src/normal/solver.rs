@@ -49,7 +49,7 @@ shown!(NormalSolver: problem);
 impl NormalSolver {
     pub(super) fn new(problem: NormalProblem) -> Result<Self> {
         let (bodies, grid) = (&problem.bodies, problem.bodies.grid());
-        // Reports a kernel that cannot be computed here rather than in the first solve.
+        // An error of the kernel is returned here rather than by the first solve.
         bodies.compliance([Direction::Z], grid.whole().size())?;
         let pressure = bodies.collective_result(fallible::zeros(grid.cells()))?;
         Ok(Self {
@@ -82,7 +82,7 @@ impl NormalSolver {
         Ok(())
     }
 
-    /// Restores a load that was set before.
+    /// Restores a load that was set earlier.
     pub(crate) fn restore_load(&mut self, load: NormalControl) {
         self.problem.load = load;
     }
@@ -102,7 +102,7 @@ impl NormalSolver {
 
     solver_settings!(problem.settings, problem.bodies, |_, _| Ok(()));
 
-    /// Discards the last solution. The next solve starts as the first did.
+    /// Discards the last solution. The next solve starts in the same way as the first.
     pub fn reset(&mut self) {
         self.press.reset();
     }

@@ -24,7 +24,7 @@ pub(super) struct NormalEngine {
     pub(super) solver: ElasticSolver<Interval, 1>,
     /// Change of the pressure of the window with the load.
     trend: LoadTrend<1>,
-    /// Whether the trend holds the pressure from before the extrapolation, until [`Self::note`] stores the change.
+    /// Whether the trend holds the pressure before the extrapolation, until [`Self::note`] stores the change.
     is_extrapolated: bool,
     /// Operator and fields needed if the window is a part of the grid; `None` if it is the whole grid.
     part: Option<NormalPart>,
@@ -202,7 +202,7 @@ impl NormalEngine {
         outcome
     }
 
-    /// Examines the pressure on the whole grid. Returns the certificate and the origin of the bound of the least
+    /// Examines the pressure on the whole grid. Returns the certificate and the origin of the bound on the least
     /// eigenvalue, or `None` if the window is the grid.
     pub(super) fn examine(
         &mut self,
@@ -273,7 +273,7 @@ impl NormalEngine {
     pub(super) fn note(&mut self, pressure: &[f64], from: LoadPoint, to: LoadPoint) -> Result<()> {
         let (region, cells) = (&self.region, self.region.cells());
         let [change] = &mut self.trend.change;
-        // A solver that was set up on a wider window since the extrapolation has no earlier pressure to compare with.
+        // A solver that was set up on a wider window after the extrapolation has no earlier pressure to compare with.
         if !std::mem::take(&mut self.is_extrapolated) {
             return Ok(());
         }

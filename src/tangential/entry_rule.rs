@@ -28,8 +28,8 @@ pub enum EntryRule {
 }
 
 /// Returns $`\kappa = 1 + c_l / 2 c_n`$ with $`c_n = \sum (1 - \nu)/G`$ and $`c_l = \sum \nu/G`$. It is the ratio of
-/// the tangential displacement of a cell by its own traction to its normal displacement by its own pressure. For coated
-/// and uncoated bodies it is the mean of both [directions](ratios_of_compliances).
+/// the tangential displacement of a cell under its own traction to its normal displacement under its own pressure. For
+/// coated and uncoated bodies it is the mean of both [directions](ratios_of_compliances).
 pub(crate) fn ratio_of_compliances(bodies: &HalfSpace) -> f64 {
     if bodies.pair().is_coated() {
         let [along, across] = ratios_of_compliances(bodies.pair(), bodies.grid());
@@ -113,7 +113,7 @@ impl TangentialIncrement {
     }
 
     /// Sets the entry compliance for rolling, in which it depends on the direction. `own` returns the compliance of a
-    /// cell of the grid for its pressure.
+    /// cell of the grid, given its pressure.
     pub(crate) fn set_rolling_entry_compliance(
         &mut self,
         own: impl Fn(usize, f64) -> EntryCompliance,
@@ -147,7 +147,7 @@ impl TangentialIncrement {
         Ok(())
     }
 
-    /// Sets that no cell comes into contact in this step.
+    /// Clears the entry compliances, because no cell comes into contact in this step.
     pub(crate) fn enter_nowhere(&mut self) {
         self.has_entered = false;
         self.diagonal.clear();
@@ -164,7 +164,7 @@ impl TangentialIncrement {
     }
 
     /// Writes the mean entry compliance of the cells of the window in the last step; `entered` is empty if no cell came
-    /// into contact. Returns whether a cell of any rank did.
+    /// into contact. Returns whether a cell of any rank came into contact.
     pub(crate) fn write_entered(&self, entered: &mut Vec<f64>) -> bool {
         entered.clear();
         if self.has_entered {
@@ -173,8 +173,8 @@ impl TangentialIncrement {
         self.has_entered
     }
 
-    /// Subtracts $`B q`$ from the offsets of the cells that came into contact, the part of the motion that they have
-    /// not followed.
+    /// Subtracts $`B q`$, the part of the motion that they have not followed, from the offsets of the cells that came
+    /// into contact.
     pub(super) fn subtract_entry_lag(&mut self) {
         let own = CellCompliance::new(&self.diagonal, &self.deviator);
         for cell in 0..self.diagonal.len() {

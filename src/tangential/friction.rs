@@ -149,7 +149,7 @@ impl Friction {
         }
     }
 
-    /// Restricts the friction to the cells of `coarser`, which are twice as large as the cells of `bodies`.
+    /// Restricts the friction to the cells of `coarser`, which have twice the side length of the cells of `bodies`.
     pub(crate) fn coarsened(&self, bodies: &HalfSpace, coarser: &HalfSpace) -> Result<Self> {
         let coarsened = |cells: &Field| bodies.coarsened_field(coarser, cells);
         Ok(Self {

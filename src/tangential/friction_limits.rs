@@ -129,7 +129,7 @@ impl Limits {
         is_extreme.then(|| largest.log2().clamp(-1000.0, 1000.0).floor().exp2())
     }
 
-    /// Returns an error if friction cannot carry the force or the limits overflow.
+    /// Returns an error if friction cannot carry the force or if the limits overflow.
     pub(crate) fn check(&self, [x, y]: [f64; 2], cell_area: f64) -> Result<()> {
         finite("sum of the friction limits", self.sum)?;
         let (force, limit) = (x.hypot(y), self.sum * cell_area);

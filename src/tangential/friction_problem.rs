@@ -51,7 +51,7 @@ where
             .totals(self.totals)
     }
 
-    /// Restricts the problem to coarser cells without entry compliances. The sums remain the same fraction of the
+    /// Restricts the problem to coarser cells and omits the entry compliances. The sums remain the same fraction of the
     /// friction capacity.
     fn coarsened(&self, levels: GridTransfer<'_>) -> Result<Self> {
         let mut coarse = Self {

@@ -155,7 +155,7 @@ impl TangentialIncrement {
         self.engine.rest();
     }
 
-    /// Recomputes the displacement by the present tractions and returns it for the local cells of the grid.
+    /// Recomputes the displacement under the present tractions and returns it for the local cells of the grid.
     pub(crate) fn fresh_displacement(&mut self) -> Result<[Cow<'_, [f64]>; 2]> {
         // The linear term can serve as a buffer, since a solve writes it first.
         self.engine.apply(&self.traction, &mut self.linear)?;
@@ -241,7 +241,7 @@ impl TangentialIncrement {
             .minimise(task, &mut self.traction, &settings, observer)
     }
 
-    /// Converts the load to totals of the tractions and sets the motion from which they are measured.
+    /// Converts the load to totals of the tractions and sets the datum of the motion.
     fn compute_totals(&mut self, demand: &TangentialTarget) -> Result<[Total; 2]> {
         let (cell_area, force) = (self.bodies.grid().cell_area(), demand.force());
         self.pressed.check(force, cell_area)?;

@@ -16,7 +16,7 @@ use crate::tangential::Zone;
 /// \kappa = \frac{2 - \nu}{2 (1 - \nu)}
 /// ```
 ///
-/// The stick zone is the contact area of the lighter contact. The superposition is exact if the tangential compliance
+/// The stick zone is the contact area under the smaller load. The superposition is exact if the tangential compliance
 /// is proportional to the normal compliance: on any surface for Poisson's ratio zero, and on spheres for any Poisson's
 /// ratio. On ellipsoids the traction is exact, but the ratio of the shift is not `kappa`. On rough surfaces the error
 /// of the traction is 4 to 6 % for Poisson's ratio 0.29, and the error of the shift 0.7 %. Jaeger, J. Tribology 120

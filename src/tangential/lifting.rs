@@ -16,7 +16,7 @@ pub(crate) struct Lifting {
     displacement: Vec<f64>,
 }
 
-/// Operator of the normal displacement by the tractions along one axis.
+/// Operator of the normal displacement due to the tractions along one axis.
 #[derive(Debug, Clone)]
 struct LiftPart {
     operator: ElasticOperator<1>,
@@ -55,8 +55,8 @@ impl Lifting {
 }
 
 /// Returns the residual of the normal law that the lift (the normal displacement by tractions) leaves. It is half the
-/// range of the lift within the contact, relative to the largest normal displacement, since a uniform lift changes only
-/// the approach. Under a prescribed approach (`is_fixed`) it is the largest lift instead of half the range.
+/// range of the lift within the contact, relative to the largest normal displacement, because a uniform lift changes
+/// only the approach. Under a prescribed approach (`is_fixed`) it is the largest lift instead of half the range.
 pub(crate) fn lift_residual(
     layout: &Layout,
     is_contact: impl Fn(usize) -> bool + Sync,

@@ -9,7 +9,7 @@ use crate::tangential::{Axis, RigidMotion, TangentialModel};
 /// Prescribed tangential load along one axis.
 ///
 /// A problem applies it to bodies at rest. A step of a [`History`](crate::History) starts from the previous state and
-/// reaches it at its end.
+/// reaches the load at its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -17,7 +17,7 @@ pub enum TangentialControl {
     /// Tangential force that body 2 exerts on body 1 (a force, either sign); the shift follows.
     Force(f64),
     /// Shift since the unloaded state: the rigid motion of body 2 relative to body 1, far from the contact (a length,
-    /// either sign). The force follows and has the same sign when loaded from rest.
+    /// either sign). The force follows; if the bodies are loaded from rest, it has the same sign.
     ///
     /// On a periodic grid the shift is measured from the mean plane of the surface. The certified error is then
     /// measured against the exact contact under the computed force.
@@ -27,8 +27,8 @@ pub enum TangentialControl {
     ///
     /// A spring a million times softer than the contact in effect prescribes the force. Prescribe the force directly in
     /// this case, because the slip is lost in the round-off of the stretch. Residuals are relative to the largest
-    /// displacement of the bodies or to the stretch of the stiffest spring if all tractions had the same direction,
-    /// whichever is larger.
+    /// displacement of the bodies or to the stretch that the stiffest spring would have if all tractions had the same
+    /// direction, whichever is larger.
     Spring {
         /// Position X of the far end of the spring (a length, either sign) since the unloaded state.
         position: f64,
@@ -238,8 +238,8 @@ impl TangentialTarget {
         })
     }
 
-    /// Converts the load to totals of the tractions along these axes and sets the motion from which they are measured.
-    /// `datum` is that motion along axes whose shift follows from a force or a spring.
+    /// Converts the load to totals of the tractions along these axes and sets the datum of the motion. `datum` is used
+    /// along axes whose shift follows from a force or a spring.
     ///
     /// `sums` are the totals for the prescribed forces; `None` if friction cannot carry any traction. The shift under a
     /// force is then undetermined and remains unchanged.

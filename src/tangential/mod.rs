@@ -20,7 +20,8 @@
 //! s = 0 \text{ where } |q| < m, \qquad s = -|s|\,q/m \text{ where } |q| = m .
 //! ```
 //!
-//! The next table lists the effect of this neglect at one shift on a sphere, at 0.1, 0.4 and 0.9 of the sliding force:
+//! The next table lists the effect of this neglect on a sphere under the same shift, at 0.1, 0.4 and 0.9 of the sliding
+//! force:
 //!
 //! | Poisson's ratio | traction across / largest limit | its largest angle | relative change of the force | changed zones |
 //! |---|---|---|---|---|

@@ -23,7 +23,7 @@ impl TangentialIncrement {
         }
     }
 
-    /// Subtracts the surface displacement by the growth of the pressure from the offsets, if pressure moves the
+    /// Subtracts the surface displacement due to the growth of the pressure from the offsets, if pressure moves the
     /// surfaces. A cell that sticks resists this displacement by traction. `before` returns the previous pressure of a
     /// cell of the grid.
     pub(crate) fn draw_from(&mut self, before: impl Fn(usize) -> f64) {
@@ -39,7 +39,8 @@ impl TangentialIncrement {
         }
     }
 
-    /// Sets the offsets of bodies that were apart: the negative displacements by the pressure and by `relative`.
+    /// Sets the offsets of bodies that were apart: the negated sum of the displacement due to the pressure and the
+    /// displacement `relative`.
     pub(crate) fn draw(&mut self, relative: Option<&RelativeDisplacement>) {
         for offset in self.offset.iter_mut().flatten() {
             *offset = 0.0;
@@ -59,7 +60,7 @@ impl TangentialIncrement {
         self.subtract(|region, axis, buffer| region.collect(|cell| change(axis, cell), buffer));
     }
 
-    /// Subtracts the field that `write` returns for each axis from the offsets.
+    /// Subtracts the field that `write` writes for each axis from the offsets.
     fn subtract(&mut self, write: impl Fn(&Region, usize, &mut [f64])) {
         for axis in self.axes.iter().map(|axis| axis.index()) {
             let (offset, buffer) = (&mut self.offset[axis], &mut self.linear[axis]);

@@ -44,7 +44,7 @@ impl CouplingDisplacement {
         })
     }
 
-    /// Subtracts the displacement by these pressures from a field.
+    /// Subtracts the displacement due to these pressures from a field.
     pub(super) fn subtract(
         &mut self,
         pressures: impl Iterator<Item = f64>,
@@ -57,7 +57,7 @@ impl CouplingDisplacement {
         });
     }
 
-    /// Passes the displacement by these pressures along each axis to a callback.
+    /// Passes the displacement due to these pressures along each axis to a callback.
     pub(crate) fn displace(
         &mut self,
         pressures: impl Iterator<Item = f64>,

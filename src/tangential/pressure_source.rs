@@ -79,7 +79,7 @@ pub(crate) fn check_bodies(normal: &NormalSolution, bodies: &HalfSpace) -> Resul
     Ok(())
 }
 
-/// Returns the smallest window that contains all pressure. It covers the whole grid along a periodic axis.
+/// Returns the smallest window that contains all cells with pressure. It covers the whole grid along a periodic axis.
 pub(crate) fn contact_window(bodies: &HalfSpace, pressure: &[f64]) -> Result<Window> {
     let contact = bodies.around(|i| pressure[i] > 0.0);
     contact

@@ -145,10 +145,10 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
     /// at [`Coupling`]. [`Coupling::Full`] is an error for such bodies, because the pressure then depends on the
     /// tractions ([`CoupledProblem`](crate::CoupledProblem)).
     ///
-    /// The problem presses such bodies together in one step. This is exact for a contact that does not grow, such as
-    /// the contact of a flat punch. For other contacts the stick zone differs from the stick zone under a growing load;
-    /// use [`History::press`](crate::History::press) to press in several steps. The solution has the warning
-    /// [`SingleLoadStep`](crate::Warning::SingleLoadStep).
+    /// In this problem, such bodies are pressed together in one step. This is exact for a contact that does not grow,
+    /// such as the contact of a flat punch. For other contacts the stick zone differs from the stick zone under a
+    /// growing load; use [`History::press`](crate::History::press) to press in several steps. The solution has the
+    /// warning [`SingleLoadStep`](crate::Warning::SingleLoadStep).
     ///
     /// ```
     /// use stickslip::*;

@@ -7,8 +7,9 @@ use crate::half_space::HalfSpace;
 use crate::memory::fallible::try_clone;
 use crate::tangential::{Axis, TangentialModel};
 
-/// Tangential displacement w of body 1 relative to body 2 in each cell that the tractions of the contact do not cause
-/// (lengths, `[x, y]`). Examples are bulk strain, thermal expansion and the deformation by a nearby contact.
+/// Tangential displacement w of body 1 relative to body 2 in each cell, other than the displacement under the tractions
+/// of the contact (lengths, `[x, y]`). Examples are bulk strain, thermal expansion and the deformation due to a nearby
+/// contact.
 ///
 /// The slip is then $`s = u + w - \delta`$. Where the bodies stick, tractions balance w. A uniform w acts like a shift
 /// of the opposite sign. Source: Nowell & Hills, Int. J. Mech. Sci. 29 (1987) 355.

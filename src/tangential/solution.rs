@@ -197,7 +197,7 @@ impl TangentialSolution {
         }
     }
 
-    /// Returns an error if the solution does not belong to bodies like these.
+    /// Returns an error if the solution does not belong to equal bodies.
     pub(crate) fn check_bodies(&self, bodies: &HalfSpace) -> Result<()> {
         let quantity = "tangential contact";
         bodies.check_host(quantity, self.grid(), self.boundary)?;
@@ -284,8 +284,8 @@ impl TangentialSolution {
         self.sums().moment * self.grid().cell_area()
     }
 
-    /// Computes the displacement of the surface of body 1 relative to the surface of body 2 by the tractions (lengths),
-    /// in all cells inside and outside the contact. This takes one product with the operator of the bodies.
+    /// Computes the displacement of the surface of body 1 relative to the surface of body 2 due to the tractions
+    /// (lengths), in all cells inside and outside the contact. This takes one product with the operator of the bodies.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::CellValueMismatch`] if the solution belongs
@@ -340,7 +340,7 @@ impl TangentialSolution {
         self.slip_cells() as f64 * self.grid().cell_area()
     }
 
-    /// Returns the energy dissipated by the step, `-Delta sum q s >= 0`, with the tractions at its end.
+    /// Returns the energy dissipated by the step, `-Delta sum q s >= 0`, computed from the tractions at its end.
     #[doc(alias = "dissipated energy")]
     #[must_use]
     pub fn dissipated_energy(&self) -> f64 {

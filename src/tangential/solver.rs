@@ -45,7 +45,7 @@ use crate::tangential::{
 /// ```
 #[derive(Clone)]
 pub struct TangentialSolver {
-    /// Problem to solve. Its pressure and limits are candidates for the next solve, which must pass a check before use.
+    /// Problem to solve. Its pressure and limits are candidates for the next solve; they must pass a check before use.
     problem: TangentialProblem,
     /// Step on the bounding box of the contact, with the last traction as the start of the next solve.
     increment: TangentialIncrement,
@@ -85,7 +85,7 @@ impl TangentialSolver {
         bodies.collective_result_checked(Ok(()), &[("tangential load", &load)])?;
         let (demand, boundary) = (load.demand(), bodies.boundary());
         let mut axes = load.axes(self.problem.model)?;
-        // A load that fits the present axes keeps them; a zero load always does.
+        // The axes remain unchanged if the load fits them; a zero load always fits.
         if demand.check(self.increment.axes(), boundary).is_ok() {
             axes = self.increment.axes();
         }
@@ -125,7 +125,8 @@ impl TangentialSolver {
     }
 
     /// Changes the pressure of the next solve, for instance after wear or a change of the normal load. The pressure
-    /// comes from a solved normal contact or a field. Allocates only if the contact has left its bounding box.
+    /// comes from a solved normal contact or a field. The function allocates only if the contact has left its bounding
+    /// box.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::MaterialMismatch`] if the pressure belongs to
@@ -162,8 +163,8 @@ impl TangentialSolver {
         Ok(())
     }
 
-    /// Changes the relative displacement of the bodies that the contact does not cause for the next solve. Allocates
-    /// only if there was none.
+    /// Changes, for the next solve, the relative displacement of the bodies that the contact does not cause. The
+    /// function allocates only if no such displacement was set earlier.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.
@@ -205,7 +206,7 @@ impl TangentialSolver {
         solver.problem.model.check(settings)
     });
 
-    /// Discards the last solution. The next solve starts as the first did.
+    /// Discards the last solution. The next solve starts in the same way as the first.
     pub fn reset(&mut self) {
         self.is_warm = false;
     }

@@ -61,8 +61,8 @@ pub(super) trait TangentialEngine: Debug + Send + Sync {
         observer: Observer<'_>,
     ) -> Result<()>;
 
-    /// Returns the tractions to start from: the solution on coarser cells, or the plain start for a method without a
-    /// nested start and for a contact that slides as a whole.
+    /// Returns the tractions to start from, which are the solution on coarser cells. If the method has no nested start
+    /// or the contact slides as a whole, they are proportional to the friction limits.
     fn start(
         &self,
         bodies: &HalfSpace,

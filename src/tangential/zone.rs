@@ -2,7 +2,7 @@
 
 /// State of a cell under a tangential load.
 ///
-/// As a number in a file (`zone as u8`) and as a byte in memory: 0 separated, 1 stick, 2 slip.
+/// The value in a file (`zone as u8`) and in memory is 0 for separated, 1 for stick and 2 for slip.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[repr(u8)]

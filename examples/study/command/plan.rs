@@ -9,9 +9,9 @@ use super::row;
 
 /// All combinations of the listed values, with their common settings.
 ///
-/// Cases that differ only in friction have the same pressure field. Together they form a *press*, the unit of work. The
-/// case number counts frictions first, then pressures, Hurst exponents and seeds. Since seeds come last, adding seeds
-/// does not change the case numbers of a plan.
+/// Cases that differ only in friction have the same pressure field. Together they form a *press*, the unit of work. The case
+/// number counts frictions first, then pressures, Hurst exponents and seeds. Because seeds come last, adding seeds does not
+/// change the case numbers of a plan.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Plan {
     /// Number of cells along either side.

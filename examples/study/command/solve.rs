@@ -12,7 +12,7 @@ use super::row::{Ending, Row};
 /// Young's modulus, rms slope and side of the surface. For half-spaces, pressures are proportional to the modulus and
 /// the slope, and lengths to the side. All results are ratios, so they do not depend on these numbers.
 const UNIT: f64 = 1.0;
-/// Poisson's ratio of both bodies. Since the bodies are identical, the pressure does not depend on the shear.
+/// Poisson's ratio of both bodies. Because the bodies are identical, the pressure does not depend on the shear.
 const POISSON_RATIO: f64 = 0.3;
 
 /// Data common to all cases of a plan.

@@ -140,7 +140,7 @@ impl Table {
                 synced,
             } => {
                 if let Err(error) = file.write_all(lines.as_bytes()) {
-                    // If an incomplete line cannot be removed, the next program removes it.
+                    // If the incomplete line cannot be removed now, the next run removes it.
                     let _ = file.set_len(*length);
                     return Err(Failure::of_file(&self.path)(error));
                 }

@@ -55,7 +55,7 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
     }
 
     /// Stops after the first cycle whose [closure](Cycle::cyclic_residual) is at most `tolerance`, in `(0, 1)`
-    /// (default: never). The closure is the largest over all cells; energies become steady cycles earlier.
+    /// (default: never). The closure is the largest value over all cells; energies become steady cycles earlier.
     pub fn until_steady(mut self, tolerance: f64) -> Self {
         self.tolerance = Some(tolerance);
         self
@@ -82,8 +82,8 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
     }
 
     /// Takes cycles as [`FrettingLoop::run`] does and calls an observer after every step with the history and the cycle
-    /// so far. The observer may wear the gap, change friction, write output, or stop the loop. Steps that the observer
-    /// takes do not count in any cycle.
+    /// so far. The observer may apply wear to the gap, change the friction, write output, or stop the loop. Steps that
+    /// the observer takes do not count in any cycle.
     ///
     /// # Errors
     /// - Errors of [`FrettingLoop::run`].
@@ -151,7 +151,7 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
 pub enum StopReason {
     /// The last cycle closed to the requested tolerance.
     Steady,
-    /// All cycles were taken without a steady cycle, or without a tolerance.
+    /// All cycles were taken: no cycle was steady, or no tolerance was set.
     CycleLimit,
     /// The observer stopped the loop.
     Stopped,

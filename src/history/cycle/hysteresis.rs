@@ -71,16 +71,16 @@ impl Cycle {
         steps.map(work).sum()
     }
 
-    /// Returns the energy ratio $`E_d / (4\,Q^*\delta^*)`$. It relates the energy dissipated, from the tractions at the
-    /// end of each step, to the energy of a rectangle around the loop. It is zero without dissipation, and infinite if
-    /// energy was dissipated while the force or the shift was constant.
+    /// Returns the energy ratio $`E_d / (4\,Q^*\delta^*)`$. It relates the dissipated energy, computed from the
+    /// tractions at the end of each step, to the energy of a rectangle around the loop. It is zero without dissipation,
+    /// and infinite if energy was dissipated while the force or the shift was constant.
     ///
     /// $`Q^*`$ is half the longest chord of the path of the force in the plane, and $`\delta^*`$ half the range of the
-    /// shift along this chord. If body 2 turns, the product of the half ranges of moment and twist is added to their
-    /// product. On a sphere under a constant normal force the ratio grows to 1/5 at the limit of sliding (Mindlin &
-    /// Deresiewicz), and to one by sliding. Fouvry, Kapsa & Vincent, Wear 185 (1995) 35,
-    /// <https://doi.org/10.1016/0043-1648(94)06582-9>, use 1/5 for the transition from partial to gross slip. The ratio
-    /// of loops around an ellipse may exceed one.
+    /// shift along this chord. If body 2 turns, the product of the half ranges of moment and twist is added to
+    /// $`Q^*\delta^*`$. On a sphere under a constant normal force the ratio grows to 1/5 at the limit of sliding
+    /// (Mindlin & Deresiewicz); when the contact slides, it approaches one. Fouvry, Kapsa & Vincent, Wear 185 (1995)
+    /// 35, <https://doi.org/10.1016/0043-1648(94)06582-9>, use 1/5 for the transition from partial to gross slip. The
+    /// ratio of loops around an ellipse may exceed one.
     #[must_use]
     pub fn energy_ratio(&self) -> f64 {
         part_of(self.energy().dissipated_energy, total_energy(self.points()))
@@ -122,9 +122,9 @@ impl Cycle {
          dissipated_energy,energy_ratio,cyclic_residual,least_stick_ratio,largest_stick_ratio";
 
     /// Returns the cycle as a line of CSV without a line ending, for a table of cycles. The columns are the number of
-    /// steps, half the ranges of force and shift, and the energy dissipated, from the tractions at the ends of steps.
-    /// They are followed by the [energy ratio](Cycle::energy_ratio), the [residual](Cycle::cyclic_residual) and the
-    /// [stick ratios](Cycle::stick_ratios).
+    /// steps, half the ranges of force and shift, and the dissipated energy, computed from the tractions at the ends of
+    /// the steps. They are followed by the [energy ratio](Cycle::energy_ratio), the [residual](Cycle::cyclic_residual)
+    /// and the [stick ratios](Cycle::stick_ratios).
     ///
     /// ```
     /// use stickslip::history::{Cycle, FrettingLoop, LoadPath};

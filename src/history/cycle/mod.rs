@@ -330,8 +330,8 @@ impl Cycle {
         self.sums.slip_amplitude.each_ref()
     }
 
-    /// Returns the energy that each cell dissipated in the cycle, from its traction at the end of each step (energies).
-    /// [`wear::energy`](crate::history::wear::energy) accepts this field.
+    /// Returns the energy that each cell dissipated in the cycle, computed from its traction at the end of each step
+    /// (energies). [`wear::energy`](crate::history::wear::energy) accepts this field.
     #[doc(alias = "dissipated energy")]
     #[must_use]
     pub fn dissipated_energy(&self) -> &Field {

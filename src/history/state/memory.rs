@@ -20,7 +20,8 @@ pub(crate) struct Memory {
     /// Value of u minus the motion in a cell while it sticks. In the contact it results from the last slip of the cell.
     /// Outside the contact it is the value that the cell would have if it touched now.
     pub(in crate::history) offset: TangentialVector,
-    /// Change of the tractions in the last step with the changes of force and shift; empty for coupled bodies.
+    /// Change of the tractions in the last step, together with the changes of force and shift; empty for coupled
+    /// bodies.
     pub(in crate::history) trend: LoadTrend<2>,
     /// Slip of the last step, which determines the stiffness against a change of direction; empty in the scalar model.
     pub(crate) slip: TangentialVector,

@@ -89,7 +89,7 @@ pub struct State {
     pub(super) pressed_by: NormalControl,
     /// Window of the last pressure solve; `None` before the first contact.
     pub(crate) press_window: Option<Window>,
-    /// Change of the pressure with the load on that window.
+    /// Change of the pressure with the load, on the window `press_window`.
     pub(super) trend: LoadTrend<1>,
     /// Memory of the cells in and around the contact; `None` before the first contact.
     pub(crate) contact: Option<Memory>,
@@ -335,7 +335,7 @@ impl State {
         self.is_pressure_stale
     }
 
-    /// Returns the normal contact: pressure, approach, gap under load, contact area, warnings.
+    /// Returns the normal contact: pressure, approach, gap under load, contact area and warnings.
     #[must_use]
     pub fn normal(&self) -> &NormalSolution {
         &self.normal

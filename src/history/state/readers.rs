@@ -58,7 +58,7 @@ impl History {
         self.state.friction()
     }
 
-    /// Returns the normal contact: pressure, approach, gap under load, contact area, warnings.
+    /// Returns the normal contact: pressure, approach, gap under load, contact area and warnings.
     #[must_use]
     pub fn normal(&self) -> &NormalSolution {
         self.state.normal()
@@ -83,9 +83,9 @@ impl History {
         self.state.traction()
     }
 
-    /// Computes the displacement of the surface of body 1 relative to the surface of body 2 by the tractions (lengths),
-    /// in all cells inside and outside the contact. The call computes it with operators that the bodies then cache.
-    /// With [`Coupling::Full`](crate::Coupling::Full) it includes the displacement by the pressure.
+    /// Computes the displacement of the surface of body 1 relative to the surface of body 2 due to the tractions
+    /// (lengths), in all cells inside and outside the contact. The call uses operators that the bodies then cache. With
+    /// [`Coupling::Full`](crate::Coupling::Full) the result includes the displacement due to the pressure.
     ///
     /// # Errors
     /// - Errors of [`HalfSpace::operator`](crate::HalfSpace::operator).

@@ -97,10 +97,10 @@ impl State {
 }
 
 impl History {
-    /// Changes the pattern of the [relative displacement](crate::history::HistoryBuilder::relative_displacement). The
-    /// next step leads from the displacement reached with the old pattern to its amount of the new pattern. The first
-    /// of several [adaptive](crate::history::AdaptiveSteps) steps takes the whole change of the pattern. Copies without
-    /// allocating, unless the history had no pattern.
+    /// Changes the pattern of the [relative displacement](crate::history::HistoryBuilder::relative_displacement). In
+    /// the next step the displacement changes from its value with the old pattern to the amount of the new pattern at
+    /// the end of the step. The first of several [adaptive](crate::history::AdaptiveSteps) steps includes the whole
+    /// change of the pattern. The pattern is copied without allocation, unless the history had no pattern.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.

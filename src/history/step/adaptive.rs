@@ -25,7 +25,7 @@ pub struct StepErrorEstimate {
     pub force: [f64; 2],
     /// Difference of the shift `[x, y]` (lengths).
     pub shift: [f64; 2],
-    /// Difference of the dissipated energy, from the tractions at the ends of the steps.
+    /// Difference of the dissipated energy, computed from the tractions at the ends of the steps.
     pub dissipated_energy: f64,
 }
 
@@ -41,12 +41,13 @@ pub struct StepErrorEstimate {
 ///
 /// For dissimilar bodies that are pressed from zero load use [`History::press`]. The error of their first step is large
 /// compared with its friction limits, for any length of the step, and this type would return [`Error::StepTooLong`].
-/// The error of the whole load depends less on the first step, since the contact grows far beyond it.
+/// The error of the whole load depends less on the first step, because the contact grows far beyond its size in that
+/// step.
 ///
 /// The tolerance applies to the tractions. If cells slip while the contact grows, their dissipated energy converges
 /// more slowly. Compare [`StepErrorEstimate::dissipated_energy`] with the energy of the step.
 ///
-/// All prescribed quantities change in proportion from their previous value to the value of the load.
+/// All prescribed quantities change proportionally from their previous values to those of the load.
 ///
 /// # Memory
 /// The buffers take the memory of four states. A step allocates if the contact outgrows its bounding box, in each
@@ -186,8 +187,8 @@ impl AdaptiveSteps {
             // Fractions are powers of two, so that steps end exactly at the end of the load.
             let end = start + part;
             let error = self.compare(history, load, [start, end])?.traction;
-            // The limit decreases less than in proportion to the fraction, because later slip erases much of the error
-            // of earlier steps.
+            // The limit decreases more slowly than the fraction, because later slip erases much of the error of earlier
+            // steps.
             let allowed = part.sqrt() * self.tolerance;
             if error <= allowed {
                 // The error estimate replaces the criterion for the growth of the contact.

@@ -147,7 +147,7 @@ fn enter(
     }
 }
 
-/// Writes the components of a vector that the model has to a cell.
+/// Writes a vector to a cell, for the components that the model includes.
 fn write(parts: &mut [Blocks<'_, f64>; 2], cell: usize, values: [f64; 2]) {
     for (part, value) in parts.iter_mut().zip(values) {
         if let Some(place) = part.items.get_mut(cell) {
@@ -164,7 +164,7 @@ type RowParts<'a> = (
     (Blocks<'a, Zone>, [[Blocks<'a, f64>; 2]; 3]),
 );
 
-/// Committed step as seen from its cells.
+/// Data of a committed step that the results of its cells depend on.
 struct CommittedStep<'a> {
     answer: &'a StepSolution<'a>,
     grid: Grid,

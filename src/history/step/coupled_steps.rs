@@ -43,8 +43,8 @@ impl State {
 }
 
 impl History {
-    /// Solves a step with coupled pressure and traction without a change of the state. Returns the motion of body 2 at
-    /// its end, or `None` if the bodies are not coupled.
+    /// Solves a step with coupled pressure and traction without changing the state. Returns the motion of body 2 at its
+    /// end, or `None` if the bodies are not coupled.
     pub(in crate::history) fn find_jointly(
         &mut self,
         load: &LoadStep,
@@ -110,7 +110,7 @@ fn roll(
     let Some(gap) = state.closing(bodies, control, true) else {
         return joint.enter(None::<fn(usize) -> f64>);
     };
-    // The compliance is set for a unit pressure, since the solve has yet to find the pressure of the cell.
+    // The compliance is set for a unit pressure, because the pressure of the cell is not known before the solve.
     joint.set_rolling_entry_compliance(Some(|i: usize| {
         let entered = |before| compliance(&state.normal, before, gap(before), 1.0);
         travel.before(i).map_or(EntryCompliance::NONE, entered)

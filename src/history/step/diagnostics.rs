@@ -28,10 +28,10 @@ pub(in crate::history) struct StepDiagnostics {
     /// Largest loss of tangential force under a held shift in any step, in per cent.
     #[cfg_attr(feature = "serde", serde(default))]
     pub(in crate::history) lost_per_cent: usize,
-    /// Largest lift by the tractions of a rolled step that the pressure ignores, in millionths of the normal
+    /// Largest lift due to the tractions of a rolled step that the pressure ignores, in millionths of the normal
     /// displacement.
     pub(in crate::history) neglected_lift: Option<usize>,
-    /// Resolution of the contact and its zones: the fewest stick cells and the widest slip zone.
+    /// Resolution of the contact and its zones: the smallest number of stick cells and the widest slip zone.
     pub(in crate::history) resolution: Resolution,
 }
 
@@ -85,7 +85,7 @@ impl StepDiagnostics {
 impl Cycle {
     /// Returns the [warnings](crate::history::StepResult::warnings) of all steps, each once, with the largest count.
     /// The warning for a narrow slip zone appears only if the zone was too narrow in all steps.
-    /// [`History::normal`](crate::History::normal) has the warnings about the grid and the contact spots.
+    /// [`History::normal`](crate::History::normal) returns the warnings about the grid and the contact spots.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         self.remarks.warnings()

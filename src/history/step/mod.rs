@@ -49,9 +49,10 @@ use crate::warning::Resolution;
 /// # Memory
 /// In addition to its bodies a history takes 168 bytes per cell of the grid and 350 per cell of the contact's bounding
 /// box, including operators. In the vector model ([`HistoryBuilder::model`]) it takes 590 per cell of the box. Most of
-/// this memory is borrowed for the duration of a step. If they are not stepped concurrently, further histories of the
-/// same bodies with boxes of the same size take 121 bytes per cell of the grid and 51 (91) per cell of the box. A
-/// relative displacement adds 32 bytes per cell of the grid. Bodies of different materials take several times as much.
+/// this memory is borrowed for the duration of a step. Further histories of the same bodies with boxes of the same size
+/// take 121 bytes per cell of the grid and 51 per cell of the box (91 in the vector model), if they are not stepped
+/// concurrently. A relative displacement adds 32 bytes per cell of the grid. Histories of bodies of different materials
+/// take several times as much memory.
 ///
 /// A contact that outgrows its box moves to a wider box. A contact that needs at most half of the cells of its box,
 /// before and after a step, moves to a smaller box. Data for other boxes are kept for 256 steps, as long as they cover
@@ -105,7 +106,7 @@ pub struct History {
     /// coupling.
     pub(super) joint: Option<Box<CoupledIncrement>>,
     pub(super) step: StepResult,
-    /// Lift by the tractions of rolled steps with one-way coupling; `None` before the first such step.
+    /// Lift due to the tractions of rolled steps with one-way coupling; `None` before the first such step.
     pub(super) lifting: Option<NeglectedLift>,
     /// Window in which the fields of the step may be non-zero; `None` if all fields are zero.
     written: Option<Window>,
@@ -173,7 +174,7 @@ impl History {
     /// Restores a state of this history, or of another history on equal bodies, including its gap, friction and
     /// settings. The state is copied into the existing buffers. The call allocates only if the contact has moved to a
     /// different box since, or if only one of the two states has a relative displacement.
-    /// [`last_step`](Self::last_step) remains the step taken last.
+    /// [`last_step`](Self::last_step) remains the last step taken.
     ///
     /// # Errors
     /// Errors of [`History::from_state`]. The history is unchanged after an error.
@@ -394,12 +395,13 @@ impl History {
         narrow(&self.bodies, state, before, press_window, margins);
     }
 
-    /// Changes the gap before loading, for instance after wear. Everything else is kept, including the pressure until a
-    /// step that does not hold it; prescribe the normal load again in the next step. A step that holds the pressure has
-    /// the warning [`StalePressure`](crate::Warning::StalePressure). The [plastic depth](State::yielded) is added to the gap.
+    /// Changes the gap before loading, for instance after wear. Everything else is kept; the pressure is kept until the
+    /// first step that does not hold it. Prescribe the normal load again in the next step. A step that holds the
+    /// pressure has the warning [`StalePressure`](crate::Warning::StalePressure). The [plastic depth](State::yielded)
+    /// is added to the gap.
     ///
     /// Before a step that [rolls](crate::history#rolling), pass the gap of that step, in which the texture has moved
-    /// with the particles. Copies without allocating.
+    /// with the particles. The gap is copied without allocation.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.

@@ -1,4 +1,4 @@
-//! Lift by tractions that the pressure of a step ignores.
+//! Lift due to tractions that the pressure of a step ignores.
 
 use crate::error::Result;
 use crate::grid::field::Field;
@@ -19,8 +19,8 @@ pub(in crate::history) struct NeglectedLift {
 }
 
 impl NeglectedLift {
-    /// Measures the lift by the tractions of a step. `pressed` contains the normal contact and its gap before loading.
-    /// The buffers in `slot` are reused if they have the size of the window.
+    /// Measures the lift due to the tractions of a step. `pressed` contains the normal contact and its gap before
+    /// loading. The buffers in `slot` are reused if they have the size of the window.
     pub(in crate::history) fn measure(
         slot: &mut Option<Self>,
         bodies: &HalfSpace,

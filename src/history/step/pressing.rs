@@ -26,16 +26,17 @@ impl History {
     /// [`StepErrorEstimate::traction`](crate::history::StepErrorEstimate::traction). The tolerance lies in `(0, 1)`; 0.01 is a good
     /// choice.
     ///
-    /// The error of tractions decreases with an order between 1 and 1.5, so that the error of the steps taken is at
-    /// most about half of the tolerance. This is an estimate, not a bound. The stick ratio has a first-order error
+    /// The error of tractions decreases with an order between 1 and 1.5, so the error of the steps taken is at most
+    /// about half of the tolerance. This is an estimate, not a bound. The stick ratio has a first-order error
     /// ([table](crate::guide::dissimilar_bodies#load-steps)).
     ///
-    /// Between its ends, a normal force grows as the cube of a length that grows in equal steps, and an approach beyond
-    /// the first touch as its square. On a sphere this length is the contact radius. All other prescribed quantities
-    /// change in proportion to the normal load, as in [`AdaptiveSteps`](crate::history::AdaptiveSteps).
+    /// Between its initial and final values, a normal force grows as the cube of a length that increases in equal
+    /// steps. An approach beyond the first touch grows as the square of such a length. On a sphere this length is the
+    /// contact radius. All other prescribed quantities change in proportion to the normal load, as in
+    /// [`AdaptiveSteps`](crate::history::AdaptiveSteps).
     ///
-    /// For n steps the history solves 2n - 1 steps. Bodies without coupling, a contact that does not grow (a flat
-    /// punch), and a contact without friction end at two steps, since one step is exact.
+    /// For n steps the history solves 2n - 1 steps. The call ends at two steps for bodies without coupling, for a
+    /// contact that does not grow (a flat punch) and for a contact without friction, because one step is exact.
     ///
     /// A tolerance below about a hundred times the tolerance of the [settings](History::settings) cannot be met. The
     /// call allocates the memory of one state.
@@ -164,9 +165,9 @@ impl LoadRamp<'_> {
 /// Variation of the normal load between its ends.
 #[derive(Debug, Clone, Copy)]
 enum LoadPath {
-    /// In proportion to the number of the step.
+    /// Load proportional to the number of the step.
     Linear,
-    /// As a power of a length that grows in equal steps.
+    /// Power of a length that grows in equal steps.
     Power {
         exponent: i32,
         /// Normal load at length zero.

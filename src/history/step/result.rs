@@ -152,15 +152,15 @@ impl StepResult {
         &self.slip_distance
     }
 
-    /// Returns the energy that each cell dissipates in the step, from its traction at the end, `-A q s >= 0`.
+    /// Returns the energy that each cell dissipates in the step, computed from its traction at the end, `-A q s >= 0`.
     #[doc(alias = "dissipated energy")]
     #[must_use]
     pub fn dissipated_energy(&self) -> &Field {
         &self.dissipated_energy
     }
 
-    /// Returns the energy that each cell dissipates in the step, from the mean of its tractions before and after,
-    /// `-A (q_n + q_{n+1})/2 s`. This energy closes the [`EnergyBalance`].
+    /// Returns the energy that each cell dissipates in the step, computed from the mean of its tractions before and
+    /// after, `-A (q_n + q_{n+1})/2 s`. This energy closes the [`EnergyBalance`].
     #[must_use]
     pub fn dissipated_energy_midpoint(&self) -> &Field {
         &self.dissipated_energy_midpoint

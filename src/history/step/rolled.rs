@@ -228,7 +228,7 @@ impl State {
         }
     }
 
-    /// Returns an error if a step rolls but cannot.
+    /// Returns an error if a step prescribes rolling that is not possible.
     pub(in crate::history) fn check_rolling(
         &self,
         load: &LoadStep,

@@ -10,7 +10,7 @@ use crate::history::wear::{Coefficient, check};
 use crate::operator::Operator;
 
 /// Returns the largest number of cycles whose wear can be applied at once with a stable pressure. Explicit wear by
-/// Archard's law is stable below this number; it is infinite if no cell slips.
+/// Archard's law is stable below this number; the number is infinite if no cell slips.
 ///
 /// Removing the depth $`N k s\,p`$ changes a pressure mode with the compliance $`\lambda`$, an eigenvalue of
 /// $`C_{zz}`$, by the factor $`1 - N k s / \lambda`$. All modes decay if
@@ -60,9 +60,9 @@ pub fn max_stable_cycles<'a>(
 /// Number of cycles to jump over, such that the wear of these cycles can be applied at once without an oscillation of
 /// the pressure.
 ///
-/// Let $`h`$ be the depth that a cycle removes by any law that is proportional to the slip pressure $`p`$. It then
-/// changes with the pressure by $`h/p`$. If $`N h / p < \lambda_{min}`$ in every cell, no pressure mode changes sign;
-/// this is half of the [stable](max_stable_cycles) number of cycles. The shape of the contact and the number of
+/// Let $`h`$ be the depth that a cycle removes by any law that is proportional to the slip pressure $`p`$. This depth
+/// changes by $`h/p`$ per unit of pressure. If $`N h / p < \lambda_{min}`$ in every cell, no pressure mode changes
+/// sign; this is half of the [stable](max_stable_cycles) number of cycles. The shape of the contact and the number of
 /// remaining cycles set further limits.
 ///
 /// ```
@@ -107,8 +107,8 @@ pub struct CycleJump {
     cycles_left: Option<f64>,
 }
 
-/// Default residual up to which a cycle is representative of the following cycles. Wear and jumps change a steady cycle
-/// by less.
+/// Default residual up to which a cycle is representative of the following cycles. Wear and jumps cause smaller
+/// residuals in a steady cycle.
 const CLOSED: f64 = 0.25;
 
 impl CycleJump {
