@@ -1,15 +1,16 @@
 ! Contacts of elastic half-spaces for Fortran 2008: types that free themselves. The module is based on stickslip_bindings
 ! and re-exports it.
 !
-! The procedure new creates an object. The object is freed at the end of its scope, or by free. Another call of new replaces
-! the object. If new fails, the old object remains; this includes STICKSLIP_BUSY, which means that a thread is using the
-! object. Objects cannot be assigned; a history has clone. Every procedure has an optional last argument status,
-! STICKSLIP_OK or the kind of failure; without it a failure stops the program with its message. Solves, stiffnesses and
-! stresses have an optional argument observer before status. Fields are pointers into an object and remain valid until the
-! object is changed or freed. Arrays have x first, field(ix, iy), and the shape (nx, ny) of the grid; any other shape gives
-! STICKSLIP_LENGTH. Members of structs have default values: stickslip_load_step(x=stickslip_control(STICKSLIP_SHIFT, 1d-6))
-! holds everything else. Surfaces and closed-form solutions are called through stickslip_bindings, with the handles of
-! objects: stickslip_hertz_sphere(bodies%handle, ...).
+! The procedure new creates an object. The object is freed at the end of its scope, or by free. Another call of new
+! replaces the object. If new fails, the old object remains; this includes STICKSLIP_BUSY, which means that a thread is
+! using the object. Objects cannot be assigned; a history has clone. Every procedure has an optional last argument
+! status, which receives STICKSLIP_OK or the kind of failure. Without this argument, a failure stops the program with
+! its message. Procedures for solves, stiffnesses and stresses have an optional argument observer before status. Fields
+! are pointers into an object and remain valid until the object is changed or freed. Arrays have x first, field(ix, iy),
+! and the shape (nx, ny) of the grid; any other shape gives STICKSLIP_LENGTH. Members of structs have default values:
+! stickslip_load_step(x=stickslip_control(STICKSLIP_SHIFT, 1d-6)) holds everything else. Surfaces and closed-form
+! solutions are called through stickslip_bindings, with the handles of objects: stickslip_hertz_sphere(bodies%handle,
+! ...).
 module stickslip
     use, intrinsic :: iso_c_binding
     use stickslip_bindings

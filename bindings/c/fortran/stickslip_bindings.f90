@@ -277,10 +277,10 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_X = 0
     ! Axis y.
     integer(c_int32_t), parameter, public :: STICKSLIP_Y = 1
-    ! Touch rule: a cell that comes into contact within a step follows the motion from its first touch, in proportion to the
-    ! growth of its own pressure (default).
+    ! Entry rule: a cell that comes into contact within a step follows the motion from its first touch, proportionally to
+    ! the growth of its own pressure (default).
     integer(c_int32_t), parameter, public :: STICKSLIP_SINCE_TOUCH = 0
-    ! Touch rule: such a cell follows the whole motion of the step.
+    ! Entry rule: a cell that comes into contact within a step follows the whole motion of the step.
     integer(c_int32_t), parameter, public :: STICKSLIP_WHOLE_STEP = 1
     ! Boundary of a grid that is a patch on infinite bodies.
     integer(c_int32_t), parameter, public :: STICKSLIP_NON_PERIODIC = 0
@@ -328,8 +328,8 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_STALLED = 4
     ! Status: the observer ended the solve.
     integer(c_int32_t), parameter, public :: STICKSLIP_CANCELLED = 5
-    ! No bound on the smallest eigenvalue of the operator is available, on which a certified error relies. The error bound is
-    ! then the square root of the duality gap of the problem, and decreases only with the square root of the residual.
+    ! No bound on the smallest eigenvalue of the operator, on which certified errors rely, is available. The error bound
+    ! is then the square root of the duality gap of the problem, and decreases only with the square root of the residual.
     integer(c_int32_t), parameter, public :: STICKSLIP_EIGENVALUE_UNKNOWN = 0
     ! The eigenvalue bound is an estimate on the safe side, used for stiff coatings on long grids.
     integer(c_int32_t), parameter, public :: STICKSLIP_EIGENVALUE_ESTIMATED = 1
@@ -516,8 +516,9 @@ module stickslip_bindings
     ! do not change it. A program that loads the library at run time should first compare it with stickslip_abi_version().
     integer(c_int32_t), parameter, public :: STICKSLIP_ABI_VERSION_COMPILED = 2
 
-    ! Applies loads in steps that are short enough for a tolerance of the tractions. The error of a step is its difference
-    ! from two half steps. The object can be used for every history on the same grid.
+    ! Adaptive load stepper, which applies loads in steps that are short enough for a tolerance on the tractions. The
+    ! error of a step is the difference between its result and the result of two half steps. The object can be used for
+    ! every history on the same grid.
     type, bind(c), public :: stickslip_adaptive_steps
         type(c_ptr) :: address = c_null_ptr
     end type stickslip_adaptive_steps
@@ -594,7 +595,7 @@ module stickslip_bindings
         type(c_ptr) :: address = c_null_ptr
     end type stickslip_rolling_solver
 
-    ! Saved state of a history, including gap, friction and settings. A history can return to it.
+    ! Saved state of a history, including gap, friction and settings. A history can return to this state.
     type, bind(c), public :: stickslip_state
         type(c_ptr) :: address = c_null_ptr
     end type stickslip_state
@@ -644,7 +645,7 @@ module stickslip_bindings
         real(c_double) :: spin = 0
     end type stickslip_roll
 
-    ! Step of a history: the load prescribed at its end. A step of zeros holds everything.
+    ! Step of a history: the load prescribed at its end. A step whose members are all zero holds all quantities.
     type, bind(c), public :: stickslip_load_step
         ! Normal load.
         type(stickslip_normal_load) :: normal
@@ -666,7 +667,7 @@ module stickslip_bindings
         integer(c_int64_t) :: reserved(4) = 0
     end type stickslip_load_step
 
-    ! Error of one load step: its difference from the same load in two half steps.
+    ! Error of one load step: the difference between its result and the result of the same load in two half steps.
     type, bind(c), public :: stickslip_step_error
         ! Relative error of the traction, to which the tolerance applies.
         real(c_double) :: traction = 0
@@ -684,7 +685,8 @@ module stickslip_bindings
     type, bind(c), public :: stickslip_hertz
         ! Radius of the contact (a length): a = (3 W R/(4 E*))^(1/3), with the force W and the radius R of the sphere.
         real(c_double) :: contact_radius = 0
-        ! Pressure at the centre: p0 = 3 W/(2 pi a^2). At the distance r from it the pressure is p0 (1 - r^2/a^2)^(1/2).
+        ! Pressure at the centre: p0 = 3 W/(2 pi a^2). At the distance r from the centre, the pressure is p0 (1 -
+        ! r^2/a^2)^(1/2).
         real(c_double) :: max_pressure = 0
         ! Approach of the bodies (a length): a^2/R.
         real(c_double) :: approach = 0
@@ -692,7 +694,7 @@ module stickslip_bindings
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_hertz
 
-    ! Cattaneo-Mindlin solution for a sphere and a plane that are pressed and then loaded tangentially.
+    ! Cattaneo-Mindlin solution for a sphere and a plane that are pressed together and then loaded tangentially.
     type, bind(c), public :: stickslip_cattaneo_mindlin
         ! Normal contact.
         type(stickslip_hertz) :: hertz
@@ -742,16 +744,17 @@ module stickslip_bindings
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_bentall_johnson
 
-    ! Kalker's coefficients: forces and moment of an elliptic contact that rolls along x. The creepages are so small that the
-    ! contact sticks except at its trailing edge. Here a and b are the semi-axes along x and y, c = (a b)^(1/2), and G is the
-    ! shear modulus of both bodies. The creepages xi along x and eta along y and the spin phi cause F_x = G c^2 c11 xi,
-    ! F_y = G c^2 (c22 eta + c c23 phi) and the moment G c^3 (-c23 eta + c c33 phi) on body 1.
+    ! Kalker's coefficients, which determine the forces and the moment of an elliptic contact that rolls along x. The
+    ! creepages are so small that the contact sticks except at its trailing edge. Here a and b are the semi-axes along x
+    ! and y, c = (a b)^(1/2), and G is the shear modulus of both bodies. The creepages xi along x and eta along y and the
+    ! spin phi cause F_x = G c^2 c11 xi, F_y = G c^2 (c22 eta + c c23 phi) and the moment G c^3 (-c23 eta + c c33 phi) on
+    ! body 1.
     type, bind(c), public :: stickslip_kalker
         ! Coefficient of the force along x due to the creepage along x.
         real(c_double) :: c11 = 0
         ! Coefficient of the force along y due to the creepage along y.
         real(c_double) :: c22 = 0
-        ! Coefficient of the force along y due to the spin, and of minus the moment due to the creepage along y.
+        ! Coefficient of the force along y due to the spin, and of the negated moment due to the creepage along y.
         real(c_double) :: c23 = 0
         ! Coefficient of the moment due to the spin.
         real(c_double) :: c33 = 0
@@ -759,8 +762,9 @@ module stickslip_bindings
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_kalker
 
-    ! Vermeulen-Johnson solution for an elliptic contact that rolls along x with creepages and without spin. It uses Kalker's
-    ! slope, and its forces are a few percent smaller than numerical solutions.
+    ! Vermeulen-Johnson solution for an elliptic contact that rolls along x with creepages and without spin. The solution
+    ! has the initial slope of Kalker's theory, and its forces are a few per cent smaller than those of numerical
+    ! solutions.
     type, bind(c), public :: stickslip_vermeulen_johnson
         ! Semi-axes of the contact along x and y (lengths).
         real(c_double) :: semi_axes(2) = 0
@@ -768,8 +772,8 @@ module stickslip_bindings
         real(c_double) :: max_pressure = 0
         ! Kalker's coefficients of the contact.
         type(stickslip_kalker) :: coefficients
-        ! Ratio x of the force that the creepages would cause without slip to the friction limit (dimensionless); the whole
-        ! contact slips if x is 3 or more.
+        ! Force that the creepages would cause without slip, divided by the friction limit (dimensionless). The whole
+        ! contact slips if this ratio x is 3 or more.
         real(c_double) :: relative_creepage = 0
         ! Tangential force on body 1 along x and y: mu W (1 - (1 - x/3)^3) in the direction of the force without slip, with
         ! the normal force W.
@@ -811,8 +815,8 @@ module stickslip_bindings
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_tangential_load
 
-    ! Tangential displacement of body 1 relative to body 2 in each cell that the contact does not cause, for example due to
-    ! bulk strain; copied by the call.
+    ! Tangential displacement of body 1 relative to body 2 with a cause other than the contact, for example bulk strain.
+    ! The call copies the values of the cells.
     type, bind(c), public :: stickslip_relative_displacement
         ! Displacement along x of each cell (lengths).
         type(c_ptr) :: x = c_null_ptr
@@ -937,8 +941,9 @@ module stickslip_bindings
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_report
 
-    ! Report of a coupled solve. The error of pressure and traction together has a bound if friction is weak; otherwise only
-    ! the errors of the two halves are certified.
+    ! Report of a coupled solve. The total errors of pressure and traction have bounds if friction is weak; otherwise only
+    ! the error of the pressure for the computed tractions, and the error of the tractions for the computed pressure, are
+    ! certified.
     type, bind(c), public :: stickslip_coupled_report
         ! Report of the whole solve; its duality gap is infinite.
         type(stickslip_report) :: work
@@ -979,9 +984,9 @@ module stickslip_bindings
     type, bind(c), public :: stickslip_warning
         ! Kind of warning: STICKSLIP_WARNING_NO_CONTACT or another constant of this group.
         integer(c_int32_t) :: kind = 0
-        ! Number of cells or spots concerned; zero if it has no meaning.
+        ! Number of cells or spots concerned; zero if the warning has no such number.
         integer(c_size_t) :: cells = 0
-        ! Total number of spots; zero if it has no meaning.
+        ! Total number of spots; zero if the warning has no such number.
         integer(c_size_t) :: of = 0
         ! Meaning of the warning and suggested remedy, in English; ends with a zero byte.
         character(kind=c_char) :: message(STICKSLIP_WARNING_LENGTH) = c_null_char
@@ -1003,15 +1008,15 @@ module stickslip_bindings
     ! are loads, columns are motions. In C: loading[row, column]. Loads and motions that are not part of the model are NaN: in
     ! the scalar model the direction across its axis and the twist, on periodic grids the twist.
     type, bind(c), public :: stickslip_tangential_stiffness
-        ! Derivative with respect to the motion at the end of the step, if the motion continues in its direction. Cells that came
-        ! into contact in the step follow the motion only in part. After a step that presses a ball the derivative is about
-        ! two thirds of Mindlin's stiffness, although all cells stick. stickslip_history_next_stiffness has the derivative of the
-        ! next step, in which they resist fully.
+        ! Derivative with respect to the motion at the end of the step, if the motion continues in its direction. Cells
+        ! that came into contact in the step follow the motion only partially. After a step that presses a ball the
+        ! derivative is about two thirds of Mindlin's stiffness, although all cells stick.
+        ! stickslip_history_next_stiffness computes the derivative for the next step, in which these cells resist fully.
         real(c_double) :: loading(3, 3) = 0
         ! Derivative for a reversal of the motion, at which all contact cells stick.
         real(c_double) :: reversal(3, 3) = 0
-        ! Bound on the errors: the error of an entry is at most bound times the square root of the product of its two diagonal
-        ! entries; infinite if pressure and traction are coupled.
+        ! Bound on the errors: the error of an entry is at most bound times the square root of the product of the diagonal
+        ! entries of its row and its column. The bound is infinite if pressure and traction are coupled.
         real(c_double) :: bound = 0
         ! Reserved for future members: zero.
         integer(c_int64_t) :: reserved(8) = 0
@@ -1026,8 +1031,8 @@ module stickslip_bindings
         ! Derivatives of the tangential forces and the moment with respect to the approach while slip continues; NaN for loads
         ! that are not part of the model.
         real(c_double) :: by_approach(3) = 0
-        ! Derivatives of the normal force with respect to the shifts along x and y and the twist; zero unless pressure and
-        ! traction are coupled. NaN for motions that are not part of the model.
+        ! Derivatives of the normal force with respect to the shifts along x and y and the twist. They are zero unless
+        ! pressure and traction are coupled, and NaN for motions that are not part of the model.
         real(c_double) :: normal_by_motion(3) = 0
         ! Reserved for future members: zero.
         integer(c_int64_t) :: reserved(5) = 0
@@ -1049,7 +1054,7 @@ module stickslip_bindings
         real(c_double) :: released = 0
         ! Work on the residual motion that the tolerance permits in stick cells.
         real(c_double) :: residual = 0
-        ! Imbalance of the energies; round-off.
+        ! Imbalance of the energies, which is due to round-off.
         real(c_double) :: imbalance = 0
         ! Reserved for future members: zero.
         integer(c_int64_t) :: reserved(8) = 0
@@ -1161,8 +1166,8 @@ module stickslip_bindings
         real(c_double) :: thickness = 0
     end type stickslip_layer
 
-    ! One of several processes that solve together; stickslip_mpi.h creates it from an MPI communicator. The function and the
-    ! data must remain valid until all objects created from the bodies are freed.
+    ! Rank: one of several processes that solve together. stickslip_mpi.h creates this struct from an MPI communicator.
+    ! The function and the data must remain valid until all objects created from the bodies are freed.
     type, bind(c), public :: stickslip_ranks
         ! Number of this rank, counted from zero.
         integer(c_size_t) :: rank = 0
@@ -1189,7 +1194,7 @@ module stickslip_bindings
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_pair
 
-    ! Options of a history; stickslip_history_options_default() has the defaults.
+    ! Options of a history; stickslip_history_options_default() returns the defaults.
     type, bind(c), public :: stickslip_history_options
         ! Axis of load and traction in the scalar model: STICKSLIP_X (default) or STICKSLIP_Y.
         integer(c_int32_t) :: axis = 0
@@ -1198,7 +1203,7 @@ module stickslip_bindings
         ! Coupling of pressure and traction: STICKSLIP_FULL (default), STICKSLIP_ONE_WAY or STICKSLIP_NEGLECTED; relevant only
         ! for dissimilar bodies.
         integer(c_int32_t) :: coupling = 0
-        ! Touch rule: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
+        ! Entry rule: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
         integer(c_int32_t) :: entry_rule = 0
         ! Largest pressure that the cells can carry, or NULL (default, no limit).
         type(c_ptr) :: hardness = c_null_ptr
@@ -1242,7 +1247,8 @@ module stickslip_bindings
         integer(c_int64_t) :: reserved(6) = 0
     end type stickslip_step_result
 
-    ! Limits of a jump in addition to the stability of the pressure; stickslip_jump_limits_default() returns the defaults.
+    ! Limits of a jump in addition to the stability limit of the pressure; stickslip_jump_limits_default() returns the
+    ! defaults.
     type, bind(c), public :: stickslip_jump_limits
         ! Largest depth removed in one jump (a length); infinite (default) for no limit. A hundredth of the approach preserves
         ! the shape of a ball.
@@ -1260,7 +1266,8 @@ module stickslip_bindings
     type, bind(c), public :: stickslip_tractions
         ! Pressure of each cell, positive in compression.
         type(c_ptr) :: pressure = c_null_ptr
-        ! Traction along x on body 1 (pressures); without shear this and the traction along y are NULL.
+        ! Traction along x on body 1 (pressures). Without shear, this pointer and the pointer to the traction along y are
+        ! NULL.
         type(c_ptr) :: x = c_null_ptr
         ! Traction along y on body 1.
         type(c_ptr) :: y = c_null_ptr
@@ -1272,7 +1279,7 @@ module stickslip_bindings
     type, bind(c), public :: stickslip_rolling_options
         ! Leading edge: STICKSLIP_PLUS_X (default), STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or STICKSLIP_MINUS_Y.
         integer(c_int32_t) :: leading_edge = 0
-        ! Touch rule of cells that enter the contact: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
+        ! Entry rule of cells that come into contact: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
         integer(c_int32_t) :: entry_rule = 0
         ! Number of cells that a particle passes in a step (default 1). Longer steps cost less and are less accurate.
         integer(c_size_t) :: step = 1
@@ -1444,7 +1451,7 @@ module stickslip_bindings
         real(c_double) :: depth = 0
     end type stickslip_point
 
-    ! Displacement and stress at a point along x, y and z; z points into body 1.
+    ! Displacement and stress at a point, with components along x, y and z; z points into body 1.
     type, bind(c), public :: stickslip_response
         ! Displacement of the body along x, y and z (lengths), zero at infinity.
         real(c_double) :: displacement(3) = 0
@@ -1490,9 +1497,9 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_adaptive_steps_free
 
-        ! Applies a load in as many steps as the tolerance requires, and writes their number to taken (may be NULL). A failure,
-        ! for example STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged; its last step is then the step of the
-        ! last attempt.
+        ! Applies a load in as many steps as the tolerance requires, and writes their number to taken (may be NULL). A
+        ! failure, for example STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged, but the last step of the
+        ! history is then that of the last attempt.
         function stickslip_adaptive_steps_step(steps, history, load, taken) result(answer) bind(c)
             import
             type(stickslip_adaptive_steps), value :: steps
@@ -1609,8 +1616,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_history_step_all
 
-        ! Creates a solver for a gap before loading (lengths, count entries, copied). hardness (no limit), relative (none) and
-        ! settings (the defaults) may be NULL.
+        ! Creates a solver for a gap before loading (lengths, count entries, copied). hardness, relative and settings may be
+        ! NULL; the pressure then has no limit, there is no relative displacement, and the settings are the defaults.
         function stickslip_coupled_solver_new(half_space, gap, count, friction, normal, tangential, hardness, &
             relative, settings, solver) result(answer) bind(c)
             import
@@ -1711,7 +1718,7 @@ module stickslip_bindings
             type(c_ptr) :: answer
         end function stickslip_coupled_solution_field
 
-        ! Returns the zone of every cell; NULL on failure.
+        ! Returns the zone of every cell, or NULL on failure.
         function stickslip_coupled_solution_zones(solution, count) result(answer) bind(c)
             import
             type(stickslip_coupled_solution), value :: solution
@@ -1719,7 +1726,7 @@ module stickslip_bindings
             type(c_ptr) :: answer
         end function stickslip_coupled_solution_zones
 
-        ! Writes the scalar results of the normal and the tangential part; either may be NULL.
+        ! Writes the scalar results of the normal and the tangential part; either pointer may be NULL.
         function stickslip_coupled_solution_results(solution, normal, tangential) result(answer) bind(c)
             import
             type(stickslip_coupled_solution), value :: solution
@@ -1769,8 +1776,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solution_stiffness_observed
 
-        ! Creates a solver for a gap before loading (lengths, count entries, copied) under a normal load. load (no creepage, no
-        ! spin) and options (the defaults) may be NULL.
+        ! Creates a solver for a gap before loading (lengths, count entries, copied) under a normal load. load and options may
+        ! be NULL; there is then no creepage and no spin, and the options are the defaults.
         function stickslip_coupled_rolling_solver_new(half_space, gap, count, friction, normal, load, options, &
             solver) result(answer) bind(c)
             import
@@ -1886,7 +1893,7 @@ module stickslip_bindings
             type(c_ptr) :: answer
         end function stickslip_coupled_rolling_solution_field
 
-        ! Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
+        ! Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; returns NULL on failure.
         function stickslip_coupled_rolling_solution_zones(solution, count) result(answer) bind(c)
             import
             type(stickslip_coupled_rolling_solution), value :: solution
@@ -1894,7 +1901,7 @@ module stickslip_bindings
             type(c_ptr) :: answer
         end function stickslip_coupled_rolling_solution_zones
 
-        ! Writes the scalar results of the normal and the rolling part; either may be NULL.
+        ! Writes the scalar results of the normal and the rolling part; either pointer may be NULL.
         function stickslip_coupled_rolling_solution_results(solution, normal, rolling) result(answer) bind(c)
             import
             type(stickslip_coupled_rolling_solution), value :: solution
@@ -1944,8 +1951,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_cycle_begin
 
-        ! Adds the last step of the history. Returns STICKSLIP_STEP_ALREADY_COUNTED if the history has taken no step since the last added
-        ! step or since the start of the cycle.
+        ! Adds the last step of the history. Returns STICKSLIP_STEP_ALREADY_COUNTED unless the history has taken a step since
+        ! the last added step or the start of the cycle.
         function stickslip_cycle_add(cycle, history) result(answer) bind(c)
             import
             type(stickslip_cycle), value :: cycle
@@ -1962,7 +1969,8 @@ module stickslip_bindings
         end function stickslip_cycle_result_of
 
         ! Returns a field of the cycle: STICKSLIP_SLIP_DISTANCE, STICKSLIP_DISSIPATED_ENERGY, STICKSLIP_SLIP_PRESSURE,
-        ! STICKSLIP_SLIP_AMPLITUDE_X or _Y; NULL on failure. The field is valid until the next call that changes the cycle.
+        ! STICKSLIP_SLIP_AMPLITUDE_X or _Y; returns NULL on failure. The field is valid until the next call that changes the
+        ! cycle.
         function stickslip_cycle_field(cycle, which, count) result(answer) bind(c)
             import
             type(stickslip_cycle), value :: cycle
@@ -2029,8 +2037,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solution_pressure_edges
 
-        ! Estimates the relative discretisation error of the pressure, summed over the errors of the cell means. The estimate is
-        ! NaN without contact.
+        ! Estimates the relative discretisation error of the pressure: the sum of the absolute errors of the cell means,
+        ! relative to the sum of the pressure. The estimate is NaN without contact.
         function stickslip_normal_solution_discretisation_estimate(solution, estimate) result(answer) bind(c)
             import
             type(stickslip_normal_solution), value :: solution
@@ -2038,8 +2046,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_normal_solution_discretisation_estimate
 
-        ! Estimates the relative discretisation error of the traction, like stickslip_normal_solution_discretisation_estimate; NaN
-        ! without traction.
+        ! Estimates the relative discretisation error of the traction, like stickslip_normal_solution_discretisation_estimate.
+        ! The estimate is NaN without traction.
         function stickslip_tangential_solution_discretisation_estimate(solution, estimate) result(answer) bind(c)
             import
             type(stickslip_tangential_solution), value :: solution
@@ -2072,8 +2080,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_last_error
 
-        ! Writes the report of the last failure on this thread if its code was STICKSLIP_NOT_CONVERGED; returns STICKSLIP_INVALID_ARGUMENT
-        ! otherwise.
+        ! Writes the report of the last failure on this thread if its code was STICKSLIP_NOT_CONVERGED, and returns
+        ! STICKSLIP_INVALID_ARGUMENT otherwise.
         function stickslip_last_error_report(report) result(answer) bind(c)
             import
             type(stickslip_report), intent(out), optional :: report
@@ -2113,9 +2121,9 @@ module stickslip_bindings
         ! grid of the object contains only the local rows, starting at the row that stickslip_half_space_first_row returns. Arrays
         ! and labels contain the local cells; sums, reports and spots describe the whole contact.
         !
-        ! Functions that return or take only a grid do not account for the distribution, so the program computes the local gap
-        ! itself. If the ranks are threads of one process, stickslip_set_num_threads(1) must keep the work of each rank on its own
-        ! thread; otherwise the ranks wait for the same threads forever.
+        ! Functions that return or take only a grid do not account for the distribution, so the program must compute the local
+        ! gap itself. If the ranks are threads of one process, the program must call stickslip_set_num_threads(1), which keeps
+        ! the work of each rank on its own thread. Otherwise the ranks wait for the same threads forever.
         function stickslip_half_space_new_distributed(grid, body_1, layers_1, layers_1_count, body_2, layers_2, &
             layers_2_count, boundary, ranks, half_space) result(answer) bind(c)
             import
@@ -2132,7 +2140,7 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_half_space_new_distributed
 
-        ! Writes the first local row, as a row number of the whole grid; zero without ranks.
+        ! Writes the number of the first local row in the whole grid; this number is zero without ranks.
         function stickslip_half_space_first_row(half_space, row) result(answer) bind(c)
             import
             type(stickslip_half_space), value :: half_space
@@ -2224,12 +2232,12 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_history_step
 
-        ! Applies a load in as many steps of equal growth of the contact as a tolerance in (0, 1) requires, and writes their
-        ! number to taken (may be NULL). Contacts of dissimilar bodies must be pressed with this function. It applies the load in
-        ! 1, 2, 4, 8, ... steps from the current state until the change of the tractions is at most the tolerance times the
-        ! friction limits. A tolerance of 0.01 is a good choice. The argument observer may be NULL; it receives the iterations of
-        ! all steps. After a failure, for example STICKSLIP_STEP_TOO_LONG, the state of the history is unchanged; its last step is
-        ! the last successful step.
+        ! Applies a load in steps with equal growth of the contact, as many as a tolerance in (0, 1) requires, and writes
+        ! their number to taken (may be NULL). Contacts of dissimilar bodies must be pressed with this function. It applies
+        ! the load in 1, 2, 4, 8, ... steps from the current state until the change of the tractions is at most the tolerance
+        ! times the friction limits. A tolerance of 0.01 is a good choice. The argument observer may be NULL; it receives the
+        ! iterations of all steps. After a failure, for example STICKSLIP_STEP_TOO_LONG, the state of the history is
+        ! unchanged; its last step is the last successful step.
         function stickslip_history_press(history, load, tolerance, observer, taken) result(answer) bind(c)
             import
             type(stickslip_history), value :: history
@@ -2293,9 +2301,9 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_history_stiffness_observed
 
-        ! Computes the stiffness of a next step from the current state. In loading and by_approach, stick cells resist fully,
-        ! including those that came into contact in the last step, and cells at their friction limit continue to slip. Use it to
-        ! shear the contact further under the same normal load. observer may be NULL.
+        ! Computes the stiffness of a next step from the current state. In the members loading and by_approach, stick cells
+        ! resist fully, including those that came into contact in the last step, and cells at their friction limit continue to
+        ! slip. Use this stiffness to shear the contact further under the same normal load. observer may be NULL.
         function stickslip_history_next_stiffness(history, observer, stiffness) result(answer) bind(c)
             import
             type(stickslip_history), value :: history
@@ -2304,8 +2312,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_history_next_stiffness
 
-        ! Writes the scalar results. Stick ratio, gross slip, energies and creepages describe the last step. They are zero before
-        ! the first step and after the history was created from bytes.
+        ! Writes the scalar results. Stick ratio, gross slip, energies and creepages describe the last step. They are zero
+        ! before the first step of a history, including a history created from bytes.
         function stickslip_history_result(history, result) result(answer) bind(c)
             import
             type(stickslip_history), value :: history
@@ -2367,7 +2375,7 @@ module stickslip_bindings
             type(c_ptr) :: answer
         end function stickslip_history_field
 
-        ! Returns the zone of every cell after the last step; NULL on failure.
+        ! Returns the zone of every cell after the last step, or NULL on failure.
         function stickslip_history_zones(history, count) result(answer) bind(c)
             import
             type(stickslip_history), value :: history
@@ -2399,8 +2407,8 @@ module stickslip_bindings
         ! infinite if nothing limits it.
         !
         ! depth (lengths, count entries) is the depth that the cycle removed from both bodies together. Returns
-        ! STICKSLIP_CYCLE_NOT_CLOSED if the cycle does not close, like the first cycle from rest; STICKSLIP_NEGATIVE_OR_NOT_FINITE for a limit;
-        ! STICKSLIP_SAMPLE for a depth.
+        ! STICKSLIP_CYCLE_NOT_CLOSED if the cycle does not close, like the first cycle from rest. Returns
+        ! STICKSLIP_NEGATIVE_OR_NOT_FINITE for an invalid limit, and STICKSLIP_SAMPLE for an invalid depth.
         function stickslip_cycle_jump(half_space, cycle, depth, count, limits, cycles) result(answer) bind(c)
             import
             type(stickslip_half_space), value :: half_space
@@ -2429,7 +2437,8 @@ module stickslip_bindings
 
         ! Creates a solver for a gap before loading (lengths, count entries, copied) under a load.
         !
-        ! settings (the defaults) and hardness (the largest pressure that the cells can carry; no limit) may be NULL.
+        ! hardness is the largest pressure that the cells can carry. It may be NULL if there is no limit, and settings may be
+        ! NULL for the defaults.
         function stickslip_normal_solver_new(half_space, gap, count, load, hardness, settings, &
             solver) result(answer) bind(c)
             import
@@ -2567,9 +2576,9 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_normal_solution_stiffness_observed
 
-        ! Creates planes at count depths (lengths, zero or positive, copied) below the surface of either body; with displacements
-        ! if the argument is nonzero. The kernels of a depth, 112 bytes for each cell (152 with displacements), are computed at
-        ! the first solve at that depth and kept.
+        ! Creates planes at count depths (lengths, zero or positive, copied) below the surface of either body. Displacements
+        ! are also computed if with_displacements is nonzero. The kernels of a depth, 112 bytes for each cell (152 with
+        ! displacements), are computed at the first solve at that depth and kept.
         function stickslip_planes_new(half_space, depths, count, with_displacements, planes) result(answer) bind(c)
             import
             type(stickslip_half_space), value :: half_space
@@ -2599,9 +2608,9 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_planes_solve
 
-        ! Solves a plane with an observer (may be NULL), like stickslip_planes_solve. The observer is called before the kernels
-        ! are sampled, and before each transform of a kernel and of three components. It may end the call, which then returns
-        ! STICKSLIP_NOT_CONVERGED. An observed call needs memory for an additional plane.
+        ! Solves a plane with an observer (may be NULL), like stickslip_planes_solve. The observer is called before the
+        ! kernels are sampled, and before each transform of a kernel or of three components. It may end the call, which then
+        ! returns STICKSLIP_NOT_CONVERGED. An observed call needs memory for an additional plane.
         function stickslip_planes_solve_observed(planes, index, which, tractions, observer) result(answer) bind(c)
             import
             type(stickslip_planes), value :: planes
@@ -2634,8 +2643,9 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_planes_measure
 
-        ! Returns room for a given number of words of a received block, which the swap must fill before it returns; NULL if memory
-        ! is exhausted. Only a stickslip_swap may call this function, with the block that it was given.
+        ! Returns memory for a given number of words of a received block, or NULL if memory is exhausted. The swap function
+        ! must fill this memory before it returns. Only a stickslip_swap may call this function, with the block that it was
+        ! given.
         function stickslip_block_room(block, words) result(answer) bind(c)
             import
             type(stickslip_block), value :: block
@@ -2649,9 +2659,9 @@ module stickslip_bindings
             type(stickslip_rolling_options) :: answer
         end function stickslip_rolling_options_default
 
-        ! Creates a solver under the pressure of a solved normal contact on the same bodies. The grid needs room for one step of
-        ! cells ahead of the contact; otherwise the call returns STICKSLIP_GRID_TOO_SHORT. load (no creepage, no spin) and options
-        ! (the defaults) may be NULL.
+        ! Creates a solver under the pressure of a solved normal contact on the same bodies. The grid must extend beyond the
+        ! leading edge of the contact by the cells of one step; otherwise the call returns STICKSLIP_GRID_TOO_SHORT. load and
+        ! options may be NULL; there is then no creepage and no spin, and the options are the defaults.
         function stickslip_rolling_solver_new(half_space, normal, friction, load, options, &
             solver) result(answer) bind(c)
             import
@@ -2689,8 +2699,9 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_rolling_solver_set_friction
 
-        ! Sets the pressure of the next solve to that of a solved normal contact on the same bodies. A contact within the largest
-        ! window so far allocates nothing. STICKSLIP_BEYOND_FRICTION_CAPACITY if friction no longer holds the prescribed force.
+        ! Sets the pressure of the next solve to that of a solved normal contact on the same bodies. The call allocates
+        ! nothing if the contact lies within the largest window so far. Returns STICKSLIP_BEYOND_FRICTION_CAPACITY if friction
+        ! can no longer carry the prescribed force.
         function stickslip_rolling_solver_set_normal(solver, normal) result(answer) bind(c)
             import
             type(stickslip_rolling_solver), value :: solver
@@ -2698,8 +2709,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_rolling_solver_set_normal
 
-        ! Sets the pressure of the next solve to the given values (count entries, copied). These have no gap: the call returns
-        ! STICKSLIP_UNSUPPORTED_BY_MODEL unless the solver uses STICKSLIP_WHOLE_STEP.
+        ! Sets the pressure of the next solve to the given values (count entries, copied). No gap belongs to these values, so
+        ! the call returns STICKSLIP_UNSUPPORTED_BY_MODEL unless the solver uses STICKSLIP_WHOLE_STEP.
         function stickslip_rolling_solver_set_pressure(solver, pressure, count) result(answer) bind(c)
             import
             type(stickslip_rolling_solver), value :: solver
@@ -2751,9 +2762,9 @@ module stickslip_bindings
 
         ! Solves into a solution of stickslip_rolling_solution_new for the same bodies. observer may be NULL.
         !
-        ! After STICKSLIP_NOT_CONVERGED the solution contains the last feasible iterate and its report. Any other failure leaves
-        ! the solution unchanged, with one exception: STICKSLIP_MEMORY in the search for the spin of a moment leaves the solution
-        ! for a different spin.
+        ! After STICKSLIP_NOT_CONVERGED the solution contains the last feasible iterate and its report. Any other failure
+        ! leaves the solution unchanged, with one exception: after STICKSLIP_MEMORY in the search for the spin of a prescribed
+        ! moment, the solution is that of a different spin.
         function stickslip_rolling_solver_solve(solver, solution, observer) result(answer) bind(c)
             import
             type(stickslip_rolling_solver), value :: solver
@@ -2763,8 +2774,8 @@ module stickslip_bindings
         end function stickslip_rolling_solver_solve
 
         ! Computes the derivatives of the loads at the last solution. Stick cells follow the motion, and slip cells remain at
-        ! their friction limits. Before the first solve all cells stick, and the derivatives are Kalker's coefficients times G a b
-        ! and lengths.
+        ! their friction limits. Before the first solve all cells stick, and the derivatives are Kalker's coefficients times G
+        ! a b and powers of the length (a b)^(1/2).
         function stickslip_rolling_solver_stiffness(solver, stiffness) result(answer) bind(c)
             import
             type(stickslip_rolling_solver), value :: solver
@@ -2835,7 +2846,7 @@ module stickslip_bindings
             type(c_ptr) :: answer
         end function stickslip_rolling_solution_field
 
-        ! Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
+        ! Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; returns NULL on failure.
         function stickslip_rolling_solution_zones(solution, count) result(answer) bind(c)
             import
             type(stickslip_rolling_solution), value :: solution
@@ -2844,8 +2855,8 @@ module stickslip_bindings
         end function stickslip_rolling_solution_zones
 
         ! Writes the energy that slip dissipates in each cell for each length rolled (a pressure) to values, which has count
-        ! entries. Wear depends on this quantity. Between bodies of the same material its integral is smaller than the work; the
-        ! difference decreases with the cell size.
+        ! entries. Wear depends on this quantity. Between bodies of the same material, the integral of this energy is smaller
+        ! than the work of creepages and spin; the difference decreases with the cell size.
         function stickslip_rolling_solution_dissipation(solution, values, count) result(answer) bind(c)
             import
             type(stickslip_rolling_solution), value :: solution
@@ -2889,12 +2900,13 @@ module stickslip_bindings
         ! Writes the heights of a random surface (lengths, positive out of the body, with zero mean) to heights, which has count
         ! entries. The gap between the surface and a plane is a constant minus the height.
         !
-        ! Returns STICKSLIP_INVALID_ARGUMENT if both height and slope are given; STICKSLIP_NOT_POSITIVE for height, slope or a wavelength;
-        ! STICKSLIP_HURST for the exponent; STICKSLIP_NOT_FINITE for skewness or kurtosis. Returns STICKSLIP_BELOW_MINIMUM for a cut-off
-        ! of less than two cells, for a wavelength less than the next shorter one, or for a kurtosis less than the squared
-        ! skewness plus one. Returns STICKSLIP_NO_WAVE_IN_BAND if no wave has a wavelength within the limits;
-        ! STICKSLIP_HEIGHT_MOMENTS_NOT_REACHED if no heights with this skewness and kurtosis are found; STICKSLIP_SAMPLE for the first
-        ! height that overflows. A failure leaves heights unchanged.
+        ! Returns STICKSLIP_INVALID_ARGUMENT if both height and slope are given. Returns STICKSLIP_NOT_POSITIVE for an invalid
+        ! height, slope or wavelength, STICKSLIP_HURST for an invalid exponent, and STICKSLIP_NOT_FINITE for an invalid
+        ! skewness or kurtosis. Returns STICKSLIP_BELOW_MINIMUM for a cut-off of less than two cells, if the longest
+        ! wavelength is less than the roll-off or the roll-off is less than the cut-off, or for a kurtosis less than the
+        ! squared skewness plus one. Returns STICKSLIP_NO_WAVE_IN_BAND if no wave has a wavelength within the limits,
+        ! STICKSLIP_HEIGHT_MOMENTS_NOT_REACHED if no heights with this skewness and kurtosis are found, and STICKSLIP_SAMPLE
+        ! for the first height that overflows. A failure leaves heights unchanged.
         function stickslip_surface_self_affine(grid, surface, heights, count) result(answer) bind(c)
             import
             type(stickslip_grid), intent(in), optional :: grid
@@ -3004,7 +3016,7 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_history_set_state
 
-        ! Writes the state of a history as bytes, about 60 to 130 for each cell. A history created from them by
+        ! Writes the state of a history as bytes, about 60 to 130 for each cell. A history created from these bytes by
         ! stickslip_history_from_bytes takes further steps with bitwise identical results.
         !
         ! length receives the number of bytes. With a NULL buffer and a capacity of 0 only the number is written. If the buffer is
@@ -3234,7 +3246,7 @@ module stickslip_bindings
             type(c_ptr) :: answer
         end function stickslip_tangential_solution_field
 
-        ! Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
+        ! Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; returns NULL on failure.
         function stickslip_tangential_solution_zones(solution, count) result(answer) bind(c)
             import
             type(stickslip_tangential_solution), value :: solution

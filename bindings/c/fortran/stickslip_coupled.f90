@@ -226,7 +226,8 @@ contains
         call report_status(code, status)
     end subroutine coupled_solution_pressure_edges
 
-    ! Returns the estimates of the discretisation errors of pressure and traction; NaN without contact or without traction.
+    ! Returns the estimates of the discretisation errors of pressure and traction, or NaN without contact or without
+    ! traction.
     subroutine coupled_solution_discretisation_estimates(this, pressure, traction, status)
         class(coupled_solution), intent(in) :: this
         real(c_double), intent(out) :: pressure, traction

@@ -24,7 +24,7 @@ module stickslip_cycles
         final :: cycle_final
     end type contact_cycle
 
-    ! Applies loads in steps that are short enough for a tolerance of the tractions.
+    ! Adaptive load stepper, which applies loads in steps that are short enough for a tolerance on the tractions.
     type, extends(stickslip_object) :: adaptive_steps
         type(stickslip_adaptive_steps) :: handle
     contains

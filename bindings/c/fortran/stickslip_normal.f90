@@ -196,7 +196,7 @@ contains
         call report_status(code, status)
     end subroutine normal_solution_edges
 
-    ! Returns the estimate of the discretisation error; NaN without contact.
+    ! Returns the estimate of the discretisation error, or NaN without contact.
     function normal_solution_discretisation_estimate(this, status) result(estimate)
         class(normal_solution), intent(in) :: this
         integer(c_int32_t), intent(out), optional :: status

@@ -126,7 +126,7 @@ contains
         end do
     end function warning_text
 
-    ! Returns a field on the grid; not associated on failure.
+    ! Returns a pointer to a field on the grid; the pointer is not associated on failure.
     function plane(first, count, grid, status) result(samples)
         type(c_ptr), intent(in) :: first
         integer(c_size_t), intent(in) :: count
@@ -137,7 +137,8 @@ contains
         if (is_field(first, count, grid, status)) call c_f_pointer(first, samples, [grid%nx, grid%ny])
     end function plane
 
-    ! Returns the zones of all cells, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; not associated on failure.
+    ! Returns the zones of all cells, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; the pointer is not
+    ! associated on failure.
     function map_of_zones(first, count, grid, status) result(zones)
         type(c_ptr), intent(in) :: first
         integer(c_size_t), intent(in) :: count
@@ -169,7 +170,7 @@ contains
         end if
     end function is_field
 
-    ! Creates the half-spaces; without a boundary the surroundings are unloaded half-space.
+    ! Creates the half-spaces; without the argument boundary, the half-space around the grid is unloaded.
     subroutine half_space_new(this, grid, body_1, body_2, boundary, status)
         class(half_space), intent(inout) :: this
         type(stickslip_grid), intent(in) :: grid

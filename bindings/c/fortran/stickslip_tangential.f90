@@ -268,7 +268,7 @@ contains
         call report_status(code, status)
     end subroutine tangential_solution_edges
 
-    ! Returns the estimate of the discretisation error; NaN without contact.
+    ! Returns the estimate of the discretisation error, or NaN without contact.
     function tangential_solution_discretisation_estimate(this, status) result(estimate)
         class(tangential_solution), intent(in) :: this
         integer(c_int32_t), intent(out), optional :: status

@@ -26,13 +26,13 @@
  * these settings afterwards.
  *
  * Memory. If memory whose size depends on the number of cells cannot be allocated, the call returns STICKSLIP_MEMORY and leaves
- * its objects unchanged. The process ends only in the following cases. It cannot allocate a few kilobytes that do not depend on
- * the grid (an object, a report, a message), memory for a row of the grid (tables of the transforms, rows that are periodic
+ * its objects unchanged. The process ends only if one of the following cannot be allocated: a few kilobytes that do not depend
+ * on the grid (an object, a report, a message), memory for a row of the grid (tables of the transforms, rows that are periodic
  * along y, the extent of a contact), or a thread. Functions for rough surfaces and their statistics test before
  * they start whether their memory can be allocated; they end the process if a later allocation fails.
  *
- * Units may be any consistent set. Pressure and approach are positive if the bodies are pressed together. The shift is the motion
- * of body 2 relative to body 1. Traction and tangential force are those that body 2 exerts on body 1.
+ * Any consistent units may be used. Pressure and approach are positive if the bodies are pressed together. The shift is the
+ * motion of body 2 relative to body 1. Traction and tangential force are those that body 2 exerts on body 1.
  */
 
 
@@ -160,11 +160,11 @@
 // Axis y.
 #define STICKSLIP_Y 1
 
-// Touch rule: a cell that comes into contact within a step follows the motion from its first touch, in proportion to the
-// growth of its own pressure (default).
+// Entry rule: a cell that comes into contact within a step follows the motion from its first touch, proportionally to
+// the growth of its own pressure (default).
 #define STICKSLIP_SINCE_TOUCH 0
 
-// Touch rule: such a cell follows the whole motion of the step.
+// Entry rule: a cell that comes into contact within a step follows the whole motion of the step.
 #define STICKSLIP_WHOLE_STEP 1
 
 // Boundary of a grid that is a patch on infinite bodies.
@@ -236,8 +236,8 @@
 // Status: the observer ended the solve.
 #define STICKSLIP_CANCELLED 5
 
-// No bound on the smallest eigenvalue of the operator is available, on which a certified error relies. The error bound is
-// then the square root of the duality gap of the problem, and decreases only with the square root of the residual.
+// No bound on the smallest eigenvalue of the operator, on which certified errors rely, is available. The error bound
+// is then the square root of the duality gap of the problem, and decreases only with the square root of the residual.
 #define STICKSLIP_EIGENVALUE_UNKNOWN 0
 
 // The eigenvalue bound is an estimate on the safe side, used for stiff coatings on long grids.
@@ -509,8 +509,9 @@
 // do not change it. A program that loads the library at run time should first compare it with stickslip_abi_version().
 #define STICKSLIP_ABI_VERSION 2
 
-// Applies loads in steps that are short enough for a tolerance of the tractions. The error of a step is its difference
-// from two half steps. The object can be used for every history on the same grid.
+// Adaptive load stepper, which applies loads in steps that are short enough for a tolerance on the tractions. The
+// error of a step is the difference between its result and the result of two half steps. The object can be used for
+// every history on the same grid.
 typedef struct stickslip_adaptive_steps stickslip_adaptive_steps;
 
 // Block that this rank receives.
@@ -559,7 +560,7 @@ typedef struct stickslip_rolling_solution stickslip_rolling_solution;
 // Solver for steady rolling with a sequence of creepages, forces or spins. Each solve starts from the last solution.
 typedef struct stickslip_rolling_solver stickslip_rolling_solver;
 
-// Saved state of a history, including gap, friction and settings. A history can return to it.
+// Saved state of a history, including gap, friction and settings. A history can return to this state.
 typedef struct stickslip_state stickslip_state;
 
 // Traction, slip and shift of a tangential contact. Fields are read without a copy and remain valid until the next solve
@@ -606,7 +607,7 @@ typedef struct {
     double spin;
 } stickslip_roll;
 
-// Step of a history: the load prescribed at its end. A step of zeros holds everything.
+// Step of a history: the load prescribed at its end. A step whose members are all zero holds all quantities.
 typedef struct {
     // Normal load.
     stickslip_normal_load normal;
@@ -628,7 +629,7 @@ typedef struct {
     uint64_t reserved[4];
 } stickslip_load_step;
 
-// Error of one load step: its difference from the same load in two half steps.
+// Error of one load step: the difference between its result and the result of the same load in two half steps.
 typedef struct {
     // Relative error of the traction, to which the tolerance applies.
     double traction;
@@ -646,7 +647,8 @@ typedef struct {
 typedef struct {
     // Radius of the contact (a length): a = (3 W R/(4 E*))^(1/3), with the force W and the radius R of the sphere.
     double contact_radius;
-    // Pressure at the centre: p0 = 3 W/(2 pi a^2). At the distance r from it the pressure is p0 (1 - r^2/a^2)^(1/2).
+    // Pressure at the centre: p0 = 3 W/(2 pi a^2). At the distance r from the centre, the pressure is p0 (1 -
+    // r^2/a^2)^(1/2).
     double max_pressure;
     // Approach of the bodies (a length): a^2/R.
     double approach;
@@ -654,7 +656,7 @@ typedef struct {
     uint64_t reserved[8];
 } stickslip_hertz;
 
-// Cattaneo-Mindlin solution for a sphere and a plane that are pressed and then loaded tangentially.
+// Cattaneo-Mindlin solution for a sphere and a plane that are pressed together and then loaded tangentially.
 typedef struct {
     // Normal contact.
     stickslip_hertz hertz;
@@ -704,16 +706,17 @@ typedef struct {
     uint64_t reserved[8];
 } stickslip_bentall_johnson;
 
-// Kalker's coefficients: forces and moment of an elliptic contact that rolls along x. The creepages are so small that the
-// contact sticks except at its trailing edge. Here a and b are the semi-axes along x and y, c = (a b)^(1/2), and G is the
-// shear modulus of both bodies. The creepages xi along x and eta along y and the spin phi cause F_x = G c^2 c11 xi,
-// F_y = G c^2 (c22 eta + c c23 phi) and the moment G c^3 (-c23 eta + c c33 phi) on body 1.
+// Kalker's coefficients, which determine the forces and the moment of an elliptic contact that rolls along x. The
+// creepages are so small that the contact sticks except at its trailing edge. Here a and b are the semi-axes along x
+// and y, c = (a b)^(1/2), and G is the shear modulus of both bodies. The creepages xi along x and eta along y and the
+// spin phi cause F_x = G c^2 c11 xi, F_y = G c^2 (c22 eta + c c23 phi) and the moment G c^3 (-c23 eta + c c33 phi) on
+// body 1.
 typedef struct {
     // Coefficient of the force along x due to the creepage along x.
     double c11;
     // Coefficient of the force along y due to the creepage along y.
     double c22;
-    // Coefficient of the force along y due to the spin, and of minus the moment due to the creepage along y.
+    // Coefficient of the force along y due to the spin, and of the negated moment due to the creepage along y.
     double c23;
     // Coefficient of the moment due to the spin.
     double c33;
@@ -721,8 +724,9 @@ typedef struct {
     uint64_t reserved[8];
 } stickslip_kalker;
 
-// Vermeulen-Johnson solution for an elliptic contact that rolls along x with creepages and without spin. It uses Kalker's
-// slope, and its forces are a few percent smaller than numerical solutions.
+// Vermeulen-Johnson solution for an elliptic contact that rolls along x with creepages and without spin. The solution
+// has the initial slope of Kalker's theory, and its forces are a few per cent smaller than those of numerical
+// solutions.
 typedef struct {
     // Semi-axes of the contact along x and y (lengths).
     double semi_axes[2];
@@ -730,8 +734,8 @@ typedef struct {
     double max_pressure;
     // Kalker's coefficients of the contact.
     stickslip_kalker coefficients;
-    // Ratio x of the force that the creepages would cause without slip to the friction limit (dimensionless); the whole
-    // contact slips if x is 3 or more.
+    // Force that the creepages would cause without slip, divided by the friction limit (dimensionless). The whole
+    // contact slips if this ratio x is 3 or more.
     double relative_creepage;
     // Tangential force on body 1 along x and y: mu W (1 - (1 - x/3)^3) in the direction of the force without slip, with
     // the normal force W.
@@ -773,8 +777,8 @@ typedef struct {
     uint64_t reserved[8];
 } stickslip_tangential_load;
 
-// Tangential displacement of body 1 relative to body 2 in each cell that the contact does not cause, for example due to
-// bulk strain; copied by the call.
+// Tangential displacement of body 1 relative to body 2 with a cause other than the contact, for example bulk strain.
+// The call copies the values of the cells.
 typedef struct {
     // Displacement along x of each cell (lengths).
     const double *x;
@@ -816,10 +820,10 @@ typedef struct {
     uint64_t reserved[8];
 } stickslip_iteration;
 
-// Function that is called before every product with the operator, also on the coarser grids of a start. It returns 0 to
-// end the solve and any other number to continue. Only one thread calls it at a time; on more than 4096 cells this thread
-// may differ from the thread that called the solve. The function must not unwind or jump out, and must not call functions
-// with handles that the solve uses (STICKSLIP_BUSY).
+// Function that is called before every product with the operator, also on the coarser grids of a nested start. It
+// returns 0 to end the solve and any non-zero value to continue. Only one thread calls it at a time; on more than 4096
+// cells this thread may differ from the thread that started the solve. The function must not unwind or jump out, and
+// must not call functions with handles that the solve uses (STICKSLIP_BUSY).
 typedef int32_t (*stickslip_observe)(const stickslip_iteration *iteration, void *user);
 
 // Observer of a solve: a function with data of the caller.
@@ -905,8 +909,9 @@ typedef struct {
     uint64_t reserved[8];
 } stickslip_report;
 
-// Report of a coupled solve. The error of pressure and traction together has a bound if friction is weak; otherwise only
-// the errors of the two halves are certified.
+// Report of a coupled solve. The total errors of pressure and traction have bounds if friction is weak; otherwise only
+// the error of the pressure for the computed tractions, and the error of the tractions for the computed pressure, are
+// certified.
 typedef struct {
     // Report of the whole solve; its duality gap is infinite.
     stickslip_report work;
@@ -947,9 +952,9 @@ typedef struct {
 typedef struct {
     // Kind of warning: STICKSLIP_WARNING_NO_CONTACT or another constant of this group.
     int32_t kind;
-    // Number of cells or spots concerned; zero if it has no meaning.
+    // Number of cells or spots concerned; zero if the warning has no such number.
     size_t cells;
-    // Total number of spots; zero if it has no meaning.
+    // Total number of spots; zero if the warning has no such number.
     size_t of;
     // Meaning of the warning and suggested remedy, in English; ends with a zero byte.
     char message[STICKSLIP_WARNING_LENGTH];
@@ -971,15 +976,15 @@ typedef struct {
 // are loads, columns are motions. In C: loading[row, column]. Loads and motions that are not part of the model are NaN: in
 // the scalar model the direction across its axis and the twist, on periodic grids the twist.
 typedef struct {
-    // Derivative with respect to the motion at the end of the step, if the motion continues in its direction. Cells that came
-    // into contact in the step follow the motion only in part. After a step that presses a ball the derivative is about
-    // two thirds of Mindlin's stiffness, although all cells stick. stickslip_history_next_stiffness has the derivative of the
-    // next step, in which they resist fully.
+    // Derivative with respect to the motion at the end of the step, if the motion continues in its direction. Cells
+    // that came into contact in the step follow the motion only partially. After a step that presses a ball the
+    // derivative is about two thirds of Mindlin's stiffness, although all cells stick.
+    // stickslip_history_next_stiffness computes the derivative for the next step, in which these cells resist fully.
     double loading[3][3];
     // Derivative for a reversal of the motion, at which all contact cells stick.
     double reversal[3][3];
-    // Bound on the errors: the error of an entry is at most bound times the square root of the product of its two diagonal
-    // entries; infinite if pressure and traction are coupled.
+    // Bound on the errors: the error of an entry is at most bound times the square root of the product of the diagonal
+    // entries of its row and its column. The bound is infinite if pressure and traction are coupled.
     double bound;
     // Reserved for future members: zero.
     uint64_t reserved[8];
@@ -994,8 +999,8 @@ typedef struct {
     // Derivatives of the tangential forces and the moment with respect to the approach while slip continues; NaN for loads
     // that are not part of the model.
     double by_approach[3];
-    // Derivatives of the normal force with respect to the shifts along x and y and the twist; zero unless pressure and
-    // traction are coupled. NaN for motions that are not part of the model.
+    // Derivatives of the normal force with respect to the shifts along x and y and the twist. They are zero unless
+    // pressure and traction are coupled, and NaN for motions that are not part of the model.
     double normal_by_motion[3];
     // Reserved for future members: zero.
     uint64_t reserved[5];
@@ -1017,7 +1022,7 @@ typedef struct {
     double released;
     // Work on the residual motion that the tolerance permits in stick cells.
     double residual;
-    // Imbalance of the energies; round-off.
+    // Imbalance of the energies, which is due to round-off.
     double imbalance;
     // Reserved for future members: zero.
     uint64_t reserved[8];
@@ -1129,11 +1134,12 @@ typedef struct {
     double thickness;
 } stickslip_layer;
 
-// Function that sends a block of words to the rank `to` and receives a block from the rank `from`; neither is the calling
-// rank. It requests memory for the received block with stickslip_block_room and fills it. Blocks between two ranks keep
-// their order and may have any length, including zero. The function returns 0, or any other number if a rank is lost; it
-// is then not called again. Only one thread calls it at a time; on more than 4096 cells this thread may differ from the
-// thread that made the call. The function must not unwind or jump out, and must not call other functions of this library.
+// Function that sends a block of words to the rank `to` and receives a block from the rank `from`; neither is the
+// calling rank. It requests memory for the received block with stickslip_block_room and fills it. Blocks between two
+// ranks keep their order and may have any length, including zero. The function returns 0 on success and any non-zero
+// value if a rank is lost; in that case it is not called again. Only one thread calls it at a time; on more than 4096
+// cells this thread may differ from the thread that made the call. The function must not unwind or jump out, and must
+// not call other functions of this library.
 typedef int32_t (*stickslip_swap)(const uint64_t *block,
                                   size_t words,
                                   size_t to,
@@ -1141,8 +1147,8 @@ typedef int32_t (*stickslip_swap)(const uint64_t *block,
                                   stickslip_block *received,
                                   void *user);
 
-// One of several processes that solve together; stickslip_mpi.h creates it from an MPI communicator. The function and the
-// data must remain valid until all objects created from the bodies are freed.
+// Rank: one of several processes that solve together. stickslip_mpi.h creates this struct from an MPI communicator.
+// The function and the data must remain valid until all objects created from the bodies are freed.
 typedef struct {
     // Number of this rank, counted from zero.
     size_t rank;
@@ -1169,7 +1175,7 @@ typedef struct {
     uint64_t reserved[8];
 } stickslip_pair;
 
-// Options of a history; stickslip_history_options_default() has the defaults.
+// Options of a history; stickslip_history_options_default() returns the defaults.
 typedef struct {
     // Axis of load and traction in the scalar model: STICKSLIP_X (default) or STICKSLIP_Y.
     int32_t axis;
@@ -1178,7 +1184,7 @@ typedef struct {
     // Coupling of pressure and traction: STICKSLIP_FULL (default), STICKSLIP_ONE_WAY or STICKSLIP_NEGLECTED; relevant only
     // for dissimilar bodies.
     int32_t coupling;
-    // Touch rule: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
+    // Entry rule: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
     int32_t entry_rule;
     // Largest pressure that the cells can carry, or NULL (default, no limit).
     const stickslip_per_cell *hardness;
@@ -1222,7 +1228,8 @@ typedef struct {
     uint64_t reserved[6];
 } stickslip_step_result;
 
-// Limits of a jump in addition to the stability of the pressure; stickslip_jump_limits_default() returns the defaults.
+// Limits of a jump in addition to the stability limit of the pressure; stickslip_jump_limits_default() returns the
+// defaults.
 typedef struct {
     // Largest depth removed in one jump (a length); infinite (default) for no limit. A hundredth of the approach preserves
     // the shape of a ball.
@@ -1240,7 +1247,8 @@ typedef struct {
 typedef struct {
     // Pressure of each cell, positive in compression.
     const double *pressure;
-    // Traction along x on body 1 (pressures); without shear this and the traction along y are NULL.
+    // Traction along x on body 1 (pressures). Without shear, this pointer and the pointer to the traction along y are
+    // NULL.
     const double *x;
     // Traction along y on body 1.
     const double *y;
@@ -1252,7 +1260,7 @@ typedef struct {
 typedef struct {
     // Leading edge: STICKSLIP_PLUS_X (default), STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or STICKSLIP_MINUS_Y.
     int32_t leading_edge;
-    // Touch rule of cells that enter the contact: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
+    // Entry rule of cells that come into contact: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
     int32_t entry_rule;
     // Number of cells that a particle passes in a step (default 1). Longer steps cost less and are less accurate.
     size_t step;
@@ -1424,7 +1432,7 @@ typedef struct {
     double depth;
 } stickslip_point;
 
-// Displacement and stress at a point along x, y and z; z points into body 1.
+// Displacement and stress at a point, with components along x, y and z; z points into body 1.
 typedef struct {
     // Displacement of the body along x, y and z (lengths), zero at infinity.
     double displacement[3];
@@ -1465,9 +1473,9 @@ stickslip_status stickslip_adaptive_steps_new(const stickslip_history *history,
 // Frees the buffers; does nothing if steps is NULL.
 stickslip_status stickslip_adaptive_steps_free(stickslip_adaptive_steps *steps);
 
-// Applies a load in as many steps as the tolerance requires, and writes their number to taken (may be NULL). A failure,
-// for example STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged; its last step is then the step of the
-// last attempt.
+// Applies a load in as many steps as the tolerance requires, and writes their number to taken (may be NULL). A
+// failure, for example STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged, but the last step of the
+// history is then that of the last attempt.
 stickslip_status stickslip_adaptive_steps_step(stickslip_adaptive_steps *steps,
                                                stickslip_history *history,
                                                const stickslip_load_step *load,
@@ -1546,8 +1554,8 @@ stickslip_status stickslip_history_step_all(stickslip_history *const *histories,
                                             size_t count,
                                             stickslip_status *codes);
 
-// Creates a solver for a gap before loading (lengths, count entries, copied). hardness (no limit), relative (none) and
-// settings (the defaults) may be NULL.
+// Creates a solver for a gap before loading (lengths, count entries, copied). hardness, relative and settings may be
+// NULL; the pressure then has no limit, there is no relative displacement, and the settings are the defaults.
 stickslip_status stickslip_coupled_solver_new(const stickslip_half_space *half_space,
                                               const double *gap,
                                               size_t count,
@@ -1601,10 +1609,10 @@ const double *stickslip_coupled_solution_field(const stickslip_coupled_solution 
                                                int32_t which,
                                                size_t *count);
 
-// Returns the zone of every cell; NULL on failure.
+// Returns the zone of every cell, or NULL on failure.
 const uint8_t *stickslip_coupled_solution_zones(const stickslip_coupled_solution *solution, size_t *count);
 
-// Writes the scalar results of the normal and the tangential part; either may be NULL.
+// Writes the scalar results of the normal and the tangential part; either pointer may be NULL.
 stickslip_status stickslip_coupled_solution_results(const stickslip_coupled_solution *solution,
                                                     stickslip_normal_result *normal,
                                                     stickslip_tangential_result *tangential);
@@ -1633,8 +1641,8 @@ stickslip_status stickslip_coupled_solution_stiffness_observed(const stickslip_c
                                                                const stickslip_observer *observer,
                                                                stickslip_stiffness *stiffness);
 
-// Creates a solver for a gap before loading (lengths, count entries, copied) under a normal load. load (no creepage, no
-// spin) and options (the defaults) may be NULL.
+// Creates a solver for a gap before loading (lengths, count entries, copied) under a normal load. load and options may
+// be NULL; there is then no creepage and no spin, and the options are the defaults.
 stickslip_status stickslip_coupled_rolling_solver_new(const stickslip_half_space *half_space,
                                                       const double *gap,
                                                       size_t count,
@@ -1697,11 +1705,11 @@ const double *stickslip_coupled_rolling_solution_field(const stickslip_coupled_r
                                                        int32_t which,
                                                        size_t *count);
 
-// Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
+// Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; returns NULL on failure.
 const uint8_t *stickslip_coupled_rolling_solution_zones(const stickslip_coupled_rolling_solution *solution,
                                                         size_t *count);
 
-// Writes the scalar results of the normal and the rolling part; either may be NULL.
+// Writes the scalar results of the normal and the rolling part; either pointer may be NULL.
 stickslip_status stickslip_coupled_rolling_solution_results(const stickslip_coupled_rolling_solution *solution,
                                                             stickslip_normal_result *normal,
                                                             stickslip_rolling_result *rolling);
@@ -1725,15 +1733,16 @@ stickslip_status stickslip_cycle_free(stickslip_cycle *cycle);
 // Restarts the cycle at the current state of a history.
 stickslip_status stickslip_cycle_begin(stickslip_cycle *cycle, const stickslip_history *history);
 
-// Adds the last step of the history. Returns STICKSLIP_STEP_ALREADY_COUNTED if the history has taken no step since the last added
-// step or since the start of the cycle.
+// Adds the last step of the history. Returns STICKSLIP_STEP_ALREADY_COUNTED unless the history has taken a step since
+// the last added step or the start of the cycle.
 stickslip_status stickslip_cycle_add(stickslip_cycle *cycle, const stickslip_history *history);
 
 // Writes the scalar results of the cycle.
 stickslip_status stickslip_cycle_result_of(const stickslip_cycle *cycle, stickslip_cycle_result *result);
 
 // Returns a field of the cycle: STICKSLIP_SLIP_DISTANCE, STICKSLIP_DISSIPATED_ENERGY, STICKSLIP_SLIP_PRESSURE,
-// STICKSLIP_SLIP_AMPLITUDE_X or _Y; NULL on failure. The field is valid until the next call that changes the cycle.
+// STICKSLIP_SLIP_AMPLITUDE_X or _Y; returns NULL on failure. The field is valid until the next call that changes the
+// cycle.
 const double *stickslip_cycle_field(const stickslip_cycle *cycle, int32_t which, size_t *count);
 
 // Computes the edge of the contact inside the cells, and the pressure corrected for it.
@@ -1775,13 +1784,13 @@ stickslip_status stickslip_coupled_solution_pressure_edges(const stickslip_coupl
                                                            double *means,
                                                            size_t cells);
 
-// Estimates the relative discretisation error of the pressure, summed over the errors of the cell means. The estimate is
-// NaN without contact.
+// Estimates the relative discretisation error of the pressure: the sum of the absolute errors of the cell means,
+// relative to the sum of the pressure. The estimate is NaN without contact.
 stickslip_status stickslip_normal_solution_discretisation_estimate(const stickslip_normal_solution *solution,
                                                                    double *estimate);
 
-// Estimates the relative discretisation error of the traction, like stickslip_normal_solution_discretisation_estimate; NaN
-// without traction.
+// Estimates the relative discretisation error of the traction, like stickslip_normal_solution_discretisation_estimate.
+// The estimate is NaN without traction.
 stickslip_status stickslip_tangential_solution_discretisation_estimate(const stickslip_tangential_solution *solution,
                                                                        double *estimate);
 
@@ -1798,8 +1807,8 @@ const char *stickslip_last_error_message(void);
 // Writes the numbers that describe the last failure on this thread.
 stickslip_status stickslip_last_error(stickslip_error *error);
 
-// Writes the report of the last failure on this thread if its code was STICKSLIP_NOT_CONVERGED; returns STICKSLIP_INVALID_ARGUMENT
-// otherwise.
+// Writes the report of the last failure on this thread if its code was STICKSLIP_NOT_CONVERGED, and returns
+// STICKSLIP_INVALID_ARGUMENT otherwise.
 stickslip_status stickslip_last_error_report(stickslip_report *report);
 
 // Creates the half-spaces; nothing is computed yet. A NULL boundary means STICKSLIP_NON_PERIODIC.
@@ -1826,9 +1835,9 @@ stickslip_status stickslip_half_space_new_coated(const stickslip_grid *grid,
 // grid of the object contains only the local rows, starting at the row that stickslip_half_space_first_row returns. Arrays
 // and labels contain the local cells; sums, reports and spots describe the whole contact.
 //
-// Functions that return or take only a grid do not account for the distribution, so the program computes the local gap
-// itself. If the ranks are threads of one process, stickslip_set_num_threads(1) must keep the work of each rank on its own
-// thread; otherwise the ranks wait for the same threads forever.
+// Functions that return or take only a grid do not account for the distribution, so the program must compute the local
+// gap itself. If the ranks are threads of one process, the program must call stickslip_set_num_threads(1), which keeps
+// the work of each rank on its own thread. Otherwise the ranks wait for the same threads forever.
 stickslip_status stickslip_half_space_new_distributed(const stickslip_grid *grid,
                                                       const stickslip_material *body_1,
                                                       const stickslip_layer *layers_1,
@@ -1840,7 +1849,7 @@ stickslip_status stickslip_half_space_new_distributed(const stickslip_grid *grid
                                                       const stickslip_ranks *ranks,
                                                       stickslip_half_space **half_space);
 
-// Writes the first local row, as a row number of the whole grid; zero without ranks.
+// Writes the number of the first local row in the whole grid; this number is zero without ranks.
 stickslip_status stickslip_half_space_first_row(const stickslip_half_space *half_space, size_t *row);
 
 // Sets the meaning of the pressure and the traction of a cell, STICKSLIP_UNIFORM (default) or STICKSLIP_CENTRE, for
@@ -1884,12 +1893,12 @@ stickslip_status stickslip_history_step(stickslip_history *history,
                                         const stickslip_load_step *load,
                                         const stickslip_observer *observer);
 
-// Applies a load in as many steps of equal growth of the contact as a tolerance in (0, 1) requires, and writes their
-// number to taken (may be NULL). Contacts of dissimilar bodies must be pressed with this function. It applies the load in
-// 1, 2, 4, 8, ... steps from the current state until the change of the tractions is at most the tolerance times the
-// friction limits. A tolerance of 0.01 is a good choice. The argument observer may be NULL; it receives the iterations of
-// all steps. After a failure, for example STICKSLIP_STEP_TOO_LONG, the state of the history is unchanged; its last step is
-// the last successful step.
+// Applies a load in steps with equal growth of the contact, as many as a tolerance in (0, 1) requires, and writes
+// their number to taken (may be NULL). Contacts of dissimilar bodies must be pressed with this function. It applies
+// the load in 1, 2, 4, 8, ... steps from the current state until the change of the tractions is at most the tolerance
+// times the friction limits. A tolerance of 0.01 is a good choice. The argument observer may be NULL; it receives the
+// iterations of all steps. After a failure, for example STICKSLIP_STEP_TOO_LONG, the state of the history is
+// unchanged; its last step is the last successful step.
 stickslip_status stickslip_history_press(stickslip_history *history,
                                          const stickslip_load_step *load,
                                          double tolerance,
@@ -1920,15 +1929,15 @@ stickslip_status stickslip_history_stiffness_observed(const stickslip_history *h
                                                       const stickslip_observer *observer,
                                                       stickslip_stiffness *stiffness);
 
-// Computes the stiffness of a next step from the current state. In loading and by_approach, stick cells resist fully,
-// including those that came into contact in the last step, and cells at their friction limit continue to slip. Use it to
-// shear the contact further under the same normal load. observer may be NULL.
+// Computes the stiffness of a next step from the current state. In the members loading and by_approach, stick cells
+// resist fully, including those that came into contact in the last step, and cells at their friction limit continue to
+// slip. Use this stiffness to shear the contact further under the same normal load. observer may be NULL.
 stickslip_status stickslip_history_next_stiffness(const stickslip_history *history,
                                                   const stickslip_observer *observer,
                                                   stickslip_stiffness *stiffness);
 
-// Writes the scalar results. Stick ratio, gross slip, energies and creepages describe the last step. They are zero before
-// the first step and after the history was created from bytes.
+// Writes the scalar results. Stick ratio, gross slip, energies and creepages describe the last step. They are zero
+// before the first step of a history, including a history created from bytes.
 stickslip_status stickslip_history_result(const stickslip_history *history,
                                           stickslip_step_result *result);
 
@@ -1959,7 +1968,7 @@ const double *stickslip_history_field(const stickslip_history *history,
                                       int32_t which,
                                       size_t *count);
 
-// Returns the zone of every cell after the last step; NULL on failure.
+// Returns the zone of every cell after the last step, or NULL on failure.
 const uint8_t *stickslip_history_zones(const stickslip_history *history, size_t *count);
 
 // Returns the default settings of solvers and histories.
@@ -1976,8 +1985,8 @@ stickslip_jump_limits stickslip_jump_limits_default(void);
 // infinite if nothing limits it.
 //
 // depth (lengths, count entries) is the depth that the cycle removed from both bodies together. Returns
-// STICKSLIP_CYCLE_NOT_CLOSED if the cycle does not close, like the first cycle from rest; STICKSLIP_NEGATIVE_OR_NOT_FINITE for a limit;
-// STICKSLIP_SAMPLE for a depth.
+// STICKSLIP_CYCLE_NOT_CLOSED if the cycle does not close, like the first cycle from rest. Returns
+// STICKSLIP_NEGATIVE_OR_NOT_FINITE for an invalid limit, and STICKSLIP_SAMPLE for an invalid depth.
 stickslip_status stickslip_cycle_jump(const stickslip_half_space *half_space,
                                       const stickslip_cycle *cycle,
                                       const double *depth,
@@ -1997,7 +2006,8 @@ stickslip_status stickslip_max_stable_cycles(const stickslip_half_space *half_sp
 
 // Creates a solver for a gap before loading (lengths, count entries, copied) under a load.
 //
-// settings (the defaults) and hardness (the largest pressure that the cells can carry; no limit) may be NULL.
+// hardness is the largest pressure that the cells can carry. It may be NULL if there is no limit, and settings may be
+// NULL for the defaults.
 stickslip_status stickslip_normal_solver_new(const stickslip_half_space *half_space,
                                              const double *gap,
                                              size_t count,
@@ -2067,9 +2077,9 @@ stickslip_status stickslip_normal_solution_stiffness_observed(const stickslip_no
                                                               const stickslip_observer *observer,
                                                               stickslip_normal_stiffness *stiffness);
 
-// Creates planes at count depths (lengths, zero or positive, copied) below the surface of either body; with displacements
-// if the argument is nonzero. The kernels of a depth, 112 bytes for each cell (152 with displacements), are computed at
-// the first solve at that depth and kept.
+// Creates planes at count depths (lengths, zero or positive, copied) below the surface of either body. Displacements
+// are also computed if with_displacements is nonzero. The kernels of a depth, 112 bytes for each cell (152 with
+// displacements), are computed at the first solve at that depth and kept.
 stickslip_status stickslip_planes_new(const stickslip_half_space *half_space,
                                       const double *depths,
                                       size_t count,
@@ -2087,9 +2097,9 @@ stickslip_status stickslip_planes_solve(stickslip_planes *planes,
                                         int32_t which,
                                         const stickslip_tractions *tractions);
 
-// Solves a plane with an observer (may be NULL), like stickslip_planes_solve. The observer is called before the kernels
-// are sampled, and before each transform of a kernel and of three components. It may end the call, which then returns
-// STICKSLIP_NOT_CONVERGED. An observed call needs memory for an additional plane.
+// Solves a plane with an observer (may be NULL), like stickslip_planes_solve. The observer is called before the
+// kernels are sampled, and before each transform of a kernel or of three components. It may end the call, which then
+// returns STICKSLIP_NOT_CONVERGED. An observed call needs memory for an additional plane.
 stickslip_status stickslip_planes_solve_observed(stickslip_planes *planes,
                                                  size_t index,
                                                  int32_t which,
@@ -2105,16 +2115,17 @@ const double *stickslip_planes_field(const stickslip_planes *planes, int32_t whi
 // values, which has count entries.
 stickslip_status stickslip_planes_measure(const stickslip_planes *planes, int32_t which, double *values, size_t count);
 
-// Returns room for a given number of words of a received block, which the swap must fill before it returns; NULL if memory
-// is exhausted. Only a stickslip_swap may call this function, with the block that it was given.
+// Returns memory for a given number of words of a received block, or NULL if memory is exhausted. The swap function
+// must fill this memory before it returns. Only a stickslip_swap may call this function, with the block that it was
+// given.
 uint64_t *stickslip_block_room(stickslip_block *block, size_t words);
 
 // Returns the default options of a rolling solver.
 stickslip_rolling_options stickslip_rolling_options_default(void);
 
-// Creates a solver under the pressure of a solved normal contact on the same bodies. The grid needs room for one step of
-// cells ahead of the contact; otherwise the call returns STICKSLIP_GRID_TOO_SHORT. load (no creepage, no spin) and options
-// (the defaults) may be NULL.
+// Creates a solver under the pressure of a solved normal contact on the same bodies. The grid must extend beyond the
+// leading edge of the contact by the cells of one step; otherwise the call returns STICKSLIP_GRID_TOO_SHORT. load and
+// options may be NULL; there is then no creepage and no spin, and the options are the defaults.
 stickslip_status stickslip_rolling_solver_new(const stickslip_half_space *half_space,
                                               const stickslip_normal_solution *normal,
                                               const stickslip_friction *friction,
@@ -2135,13 +2146,14 @@ stickslip_status stickslip_rolling_solver_set_load(stickslip_rolling_solver *sol
 stickslip_status stickslip_rolling_solver_set_friction(stickslip_rolling_solver *solver,
                                                        const stickslip_friction *friction);
 
-// Sets the pressure of the next solve to that of a solved normal contact on the same bodies. A contact within the largest
-// window so far allocates nothing. STICKSLIP_BEYOND_FRICTION_CAPACITY if friction no longer holds the prescribed force.
+// Sets the pressure of the next solve to that of a solved normal contact on the same bodies. The call allocates
+// nothing if the contact lies within the largest window so far. Returns STICKSLIP_BEYOND_FRICTION_CAPACITY if friction
+// can no longer carry the prescribed force.
 stickslip_status stickslip_rolling_solver_set_normal(stickslip_rolling_solver *solver,
                                                      const stickslip_normal_solution *normal);
 
-// Sets the pressure of the next solve to the given values (count entries, copied). These have no gap: the call returns
-// STICKSLIP_UNSUPPORTED_BY_MODEL unless the solver uses STICKSLIP_WHOLE_STEP.
+// Sets the pressure of the next solve to the given values (count entries, copied). No gap belongs to these values, so
+// the call returns STICKSLIP_UNSUPPORTED_BY_MODEL unless the solver uses STICKSLIP_WHOLE_STEP.
 stickslip_status stickslip_rolling_solver_set_pressure(stickslip_rolling_solver *solver,
                                                        const double *pressure,
                                                        size_t count);
@@ -2168,16 +2180,16 @@ stickslip_status stickslip_rolling_solver_set_settings(stickslip_rolling_solver 
 
 // Solves into a solution of stickslip_rolling_solution_new for the same bodies. observer may be NULL.
 //
-// After STICKSLIP_NOT_CONVERGED the solution contains the last feasible iterate and its report. Any other failure leaves
-// the solution unchanged, with one exception: STICKSLIP_MEMORY in the search for the spin of a moment leaves the solution
-// for a different spin.
+// After STICKSLIP_NOT_CONVERGED the solution contains the last feasible iterate and its report. Any other failure
+// leaves the solution unchanged, with one exception: after STICKSLIP_MEMORY in the search for the spin of a prescribed
+// moment, the solution is that of a different spin.
 stickslip_status stickslip_rolling_solver_solve(stickslip_rolling_solver *solver,
                                                 stickslip_rolling_solution *solution,
                                                 const stickslip_observer *observer);
 
 // Computes the derivatives of the loads at the last solution. Stick cells follow the motion, and slip cells remain at
-// their friction limits. Before the first solve all cells stick, and the derivatives are Kalker's coefficients times G a b
-// and lengths.
+// their friction limits. Before the first solve all cells stick, and the derivatives are Kalker's coefficients times G
+// a b and powers of the length (a b)^(1/2).
 stickslip_status stickslip_rolling_solver_stiffness(stickslip_rolling_solver *solver,
                                                     stickslip_rolling_stiffness *stiffness);
 
@@ -2219,12 +2231,12 @@ const double *stickslip_rolling_solution_field(const stickslip_rolling_solution 
                                                int32_t which,
                                                size_t *count);
 
-// Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
+// Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; returns NULL on failure.
 const uint8_t *stickslip_rolling_solution_zones(const stickslip_rolling_solution *solution, size_t *count);
 
 // Writes the energy that slip dissipates in each cell for each length rolled (a pressure) to values, which has count
-// entries. Wear depends on this quantity. Between bodies of the same material its integral is smaller than the work; the
-// difference decreases with the cell size.
+// entries. Wear depends on this quantity. Between bodies of the same material, the integral of this energy is smaller
+// than the work of creepages and spin; the difference decreases with the cell size.
 stickslip_status stickslip_rolling_solution_dissipation(const stickslip_rolling_solution *solution,
                                                         double *values,
                                                         size_t count);
@@ -2249,12 +2261,13 @@ stickslip_self_affine stickslip_self_affine_default(void);
 // Writes the heights of a random surface (lengths, positive out of the body, with zero mean) to heights, which has count
 // entries. The gap between the surface and a plane is a constant minus the height.
 //
-// Returns STICKSLIP_INVALID_ARGUMENT if both height and slope are given; STICKSLIP_NOT_POSITIVE for height, slope or a wavelength;
-// STICKSLIP_HURST for the exponent; STICKSLIP_NOT_FINITE for skewness or kurtosis. Returns STICKSLIP_BELOW_MINIMUM for a cut-off
-// of less than two cells, for a wavelength less than the next shorter one, or for a kurtosis less than the squared
-// skewness plus one. Returns STICKSLIP_NO_WAVE_IN_BAND if no wave has a wavelength within the limits;
-// STICKSLIP_HEIGHT_MOMENTS_NOT_REACHED if no heights with this skewness and kurtosis are found; STICKSLIP_SAMPLE for the first
-// height that overflows. A failure leaves heights unchanged.
+// Returns STICKSLIP_INVALID_ARGUMENT if both height and slope are given. Returns STICKSLIP_NOT_POSITIVE for an invalid
+// height, slope or wavelength, STICKSLIP_HURST for an invalid exponent, and STICKSLIP_NOT_FINITE for an invalid
+// skewness or kurtosis. Returns STICKSLIP_BELOW_MINIMUM for a cut-off of less than two cells, if the longest
+// wavelength is less than the roll-off or the roll-off is less than the cut-off, or for a kurtosis less than the
+// squared skewness plus one. Returns STICKSLIP_NO_WAVE_IN_BAND if no wave has a wavelength within the limits,
+// STICKSLIP_HEIGHT_MOMENTS_NOT_REACHED if no heights with this skewness and kurtosis are found, and STICKSLIP_SAMPLE
+// for the first height that overflows. A failure leaves heights unchanged.
 stickslip_status stickslip_surface_self_affine(const stickslip_grid *grid,
                                                const stickslip_self_affine *surface,
                                                double *heights,
@@ -2319,7 +2332,7 @@ stickslip_status stickslip_state_keep(stickslip_state *state, const stickslip_hi
 // Returns a history to a saved state of this history or of another history on equal bodies.
 stickslip_status stickslip_history_set_state(stickslip_history *history, const stickslip_state *state);
 
-// Writes the state of a history as bytes, about 60 to 130 for each cell. A history created from them by
+// Writes the state of a history as bytes, about 60 to 130 for each cell. A history created from these bytes by
 // stickslip_history_from_bytes takes further steps with bitwise identical results.
 //
 // length receives the number of bytes. With a NULL buffer and a capacity of 0 only the number is written. If the buffer is
@@ -2448,7 +2461,7 @@ const double *stickslip_tangential_solution_field(const stickslip_tangential_sol
                                                   int32_t which,
                                                   size_t *count);
 
-// Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
+// Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; returns NULL on failure.
 const uint8_t *stickslip_tangential_solution_zones(const stickslip_tangential_solution *solution, size_t *count);
 
 // Writes the scalar results of the contact.

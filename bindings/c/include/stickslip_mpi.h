@@ -1,5 +1,5 @@
 /* Ranks that are the processes of an MPI communicator, for stickslip_half_space_new_distributed. Header only: the program
- * compiles it with its own MPI. See stickslip.h. */
+ * compiles this header with its own MPI. See stickslip.h. */
 
 #ifndef STICKSLIP_MPI_H
 #define STICKSLIP_MPI_H

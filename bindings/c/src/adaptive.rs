@@ -9,13 +9,14 @@ use crate::loads::stickslip_load_step;
 use crate::pointer::{Place, answer, input};
 use crate::status::stickslip_status;
 
-/// Applies loads in steps that are short enough for a tolerance of the tractions. The error of a step is its difference
-/// from two half steps. The object can be used for every history on the same grid.
+/// Adaptive load stepper, which applies loads in steps that are short enough for a tolerance on the tractions. The
+/// error of a step is the difference between its result and the result of two half steps. The object can be used for
+/// every history on the same grid.
 pub struct stickslip_adaptive_steps(Handle<AdaptiveSteps>);
 
 opaque!(stickslip_adaptive_steps holds AdaptiveSteps, named "adaptive steps");
 
-/// Error of one load step: its difference from the same load in two half steps.
+/// Error of one load step: the difference between its result and the result of the same load in two half steps.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_step_error {
@@ -56,9 +57,9 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_free(
     call(|| unsafe { free(steps) })
 }
 
-/// Applies a load in as many steps as the tolerance requires, and writes their number to taken (may be NULL). A failure,
-/// for example STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged; its last step is then the step of the
-/// last attempt.
+/// Applies a load in as many steps as the tolerance requires, and writes their number to taken (may be NULL). A
+/// failure, for example STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged, but the last step of the
+/// history is then that of the last attempt.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_adaptive_steps_step(
     steps: *mut stickslip_adaptive_steps,

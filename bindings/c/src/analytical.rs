@@ -17,7 +17,8 @@ use crate::text_fields::tell;
 pub struct stickslip_hertz {
     /// Radius of the contact (a length): a = (3 W R/(4 E*))^(1/3), with the force W and the radius R of the sphere.
     pub contact_radius: f64,
-    /// Pressure at the centre: p0 = 3 W/(2 pi a^2). At the distance r from it the pressure is p0 (1 - r^2/a^2)^(1/2).
+    /// Pressure at the centre: p0 = 3 W/(2 pi a^2). At the distance r from the centre, the pressure is p0 (1 -
+    /// r^2/a^2)^(1/2).
     pub max_pressure: f64,
     /// Approach of the bodies (a length): a^2/R.
     pub approach: f64,
@@ -53,7 +54,7 @@ pub unsafe extern "C" fn stickslip_hertz_sphere(
     }
 }
 
-/// Cattaneo-Mindlin solution for a sphere and a plane that are pressed and then loaded tangentially.
+/// Cattaneo-Mindlin solution for a sphere and a plane that are pressed together and then loaded tangentially.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_cattaneo_mindlin {
@@ -192,10 +193,11 @@ pub unsafe extern "C" fn stickslip_bentall_johnson_cylinder(
     }
 }
 
-/// Kalker's coefficients: forces and moment of an elliptic contact that rolls along x. The creepages are so small that the
-/// contact sticks except at its trailing edge. Here a and b are the semi-axes along x and y, c = (a b)^(1/2), and G is the
-/// shear modulus of both bodies. The creepages xi along x and eta along y and the spin phi cause F_x = G c^2 c11 xi,
-/// F_y = G c^2 (c22 eta + c c23 phi) and the moment G c^3 (-c23 eta + c c33 phi) on body 1.
+/// Kalker's coefficients, which determine the forces and the moment of an elliptic contact that rolls along x. The
+/// creepages are so small that the contact sticks except at its trailing edge. Here a and b are the semi-axes along x
+/// and y, c = (a b)^(1/2), and G is the shear modulus of both bodies. The creepages xi along x and eta along y and the
+/// spin phi cause F_x = G c^2 c11 xi, F_y = G c^2 (c22 eta + c c23 phi) and the moment G c^3 (-c23 eta + c c33 phi) on
+/// body 1.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_kalker {
@@ -203,7 +205,7 @@ pub struct stickslip_kalker {
     pub c11: f64,
     /// Coefficient of the force along y due to the creepage along y.
     pub c22: f64,
-    /// Coefficient of the force along y due to the spin, and of minus the moment due to the creepage along y.
+    /// Coefficient of the force along y due to the spin, and of the negated moment due to the creepage along y.
     pub c23: f64,
     /// Coefficient of the moment due to the spin.
     pub c33: f64,
@@ -240,8 +242,9 @@ pub unsafe extern "C" fn stickslip_kalker_coefficients(
     })
 }
 
-/// Vermeulen-Johnson solution for an elliptic contact that rolls along x with creepages and without spin. It uses Kalker's
-/// slope, and its forces are a few percent smaller than numerical solutions.
+/// Vermeulen-Johnson solution for an elliptic contact that rolls along x with creepages and without spin. The solution
+/// has the initial slope of Kalker's theory, and its forces are a few per cent smaller than those of numerical
+/// solutions.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_vermeulen_johnson {
@@ -251,8 +254,8 @@ pub struct stickslip_vermeulen_johnson {
     pub max_pressure: f64,
     /// Kalker's coefficients of the contact.
     pub coefficients: stickslip_kalker,
-    /// Ratio x of the force that the creepages would cause without slip to the friction limit (dimensionless); the whole
-    /// contact slips if x is 3 or more.
+    /// Force that the creepages would cause without slip, divided by the friction limit (dimensionless). The whole
+    /// contact slips if this ratio x is 3 or more.
     pub relative_creepage: f64,
     /// Tangential force on body 1 along x and y: mu W (1 - (1 - x/3)^3) in the direction of the force without slip, with
     /// the normal force W.

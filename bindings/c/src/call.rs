@@ -61,8 +61,8 @@ pub(crate) fn call_for<T>(work: impl FnOnce() -> Outcome<*const T>) -> *const T 
 }
 
 /// Runs work and turns a panic into a failure. Work outside the threads of this interface stays on the calling thread,
-/// because the threads that rayon would start itself do not survive a fork. After a panic, an object that was being changed
-/// can be freed but is not trusted otherwise.
+/// because the threads that rayon would start itself do not survive a fork. After a panic, an object that was being
+/// changed can still be freed, but its contents are no longer reliable.
 pub(crate) fn caught<T>(work: impl FnOnce() -> Outcome<T>) -> Outcome<T> {
     disable_global_pool();
     catch_unwind(AssertUnwindSafe(work)).unwrap_or_else(|payload| {

@@ -34,8 +34,9 @@ pub struct stickslip_coupled_solution(Handle<CoupledSolution>);
 
 opaque!(stickslip_coupled_solution holds CoupledSolution, named "coupled solution");
 
-/// Report of a coupled solve. The error of pressure and traction together has a bound if friction is weak; otherwise only
-/// the errors of the two halves are certified.
+/// Report of a coupled solve. The total errors of pressure and traction have bounds if friction is weak; otherwise only
+/// the error of the pressure for the computed tractions, and the error of the tractions for the computed pressure, are
+/// certified.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_coupled_report {
@@ -67,8 +68,8 @@ impl From<&CoupledReport> for stickslip_coupled_report {
     }
 }
 
-/// Creates a solver for a gap before loading (lengths, count entries, copied). hardness (no limit), relative (none) and
-/// settings (the defaults) may be NULL.
+/// Creates a solver for a gap before loading (lengths, count entries, copied). hardness, relative and settings may be
+/// NULL; the pressure then has no limit, there is no relative displacement, and the settings are the defaults.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solver_new(
     half_space: *const stickslip_half_space,
@@ -126,7 +127,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_free(
 /// Returns both loads after checking them.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 unsafe fn loads(
     normal: *const stickslip_normal_load,
     tangential: *const stickslip_tangential_load,
@@ -245,7 +246,7 @@ fn own_field(solution: &CoupledSolution, which: i32) -> Outcome<&Field> {
     }
 }
 
-/// Returns the zone of every cell; NULL on failure.
+/// Returns the zone of every cell, or NULL on failure.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solution_zones(
     solution: *const stickslip_coupled_solution,
@@ -255,7 +256,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_zones(
     unsafe { show(solution, count, |of| Ok(of.tangential().zones())).cast() }
 }
 
-/// Writes the scalar results of the normal and the tangential part; either may be NULL.
+/// Writes the scalar results of the normal and the tangential part; either pointer may be NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solution_results(
     solution: *const stickslip_coupled_solution,

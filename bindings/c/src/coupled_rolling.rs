@@ -73,8 +73,8 @@ impl From<&CoupledRollingReport> for stickslip_coupled_rolling_report {
     }
 }
 
-/// Creates a solver for a gap before loading (lengths, count entries, copied) under a normal load. load (no creepage, no
-/// spin) and options (the defaults) may be NULL.
+/// Creates a solver for a gap before loading (lengths, count entries, copied) under a normal load. load and options may
+/// be NULL; there is then no creepage and no spin, and the options are the defaults.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solver_new(
     half_space: *const stickslip_half_space,
@@ -263,7 +263,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solution_field(
     unsafe { show(solution, count, |of| Ok(own_field(of, which)?.as_slice())) }
 }
 
-/// Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
+/// Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; returns NULL on failure.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solution_zones(
     solution: *const stickslip_coupled_rolling_solution,
@@ -273,7 +273,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solution_zones(
     unsafe { show(solution, count, |of| Ok(of.rolling().zones())).cast() }
 }
 
-/// Writes the scalar results of the normal and the rolling part; either may be NULL.
+/// Writes the scalar results of the normal and the rolling part; either pointer may be NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solution_results(
     solution: *const stickslip_coupled_rolling_solution,

@@ -103,8 +103,8 @@ pub unsafe extern "C" fn stickslip_cycle_begin(
     })
 }
 
-/// Adds the last step of the history. Returns STICKSLIP_STEP_ALREADY_COUNTED if the history has taken no step since the last added
-/// step or since the start of the cycle.
+/// Adds the last step of the history. Returns STICKSLIP_STEP_ALREADY_COUNTED unless the history has taken a step since
+/// the last added step or the start of the cycle.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_cycle_add(
     cycle: *mut stickslip_cycle,
@@ -128,7 +128,8 @@ pub unsafe extern "C" fn stickslip_cycle_result_of(
 }
 
 /// Returns a field of the cycle: STICKSLIP_SLIP_DISTANCE, STICKSLIP_DISSIPATED_ENERGY, STICKSLIP_SLIP_PRESSURE,
-/// STICKSLIP_SLIP_AMPLITUDE_X or _Y; NULL on failure. The field is valid until the next call that changes the cycle.
+/// STICKSLIP_SLIP_AMPLITUDE_X or _Y; returns NULL on failure. The field is valid until the next call that changes the
+/// cycle.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_cycle_field(
     cycle: *const stickslip_cycle,

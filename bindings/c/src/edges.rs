@@ -74,7 +74,7 @@ type EdgeOutputs = (*mut stickslip_edges, [*mut f64; 2], usize);
 /// Writes edges and the corresponding fields.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 unsafe fn put<E>(
     (edges, fields, cells): EdgeOutputs,
     grid: Grid,
@@ -202,8 +202,8 @@ fn tractions(found: &TangentialEdges) -> [&Field; 2] {
     [found.traction(), found.mean_traction()]
 }
 
-/// Estimates the relative discretisation error of the pressure, summed over the errors of the cell means. The estimate is
-/// NaN without contact.
+/// Estimates the relative discretisation error of the pressure: the sum of the absolute errors of the cell means,
+/// relative to the sum of the pressure. The estimate is NaN without contact.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solution_discretisation_estimate(
     solution: *const stickslip_normal_solution,
@@ -217,8 +217,8 @@ pub unsafe extern "C" fn stickslip_normal_solution_discretisation_estimate(
     }
 }
 
-/// Estimates the relative discretisation error of the traction, like stickslip_normal_solution_discretisation_estimate; NaN
-/// without traction.
+/// Estimates the relative discretisation error of the traction, like stickslip_normal_solution_discretisation_estimate.
+/// The estimate is NaN without traction.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solution_discretisation_estimate(
     solution: *const stickslip_tangential_solution,

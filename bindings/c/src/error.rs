@@ -318,8 +318,8 @@ pub unsafe extern "C" fn stickslip_last_error(error: *mut stickslip_error) -> st
     })
 }
 
-/// Writes the report of the last failure on this thread if its code was STICKSLIP_NOT_CONVERGED; returns STICKSLIP_INVALID_ARGUMENT
-/// otherwise.
+/// Writes the report of the last failure on this thread if its code was STICKSLIP_NOT_CONVERGED, and returns
+/// STICKSLIP_INVALID_ARGUMENT otherwise.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_last_error_report(
     report: *mut stickslip_report,

@@ -100,9 +100,9 @@ pub unsafe extern "C" fn stickslip_half_space_new_coated(
 /// grid of the object contains only the local rows, starting at the row that stickslip_half_space_first_row returns. Arrays
 /// and labels contain the local cells; sums, reports and spots describe the whole contact.
 ///
-/// Functions that return or take only a grid do not account for the distribution, so the program computes the local gap
-/// itself. If the ranks are threads of one process, stickslip_set_num_threads(1) must keep the work of each rank on its own
-/// thread; otherwise the ranks wait for the same threads forever.
+/// Functions that return or take only a grid do not account for the distribution, so the program must compute the local
+/// gap itself. If the ranks are threads of one process, the program must call stickslip_set_num_threads(1), which keeps
+/// the work of each rank on its own thread. Otherwise the ranks wait for the same threads forever.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_half_space_new_distributed(
     grid: *const stickslip_grid,
@@ -146,7 +146,7 @@ pub unsafe extern "C" fn stickslip_half_space_new_distributed(
     })
 }
 
-/// Writes the first local row, as a row number of the whole grid; zero without ranks.
+/// Writes the number of the first local row in the whole grid; this number is zero without ranks.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_half_space_first_row(
     half_space: *const stickslip_half_space,

@@ -107,7 +107,7 @@ impl<T> Drop for Changing<'_, T> {
 
 /// Opaque type of the C interface.
 pub(crate) trait Opaque: From<Handle<Self::Value>> {
-    /// Value behind the handle. Threads may share it, since any thread may use a handle.
+    /// Value behind the handle. Threads may share the value, because any thread may use a handle.
     type Value: Send + Sync;
     /// Name of the object in messages.
     const NAME: &'static str;
@@ -160,7 +160,7 @@ pub(crate) fn give<T: Opaque>(place: Place<*mut T>, value: T::Value, cells: usiz
 /// Returns the number of cells of the grid of an object, also while other threads use it; zero for an invalid pointer.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn cells_of<T: Opaque>(pointer: *const T) -> usize {
     // SAFETY: the safety contract of this function; the number of cells never changes.
     let object = unsafe { input(T::NAME, pointer) };
@@ -170,7 +170,7 @@ pub(crate) unsafe fn cells_of<T: Opaque>(pointer: *const T) -> usize {
 /// Returns shared access to an object.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn reading<'a, T: Opaque + 'a>(
     pointer: *const T,
 ) -> Outcome<Reading<'a, T::Value>> {
@@ -182,7 +182,7 @@ pub(crate) unsafe fn reading<'a, T: Opaque + 'a>(
 /// Returns exclusive access to an object.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn changing<'a, T: Opaque + 'a>(
     pointer: *const T,
 ) -> Outcome<Changing<'a, T::Value>> {
@@ -197,8 +197,8 @@ pub(crate) unsafe fn changing<'a, T: Opaque + 'a>(
 /// Frees an object; does nothing for NULL. An object in use is not freed.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`]. The pointer comes from [`give`] and is not used again if
-/// this function succeeds.
+/// The caller must follow the rule for pointers in [`crate::pointer`]. The pointer must come from [`give`] and must not
+/// be used again if this function succeeds.
 pub(crate) unsafe fn free<T: Opaque>(pointer: *mut T) -> Outcome {
     if pointer.is_null() {
         return Ok(());

@@ -32,13 +32,13 @@ pub const STICKSLIP_X: i32 = 0;
 /// Axis y.
 pub const STICKSLIP_Y: i32 = 1;
 
-/// Touch rule: a cell that comes into contact within a step follows the motion from its first touch, in proportion to the
-/// growth of its own pressure (default).
+/// Entry rule: a cell that comes into contact within a step follows the motion from its first touch, proportionally to
+/// the growth of its own pressure (default).
 pub const STICKSLIP_SINCE_TOUCH: i32 = 0;
-/// Touch rule: such a cell follows the whole motion of the step.
+/// Entry rule: a cell that comes into contact within a step follows the whole motion of the step.
 pub const STICKSLIP_WHOLE_STEP: i32 = 1;
 
-/// Options of a history; stickslip_history_options_default() has the defaults.
+/// Options of a history; stickslip_history_options_default() returns the defaults.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_history_options {
@@ -49,7 +49,7 @@ pub struct stickslip_history_options {
     /// Coupling of pressure and traction: STICKSLIP_FULL (default), STICKSLIP_ONE_WAY or STICKSLIP_NEGLECTED; relevant only
     /// for dissimilar bodies.
     pub coupling: i32,
-    /// Touch rule: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
+    /// Entry rule: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
     pub entry_rule: i32,
     /// Largest pressure that the cells can carry, or NULL (default, no limit).
     pub hardness: *const stickslip_per_cell,
@@ -187,12 +187,12 @@ pub unsafe extern "C" fn stickslip_history_step(
     })
 }
 
-/// Applies a load in as many steps of equal growth of the contact as a tolerance in (0, 1) requires, and writes their
-/// number to taken (may be NULL). Contacts of dissimilar bodies must be pressed with this function. It applies the load in
-/// 1, 2, 4, 8, ... steps from the current state until the change of the tractions is at most the tolerance times the
-/// friction limits. A tolerance of 0.01 is a good choice. The argument observer may be NULL; it receives the iterations of
-/// all steps. After a failure, for example STICKSLIP_STEP_TOO_LONG, the state of the history is unchanged; its last step is
-/// the last successful step.
+/// Applies a load in steps with equal growth of the contact, as many as a tolerance in (0, 1) requires, and writes
+/// their number to taken (may be NULL). Contacts of dissimilar bodies must be pressed with this function. It applies
+/// the load in 1, 2, 4, 8, ... steps from the current state until the change of the tractions is at most the tolerance
+/// times the friction limits. A tolerance of 0.01 is a good choice. The argument observer may be NULL; it receives the
+/// iterations of all steps. After a failure, for example STICKSLIP_STEP_TOO_LONG, the state of the history is
+/// unchanged; its last step is the last successful step.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_press(
     history: *mut stickslip_history,
@@ -302,9 +302,9 @@ pub unsafe extern "C" fn stickslip_history_stiffness_observed(
     }
 }
 
-/// Computes the stiffness of a next step from the current state. In loading and by_approach, stick cells resist fully,
-/// including those that came into contact in the last step, and cells at their friction limit continue to slip. Use it to
-/// shear the contact further under the same normal load. observer may be NULL.
+/// Computes the stiffness of a next step from the current state. In the members loading and by_approach, stick cells
+/// resist fully, including those that came into contact in the last step, and cells at their friction limit continue to
+/// slip. Use this stiffness to shear the contact further under the same normal load. observer may be NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_next_stiffness(
     history: *const stickslip_history,

@@ -31,7 +31,7 @@ pub struct stickslip_energy {
     pub released: f64,
     /// Work on the residual motion that the tolerance permits in stick cells.
     pub residual: f64,
-    /// Imbalance of the energies; round-off.
+    /// Imbalance of the energies, which is due to round-off.
     pub imbalance: f64,
     /// Reserved for future members: zero.
     pub reserved: [u64; 8],
@@ -104,8 +104,8 @@ impl From<&History> for stickslip_step_result {
     }
 }
 
-/// Writes the scalar results. Stick ratio, gross slip, energies and creepages describe the last step. They are zero before
-/// the first step and after the history was created from bytes.
+/// Writes the scalar results. Stick ratio, gross slip, energies and creepages describe the last step. They are zero
+/// before the first step of a history, including a history created from bytes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_result(
     history: *const stickslip_history,
@@ -219,7 +219,7 @@ fn field(history: &History, which: i32) -> Outcome<&Field> {
     })
 }
 
-/// Returns the zone of every cell after the last step; NULL on failure.
+/// Returns the zone of every cell after the last step, or NULL on failure.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_zones(
     history: *const stickslip_history,

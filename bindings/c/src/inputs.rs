@@ -153,7 +153,7 @@ impl stickslip_per_cell {
     /// Returns the values of the cells; `None` if one value applies to all cells.
     ///
     /// # Safety
-    /// The caller follows the rule for pointers of [`crate::pointer`].
+    /// The caller must follow the rule for pointers in [`crate::pointer`].
     pub(crate) unsafe fn cells(&self, name: &str, grid: Grid) -> Outcome<Option<&[f64]>> {
         if self.cells.is_null() {
             return Ok(None);
@@ -165,7 +165,7 @@ impl stickslip_per_cell {
     /// Returns the values of the cells, copied into memory of `spare`; `None` if one value applies to all cells.
     ///
     /// # Safety
-    /// The caller follows the rule for pointers of [`crate::pointer`].
+    /// The caller must follow the rule for pointers in [`crate::pointer`].
     unsafe fn field(&self, name: &str, grid: Grid, spare: &Spare) -> Outcome<Option<Field>> {
         // SAFETY: the safety contract of this function.
         let samples = unsafe { self.cells(name, grid)? };
@@ -175,7 +175,7 @@ impl stickslip_per_cell {
     /// Converts the quantity to a hardness, the largest pressure that the cells can carry.
     ///
     /// # Safety
-    /// The caller follows the rule for pointers of [`crate::pointer`].
+    /// The caller must follow the rule for pointers in [`crate::pointer`].
     pub(crate) unsafe fn hardness(&self, grid: Grid) -> Outcome<Hardness> {
         // SAFETY: the safety contract of this function.
         Ok(
@@ -203,16 +203,16 @@ impl stickslip_friction {
     /// Returns the friction after checking it.
     ///
     /// # Safety
-    /// The caller follows the rule for pointers of [`crate::pointer`].
+    /// The caller must follow the rule for pointers in [`crate::pointer`].
     pub(crate) unsafe fn checked(&self, grid: Grid) -> Outcome<Friction> {
         // SAFETY: the safety contract of this function.
         unsafe { self.checked_in(grid, &Spare::default()) }
     }
 
-    /// Runs work on the friction in reusable memory.
+    /// Runs work with the friction, which is stored in reusable memory.
     ///
     /// # Safety
-    /// The caller follows the rule for pointers of [`crate::pointer`].
+    /// The caller must follow the rule for pointers in [`crate::pointer`].
     pub(crate) unsafe fn lend<T>(
         &self,
         grid: Grid,
@@ -231,7 +231,7 @@ impl stickslip_friction {
     /// Returns the friction after checking it, in memory of `spare`.
     ///
     /// # Safety
-    /// The caller follows the rule for pointers of [`crate::pointer`].
+    /// The caller must follow the rule for pointers in [`crate::pointer`].
     unsafe fn checked_in(&self, grid: Grid, spare: &Spare) -> Outcome<Friction> {
         known("the friction", &self.reserved)?;
         let name = "coefficient of friction";
@@ -247,8 +247,8 @@ impl stickslip_friction {
     }
 }
 
-/// Tangential displacement of body 1 relative to body 2 in each cell that the contact does not cause, for example due to
-/// bulk strain; copied by the call.
+/// Tangential displacement of body 1 relative to body 2 with a cause other than the contact, for example bulk strain.
+/// The call copies the values of the cells.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_relative_displacement {
@@ -264,7 +264,7 @@ impl stickslip_relative_displacement {
     /// Returns the relative displacement after checking it.
     ///
     /// # Safety
-    /// The caller follows the rule for pointers of [`crate::pointer`].
+    /// The caller must follow the rule for pointers in [`crate::pointer`].
     pub(crate) unsafe fn checked(&self, grid: Grid) -> Outcome<RelativeDisplacement> {
         // SAFETY: the safety contract of this function.
         let fields = unsafe {

@@ -11,7 +11,8 @@ use crate::pointer::{answer, cells, input, optional};
 use crate::reserved::known;
 use crate::status::stickslip_status;
 
-/// Limits of a jump in addition to the stability of the pressure; stickslip_jump_limits_default() returns the defaults.
+/// Limits of a jump in addition to the stability limit of the pressure; stickslip_jump_limits_default() returns the
+/// defaults.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_jump_limits {
@@ -59,8 +60,8 @@ pub extern "C" fn stickslip_jump_limits_default() -> stickslip_jump_limits {
 /// infinite if nothing limits it.
 ///
 /// depth (lengths, count entries) is the depth that the cycle removed from both bodies together. Returns
-/// STICKSLIP_CYCLE_NOT_CLOSED if the cycle does not close, like the first cycle from rest; STICKSLIP_NEGATIVE_OR_NOT_FINITE for a limit;
-/// STICKSLIP_SAMPLE for a depth.
+/// STICKSLIP_CYCLE_NOT_CLOSED if the cycle does not close, like the first cycle from rest. Returns
+/// STICKSLIP_NEGATIVE_OR_NOT_FINITE for an invalid limit, and STICKSLIP_SAMPLE for an invalid depth.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_cycle_jump(
     half_space: *const stickslip_half_space,

@@ -1,4 +1,4 @@
-//! Loads: plain structs in which zero holds everything.
+//! Loads: plain structs. A load whose members are all zero holds its quantities.
 
 use stickslip_rs::history::Rolling;
 use stickslip_rs::{Axis, LoadStep, NormalControl, TangentialControl, TangentialLoad};
@@ -133,7 +133,7 @@ impl stickslip_roll {
     }
 }
 
-/// Step of a history: the load prescribed at its end. A step of zeros holds everything.
+/// Step of a history: the load prescribed at its end. A step whose members are all zero holds all quantities.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_load_step {

@@ -29,7 +29,8 @@ opaque!(stickslip_normal_solution holds NormalSolution, named "normal solution")
 
 /// Creates a solver for a gap before loading (lengths, count entries, copied) under a load.
 ///
-/// settings (the defaults) and hardness (the largest pressure that the cells can carry; no limit) may be NULL.
+/// hardness is the largest pressure that the cells can carry. It may be NULL if there is no limit, and settings may be
+/// NULL for the defaults.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solver_new(
     half_space: *const stickslip_half_space,

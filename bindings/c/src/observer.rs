@@ -23,10 +23,10 @@ pub struct stickslip_iteration {
     pub reserved: [u64; 8],
 }
 
-/// Function that is called before every product with the operator, also on the coarser grids of a start. It returns 0 to
-/// end the solve and any other number to continue. Only one thread calls it at a time; on more than 4096 cells this thread
-/// may differ from the thread that called the solve. The function must not unwind or jump out, and must not call functions
-/// with handles that the solve uses (STICKSLIP_BUSY).
+/// Function that is called before every product with the operator, also on the coarser grids of a nested start. It
+/// returns 0 to end the solve and any non-zero value to continue. Only one thread calls it at a time; on more than 4096
+/// cells this thread may differ from the thread that started the solve. The function must not unwind or jump out, and
+/// must not call functions with handles that the solve uses (STICKSLIP_BUSY).
 pub type stickslip_observe =
     Option<unsafe extern "C" fn(iteration: *const stickslip_iteration, user: *mut c_void) -> i32>;
 

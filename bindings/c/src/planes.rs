@@ -40,9 +40,9 @@ impl Solved {
     }
 }
 
-/// Creates planes at count depths (lengths, zero or positive, copied) below the surface of either body; with displacements
-/// if the argument is nonzero. The kernels of a depth, 112 bytes for each cell (152 with displacements), are computed at
-/// the first solve at that depth and kept.
+/// Creates planes at count depths (lengths, zero or positive, copied) below the surface of either body. Displacements
+/// are also computed if with_displacements is nonzero. The kernels of a depth, 112 bytes for each cell (152 with
+/// displacements), are computed at the first solve at that depth and kept.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_planes_new(
     half_space: *const stickslip_half_space,
@@ -87,9 +87,9 @@ pub unsafe extern "C" fn stickslip_planes_solve(
     unsafe { stickslip_planes_solve_observed(planes, index, which, tractions, nobody) }
 }
 
-/// Solves a plane with an observer (may be NULL), like stickslip_planes_solve. The observer is called before the kernels
-/// are sampled, and before each transform of a kernel and of three components. It may end the call, which then returns
-/// STICKSLIP_NOT_CONVERGED. An observed call needs memory for an additional plane.
+/// Solves a plane with an observer (may be NULL), like stickslip_planes_solve. The observer is called before the
+/// kernels are sampled, and before each transform of a kernel or of three components. It may end the call, which then
+/// returns STICKSLIP_NOT_CONVERGED. An observed call needs memory for an additional plane.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_planes_solve_observed(
     planes: *mut stickslip_planes,

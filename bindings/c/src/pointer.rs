@@ -13,7 +13,7 @@ use crate::status::STICKSLIP_LENGTH;
 /// Returns a required struct.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn input<'a, T>(name: &str, pointer: *const T) -> Outcome<&'a T> {
     // SAFETY: the safety contract of this function.
     unsafe { optional(name, pointer)? }.ok_or_else(|| Failure::pointer(name))
@@ -22,7 +22,7 @@ pub(crate) unsafe fn input<'a, T>(name: &str, pointer: *const T) -> Outcome<&'a 
 /// Returns an optional struct; `None` for NULL.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn optional<'a, T>(name: &str, pointer: *const T) -> Outcome<Option<&'a T>> {
     if !pointer.is_aligned() {
         return Err(Failure::pointer(name));
@@ -40,7 +40,7 @@ impl<T> Place<T> {
     /// Creates a required destination.
     ///
     /// # Safety
-    /// The caller follows the rule for pointers of [`crate::pointer`] until the result is written.
+    /// The caller must follow the rule for pointers in [`crate::pointer`] until the result is written.
     pub(crate) unsafe fn new(name: &str, pointer: *mut T) -> Outcome<Self> {
         // SAFETY: the safety contract of this function.
         unsafe { Self::if_asked(name, pointer)? }.ok_or_else(|| Failure::pointer(name))
@@ -49,7 +49,7 @@ impl<T> Place<T> {
     /// Creates an optional destination; `None` for NULL.
     ///
     /// # Safety
-    /// The caller follows the rule for pointers of [`crate::pointer`] until the result is written.
+    /// The caller must follow the rule for pointers in [`crate::pointer`] until the result is written.
     pub(crate) unsafe fn if_asked(name: &str, pointer: *mut T) -> Outcome<Option<Self>> {
         if !pointer.is_aligned() {
             return Err(Failure::pointer(name));
@@ -67,7 +67,7 @@ impl<T> Place<T> {
 /// Writes the result of a computation to a destination that is checked first.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn answer<T>(
     name: &str,
     pointer: *mut T,
@@ -82,7 +82,7 @@ pub(crate) unsafe fn answer<T>(
 /// Returns an array of `count` entries.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn entries<'a, T>(
     name: &str,
     pointer: *const T,
@@ -104,7 +104,7 @@ pub(crate) unsafe fn entries<'a, T>(
 /// Returns a mutable array of `count` entries.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn entries_mut<'a, T>(
     name: &str,
     pointer: *mut T,
@@ -122,7 +122,7 @@ pub(crate) unsafe fn entries_mut<'a, T>(
 /// Returns an array with a number for each cell of a grid.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn cells<'a>(
     name: &str,
     grid: Grid,
@@ -137,7 +137,7 @@ pub(crate) unsafe fn cells<'a>(
 /// Returns a mutable array with a number for each cell of a grid.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn cells_mut<'a>(
     name: &str,
     grid: Grid,
@@ -152,7 +152,7 @@ pub(crate) unsafe fn cells_mut<'a>(
 /// Returns a copy of an array with a number for each cell, as a field.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn field(
     name: &str,
     grid: Grid,
@@ -192,7 +192,7 @@ pub(crate) fn expect_cells(name: &str, grid: Grid, found: usize) -> Outcome {
 /// Returns a pointer to the first sample of a field, and writes the number of samples if `count` is not NULL.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn samples<T>(samples: &[T], count: *mut usize) -> Outcome<*const T> {
     // SAFETY: the safety contract of this function.
     if let Some(place) = unsafe { Place::if_asked("count", count)? } {

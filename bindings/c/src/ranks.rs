@@ -13,11 +13,12 @@ use crate::status::STICKSLIP_LENGTH;
 #[derive(Debug, Default)]
 pub struct stickslip_block(Vec<u64>);
 
-/// Function that sends a block of words to the rank `to` and receives a block from the rank `from`; neither is the calling
-/// rank. It requests memory for the received block with stickslip_block_room and fills it. Blocks between two ranks keep
-/// their order and may have any length, including zero. The function returns 0, or any other number if a rank is lost; it
-/// is then not called again. Only one thread calls it at a time; on more than 4096 cells this thread may differ from the
-/// thread that made the call. The function must not unwind or jump out, and must not call other functions of this library.
+/// Function that sends a block of words to the rank `to` and receives a block from the rank `from`; neither is the
+/// calling rank. It requests memory for the received block with stickslip_block_room and fills it. Blocks between two
+/// ranks keep their order and may have any length, including zero. The function returns 0 on success and any non-zero
+/// value if a rank is lost; in that case it is not called again. Only one thread calls it at a time; on more than 4096
+/// cells this thread may differ from the thread that made the call. The function must not unwind or jump out, and must
+/// not call other functions of this library.
 pub type stickslip_swap = Option<
     unsafe extern "C" fn(
         block: *const u64,
@@ -29,8 +30,8 @@ pub type stickslip_swap = Option<
     ) -> i32,
 >;
 
-/// One of several processes that solve together; stickslip_mpi.h creates it from an MPI communicator. The function and the
-/// data must remain valid until all objects created from the bodies are freed.
+/// Rank: one of several processes that solve together. stickslip_mpi.h creates this struct from an MPI communicator.
+/// The function and the data must remain valid until all objects created from the bodies are freed.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_ranks {
@@ -85,8 +86,9 @@ impl Ranks for stickslip_ranks {
     }
 }
 
-/// Returns room for a given number of words of a received block, which the swap must fill before it returns; NULL if memory
-/// is exhausted. Only a stickslip_swap may call this function, with the block that it was given.
+/// Returns memory for a given number of words of a received block, or NULL if memory is exhausted. The swap function
+/// must fill this memory before it returns. Only a stickslip_swap may call this function, with the block that it was
+/// given.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_block_room(
     block: *mut stickslip_block,

@@ -1,5 +1,6 @@
-//! Room in structs for future members. A new member takes bytes of `reserved`, so that the size of the struct and the
-//! offsets of its other members do not change. The value zero of a new member means the behaviour of earlier versions.
+//! Room in structs for future members. A new member replaces bytes of `reserved`, so that the size of the struct and
+//! the offsets of its other members do not change. The value zero of a new member means the behaviour of earlier
+//! versions.
 
 use crate::call::Outcome;
 use crate::error::Failure;

@@ -22,8 +22,8 @@ pub const STICKSLIP_STALLED: i32 = 4;
 /// Status: the observer ended the solve.
 pub const STICKSLIP_CANCELLED: i32 = 5;
 
-/// No bound on the smallest eigenvalue of the operator is available, on which a certified error relies. The error bound is
-/// then the square root of the duality gap of the problem, and decreases only with the square root of the residual.
+/// No bound on the smallest eigenvalue of the operator, on which certified errors rely, is available. The error bound
+/// is then the square root of the duality gap of the problem, and decreases only with the square root of the residual.
 pub const STICKSLIP_EIGENVALUE_UNKNOWN: i32 = 0;
 /// The eigenvalue bound is an estimate on the safe side, used for stiff coatings on long grids.
 pub const STICKSLIP_EIGENVALUE_ESTIMATED: i32 = 1;
@@ -153,9 +153,9 @@ pub const STICKSLIP_WARNING_LENGTH: usize = 384;
 pub struct stickslip_warning {
     /// Kind of warning: STICKSLIP_WARNING_NO_CONTACT or another constant of this group.
     pub kind: i32,
-    /// Number of cells or spots concerned; zero if it has no meaning.
+    /// Number of cells or spots concerned; zero if the warning has no such number.
     pub cells: usize,
-    /// Total number of spots; zero if it has no meaning.
+    /// Total number of spots; zero if the warning has no such number.
     pub of: usize,
     /// Meaning of the warning and suggested remedy, in English; ends with a zero byte.
     pub message: [c_char; STICKSLIP_WARNING_LENGTH],
@@ -217,7 +217,7 @@ impl From<&Warning> for stickslip_warning {
 /// Writes warnings into a buffer, and their number.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn put_warnings(
     buffer: *mut stickslip_warning,
     capacity: usize,

@@ -106,7 +106,7 @@ pub(crate) fn leading_edge(value: i32) -> Outcome<LeadingEdge> {
 pub struct stickslip_rolling_options {
     /// Leading edge: STICKSLIP_PLUS_X (default), STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or STICKSLIP_MINUS_Y.
     pub leading_edge: i32,
-    /// Touch rule of cells that enter the contact: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
+    /// Entry rule of cells that come into contact: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
     pub entry_rule: i32,
     /// Number of cells that a particle passes in a step (default 1). Longer steps cost less and are less accurate.
     pub step: usize,
@@ -143,9 +143,9 @@ pub struct stickslip_rolling_solution(Handle<RollingSolution>);
 
 opaque!(stickslip_rolling_solution holds RollingSolution, named "rolling solution");
 
-/// Creates a solver under the pressure of a solved normal contact on the same bodies. The grid needs room for one step of
-/// cells ahead of the contact; otherwise the call returns STICKSLIP_GRID_TOO_SHORT. load (no creepage, no spin) and options
-/// (the defaults) may be NULL.
+/// Creates a solver under the pressure of a solved normal contact on the same bodies. The grid must extend beyond the
+/// leading edge of the contact by the cells of one step; otherwise the call returns STICKSLIP_GRID_TOO_SHORT. load and
+/// options may be NULL; there is then no creepage and no spin, and the options are the defaults.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_new(
     half_space: *const stickslip_half_space,
@@ -212,8 +212,9 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_friction(
     unsafe { solver::set_friction(solver, friction, RollingSolver::set_friction) }
 }
 
-/// Sets the pressure of the next solve to that of a solved normal contact on the same bodies. A contact within the largest
-/// window so far allocates nothing. STICKSLIP_BEYOND_FRICTION_CAPACITY if friction no longer holds the prescribed force.
+/// Sets the pressure of the next solve to that of a solved normal contact on the same bodies. The call allocates
+/// nothing if the contact lies within the largest window so far. Returns STICKSLIP_BEYOND_FRICTION_CAPACITY if friction
+/// can no longer carry the prescribed force.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_set_normal(
     solver: *mut stickslip_rolling_solver,
@@ -226,8 +227,8 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_normal(
     })
 }
 
-/// Sets the pressure of the next solve to the given values (count entries, copied). These have no gap: the call returns
-/// STICKSLIP_UNSUPPORTED_BY_MODEL unless the solver uses STICKSLIP_WHOLE_STEP.
+/// Sets the pressure of the next solve to the given values (count entries, copied). No gap belongs to these values, so
+/// the call returns STICKSLIP_UNSUPPORTED_BY_MODEL unless the solver uses STICKSLIP_WHOLE_STEP.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_set_pressure(
     solver: *mut stickslip_rolling_solver,
@@ -305,9 +306,9 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_settings(
 
 /// Solves into a solution of stickslip_rolling_solution_new for the same bodies. observer may be NULL.
 ///
-/// After STICKSLIP_NOT_CONVERGED the solution contains the last feasible iterate and its report. Any other failure leaves
-/// the solution unchanged, with one exception: STICKSLIP_MEMORY in the search for the spin of a moment leaves the solution
-/// for a different spin.
+/// After STICKSLIP_NOT_CONVERGED the solution contains the last feasible iterate and its report. Any other failure
+/// leaves the solution unchanged, with one exception: after STICKSLIP_MEMORY in the search for the spin of a prescribed
+/// moment, the solution is that of a different spin.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_solve(
     solver: *mut stickslip_rolling_solver,
@@ -331,8 +332,8 @@ pub struct stickslip_rolling_stiffness {
 }
 
 /// Computes the derivatives of the loads at the last solution. Stick cells follow the motion, and slip cells remain at
-/// their friction limits. Before the first solve all cells stick, and the derivatives are Kalker's coefficients times G a b
-/// and lengths.
+/// their friction limits. Before the first solve all cells stick, and the derivatives are Kalker's coefficients times G
+/// a b and powers of the length (a b)^(1/2).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_stiffness(
     solver: *mut stickslip_rolling_solver,
@@ -482,7 +483,7 @@ pub unsafe extern "C" fn stickslip_rolling_solution_field(
     unsafe { show(solution, count, |of| Ok(of_rolling(of, which)?.as_slice())) }
 }
 
-/// Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
+/// Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; returns NULL on failure.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solution_zones(
     solution: *const stickslip_rolling_solution,
@@ -493,8 +494,8 @@ pub unsafe extern "C" fn stickslip_rolling_solution_zones(
 }
 
 /// Writes the energy that slip dissipates in each cell for each length rolled (a pressure) to values, which has count
-/// entries. Wear depends on this quantity. Between bodies of the same material its integral is smaller than the work; the
-/// difference decreases with the cell size.
+/// entries. Wear depends on this quantity. Between bodies of the same material, the integral of this energy is smaller
+/// than the work of creepages and spin; the difference decreases with the cell size.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solution_dissipation(
     solution: *const stickslip_rolling_solution,

@@ -73,7 +73,7 @@ solve! {
 /// Changes a solver with a struct of the caller, which is checked first.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn change<T: Opaque<Value = Solver<S>>, S, A, B>(
     solver: *mut T,
     (name, given): (&str, *const A),
@@ -90,7 +90,7 @@ pub(crate) unsafe fn change<T: Opaque<Value = Solver<S>>, S, A, B>(
 /// Sets the friction of a solver.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn set_friction<T: Opaque<Value = Solver<S>>, S>(
     solver: *mut T,
     friction: *const stickslip_friction,
@@ -108,7 +108,7 @@ pub(crate) unsafe fn set_friction<T: Opaque<Value = Solver<S>>, S>(
 /// Changes a solver with an array that has a number for each cell.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn change_cells<T: Opaque<Value = Solver<S>>, S>(
     solver: *mut T,
     (name, pointer, count): (&str, *const f64, usize),
@@ -127,7 +127,7 @@ pub(crate) unsafe fn change_cells<T: Opaque<Value = Solver<S>>, S>(
 /// Sets the settings of a solver.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn set_settings<T: Opaque<Value = Solver<S>>, S: Solve>(
     solver: *mut T,
     settings: *const stickslip_settings,
@@ -140,7 +140,7 @@ pub(crate) unsafe fn set_settings<T: Opaque<Value = Solver<S>>, S: Solve>(
 /// Discards the last solution of a solver.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn reset<T: Opaque<Value = Solver<S>>, S>(
     solver: *mut T,
     forget: impl FnOnce(&mut S),
@@ -155,7 +155,7 @@ pub(crate) unsafe fn reset<T: Opaque<Value = Solver<S>>, S>(
 /// Creates an empty solution.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn new_solution<T, S, U>(
     solver: *const T,
     solution: *mut *mut U,
@@ -176,7 +176,7 @@ where
 /// Solves into a solution.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn solve<T, S, U>(
     solver: *mut T,
     solution: *mut U,

@@ -59,7 +59,7 @@ type SpotOutputs = ((*mut stickslip_spot, usize, *mut usize), (*mut u32, usize))
 /// Writes spots and labels.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 unsafe fn put(
     ((buffer, capacity, count), (labels, cells)): SpotOutputs,
     find: impl FnOnce() -> Outcome<ContactSpots>,

@@ -11,7 +11,7 @@ use crate::history::stickslip_history;
 use crate::pointer::{Place, entries, entries_mut};
 use crate::status::{STICKSLIP_BUFFER_TOO_SMALL, stickslip_status};
 
-/// Saved state of a history, including gap, friction and settings. A history can return to it.
+/// Saved state of a history, including gap, friction and settings. A history can return to this state.
 pub struct stickslip_state(Handle<State>);
 
 opaque!(stickslip_state holds State, named "state");
@@ -63,7 +63,7 @@ pub unsafe extern "C" fn stickslip_history_set_state(
     })
 }
 
-/// Writes the state of a history as bytes, about 60 to 130 for each cell. A history created from them by
+/// Writes the state of a history as bytes, about 60 to 130 for each cell. A history created from these bytes by
 /// stickslip_history_from_bytes takes further steps with bitwise identical results.
 ///
 /// length receives the number of bytes. With a NULL buffer and a capacity of 0 only the number is written. If the buffer is

@@ -20,15 +20,15 @@ pub struct stickslip_normal_stiffness {
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_tangential_stiffness {
-    /// Derivative with respect to the motion at the end of the step, if the motion continues in its direction. Cells that came
-    /// into contact in the step follow the motion only in part. After a step that presses a ball the derivative is about
-    /// two thirds of Mindlin's stiffness, although all cells stick. stickslip_history_next_stiffness has the derivative of the
-    /// next step, in which they resist fully.
+    /// Derivative with respect to the motion at the end of the step, if the motion continues in its direction. Cells
+    /// that came into contact in the step follow the motion only partially. After a step that presses a ball the
+    /// derivative is about two thirds of Mindlin's stiffness, although all cells stick.
+    /// stickslip_history_next_stiffness computes the derivative for the next step, in which these cells resist fully.
     pub loading: [[f64; 3]; 3],
     /// Derivative for a reversal of the motion, at which all contact cells stick.
     pub reversal: [[f64; 3]; 3],
-    /// Bound on the errors: the error of an entry is at most bound times the square root of the product of its two diagonal
-    /// entries; infinite if pressure and traction are coupled.
+    /// Bound on the errors: the error of an entry is at most bound times the square root of the product of the diagonal
+    /// entries of its row and its column. The bound is infinite if pressure and traction are coupled.
     pub bound: f64,
     /// Reserved for future members: zero.
     pub reserved: [u64; 8],
@@ -45,8 +45,8 @@ pub struct stickslip_stiffness {
     /// Derivatives of the tangential forces and the moment with respect to the approach while slip continues; NaN for loads
     /// that are not part of the model.
     pub by_approach: [f64; 3],
-    /// Derivatives of the normal force with respect to the shifts along x and y and the twist; zero unless pressure and
-    /// traction are coupled. NaN for motions that are not part of the model.
+    /// Derivatives of the normal force with respect to the shifts along x and y and the twist. They are zero unless
+    /// pressure and traction are coupled, and NaN for motions that are not part of the model.
     pub normal_by_motion: [f64; 3],
     /// Reserved for future members: zero.
     pub reserved: [u64; 5],

@@ -33,7 +33,8 @@ pub(crate) fn body(value: i32) -> Outcome<Body> {
 pub struct stickslip_tractions {
     /// Pressure of each cell, positive in compression.
     pub pressure: *const f64,
-    /// Traction along x on body 1 (pressures); without shear this and the traction along y are NULL.
+    /// Traction along x on body 1 (pressures). Without shear, this pointer and the pointer to the traction along y are
+    /// NULL.
     pub x: *const f64,
     /// Traction along y on body 1.
     pub y: *const f64,
@@ -45,7 +46,7 @@ impl stickslip_tractions {
     /// Runs work on the tractions.
     ///
     /// # Safety
-    /// The caller follows the rule for pointers of [`crate::pointer`].
+    /// The caller must follow the rule for pointers in [`crate::pointer`].
     pub(crate) unsafe fn with<T>(
         &self,
         grid: Grid,
@@ -85,7 +86,7 @@ pub struct stickslip_point {
     pub depth: f64,
 }
 
-/// Displacement and stress at a point along x, y and z; z points into body 1.
+/// Displacement and stress at a point, with components along x, y and z; z points into body 1.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_response {

@@ -11,7 +11,7 @@ use crate::threads::enter;
 /// Writes a shape into an array of the caller.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn shape(
     grid: *const stickslip_grid,
     make: impl FnOnce(Grid) -> Result<Field> + Send,

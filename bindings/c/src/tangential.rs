@@ -109,7 +109,7 @@ type TangentialArguments = (
 /// Creates a solver under a pressure.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 unsafe fn new(
     half_space: *const stickslip_half_space,
     pressure: PressureSource<'_>,
@@ -301,7 +301,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_field(
     }
 }
 
-/// Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; NULL on failure.
+/// Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; returns NULL on failure.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solution_zones(
     solution: *const stickslip_tangential_solution,

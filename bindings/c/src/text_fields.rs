@@ -12,7 +12,7 @@ use crate::status::stickslip_status;
 /// Writes a value that is computed from an object.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn tell<T: Opaque, A>(
     object: *const T,
     (name, place): (&str, *mut A),
@@ -27,7 +27,7 @@ pub(crate) unsafe fn tell<T: Opaque, A>(
 /// Returns a pointer to an array of an object with an entry for each cell, and writes the number of cells.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn show<T: Opaque, A>(
     object: *const T,
     count: *mut usize,
@@ -40,7 +40,7 @@ pub(crate) unsafe fn show<T: Opaque, A>(
 /// Writes the warnings about an object.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn warn<T: Opaque>(
     object: *const T,
     (buffer, capacity, count): (*mut stickslip_warning, usize, *mut usize),

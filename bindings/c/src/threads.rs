@@ -43,7 +43,7 @@ impl Pools {
             // SAFETY: the pool is stored, so it is never freed.
             Ok(_) => unsafe { &*made },
             Err(other) => {
-                // SAFETY: the pointer comes from the box above, and no other code has seen it.
+                // SAFETY: the pointer comes from the box above, and no other code has a copy of it.
                 drop(unsafe { Box::from_raw(made) });
                 // SAFETY: another thread of this process stored its pool first.
                 unsafe { &*other }

@@ -13,7 +13,7 @@ use crate::status::stickslip_status;
 /// Adds the depth removed by a wear law to an array of the caller.
 ///
 /// # Safety
-/// The caller follows the rule for pointers of [`crate::pointer`].
+/// The caller must follow the rule for pointers in [`crate::pointer`].
 unsafe fn wear(
     history: *const stickslip_history,
     coefficient: *const stickslip_per_cell,

@@ -82,7 +82,7 @@ static stickslip_load_step load(double normal, double shear) {
 
 static const char *name;
 
-/* Numbers of all attempts with failing memory, and of those that returned STICKSLIP_MEMORY. */
+/* Number of attempts with failing memory, and number of those that returned STICKSLIP_MEMORY. */
 static size_t attempts = 0, refused = 0;
 
 /* Approximate largest number of attempts on each call; with `memory all` one attempt for every allocation. */

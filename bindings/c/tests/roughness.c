@@ -58,7 +58,7 @@ static void bad_recipes_are_refused(void) {
     heights[5] = again[5];
 }
 
-/* Against a plane the real contact area is a small fraction of the square, and grows in proportion to the load. */
+/* Against a plane the real contact area is a small fraction of the square, and grows proportionally to the load. */
 static void rough_contacts_grow_in_proportion(void) {
     stickslip_material elastic = {1.0, 0.0, 0.0}, rigid = {INFINITY, 0.0, 0.0};
     stickslip_boundary periodic = {STICKSLIP_PERIODIC, 0.0};

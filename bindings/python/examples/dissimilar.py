@@ -16,8 +16,8 @@ print(f"Dundurs' beta {bodies.pair.dundurs_beta:.3f}")
 # %% Pressing in many steps or in one step
 # Spence's closed form describes a growing contact; a problem that is loaded in one step reaches a different state.
 
-# The load history matters. Spence's stick radius belongs to a contact that grows cell by cell. ``press`` takes as many
-# steps of equal growth of the radius as a tolerance requires.
+# The load history matters. Spence's stick radius belongs to a contact that grows cell by cell. ``press`` takes
+# steps with equal growth of the radius, as many as a tolerance requires.
 print("friction   steps   stick radius / contact radius: in steps   Spence   at once   estimated error of the pressure")
 for friction in (0.075, 0.1, 0.125):
     history = ss.History(bodies, ball, friction, tolerance=1e-6)
@@ -34,7 +34,7 @@ for friction in (0.075, 0.1, 0.125):
     assert abs(step.stick_ratio**0.5 - spence.stick_radius) < 0.03
 
 # %% One-way coupling
-# The pressure of a contact without friction is cheaper to compute; here its error is a few per cent.
+# The pressure of a contact without friction is cheaper to compute. Here the error of this pressure is a few per cent.
 
 one_way = ss.History(bodies, ball, friction, coupling="one_way", model="vector")
 one_way.press(normal_force=FORCE, tolerance=TOLERANCE)

@@ -42,7 +42,7 @@ print(f"pressure under {force:.0f} N: differs from Hertz by {difference:.1e}, su
 assert difference < 3e-3
 
 # %% Plots
-# Plots need matplotlib, `pip install "stickslip[plot]"`. Scales and units of the axes are given, since the package does
+# Plots need matplotlib, `pip install "stickslip[plot]"`. Scales and units of the axes are given, because the package does
 # not prescribe any.
 
 try:

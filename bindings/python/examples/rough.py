@@ -11,7 +11,7 @@ import numpy as np
 
 import stickslip as ss
 
-# The shortest wave has thirteen cells. On half as many, some spots would be smaller than five cells and some slip rings
+# The shortest wave has thirteen cells. With half as many, some spots would be smaller than five cells and some slip rings
 # narrower than two cells, which causes warnings.
 grid = ss.Grid.square(256, 1.0)
 bodies = ss.HalfSpace(grid, (ss.Material(1.0, 0.3), ss.Material.rigid()), boundary="periodic")
@@ -20,7 +20,7 @@ heights = recipe.generate(grid).heights
 print(ss.surface.Statistics(heights))
 
 # %% Area versus load
-# The area grows in proportion to the load until it saturates. The area from counting cells exceeds the true area by half
+# The area grows proportionally to the load until it saturates. The area from counting cells exceeds the true area by half
 # a cell along each edge; the corrected area does not. Persson's law is asymptotic: here the area fractions differ from it
 # by up to a third.
 

@@ -48,7 +48,7 @@ impl Boundary {
         }
     }
 
-    /// The datum (a length) of a grid that is periodic along y only; otherwise ``None``.
+    /// The datum (a length) of a grid that is periodic along y only; ``None`` for other grids.
     #[getter]
     fn datum(&self) -> Option<f64> {
         match self.0 {

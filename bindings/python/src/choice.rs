@@ -17,7 +17,7 @@ pub(crate) trait Named: Copy + PartialEq + 'static {
     const HINT: PyStaticExpr;
 }
 
-/// Variant of such an enumeration.
+/// Variant of an enumeration whose variants have names.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Choice<T>(pub(crate) T);
 

@@ -13,10 +13,10 @@ use crate::spots::ContactSpots;
 /// The edge of a contact or of its stick zone with sub-cell resolution: :meth:`NormalSolution.edges`,
 /// :meth:`TangentialSolution.edges` and :meth:`History.edges`.
 ///
-/// At a distance s from a smooth edge, the pressure is proportional to the square root of s and the gap to s to the power
-/// 3/2. In 7 x 7 cells about each cell at the edge, one quadratic function is fitted to the square of the pressure and to
-/// the gap to the power 2/3. If the fit is rejected, the cell keeps its computed pressure, and its area has a mean
-/// correction.
+/// At a distance s from a smooth edge, the pressure is proportional to the square root of s and the gap to s to the
+/// power 3/2. In 7 x 7 cells about each cell at the edge, one quadratic function is fitted to the square of the
+/// pressure and to the gap to the power 2/3. If the fit is rejected, the cell keeps its computed pressure, and its area
+/// is corrected by a mean value.
 #[pyclass(frozen, eq, module = "stickslip.edges")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct Edges(pub(crate) stickslip::edges::Edges);

@@ -450,7 +450,7 @@ impl Samples<'_> {
     }
 }
 
-/// Returns the common unit of surfaces. Surfaces without a unit are ignored; an error if two units differ.
+/// Returns the common unit of surfaces, or an error if two units differ. Surfaces without a unit are ignored.
 pub(crate) fn one_unit(fields: &[&Samples<'_>]) -> PyResult<Option<Unit>> {
     let units: PyResult<Vec<_>> = fields.iter().map(|field| field.unit()).collect();
     one_of(units?)

@@ -22,7 +22,7 @@ use crate::real::Real;
 /// max_shear_stress : float, optional
 ///     The shear strength tau_max of the weaker body (a pressure), positive; no limit by default.
 /// grid : Grid, optional
-///     Grid of the coefficients; required for an array, since a Field has its own grid.
+///     Grid of the coefficients; required for an array, because only a Field has its own grid.
 ///
 /// Raises
 /// ------

@@ -74,11 +74,12 @@ impl HalfSpace {
     /// pair : ElasticPair, two Materials, or Kernel
     ///     The two bodies; z points into the first.
     /// comm : mpi4py.MPI.Comm, or any object with three of its methods
-    ///     The methods are ``Get_rank()``, ``Get_size()`` and ``sendrecv(block, dest=, source=)``, which sends ``bytes``
-    ///     to one rank and returns ``bytes`` from another. Messages have any length and must arrive in the order of
-    ///     sending. The communicator must not receive other messages: pass a duplicate of a communicator that is also
-    ///     used elsewhere. Calls are made one at a time, possibly on threads of the package. An exception in a method is
-    ///     raised as :class:`~stickslip.errors.Ranks`, and the original exception is passed to `sys.unraisablehook`.
+    ///     The methods are ``Get_rank()``, ``Get_size()`` and ``sendrecv(block, dest=, source=)``, which sends
+    ///     ``bytes`` to one rank and returns ``bytes`` from another. Messages may have any length and must arrive in
+    ///     the order of sending. The communicator must not receive other messages: pass a duplicate of a communicator
+    ///     that is also used elsewhere. The methods are called one at a time, possibly on threads of the package. An
+    ///     exception in a method is raised as :class:`~stickslip.errors.Ranks`, and the original exception is passed to
+    ///     `sys.unraisablehook`.
     /// boundary : Boundary or str, default "non_periodic"
     ///     See the class.
     /// cell_value : CellValue or str, default "uniform"

@@ -47,7 +47,7 @@ pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Field> {
 /// Unit of the files that state one.
 const METRE: &str = "m";
 
-/// Returns a surface for a file in metres; an error if it states a different unit.
+/// Returns a surface for a file in metres, or an error if the surface states a different unit.
 fn in_metres(field: &Samples<'_>) -> PyResult<Arc<stickslip::Field>> {
     let unit = field.unit()?;
     match unit.as_deref() {

@@ -165,7 +165,7 @@ impl Keywords {
         Ok(step)
     }
 
-    /// Returns the step given as an object, or by these keywords and the three others.
+    /// Returns the step given as an object, or by these keywords and three other arguments.
     pub(crate) fn step_or(
         &self,
         object: Option<LoadStep>,
@@ -210,8 +210,8 @@ fn one_of<T>(object: Option<T>, is_without_keywords: bool, by_keywords: T) -> Py
 /// spring_x, spring_y : (position, stiffness), optional
 ///     Spring along one axis.
 /// twist : float, default 0
-///     Rotation of body 2 relative to body 1 about the origin of the grid (radians, positive from x to y). The vector model
-///     alone has it.
+///     Rotation of body 2 relative to body 1 about the origin of the grid (radians, positive from x to y). Only the
+///     vector model supports a twist.
 #[pyclass(frozen, eq, module = "stickslip", from_py_object)]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct TangentialLoad(pub(crate) Load);
@@ -335,13 +335,14 @@ fn keywords(
 /// spring_x, spring_y : (position, stiffness), optional
 ///     Spring along one axis.
 /// twist : float, optional
-///     Rotation of body 2 relative to body 1 since the start (radians, positive from x to y). The vector model alone has it.
+///     Rotation of body 2 relative to body 1 since the start (radians, positive from x to y). Only the vector model
+///     supports a twist.
 /// relative_displacement : float, optional
 ///     Factor by which the pattern of the relative displacement of the history is multiplied.
 /// roll : stickslip.history.Rolling, optional
-///     Rolling during the step: the memory of the particles moves through the contact, and body 2 creeps over body 1
-///     meanwhile. Along an axis with a prescribed force, the creepage follows from the force. A shift, a spring or a
-///     twist is not allowed in such a step. Normal load, gap and friction may change in the same step.
+///     Rolling during the step: the memory of the particles moves through the contact while body 2 creeps over body 1.
+///     Along an axis with a prescribed force, the creepage follows from the force. A shift, a spring or a twist is not
+///     allowed in such a step. Normal load, gap and friction may change in the same step.
 ///
 /// Examples
 /// --------

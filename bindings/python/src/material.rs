@@ -24,8 +24,8 @@ use crate::real::Real;
 /// poisson_ratio : float
 ///     Poisson's ratio, in (-1, 0.5].
 /// hardness : float, optional
-///     The hardness (a pressure), positive; none by default. It only causes a warning if a solution exceeds it. To limit
-///     the pressure, pass ``hardness`` to the problem.
+///     The hardness (a pressure), positive; none by default. It is used only for a warning if the pressure of a
+///     solution exceeds it. To limit the pressure, pass ``hardness`` to the problem.
 ///
 /// Raises
 /// ------
@@ -107,7 +107,7 @@ impl Material {
 
     /// Returns this body with layers bonded on top of it and of its existing layers, outermost first. On a rigid body,
     /// the layers are elastic layers on a rigid base. The moduli of a coated body are the moduli of the body below the
-    /// layers. A hardness stated before is kept.
+    /// layers. A hardness that was set earlier is kept.
     ///
     /// Parameters
     /// ----------
@@ -134,8 +134,8 @@ impl Material {
         self.0.is_coated()
     }
 
-    /// Returns the strain along x under a stress along x (a pressure) of a body that cannot contract along y, stress (1 -
-    /// nu^2) / E; positive in tension.
+    /// Returns the strain along x, stress (1 - nu^2) / E, of a body that cannot contract along y under a stress along x
+    /// (a pressure). Stress and strain are positive in tension.
     fn plane_strain_under(&self, stress: Real) -> f64 {
         self.0.plane_strain_under(stress.0)
     }

@@ -55,22 +55,23 @@ pub(crate) struct TangentialStiffness(pub(crate) stickslip::stiffness::Tangentia
 #[pymethods]
 impl TangentialStiffness {
     /// Derivative of the forces of the last step with respect to the motions at its end, if the motion continues in its
-    /// direction. Cells that came into contact in the step follow the motion only in part. After a step that presses a ball
-    /// the derivative is about two thirds of Mindlin's stiffness, although all cells stick.
-    /// ``history.stiffness(next_step=True)`` has the derivative of the next step, in which they resist fully.
+    /// direction. Cells that came into contact in the step follow the motion only partially. After a step that presses
+    /// a ball the derivative is about two thirds of Mindlin's stiffness, although all cells stick.
+    /// ``history.stiffness(next_step=True)`` computes the derivative for the next step, in which these cells resist
+    /// fully.
     #[getter]
     fn loading(&self) -> [[f64; 3]; 3] {
         numbers(&self.0.loading)
     }
 
-    /// Derivative if the motion reverses: all contact cells stick.
+    /// Derivative for a reversal of the motion, at which all contact cells stick.
     #[getter]
     fn reversal(&self) -> [[f64; 3]; 3] {
         numbers(&self.0.reversal)
     }
 
-    /// Bound on the errors, relative to the square root of the product of the two diagonal entries; infinite if pressure
-    /// and traction are solved simultaneously.
+    /// Bound on the errors, relative to the square root of the product of the diagonal entries of the row and the
+    /// column; infinite if pressure and traction are solved simultaneously.
     #[getter]
     fn bound(&self) -> f64 {
         self.0.bound
@@ -154,8 +155,8 @@ impl ContactStiffness {
         present(self.0.by_approach).into()
     }
 
-    /// Derivatives of the normal force with respect to the shifts along x and y and the twist: zero unless pressure and
-    /// traction are solved simultaneously. NaN for motions that the model does not have.
+    /// Derivatives of the normal force with respect to the shifts along x and y and the twist. They are zero unless
+    /// pressure and traction are solved simultaneously, and NaN for motions that the model does not have.
     #[getter]
     fn normal_by_motion(&self) -> (f64, f64, f64) {
         present(self.0.normal_by_motion).into()

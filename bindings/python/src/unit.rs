@@ -35,7 +35,7 @@ pub(crate) fn is_same(a: &str, b: &str) -> bool {
     a == b || sizes.is_some_and(|(a, b)| a.to_bits() == b.to_bits())
 }
 
-/// Returns the stated unit; an error if two units differ.
+/// Returns the stated unit, or an error if two units differ.
 pub(crate) fn one_of(units: impl IntoIterator<Item = Option<Unit>>) -> PyResult<Option<Unit>> {
     let mut first: Option<Unit> = None;
     for unit in units.into_iter().flatten() {

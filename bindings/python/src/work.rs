@@ -89,7 +89,7 @@ pub(crate) fn watch(
     |iteration| observer(Some(iteration))
 }
 
-/// Runs long work other than a solve on the cells of a grid, which is used in messages about a wrong sample.
+/// Runs long work other than a solve on the cells of a grid. Messages about a wrong sample use the grid.
 pub(crate) fn observed_on<T: Send>(
     py: Python<'_>,
     grid: stickslip::Grid,
@@ -108,7 +108,7 @@ pub(crate) fn unobserved<T: Send>(
     outcome.or_raise(py)
 }
 
-/// Runs work without an observer on the cells of a grid, which is used in messages about a wrong sample.
+/// Runs work without an observer on the cells of a grid. Messages about a wrong sample use the grid.
 pub(crate) fn unobserved_on<T: Send>(
     py: Python<'_>,
     grid: stickslip::Grid,

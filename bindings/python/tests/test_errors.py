@@ -220,7 +220,7 @@ def test_solver_sets_load_and_gap_together_or_neither():
             solver.solve(**load, gap=gap)
         assert solver.solve().approach == 0.005
         assert np.allclose(solver.solve().pressure, before, rtol=0.0, atol=1e-6 * before.max())
-    # The approach is not valid for the previous gap, but for the new gap.
+    # The approach is valid for the new gap, but not for the previous gap.
     assert solver.solve(approach=0.05, gap=deep).approach == 0.05
     assert solver.solve(approach=0.005, gap=waves).approach == 0.005
 

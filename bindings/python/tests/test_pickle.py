@@ -47,7 +47,7 @@ def test_bulk_strain_round_trips_with_strain(scene):
     bulk = ss.tangential.RelativeDisplacement.bulk_strain(scene.grid, [[1e-3, 0.0], [0.0, 0.0]])
     bodies = ss.HalfSpace(scene.grid, scene.bodies.pair, boundary="periodic")
     for relative in (bulk, same(bulk), copy.deepcopy(bulk)):
-        # On a periodic grid the field would be discontinuous, since fields without a strain must be periodic.
+        # On a periodic grid the field would be discontinuous, because fields without a strain must be periodic.
         with pytest.raises(ss.errors.Sample, match="bulk strain at .* is 0.001"):
             ss.TangentialProblem(bodies, scene.ball, 0.5, force_x=0.0, model="vector", relative_displacement=relative)
 

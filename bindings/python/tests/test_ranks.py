@@ -1,4 +1,4 @@
-"""One contact on several ranks: bitwise identical to one process, whatever the communicator is."""
+"""One contact on several ranks: bitwise identical to one process, for any communicator."""
 
 import pickle
 import queue

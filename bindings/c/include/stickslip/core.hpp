@@ -26,7 +26,7 @@ using Report = stickslip_report;
 using Stiffness = stickslip_stiffness;
 using Iteration = stickslip_iteration;
 
-/// View of samples, row by row with x fastest: of an array of the caller, or of a field of an object.
+/// View of the samples of an array of the caller or of a field of an object, row by row with x fastest.
 template <class T> class View {
   public:
     View(const T *data, std::size_t size) : data_(data), size_(size) {}
@@ -93,8 +93,8 @@ struct Spots {
     std::vector<std::uint32_t> labels;
 };
 
-/// Edges of a contact located inside the cells. For each cell, the value at the centre and the mean of the pressure or of
-/// the magnitude of the traction.
+/// Edges of a contact located inside the cells. They include the value at the centre and the mean over each cell,
+/// either of the pressure or of the magnitude of the traction.
 struct Edges {
     stickslip_edges edges;
     std::vector<double> centres;

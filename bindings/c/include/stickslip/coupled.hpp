@@ -58,7 +58,7 @@ class CoupledSolution {
             return stickslip_coupled_solution_pressure_edges(get(), to...);
         });
     }
-    /// Returns the estimates of the discretisation errors of pressure and traction; NaN without contact or without
+    /// Returns the estimates of the discretisation errors of pressure and traction, or NaN without contact or without
     /// traction.
     std::pair<double, double> discretisation_estimates() const {
         std::pair<double, double> found;

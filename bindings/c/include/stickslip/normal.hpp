@@ -39,7 +39,7 @@ class NormalSolution {
     Edges edges() const {
         return detail::edged(pressure().size(), [&](auto... to) { return stickslip_normal_solution_edges(get(), to...); });
     }
-    /// Returns the estimate of the discretisation error; NaN without contact.
+    /// Returns the estimate of the discretisation error, or NaN without contact.
     double discretisation_estimate() const {
         return detail::asked<double>(
             [&](auto *out) { return stickslip_normal_solution_discretisation_estimate(get(), out); });

@@ -28,7 +28,7 @@ inline std::vector<stickslip_status> step_all(const std::vector<History *> &hist
     return codes;
 }
 
-/// Applies loads in steps that are short enough for a tolerance.
+/// Adaptive load stepper, which applies loads in steps that are short enough for a tolerance.
 class AdaptiveSteps {
   public:
     AdaptiveSteps(const History &history, double tolerance)

@@ -49,7 +49,7 @@ class TangentialSolution {
             return stickslip_tangential_solution_edges(get(), normal.get(), &friction, to...);
         });
     }
-    /// Returns the estimate of the discretisation error; NaN without traction.
+    /// Returns the estimate of the discretisation error, or NaN without traction.
     double discretisation_estimate() const {
         return detail::asked<double>(
             [&](auto *out) { return stickslip_tangential_solution_discretisation_estimate(get(), out); });

@@ -1,8 +1,8 @@
 /* Random calls of every function: NULL and misaligned pointers, wrong lengths, NaN and infinities, invalid constants,
  * objects of different grids, several threads that use the same objects. Every call must return a code; no call may crash,
  * leak, or return STICKSLIP_PANIC. A failed call has a message and leaves its objects unchanged. The test compares all
- * readable contents: fields of solutions, cycles and planes, histories as bytes, the friction capacity of tangential
- * solvers.
+ * readable contents: fields of solutions, cycles and planes, histories as bytes, and the friction capacity of
+ * tangential solvers.
  *   fuzz [calls, default 20000] [threads, default 3] [seed, default 1] */
 
 #define _POSIX_C_SOURCE 200809L

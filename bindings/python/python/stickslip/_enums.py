@@ -18,7 +18,7 @@ class Axis(_Name):
 class TangentialModel(_Name):
     """Tractions of the model: along the axis of the load ("scalar"), or along x and y in every cell ("vector").
 
-    If pressure and traction are solved simultaneously, both components are computed, whatever the model.
+    If pressure and traction are solved simultaneously, both components are computed, regardless of the model.
     """
 
     SCALAR = "scalar"
@@ -45,10 +45,10 @@ class Coupling(_Name):
 class CellValue(_Name):
     """Meaning of the pressure and the traction of a cell.
 
-    "uniform": uniform over the cell, as in the paper. "centre": the value at the centre of the cell, of a traction that
+    "uniform": uniform over the cell, as in the paper. "centre": the value, at the centre of the cell, of a traction that
     is smooth between the centres. For "centre", the smoothing by uniform cells is removed from the influence
-    coefficients. Pressures inside a contact then have only a fraction of the error, at no cost. On a grid that is
-    periodic along x and y, values are those at the centres.
+    coefficients. Pressures inside a contact then have only a fraction of the error of uniform cells, at no cost. On a
+    grid that is periodic along x and y, values are those at the centres.
     """
 
     UNIFORM = "uniform"

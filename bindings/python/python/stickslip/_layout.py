@@ -8,7 +8,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 
 class SettledLayout(ConstrainedLayoutEngine):
-    """The constrained layout, executed twice, since the tick labels depend on the size that the first pass gives to axes
+    """The constrained layout, executed twice, because the tick labels depend on the size that the first pass gives to axes
     with equal aspect."""
 
     def execute(self, fig: Any) -> Any:

@@ -216,7 +216,7 @@ class AdaptiveSteps:
         history : History
             The history to which the load is applied.
         load : LoadStep
-            The load at the end, approached proportionally.
+            The load at the end; all prescribed quantities change proportionally from their previous values.
         cycle : Cycle, optional
             A cycle to which each step is added.
         warn : bool, default True
@@ -304,7 +304,7 @@ class Boundary:
     @property
     def datum(self, /) -> float | None:
         """
-        The datum (a length) of a grid that is periodic along y only; otherwise ``None``.
+        The datum (a length) of a grid that is periodic along y only; ``None`` for other grids.
         """
     @property
     def name(self, /) -> str:
@@ -324,9 +324,10 @@ class Carter:
     """
     A cylinder that rolls steadily with longitudinal creepage, in plane strain: Carter's solution.
 
-    The leading edge is at x = a. A strip of half-width c = a (1 - |xi| / xi_s) that ends there sticks; the rest
-    slips, against the traction. For creepages of xi_s or more, the whole contact slips. Valid for equal bodies, or
-    bodies with zero Dundurs' beta. Carter (1926); Johnson (1985), section 8.3.
+    The leading edge is at x = a. A strip of half-width c = a (1 - |xi| / xi_s) that ends at the leading edge
+    sticks; the rest slips, against the traction. For creepages of xi_s or more, the whole contact slips. The
+    solution is valid for equal bodies and for bodies whose Dundurs' beta is zero. Carter (1926); Johnson (1985),
+    section 8.3.
 
     Parameters
     ----------
@@ -349,7 +350,8 @@ class Carter:
     @property
     def force(self, /) -> float:
         """
-        Tangential force Q on body 1 (a force per length), of the sign of the creepage, of size mu P (1 - c^2/a^2).
+        Tangential force Q on body 1 (a force per length), with the sign of the creepage and the magnitude mu P (1 -
+        c^2/a^2).
         """
     @property
     def sliding_creepage(self, /) -> float:
@@ -397,14 +399,14 @@ class CattaneoMindlin:
     def __repr__(self, /) -> str: ...
     def displacement(self, /, x: ArrayLike, y: ArrayLike) -> Any:
         """
-        Returns the tangential displacement u_x of body 1 relative to body 2 (a length, of the sign of the force),
+        Returns the tangential displacement u_x of body 1 relative to body 2 (a length, with the sign of the force),
         anywhere in the plane: shift and slip inside the contact.
         """
     @property
     def energy_of_first_quarter(self, /) -> float:
         """
-        Energy dissipated while the force grows from zero to F (a force times a length, not negative),
-        (mu W delta_0 / 5) (1 - c/a)^3 (1 + 3 c/a + c^2/a^2): the first quarter of a cycle.
+        Energy dissipated while the force grows from zero to F (a force times a length, not negative), (mu W delta_0
+        / 5) (1 - c/a)^3 (1 + 3 c/a + c^2/a^2). This is the first quarter of a cycle.
         """
     @property
     def energy_per_cycle(self, /) -> float:
@@ -425,8 +427,8 @@ class CattaneoMindlin:
     @property
     def shift(self, /) -> float:
         """
-        Shift delta_x (a length): the rigid motion of body 2 relative to body 1, of the sign of the force, of size
-        (3 mu W / 16 a) ((2 - nu)/G) (1 - (1 - f)^(2/3)).
+        Shift delta_x (a length): the rigid motion of body 2 relative to body 1, with the sign of the force and the
+        magnitude (3 mu W / 16 a) ((2 - nu)/G) (1 - (1 - f)^(2/3)).
         """
     @property
     def sliding_shift(self, /) -> float:
@@ -449,7 +451,7 @@ class CattaneoMindlin:
         """
     def traction(self, /, r: ArrayLike) -> Any:
         """
-        Returns the traction on body 1 along x (a pressure, of the sign of the force) at the distance r from the
+        Returns the traction on body 1 along x (a pressure, with the sign of the force) at the distance r from the
         centre: mu p_0 sqrt(1 - r^2/a^2), minus mu p_0 (c/a) sqrt(1 - r^2/c^2) in the stick disc; zero outside the
         contact.
         """
@@ -507,8 +509,8 @@ class CattaneoMindlinEllipse:
     @property
     def shift(self, /) -> float:
         """
-        Shift (a length): the rigid motion of body 2 relative to body 1, of the sign of the force, equal to 1 - s^2
-        times the shift at which the whole contact begins to slide.
+        Shift (a length): the rigid motion of body 2 relative to body 1, with the sign of the force. Its magnitude
+        is 1 - s^2 times the shift at which the whole contact begins to slide.
         """
     @property
     def sliding_shift(self, /) -> float:
@@ -527,20 +529,20 @@ class CattaneoMindlinEllipse:
         """
     def traction(self, /, x: ArrayLike, y: ArrayLike) -> Any:
         """
-        Returns the traction on body 1 along x (a pressure, of the sign of the force): with rho^2 = x^2/a_x^2 +
-        y^2/a_y^2 it is mu p_0 sqrt(1 - rho^2), minus mu p_0 sqrt(s^2 - rho^2) in the stick ellipse; zero outside the
-        contact.
+        Returns the traction on body 1 along x (a pressure, with the sign of the force); zero outside the contact.
+        With rho^2 = x^2/a_x^2 + y^2/a_y^2, it is mu p_0 sqrt(1 - rho^2), reduced in the stick ellipse by mu p_0
+        sqrt(s^2 - rho^2).
         """
 
 @final
 class CattaneoMindlinLine:
     """
     A cylinder in partial slip in plane strain: a constant normal load, then a tangential force along x that
-    increases monotonically, with a bulk strain that increases in proportion to it.
+    increases monotonically, together with a proportional bulk strain.
 
     With f = |Q| / (mu P) a strip of half-width c = a sqrt(1 - f) sticks; the rest slips, opposite to the traction.
-    Valid for equal bodies, or bodies with zero Dundurs' beta. Johnson (1985), section 7.2; with bulk strain Nowell &
-    Hills, Int. J. Mech. Sci. 29 (1987) 355.
+    The solution is valid for equal bodies and for bodies whose Dundurs' beta is zero. Johnson (1985), section 7.2;
+    with bulk strain Nowell & Hills, Int. J. Mech. Sci. 29 (1987) 355.
 
     Parameters
     ----------
@@ -569,8 +571,8 @@ class CattaneoMindlinLine:
     @property
     def energy_per_cycle(self, /) -> float:
         """
-        Energy dissipated per length in a cycle of the force between Q and -Q with the strain in proportion to it,
-        ((mu P)^2 / (pi E*)) (4 (1 - f) ln(1 - f) + 4 f - 2 f^2 + 8 f e^2/a^2).
+        Energy dissipated per length in a cycle of the force between Q and -Q with the strain proportional to the
+        force, ((mu P)^2 / (pi E*)) (4 (1 - f) ln(1 - f) + 4 f - 2 f^2 + 8 f e^2/a^2).
         """
     @property
     def force(self, /) -> float:
@@ -584,14 +586,16 @@ class CattaneoMindlinLine:
         """
     def shift(self, /, datum: ArrayLike) -> Any:
         """
-        Returns the shift (a length): the rigid motion of body 2 relative to body 1 along x, of the sign of the force,
-        relative to the datum d (a length) of :meth:`Boundary.periodic_along_y`. The strain causes no displacement at
-        x = 0. The size of the shift is (mu P / (pi E*)) (f (2 ln(2d/a) + 1) + (1 - f) ln(1 - f) + 2 e^2/a^2).
+        Returns the shift (a length): the rigid motion of body 2 relative to body 1 along x, with the sign of the
+        force, relative to the datum d (a length) of :meth:`Boundary.periodic_along_y`. The strain causes no
+        displacement at x = 0. The magnitude of the shift is (mu P / (pi E*)) (f (2 ln(2d/a) + 1) + (1 - f) ln(1 -
+        f) + 2 e^2/a^2).
         """
     @property
     def stick_centre(self, /) -> float:
         """
-        Middle of the strip that sticks (a length along x), of size a E* strain / (2 mu p_0); zero without strain.
+        Middle of the strip that sticks (a length along x), with the magnitude a E* strain / (2 mu p_0); zero
+        without strain.
         """
     @property
     def stick_half_width(self, /) -> float:
@@ -607,19 +611,19 @@ class CattaneoMindlinLine:
     def surface_stress(self, /, x: ArrayLike) -> tuple[Any, Any]:
         """
         Returns the stresses xx of the surfaces of body 1 and of body 2 at x (pressures, positive in tension),
-        including the bulk stress. In body 1 the largest stress is at the trailing edge of the contact with respect to
-        the traction, x = -a for a positive force, where it rises as a square root. Values on a row of cells therefore
-        converge slowly to it. Johnson (1985), 2.23 and 7.2; Nowell & Hills (1987).
+        including the bulk stress. In body 1 the largest stress is at the trailing edge of the contact with respect
+        to the traction, x = -a for a positive force, where the stress rises as a square root. Values on a row of
+        cells therefore converge slowly to this maximum. Johnson (1985), 2.23 and 7.2; Nowell & Hills (1987).
         """
     def traction(self, /, x: ArrayLike) -> Any:
         """
-        Returns the traction on body 1 along x (a pressure) at x: with the sign of Q, mu p_0 sqrt(1 - x^2/a^2), minus
-        mu p_0 (c/a) sqrt(1 - (x - e)^2/c^2) in the stick strip around e; zero outside the contact.
+        Returns the traction on body 1 along x (a pressure) at x: with the sign of Q, mu p_0 sqrt(1 - x^2/a^2),
+        minus mu p_0 (c/a) sqrt(1 - (x - e)^2/c^2) in the stick strip with the middle e; zero outside the contact.
         """
     def with_bulk_stress(self, /, stress: Sequence[float] | NDArray[Any]) -> CattaneoMindlinLine:
         """
-        Adds bulk stresses along x in bodies 1 and 2 (pressures, positive in tension), which grow in proportion to the
-        force and strain the bodies in plane strain.
+        Adds bulk stresses along x in bodies 1 and 2 (pressures, positive in tension), which grow proportionally to
+        the force and strain the bodies in plane strain.
 
         Raises
         ------
@@ -759,8 +763,8 @@ class ConePartialSlip:
     @property
     def shift(self, /) -> float:
         """
-        Shift (a length): the rigid motion of body 2 relative to body 1, of the sign of the force, of size
-        mu delta (2 - nu) / (2 (1 - nu)) (1 - sqrt(1 - f)).
+        Shift (a length): the rigid motion of body 2 relative to body 1, with the sign of the force and the
+        magnitude mu delta (2 - nu) / (2 (1 - nu)) (1 - sqrt(1 - f)).
         """
     @property
     def sliding_shift(self, /) -> float:
@@ -779,7 +783,7 @@ class ConePartialSlip:
         """
     def traction(self, /, r: ArrayLike) -> Any:
         """
-        Returns the traction on body 1 along x (a pressure, of the sign of the force) at the distance r from the
+        Returns the traction on body 1 along x (a pressure, with the sign of the force) at the distance r from the
         centre: (mu E* tan(beta) / 2) arcosh(a/r), minus the same expression with c instead of a in the stick disc;
         zero outside the contact.
         """
@@ -852,8 +856,8 @@ class ContactStiffness:
     @property
     def normal_by_motion(self, /) -> tuple[float, float, float]:
         """
-        Derivatives of the normal force with respect to the shifts along x and y and the twist: zero unless pressure and
-        traction are solved simultaneously. NaN for motions that the model does not have.
+        Derivatives of the normal force with respect to the shifts along x and y and the twist. They are zero unless
+        pressure and traction are solved simultaneously, and NaN for motions that the model does not have.
         """
     @property
     def tangential(self, /) -> TangentialStiffness:
@@ -901,8 +905,8 @@ class CoupledProblem:
         Exactly one of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap
         (a length, positive when they move together).
     relative_displacement : RelativeDisplacement, optional
-        A displacement of body 1 relative to body 2 that is not caused by the contact. It grows in proportion to the load;
-        none by default.
+        A displacement of body 1 relative to body 2 that is not caused by the contact. It grows proportionally to the
+        load; none by default.
     hardness : Hardness, float or array_like of shape (ny, nx), optional
         The largest pressure that the cells can carry; no limit by default.
     settings : Settings, optional
@@ -1195,7 +1199,7 @@ class CoupledRollingSolver:
     def stiffness(self, /) -> list[list[float]]:
         """
         Returns the derivatives of the forces along x and y and the moment (rows) with respect to the creepages along x
-        and y and the spin (columns) at the last solution. The pressure follows the tractions.
+        and y and the spin (columns) at the last solution. They include the change of the pressure with the tractions.
 
         Raises
         ------
@@ -1207,8 +1211,8 @@ class CoupledRollingSolver:
 class CoupledSolution:
     """
     Normal and tangential solution of a coupled contact, with the displacements that they cause together. Both solutions
-    and the arrays share the memory of this object. Two objects are equal if their solutions are equal, whatever the
-    iterations were.
+    and the arrays share the memory of this object. Two objects are equal if their solutions are equal, even if the
+    iterations differed.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -1393,8 +1397,9 @@ class Cycle:
     @property
     def cyclic_residual(self, /) -> float:
         """
-        Measure of how far the cycle is from closing, the larger of two ratios: the largest change of a traction from
-        start to end to the largest traction, and the change of the shift to half its range.
+        Measure of how far the cycle is from closing, the larger of two ratios. One is the ratio of the largest change
+        of a traction between start and end to the largest traction, the other the ratio of the change of the shift to
+        half its range.
         """
     @property
     def dissipated_energy(self, /) -> NDArray[float64]:
@@ -1582,10 +1587,10 @@ class Edges:
     The edge of a contact or of its stick zone with sub-cell resolution: :meth:`NormalSolution.edges`,
     :meth:`TangentialSolution.edges` and :meth:`History.edges`.
 
-    At a distance s from a smooth edge, the pressure is proportional to the square root of s and the gap to s to the power
-    3/2. In 7 x 7 cells about each cell at the edge, one quadratic function is fitted to the square of the pressure and to
-    the gap to the power 2/3. If the fit is rejected, the cell keeps its computed pressure, and its area has a mean
-    correction.
+    At a distance s from a smooth edge, the pressure is proportional to the square root of s and the gap to s to the
+    power 3/2. In 7 x 7 cells about each cell at the edge, one quadratic function is fitted to the square of the
+    pressure and to the gap to the power 2/3. If the fit is rejected, the cell keeps its computed pressure, and its area
+    is corrected by a mean value.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -1764,7 +1769,7 @@ class EnergyBalance:
     @property
     def residual(self, /) -> float:
         """
-        Work on the motion in stick cells that remains within the tolerance.
+        Work on the residual motion that the tolerance permits in stick cells.
         """
     @property
     def work(self, /) -> float:
@@ -2023,7 +2028,7 @@ class FlatPunch:
     def pressure(self, /, r: ArrayLike) -> Any:
         """
         Returns the pressure W / (2 pi a sqrt(a^2 - r^2)) at the distance r from the centre. It grows without bound
-        towards the edge; at the edge and outside zero is returned.
+        towards the edge; at the edge and outside, the function returns zero.
         """
 
 @final
@@ -2039,7 +2044,7 @@ class Friction:
     max_shear_stress : float, optional
         The shear strength tau_max of the weaker body (a pressure), positive; no limit by default.
     grid : Grid, optional
-        Grid of the coefficients; required for an array, since a Field has its own grid.
+        Grid of the coefficients; required for an array, because only a Field has its own grid.
 
     Raises
     ------
@@ -2229,11 +2234,12 @@ class HalfSpace:
         pair : ElasticPair, two Materials, or Kernel
             The two bodies; z points into the first.
         comm : mpi4py.MPI.Comm, or any object with three of its methods
-            The methods are ``Get_rank()``, ``Get_size()`` and ``sendrecv(block, dest=, source=)``, which sends ``bytes``
-            to one rank and returns ``bytes`` from another. Messages have any length and must arrive in the order of
-            sending. The communicator must not receive other messages: pass a duplicate of a communicator that is also
-            used elsewhere. Calls are made one at a time, possibly on threads of the package. An exception in a method is
-            raised as :class:`~stickslip.errors.Ranks`, and the original exception is passed to `sys.unraisablehook`.
+            The methods are ``Get_rank()``, ``Get_size()`` and ``sendrecv(block, dest=, source=)``, which sends
+            ``bytes`` to one rank and returns ``bytes`` from another. Messages may have any length and must arrive in
+            the order of sending. The communicator must not receive other messages: pass a duplicate of a communicator
+            that is also used elsewhere. The methods are called one at a time, possibly on threads of the package. An
+            exception in a method is raised as :class:`~stickslip.errors.Ranks`, and the original exception is passed to
+            `sys.unraisablehook`.
         boundary : Boundary or str, default "non_periodic"
             See the class.
         cell_value : CellValue or str, default "uniform"
@@ -2300,9 +2306,10 @@ class Hardness:
     Parameters
     ----------
     limit : float, Field or array_like of shape (ny, nx)
-        The largest pressure: one positive number, or one number per cell, not negative. A cell with zero carries no load.
+        The largest pressure: one positive number, or one number per cell, not negative. A cell whose limit is zero
+        carries no load.
     grid : Grid, optional
-        Grid of the limits; required for an array, since a Field has its own grid.
+        Grid of the limits; required for an array, because only a Field has its own grid.
 
     Raises
     ------
@@ -2397,7 +2404,7 @@ class HertzLine:
     """
     A cylinder pressed on a half-space along a line, in plane strain.
 
-    The gap is x^2 / 2R. Exact for a parabola. Johnson (1985), 4.43-4.45.
+    The gap is x^2 / 2R. The solution is exact for a parabola. Johnson (1985), 4.43-4.45.
 
     Parameters
     ----------
@@ -2420,7 +2427,8 @@ class HertzLine:
     def approach(self, /, datum: ArrayLike) -> Any:
         """
         Returns the approach of the bodies, P / (pi E*) (2 ln(2d/a) + 1) (a length), relative to the datum d (a
-        length) of :meth:`Boundary.periodic_along_y`; positive if the datum is large compared with a, as required.
+        length) of :meth:`Boundary.periodic_along_y`. The datum must be large compared with a; the approach is then
+        positive.
         """
     @property
     def half_width(self, /) -> float:
@@ -2468,8 +2476,8 @@ class HertzSphere:
     """
     A sphere pressed on a half-space, or a paraboloid of revolution.
 
-    The gap is r^2 / 2R. Exact for a paraboloid; for a sphere it is valid if the contact is small compared with R.
-    Johnson (1985), 4.22-4.24.
+    The gap is r^2 / 2R. The solution is exact for a paraboloid; for a sphere it is valid if the contact is small
+    compared with R. Johnson (1985), 4.22-4.24.
 
     Parameters
     ----------
@@ -2550,8 +2558,9 @@ class History:
     """
     Two bodies in contact with memory of their load: pressure, traction, slip and energy, step by step.
 
-    The arrays are copies, since the next step changes the data; :meth:`state` is a snapshot whose arrays are views. One
-    thread at a time may use a history. A step that fails, or that is interrupted by Ctrl-C, leaves the history unchanged.
+    The arrays are copies, because the next step changes the data; :meth:`state` is a snapshot whose arrays are views.
+    One thread at a time may use a history. A step that fails, or that is interrupted by Ctrl-C, leaves the history
+    unchanged.
 
     Parameters
     ----------
@@ -2570,8 +2579,8 @@ class History:
         Coupling for bodies of different materials: "full" solves pressure and traction simultaneously; "one_way" includes
         the tangential displacements due to pressure only; "neglected" omits both.
     entry_rule : EntryRule or str, default "since_touch"
-        Part of the motion of a step that a cell follows if it comes into contact within the step: with "since_touch" the
-        motion since it touched, with "whole_step" all of it.
+        Part of the motion of a step that a cell follows if it comes into contact within the step: "since_touch" for the
+        motion since first touch, "whole_step" for the whole motion.
     relative_displacement : RelativeDisplacement, optional
         The pattern of a displacement that is not caused by the contact. Steps prescribe its factor; none by default.
     hardness : Hardness, float or array_like of shape (ny, nx), optional
@@ -2699,8 +2708,9 @@ class History:
         """
     def press(self, /, load: LoadStep | None = None, *, tolerance: float, normal_force: float | None = None, approach: float | None = None, progress: Any | None = None, warn: bool = True) -> int:
         """
-        Applies a load in as many steps of equal growth of the contact as a tolerance requires. A contact of dissimilar
-        bodies must be pressed in this way, because the stick and slip zones depend on the growth of the contact.
+        Applies a load in steps with equal growth of the contact, as many as a tolerance requires. A contact of
+        dissimilar bodies must be pressed in this way, because the stick and slip zones depend on the growth of the
+        contact.
 
         The load is applied in 1, 2, 4, 8, ... steps from the present state, until the tractions differ from the result
         for half the number of steps by no more than the tolerance. A call that fails, or that is interrupted by Ctrl-C,
@@ -2709,7 +2719,8 @@ class History:
         Parameters
         ----------
         load : LoadStep, optional
-            The load as an object, instead of by keywords. All prescribed quantities are approached proportionally.
+            The load as an object, instead of by keywords. All prescribed quantities change proportionally from their
+            previous values.
         tolerance : float
             Largest sum of the magnitudes of the traction differences, relative to the sum of the friction limits, in (0,
             1). A value of 0.01 is a good choice. It must be at least about a hundred times the tolerance of the settings.
@@ -2920,8 +2931,8 @@ class JaegerSuperposition:
     Parameters
     ----------
     full, stick : NormalSolution
-        The contact under its load W, and the contact of the same bodies under the load W - F / mu for a tangential force
-        F. The contact area of the second is the stick zone.
+        The contact under its load W, and the contact of the same bodies under the load W - F / mu for a tangential
+        force F. The contact area under the second load is the stick zone.
     pair : ElasticPair
         The bodies. The coupling between pressure and traction of different materials is neglected.
     friction : float
@@ -3215,7 +3226,7 @@ class LinearOperator:
     """
     A linear operator from tractions to displacements, with one number per cell.
 
-    Created by :meth:`HalfSpace.operator`, :meth:`HalfSpace.preconditioner`, :class:`stickslip.fft.Convolution`,
+    It is created by :meth:`HalfSpace.operator`, :meth:`HalfSpace.preconditioner`, :class:`stickslip.fft.Convolution`,
     :class:`stickslip.dense.DenseOperator` or :func:`stickslip.cgm.identity`.
     """
     def __call__(self, /, x: Any) -> NDArray[float64]: ...
@@ -3335,13 +3346,14 @@ class LoadStep:
     spring_x, spring_y : (position, stiffness), optional
         Spring along one axis.
     twist : float, optional
-        Rotation of body 2 relative to body 1 since the start (radians, positive from x to y). The vector model alone has it.
+        Rotation of body 2 relative to body 1 since the start (radians, positive from x to y). Only the vector model
+        supports a twist.
     relative_displacement : float, optional
         Factor by which the pattern of the relative displacement of the history is multiplied.
     roll : stickslip.history.Rolling, optional
-        Rolling during the step: the memory of the particles moves through the contact, and body 2 creeps over body 1
-        meanwhile. Along an axis with a prescribed force, the creepage follows from the force. A shift, a spring or a
-        twist is not allowed in such a step. Normal load, gap and friction may change in the same step.
+        Rolling during the step: the memory of the particles moves through the contact while body 2 creeps over body 1.
+        Along an axis with a prescribed force, the creepage follows from the force. A shift, a spring or a twist is not
+        allowed in such a step. Normal load, gap and friction may change in the same step.
 
     Examples
     --------
@@ -3459,8 +3471,8 @@ class LubkinTorsion:
     @property
     def moment(self, /) -> float:
         """
-        Moment about the normal on body 1 (a force times a length), of the sign of the twist; (16/3) G a^3 beta for
-        small twists.
+        Moment about the normal on body 1 (a force times a length), with the sign of the twist; (16/3) G a^3 beta
+        for small twists.
         """
     @property
     def sliding_moment(self, /) -> float:
@@ -3481,8 +3493,9 @@ class LubkinTorsion:
         """
     def traction(self, /, r: ArrayLike) -> Any:
         """
-        Returns the traction q on body 1 (a pressure, of the sign of the twist) at the distance r from the centre,
-        along the circle of that radius from x to y: q_x = -q y/r, q_y = q x/r. Zero outside the contact.
+        Returns the traction q on body 1 (a pressure, with the sign of the twist) at the distance r from the centre,
+        along the circle of that radius from x to y: q_x = -q y/r, q_y = q x/r. The traction is zero outside the
+        contact.
         """
     @property
     def twist(self, /) -> float:
@@ -3502,8 +3515,8 @@ class Material:
     poisson_ratio : float
         Poisson's ratio, in (-1, 0.5].
     hardness : float, optional
-        The hardness (a pressure), positive; none by default. It only causes a warning if a solution exceeds it. To limit
-        the pressure, pass ``hardness`` to the problem.
+        The hardness (a pressure), positive; none by default. It is used only for a warning if the pressure of a
+        solution exceeds it. To limit the pressure, pass ``hardness`` to the problem.
 
     Raises
     ------
@@ -3529,7 +3542,7 @@ class Material:
         """
         Returns this body with layers bonded on top of it and of its existing layers, outermost first. On a rigid body,
         the layers are elastic layers on a rigid base. The moduli of a coated body are the moduli of the body below the
-        layers. A hardness stated before is kept.
+        layers. A hardness that was set earlier is kept.
 
         Parameters
         ----------
@@ -3567,8 +3580,8 @@ class Material:
         """
     def plane_strain_under(self, /, stress: float) -> float:
         """
-        Returns the strain along x under a stress along x (a pressure) of a body that cannot contract along y, stress (1 -
-        nu^2) / E; positive in tension.
+        Returns the strain along x, stress (1 - nu^2) / E, of a body that cannot contract along y under a stress along x
+        (a pressure). Stress and strain are positive in tension.
         """
     @property
     def poisson_ratio(self, /) -> float:
@@ -3610,7 +3623,7 @@ class MindlinDeresiewicz:
         Coefficient of friction mu (dimensionless), not negative.
     path : sequence of float
         Successive values of the tangential force on body 1 along x, starting from zero (forces, of either sign, at
-        most mu W). An empty path has no force.
+        most mu W). The force of an empty path is zero.
 
     Raises
     ------
@@ -3670,8 +3683,8 @@ class MindlinDeresiewicz:
     @property
     def stick_radius(self, /) -> float:
         """
-        Radius of the disc that has not slipped since the last reversal of the force (a length): during the first
-        loading a (1 - |F| / (mu W))^(1/3), and a (1 - |F - F_n| / (2 mu W))^(1/3) after a reversal at F_n.
+        Radius of the disc that has not slipped since the last reversal of the force (a length). It is a (1 - |F| /
+        (mu W))^(1/3) during the first loading, and a (1 - |F - F_n| / (2 mu W))^(1/3) after a reversal at F_n.
         """
     def traction(self, /, r: ArrayLike) -> Any:
         """
@@ -3713,9 +3726,9 @@ class MindlinFullStick:
         """
     def displacement(self, /, x: ArrayLike, y: ArrayLike) -> Any:
         """
-        Returns the tangential displacement of body 1 relative to body 2 along x (a length, of the sign of the force),
-        anywhere in the plane: the shift inside the contact; at the distance r and the angle theta outside it F / (4
-        pi G a) ((2 - nu) s + nu sin(s) cos(s) cos(2 theta)), with sin(s) = a/r.
+        Returns the tangential displacement of body 1 relative to body 2 along x (a length, with the sign of the
+        force), anywhere in the plane. Inside the contact it is the shift. Outside, at the distance r and the angle
+        theta, it is F / (4 pi G a) ((2 - nu) s + nu sin(s) cos(s) cos(2 theta)), with sin(s) = a/r.
         """
     @property
     def force(self, /) -> float:
@@ -3730,13 +3743,14 @@ class MindlinFullStick:
     @property
     def shift(self, /) -> float:
         """
-        Shift F (2 - nu) / (8 G a) (a length): the rigid motion of body 2 relative to body 1, of the sign of the force.
+        Shift F (2 - nu) / (8 G a) (a length): the rigid motion of body 2 relative to body 1, with the sign of the
+        force.
         """
     def traction(self, /, r: ArrayLike) -> Any:
         """
-        Returns the traction F / (2 pi a sqrt(a^2 - r^2)) on body 1 along x (a pressure, of the sign of the force) at
-        the distance r from the centre. It grows without bound towards the edge; at the edge and outside zero is
-        returned.
+        Returns the traction F / (2 pi a sqrt(a^2 - r^2)) on body 1 along x (a pressure, with the sign of the force)
+        at the distance r from the centre. It grows without bound towards the edge; at the edge and outside, the
+        function returns zero.
         """
 
 @final
@@ -3922,7 +3936,7 @@ class NormalProblem:
 class NormalSolution:
     """
     Pressure, gap and approach of a normal contact. Arrays are read-only views of its memory. Two objects are equal if
-    their solutions are equal, whatever the iterations were.
+    their solutions are equal, even if the iterations differed.
     """
     def __eq__(self, other: object, /) -> bool: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
@@ -3957,7 +3971,7 @@ class NormalSolution:
     @property
     def contact_area(self, /) -> float:
         """
-        Contact area from counting cells. The properties ``mean_pressure``, the stick ratio and the areas of spots are
+        Contact area from counting cells. The property ``mean_pressure``, the stick ratio and the areas of spots are
         based on this area of the discrete contact. Its relative excess is about 0.3 times the ratio of cell side to
         contact radius.
         """
@@ -4287,8 +4301,8 @@ class Plane:
     @property
     def warnings(self, /) -> list[Warning]:
         """
-        Warnings about values that might mislead: on a plane nearer to the surface than a side of a cell, if shear
-        tractions end at the edge of a contact. Empty if there are none.
+        Warnings about values that might mislead; empty if there are none. A plane nearer to the surface than a cell
+        side has a warning if shear tractions end at the edge of a contact.
         """
     @property
     def z(self, /) -> float:
@@ -4785,7 +4799,8 @@ class RollingProblem:
     entry_rule : EntryRule or str, default "since_touch"
         Rule for the motion of cells that enter the contact; "whole_step", the rule of CONTACT, is less accurate.
     slip_corrections : int, default 0
-        Number of corrections of the direction of slip. Two raise the order of the forces under spin from 1 to between 1.5 and 2.
+        Number of corrections of the direction of slip. Two corrections raise the order of convergence of the forces
+        under spin from 1 to between 1.5 and 2.
     settings : Settings, optional
         Method, tolerance and limits; ``Settings()`` by default.
     tolerance, method, max_iterations, time_limit : optional
@@ -4837,8 +4852,8 @@ class RollingSolution:
     def dissipation(self, /) -> NDArray[float64]:
         """
         Energy dissipated by slip in each cell per unit length rolled (a pressure), the input of the energy law of wear.
-        Between bodies of the same material, its integral is less than the work by a part that decreases with the cell
-        size.
+        Between bodies of the same material, the integral of this energy is less than the work; the difference decreases
+        with the cell size.
         """
     @property
     def force(self, /) -> tuple[float, float]:
@@ -4890,9 +4905,10 @@ class RollingSolution:
     @property
     def work(self, /) -> float:
         """
-        Work of creepages and spin per unit length rolled (a force). The spin displaces particles as at the midpoints of
-        their paths, so its moment is taken there. Between bodies of the same material, all of the work is dissipated.
-        Between bodies of different materials, the pressure also does work, which is not included.
+        Work of creepages and spin per unit length rolled (a force). The displacement of a particle due to the spin is
+        evaluated at the midpoint of its path, and so is the moment in this work. Between bodies of the same material,
+        all of the work is dissipated. Between bodies of different materials, the pressure also does work, which is not
+        included.
         """
     @property
     def zones(self, /) -> NDArray[uint8]:
@@ -4951,8 +4967,8 @@ class RollingSolver:
         """
     def set_load(self, /, *, force: float | None = None, approach: float | None = None) -> None:
         """
-        Sets the normal load of the next solve, and computes the pressure starting from the last pressure. Requires
-        :meth:`set_normal_solver`.
+        Sets the normal load of the next solve, and computes the pressure starting from the last pressure. The normal
+        solver must have been set by :meth:`set_normal_solver`.
 
         Parameters
         ----------
@@ -4973,7 +4989,7 @@ class RollingSolver:
         """
     def set_pressure(self, /, pressure: NormalSolution | Field | ArrayLike) -> None:
         """
-        Sets the pressure of the next solve. A field contains no gap, so it requires a solver with
+        Sets the pressure of the next solve. A field contains no gap and therefore requires a solver with
         ``entry_rule="whole_step"``.
 
         Raises
@@ -5298,7 +5314,7 @@ class SpencePressing:
 
     The surfaces slip inwards near the rim of the contact and stick within k times its radius or half-width. Shear does
     not change the pressure here (one-way coupling). Spence, J. Elasticity 5 (1975) 297; Johnson (1985), section 5.4.
-    Created by :meth:`round` and :meth:`plane`.
+    The solution is created by :meth:`round` or :meth:`plane`.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -5635,8 +5651,8 @@ class StepErrorEstimate:
 class StepResult:
     """
     Results of a step of a history: numbers and fields. The fields are available as long as the step is the last step of
-    the history, also after a failed step. A failed attempt of :class:`AdaptiveSteps`, however, replaces the last step.
-    :meth:`keep` copies the fields permanently. Vectors are (x, y).
+    the history, even if a later step fails. A failed attempt of :class:`AdaptiveSteps`, however, replaces the last
+    step. :meth:`keep` copies the fields permanently. Vectors are (x, y).
     """
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
@@ -5729,8 +5745,8 @@ class StepResult:
     def warnings(self, /) -> list[Warning]:
         """
         Warnings of the step: ``no_contact``, ``contact_at_edge``, ``beyond_hardness``, ``stale_pressure``,
-        ``single_load_step``, and the warnings about contacts and zones of too few cells. Warnings about contact spots are
-        in ``history.normal.warnings``, since a step does not search for spots.
+        ``single_load_step``, and the warnings about contacts and zones of too few cells. Warnings about contact spots
+        are in ``history.normal.warnings``, because a step does not search for spots.
         """
 
 @final
@@ -5929,8 +5945,8 @@ class TangentialLoad:
     spring_x, spring_y : (position, stiffness), optional
         Spring along one axis.
     twist : float, default 0
-        Rotation of body 2 relative to body 1 about the origin of the grid (radians, positive from x to y). The vector model
-        alone has it.
+        Rotation of body 2 relative to body 1 about the origin of the grid (radians, positive from x to y). Only the
+        vector model supports a twist.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -5964,10 +5980,10 @@ class TangentialProblem:
         "scalar" computes the traction along the axis of the load, "vector" both components.
     coupling : Coupling or str, default "one_way"
         Coupling for bodies of different materials: "one_way" includes the tangential displacements due to pressure,
-        "neglected" omits them. "full" is rejected, since the pressure is given.
+        "neglected" omits them. "full" is rejected, because the pressure is given.
     relative_displacement : RelativeDisplacement, optional
-        A displacement of body 1 relative to body 2 that is not caused by the contact. It grows in proportion to the load;
-        none by default.
+        A displacement of body 1 relative to body 2 that is not caused by the contact. It grows proportionally to the
+        load; none by default.
     settings : Settings, optional
         Method, tolerance and limits; ``Settings()`` by default.
     tolerance, method, max_iterations, time_limit : optional
@@ -6012,9 +6028,9 @@ class TangentialProblem:
 @final
 class TangentialSolution:
     """
-    Traction, slip, zones and shift of a tangential contact. Vectors are (x, y); in the scalar model, the component across
-    the load is zero. Arrays are read-only views of its memory, except for the zones, which are copies. Two objects are
-    equal if their solutions are equal, whatever the iterations were.
+    Traction, slip, zones and shift of a tangential contact. Vectors are (x, y); in the scalar model, the component
+    across the load is zero. Arrays are read-only views of its memory, except for the zones, which are copies. Two
+    objects are equal if their solutions are equal, even if the iterations differed.
     """
     def __eq__(self, other: object, /) -> bool: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
@@ -6211,21 +6227,22 @@ class TangentialStiffness:
     @property
     def bound(self, /) -> float:
         """
-        Bound on the errors, relative to the square root of the product of the two diagonal entries; infinite if pressure
-        and traction are solved simultaneously.
+        Bound on the errors, relative to the square root of the product of the diagonal entries of the row and the
+        column; infinite if pressure and traction are solved simultaneously.
         """
     @property
     def loading(self, /) -> list[list[float]]:
         """
         Derivative of the forces of the last step with respect to the motions at its end, if the motion continues in its
-        direction. Cells that came into contact in the step follow the motion only in part. After a step that presses a ball
-        the derivative is about two thirds of Mindlin's stiffness, although all cells stick.
-        ``history.stiffness(next_step=True)`` has the derivative of the next step, in which they resist fully.
+        direction. Cells that came into contact in the step follow the motion only partially. After a step that presses
+        a ball the derivative is about two thirds of Mindlin's stiffness, although all cells stick.
+        ``history.stiffness(next_step=True)`` computes the derivative for the next step, in which these cells resist
+        fully.
         """
     @property
     def reversal(self, /) -> list[list[float]]:
         """
-        Derivative if the motion reverses: all contact cells stick.
+        Derivative for a reversal of the motion, at which all contact cells stick.
         """
     def in_series_with(self, /, springs: Sequence[float] | NDArray[Any]) -> TangentialStiffness:
         """
@@ -6316,10 +6333,10 @@ class VermeulenJohnson:
     Creep forces of an elliptic contact that rolls along x without spin, from the creep curve of Vermeulen and Johnson
     with the initial slope of Kalker.
 
-    Let f be the force without slip, from :class:`KalkerCoefficients`, and x = |f| / (mu P). The force along f has the
-    magnitude mu P (1 - (1 - x/3)^3), and mu P for x of 3 or more. This approximation is a few per cent below the
-    computed force. It is valid for equal bodies, or bodies with zero Dundurs' beta. Vermeulen and Johnson (1964);
-    Johnson (1985), section 8.4.
+    Let f be the force without slip, from :class:`KalkerCoefficients`, and x = |f| / (mu P). The force along f has
+    the magnitude mu P (1 - (1 - x/3)^3), and mu P for x of 3 or more. This approximation is a few per cent below
+    the computed force. It is valid for equal bodies and for bodies whose Dundurs' beta is zero. Vermeulen and
+    Johnson (1964); Johnson (1985), section 8.4.
 
     Parameters
     ----------
@@ -6423,8 +6440,8 @@ class Westergaard:
     """
     A wavy surface pressed on a half-space: waves along x, plane strain.
 
-    The gap is amplitude (1 - cos(2 pi x / lambda)), lambda the wavelength. Contact forms strips of half-width a about
-    every crest, up to the pressure p* of full contact. Westergaard (1939); Johnson (1985), section 13.2.
+    The gap is amplitude (1 - cos(2 pi x / lambda)), with the wavelength lambda. Contact forms strips of half-width
+    a about every crest, up to the pressure p* of full contact. Westergaard (1939); Johnson (1985), section 13.2.
 
     Parameters
     ----------
@@ -6560,8 +6577,8 @@ class WestergaardPartialSlip:
         """
     def traction(self, /, x: ArrayLike) -> Any:
         """
-        Returns the traction on body 1 along x (a pressure, of the sign of the mean traction) at the distance x from a
-        crest; zero outside the contact.
+        Returns the traction on body 1 along x (a pressure, with the sign of the mean traction) at the distance x
+        from a crest; zero outside the contact.
         """
 
 def _from_bytes(kind: type, *arguments: Any) -> Any:
@@ -6587,9 +6604,9 @@ def archard(coefficient: Field | ArrayLike, pressure: Field | ArrayLike, slip_di
     pressure, slip_distance : Field or array_like of shape (ny, nx)
         Pressure, and the length of the slip path of each cell under it (lengths), not negative, in a step or a cycle.
     depth : Field or array_like of shape (ny, nx), optional
-        Depth removed before (lengths), to which the result is added; zero by default.
+        Depth removed earlier (lengths), to which the result is added; zero by default.
     grid : Grid, optional
-        The grid of arrays; not required, since the law does not depend on the size of the cells.
+        The grid of arrays; not required, because the law does not depend on the size of the cells.
 
     Returns
     -------
@@ -6747,8 +6764,8 @@ def fill_missing(heights: Field | ArrayLike) -> Filled:
 
 def flat_punch(grid: Grid, radius: float, recess: float) -> Field:
     """
-    Returns the gap under a flat punch of this radius: zero in cells whose centre is below it, the recess in all
-    others (lengths). The recess only has to be deeper than the displacements.
+    Returns the gap under a flat punch of this radius: zero in cells whose centre is below the punch, and the recess
+    in all other cells (lengths). The recess only has to be deeper than the displacements.
     """
 
 def gap_between(upper: Field | ArrayLike, lower: Field | ArrayLike) -> Field:
@@ -6767,9 +6784,9 @@ def gaussian_filter(heights: Field | ArrayLike, *, s: float | None = None, l: fl
     Removes short waves, long waves or both from a surface with Gaussian filters (ISO 16610-61; along lines ISO 16610-21).
 
     The mean of a filter transmits half of a wave whose length equals the nesting index, and the fraction
-    2^(-(index/length)^2) of other waves. Missing heights (NaN) have no weight and remain missing; therefore filter before
-    :func:`fill_missing`. Near an edge or a hole, the mean is taken over the existing heights; heights nearer to it than
-    half an index are affected. Level the surface first.
+    2^(-(index/length)^2) of a wave of any other length. Missing heights (NaN) have no weight and remain missing;
+    therefore filter before :func:`fill_missing`. Near an edge or a hole, the mean is taken over the existing heights;
+    heights within half a nesting index of the edge or hole are affected. Level the surface before filtering.
 
     Parameters
     ----------
@@ -6848,8 +6865,8 @@ def linear_stick_ratio(load: float, friction: float, force: float) -> float:
 def max_stable_cycles(bodies: HalfSpace, coefficient: Field | ArrayLike, slip_distance: Field | ArrayLike) -> float:
     """
     Returns the number of cycles whose wear by Archard's law can be removed in one update before the pressure oscillates
-    with growing amplitude: ``1.16 h / (E* k s)`` on square cells of side h (0.90 on a periodic grid), with coefficient of
-    wear k and slip s.
+    with growing amplitude: ``1.16 h / (E* k s)`` on square cells of side h (0.90 on a periodic grid), with the wear
+    coefficient k and the slip s.
 
     Parameters
     ----------

@@ -9,8 +9,8 @@ use crate::material::ElasticPair;
 closed_form! {
     /// A sphere pressed on a half-space, or a paraboloid of revolution.
     ///
-    /// The gap is r^2 / 2R. Exact for a paraboloid; for a sphere it is valid if the contact is small compared with R.
-    /// Johnson (1985), 4.22-4.24.
+    /// The gap is r^2 / 2R. The solution is exact for a paraboloid; for a sphere it is valid if the contact is small
+    /// compared with R. Johnson (1985), 4.22-4.24.
     ///
     /// Parameters
     /// ----------
@@ -106,7 +106,7 @@ closed_form! {
 closed_form! {
     /// A cylinder pressed on a half-space along a line, in plane strain.
     ///
-    /// The gap is x^2 / 2R. Exact for a parabola. Johnson (1985), 4.43-4.45.
+    /// The gap is x^2 / 2R. The solution is exact for a parabola. Johnson (1985), 4.43-4.45.
     ///
     /// Parameters
     /// ----------
@@ -139,7 +139,8 @@ closed_form! {
         /// Returns the pressure p_0 sqrt(1 - x^2/a^2) at the distance x from the middle; zero outside the contact.
         pressure(x),
         /// Returns the approach of the bodies, P / (pi E*) (2 ln(2d/a) + 1) (a length), relative to the datum d (a
-        /// length) of :meth:`Boundary.periodic_along_y`; positive if the datum is large compared with a, as required.
+        /// length) of :meth:`Boundary.periodic_along_y`. The datum must be large compared with a; the approach is then
+        /// positive.
         approach(datum),
         /// Stress xx of the surface of either body at x (a pressure, positive in tension): minus the pressure in the
         /// contact, zero outside.

@@ -72,7 +72,7 @@ closed_form! {
 ///
 /// The surfaces slip inwards near the rim of the contact and stick within k times its radius or half-width. Shear does
 /// not change the pressure here (one-way coupling). Spence, J. Elasticity 5 (1975) 297; Johnson (1985), section 5.4.
-/// Created by :meth:`round` and :meth:`plane`.
+/// The solution is created by :meth:`round` or :meth:`plane`.
 #[pyclass(frozen, eq, module = "stickslip.analytical")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct SpencePressing(stickslip::analytical::SpencePressing);

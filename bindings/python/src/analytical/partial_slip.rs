@@ -41,26 +41,26 @@ closed_form! {
         stick_radius,
         /// Fraction of the contact area that sticks, c^2/a^2 = (1 - f)^(2/3).
         stick_ratio,
-        /// Shift delta_x (a length): the rigid motion of body 2 relative to body 1, of the sign of the force, of size
-        /// (3 mu W / 16 a) ((2 - nu)/G) (1 - (1 - f)^(2/3)).
+        /// Shift delta_x (a length): the rigid motion of body 2 relative to body 1, with the sign of the force and the
+        /// magnitude (3 mu W / 16 a) ((2 - nu)/G) (1 - (1 - f)^(2/3)).
         shift,
         /// Shift at which the whole contact begins to slide, delta_0 (a length, positive): the shift under mu W.
         sliding_shift,
-        /// Energy dissipated while the force grows from zero to F (a force times a length, not negative),
-        /// (mu W delta_0 / 5) (1 - c/a)^3 (1 + 3 c/a + c^2/a^2): the first quarter of a cycle.
+        /// Energy dissipated while the force grows from zero to F (a force times a length, not negative), (mu W delta_0
+        /// / 5) (1 - c/a)^3 (1 + 3 c/a + c^2/a^2). This is the first quarter of a cycle.
         energy_of_first_quarter,
         /// Energy dissipated in one full cycle of the force between F and -F (a force times a length), four times the
         /// energy of the first quarter.
         energy_per_cycle,
     }
     along {
-        /// Returns the traction on body 1 along x (a pressure, of the sign of the force) at the distance r from the
+        /// Returns the traction on body 1 along x (a pressure, with the sign of the force) at the distance r from the
         /// centre: mu p_0 sqrt(1 - r^2/a^2), minus mu p_0 (c/a) sqrt(1 - r^2/c^2) in the stick disc; zero outside the
         /// contact.
         traction(r),
     }
     across {
-        /// Returns the tangential displacement u_x of body 1 relative to body 2 (a length, of the sign of the force),
+        /// Returns the tangential displacement u_x of body 1 relative to body 2 (a length, with the sign of the force),
         /// anywhere in the plane: shift and slip inside the contact.
         displacement,
         /// Returns the slip u_x - delta_x (a length, opposite to the force) in the ring that slips; zero elsewhere.
@@ -98,8 +98,8 @@ closed_form! {
         force,
         /// Fraction of the contact area that sticks, (1 - f)^(2/3).
         stick_ratio,
-        /// Shift (a length): the rigid motion of body 2 relative to body 1, of the sign of the force, equal to 1 - s^2
-        /// times the shift at which the whole contact begins to slide.
+        /// Shift (a length): the rigid motion of body 2 relative to body 1, with the sign of the force. Its magnitude
+        /// is 1 - s^2 times the shift at which the whole contact begins to slide.
         shift,
         /// Shift at which the whole contact begins to slide (a length, positive): the shift under mu W.
         sliding_shift,
@@ -115,20 +115,20 @@ closed_form! {
         stick_semi_axes,
     }
     across {
-        /// Returns the traction on body 1 along x (a pressure, of the sign of the force): with rho^2 = x^2/a_x^2 +
-        /// y^2/a_y^2 it is mu p_0 sqrt(1 - rho^2), minus mu p_0 sqrt(s^2 - rho^2) in the stick ellipse; zero outside the
-        /// contact.
+        /// Returns the traction on body 1 along x (a pressure, with the sign of the force); zero outside the contact.
+        /// With rho^2 = x^2/a_x^2 + y^2/a_y^2, it is mu p_0 sqrt(1 - rho^2), reduced in the stick ellipse by mu p_0
+        /// sqrt(s^2 - rho^2).
         traction,
     }
 }
 
 closed_form! {
     /// A cylinder in partial slip in plane strain: a constant normal load, then a tangential force along x that
-    /// increases monotonically, with a bulk strain that increases in proportion to it.
+    /// increases monotonically, together with a proportional bulk strain.
     ///
     /// With f = |Q| / (mu P) a strip of half-width c = a sqrt(1 - f) sticks; the rest slips, opposite to the traction.
-    /// Valid for equal bodies, or bodies with zero Dundurs' beta. Johnson (1985), section 7.2; with bulk strain Nowell &
-    /// Hills, Int. J. Mech. Sci. 29 (1987) 355.
+    /// The solution is valid for equal bodies and for bodies whose Dundurs' beta is zero. Johnson (1985), section 7.2;
+    /// with bulk strain Nowell & Hills, Int. J. Mech. Sci. 29 (1987) 355.
     ///
     /// Parameters
     /// ----------
@@ -152,22 +152,24 @@ closed_form! {
         force,
         /// Half-width of the strip that sticks, c = a sqrt(1 - f) (a length).
         stick_half_width,
-        /// Middle of the strip that sticks (a length along x), of size a E* strain / (2 mu p_0); zero without strain.
+        /// Middle of the strip that sticks (a length along x), with the magnitude a E* strain / (2 mu p_0); zero
+        /// without strain.
         stick_centre,
         /// Energy dissipated per length while the force, and the strain with it, grow from zero: a quarter of the energy
         /// per cycle.
         energy_of_first_quarter,
-        /// Energy dissipated per length in a cycle of the force between Q and -Q with the strain in proportion to it,
-        /// ((mu P)^2 / (pi E*)) (4 (1 - f) ln(1 - f) + 4 f - 2 f^2 + 8 f e^2/a^2).
+        /// Energy dissipated per length in a cycle of the force between Q and -Q with the strain proportional to the
+        /// force, ((mu P)^2 / (pi E*)) (4 (1 - f) ln(1 - f) + 4 f - 2 f^2 + 8 f e^2/a^2).
         energy_per_cycle,
     }
     along {
-        /// Returns the traction on body 1 along x (a pressure) at x: with the sign of Q, mu p_0 sqrt(1 - x^2/a^2), minus
-        /// mu p_0 (c/a) sqrt(1 - (x - e)^2/c^2) in the stick strip around e; zero outside the contact.
+        /// Returns the traction on body 1 along x (a pressure) at x: with the sign of Q, mu p_0 sqrt(1 - x^2/a^2),
+        /// minus mu p_0 (c/a) sqrt(1 - (x - e)^2/c^2) in the stick strip with the middle e; zero outside the contact.
         traction(x),
-        /// Returns the shift (a length): the rigid motion of body 2 relative to body 1 along x, of the sign of the force,
-        /// relative to the datum d (a length) of :meth:`Boundary.periodic_along_y`. The strain causes no displacement at
-        /// x = 0. The size of the shift is (mu P / (pi E*)) (f (2 ln(2d/a) + 1) + (1 - f) ln(1 - f) + 2 e^2/a^2).
+        /// Returns the shift (a length): the rigid motion of body 2 relative to body 1 along x, with the sign of the
+        /// force, relative to the datum d (a length) of :meth:`Boundary.periodic_along_y`. The strain causes no
+        /// displacement at x = 0. The magnitude of the shift is (mu P / (pi E*)) (f (2 ln(2d/a) + 1) + (1 - f) ln(1 -
+        /// f) + 2 e^2/a^2).
         shift(datum),
     }
     also {
@@ -184,8 +186,8 @@ closed_form! {
             self.0.with_strain(strain.0).or_raise(py).map(Self)
         }
 
-        /// Adds bulk stresses along x in bodies 1 and 2 (pressures, positive in tension), which grow in proportion to the
-        /// force and strain the bodies in plane strain.
+        /// Adds bulk stresses along x in bodies 1 and 2 (pressures, positive in tension), which grow proportionally to
+        /// the force and strain the bodies in plane strain.
         ///
         /// Raises
         /// ------
@@ -196,9 +198,9 @@ closed_form! {
         }
 
         /// Returns the stresses xx of the surfaces of body 1 and of body 2 at x (pressures, positive in tension),
-        /// including the bulk stress. In body 1 the largest stress is at the trailing edge of the contact with respect to
-        /// the traction, x = -a for a positive force, where it rises as a square root. Values on a row of cells therefore
-        /// converge slowly to it. Johnson (1985), 2.23 and 7.2; Nowell & Hills (1987).
+        /// including the bulk stress. In body 1 the largest stress is at the trailing edge of the contact with respect
+        /// to the traction, x = -a for a positive force, where the stress rises as a square root. Values on a row of
+        /// cells therefore converge slowly to this maximum. Johnson (1985), 2.23 and 7.2; Nowell & Hills (1987).
         fn surface_stress(&self, x: Coordinates) -> (Values, Values) {
             x.all_along(|x| self.0.surface_stress(x)).into()
         }
@@ -248,14 +250,14 @@ closed_form! {
         stick_radius,
         /// Fraction of the contact area that sticks, c^2/a^2 = 1 - f.
         stick_ratio,
-        /// Shift (a length): the rigid motion of body 2 relative to body 1, of the sign of the force, of size
-        /// mu delta (2 - nu) / (2 (1 - nu)) (1 - sqrt(1 - f)).
+        /// Shift (a length): the rigid motion of body 2 relative to body 1, with the sign of the force and the
+        /// magnitude mu delta (2 - nu) / (2 (1 - nu)) (1 - sqrt(1 - f)).
         shift,
         /// Shift at which the whole contact begins to slide (a length, positive): the shift under mu W.
         sliding_shift,
     }
     along {
-        /// Returns the traction on body 1 along x (a pressure, of the sign of the force) at the distance r from the
+        /// Returns the traction on body 1 along x (a pressure, with the sign of the force) at the distance r from the
         /// centre: (mu E* tan(beta) / 2) arcosh(a/r), minus the same expression with c instead of a in the stick disc;
         /// zero outside the contact.
         traction(r),

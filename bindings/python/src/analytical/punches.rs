@@ -97,7 +97,7 @@ closed_form! {
     }
     along {
         /// Returns the pressure W / (2 pi a sqrt(a^2 - r^2)) at the distance r from the centre. It grows without bound
-        /// towards the edge; at the edge and outside zero is returned.
+        /// towards the edge; at the edge and outside, the function returns zero.
         pressure(r),
         /// Returns the normal displacement of the surfaces (a length), summed over the bodies and positive into each, at
         /// the distance r from the centre: the approach inside the contact, and outside it (2 delta / pi) arcsin(a/r).

@@ -8,9 +8,10 @@ use crate::real::Real;
 closed_form! {
     /// A cylinder that rolls steadily with longitudinal creepage, in plane strain: Carter's solution.
     ///
-    /// The leading edge is at x = a. A strip of half-width c = a (1 - |xi| / xi_s) that ends there sticks; the rest
-    /// slips, against the traction. For creepages of xi_s or more, the whole contact slips. Valid for equal bodies, or
-    /// bodies with zero Dundurs' beta. Carter (1926); Johnson (1985), section 8.3.
+    /// The leading edge is at x = a. A strip of half-width c = a (1 - |xi| / xi_s) that ends at the leading edge
+    /// sticks; the rest slips, against the traction. For creepages of xi_s or more, the whole contact slips. The
+    /// solution is valid for equal bodies and for bodies whose Dundurs' beta is zero. Carter (1926); Johnson (1985),
+    /// section 8.3.
     ///
     /// Parameters
     /// ----------
@@ -26,7 +27,8 @@ closed_form! {
     /// NegativeOrNotFinite, NotFinite, CoupledMaterials
     Carter(hertz: HertzLine => hertz.0, friction, creepage)
     numbers {
-        /// Tangential force Q on body 1 (a force per length), of the sign of the creepage, of size mu P (1 - c^2/a^2).
+        /// Tangential force Q on body 1 (a force per length), with the sign of the creepage and the magnitude mu P (1 -
+        /// c^2/a^2).
         force,
         /// Smallest creepage at which the whole contact slips (dimensionless), xi_s = 2 mu p_0 / E*.
         sliding_creepage,
@@ -116,10 +118,10 @@ closed_form! {
     /// Creep forces of an elliptic contact that rolls along x without spin, from the creep curve of Vermeulen and Johnson
     /// with the initial slope of Kalker.
     ///
-    /// Let f be the force without slip, from :class:`KalkerCoefficients`, and x = |f| / (mu P). The force along f has the
-    /// magnitude mu P (1 - (1 - x/3)^3), and mu P for x of 3 or more. This approximation is a few per cent below the
-    /// computed force. It is valid for equal bodies, or bodies with zero Dundurs' beta. Vermeulen and Johnson (1964);
-    /// Johnson (1985), section 8.4.
+    /// Let f be the force without slip, from :class:`KalkerCoefficients`, and x = |f| / (mu P). The force along f has
+    /// the magnitude mu P (1 - (1 - x/3)^3), and mu P for x of 3 or more. This approximation is a few per cent below
+    /// the computed force. It is valid for equal bodies and for bodies whose Dundurs' beta is zero. Vermeulen and
+    /// Johnson (1964); Johnson (1985), section 8.4.
     ///
     /// Parameters
     /// ----------

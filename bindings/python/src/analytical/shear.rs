@@ -33,19 +33,20 @@ closed_form! {
         contact_radius,
         /// Tangential force F on body 1, positive along +x.
         force,
-        /// Shift F (2 - nu) / (8 G a) (a length): the rigid motion of body 2 relative to body 1, of the sign of the force.
+        /// Shift F (2 - nu) / (8 G a) (a length): the rigid motion of body 2 relative to body 1, with the sign of the
+        /// force.
         shift,
     }
     along {
-        /// Returns the traction F / (2 pi a sqrt(a^2 - r^2)) on body 1 along x (a pressure, of the sign of the force) at
-        /// the distance r from the centre. It grows without bound towards the edge; at the edge and outside zero is
-        /// returned.
+        /// Returns the traction F / (2 pi a sqrt(a^2 - r^2)) on body 1 along x (a pressure, with the sign of the force)
+        /// at the distance r from the centre. It grows without bound towards the edge; at the edge and outside, the
+        /// function returns zero.
         traction(r),
     }
     across {
-        /// Returns the tangential displacement of body 1 relative to body 2 along x (a length, of the sign of the force),
-        /// anywhere in the plane: the shift inside the contact; at the distance r and the angle theta outside it F / (4
-        /// pi G a) ((2 - nu) s + nu sin(s) cos(s) cos(2 theta)), with sin(s) = a/r.
+        /// Returns the tangential displacement of body 1 relative to body 2 along x (a length, with the sign of the
+        /// force), anywhere in the plane. Inside the contact it is the shift. Outside, at the distance r and the angle
+        /// theta, it is F / (4 pi G a) ((2 - nu) s + nu sin(s) cos(s) cos(2 theta)), with sin(s) = a/r.
         displacement,
     }
 }
@@ -67,7 +68,7 @@ closed_form! {
     ///     Coefficient of friction mu (dimensionless), not negative.
     /// path : sequence of float
     ///     Successive values of the tangential force on body 1 along x, starting from zero (forces, of either sign, at
-    ///     most mu W). An empty path has no force.
+    ///     most mu W). The force of an empty path is zero.
     ///
     /// Raises
     /// ------
@@ -82,8 +83,8 @@ closed_form! {
         force,
         /// Largest magnitude F_0 of the force so far.
         amplitude,
-        /// Radius of the disc that has not slipped since the last reversal of the force (a length): during the first
-        /// loading a (1 - |F| / (mu W))^(1/3), and a (1 - |F - F_n| / (2 mu W))^(1/3) after a reversal at F_n.
+        /// Radius of the disc that has not slipped since the last reversal of the force (a length). It is a (1 - |F| /
+        /// (mu W))^(1/3) during the first loading, and a (1 - |F - F_n| / (2 mu W))^(1/3) after a reversal at F_n.
         stick_radius,
         /// Shift delta_x (a length): the rigid motion of body 2 relative to body 1 since before the first loading.
         shift,
@@ -142,16 +143,17 @@ closed_form! {
         stick_radius,
         /// Fraction of the contact area that sticks, c^2/a^2.
         stick_ratio,
-        /// Moment about the normal on body 1 (a force times a length), of the sign of the twist; (16/3) G a^3 beta for
-        /// small twists.
+        /// Moment about the normal on body 1 (a force times a length), with the sign of the twist; (16/3) G a^3 beta
+        /// for small twists.
         moment,
         /// Moment at which the whole contact slides, (3 pi / 16) mu W a (a force times a length, positive): the limit of
         /// the moment for large twists.
         sliding_moment,
     }
     along {
-        /// Returns the traction q on body 1 (a pressure, of the sign of the twist) at the distance r from the centre,
-        /// along the circle of that radius from x to y: q_x = -q y/r, q_y = q x/r. Zero outside the contact.
+        /// Returns the traction q on body 1 (a pressure, with the sign of the twist) at the distance r from the centre,
+        /// along the circle of that radius from x to y: q_x = -q y/r, q_y = q x/r. The traction is zero outside the
+        /// contact.
         traction(r),
     }
 }

@@ -6,8 +6,8 @@ use crate::material::ElasticPair;
 closed_form! {
     /// A wavy surface pressed on a half-space: waves along x, plane strain.
     ///
-    /// The gap is amplitude (1 - cos(2 pi x / lambda)), lambda the wavelength. Contact forms strips of half-width a about
-    /// every crest, up to the pressure p* of full contact. Westergaard (1939); Johnson (1985), section 13.2.
+    /// The gap is amplitude (1 - cos(2 pi x / lambda)), with the wavelength lambda. Contact forms strips of half-width
+    /// a about every crest, up to the pressure p* of full contact. Westergaard (1939); Johnson (1985), section 13.2.
     ///
     /// Parameters
     /// ----------
@@ -100,8 +100,8 @@ closed_form! {
         stick_ratio,
     }
     along {
-        /// Returns the traction on body 1 along x (a pressure, of the sign of the mean traction) at the distance x from a
-        /// crest; zero outside the contact.
+        /// Returns the traction on body 1 along x (a pressure, with the sign of the mean traction) at the distance x
+        /// from a crest; zero outside the contact.
         traction(x),
     }
 }

@@ -41,8 +41,8 @@ use crate::work::unobserved_on;
 ///     Exactly one of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap
 ///     (a length, positive when they move together).
 /// relative_displacement : RelativeDisplacement, optional
-///     A displacement of body 1 relative to body 2 that is not caused by the contact. It grows in proportion to the load;
-///     none by default.
+///     A displacement of body 1 relative to body 2 that is not caused by the contact. It grows proportionally to the
+///     load; none by default.
 /// hardness : Hardness, float or array_like of shape (ny, nx), optional
 ///     The largest pressure that the cells can carry; no limit by default.
 /// settings : Settings, optional

@@ -17,8 +17,8 @@ use crate::tangential::TangentialSolution;
 use crate::work::{observed_on, watch};
 
 /// Normal and tangential solution of a coupled contact, with the displacements that they cause together. Both solutions
-/// and the arrays share the memory of this object. Two objects are equal if their solutions are equal, whatever the
-/// iterations were.
+/// and the arrays share the memory of this object. Two objects are equal if their solutions are equal, even if the
+/// iterations differed.
 #[pyclass(frozen, eq, module = "stickslip")]
 #[derive(PartialEq)]
 pub(crate) struct CoupledSolution(pub(crate) Arc<stickslip::CoupledSolution>);

@@ -110,7 +110,7 @@ impl AdaptiveSteps {
     /// history : History
     ///     The history to which the load is applied.
     /// load : LoadStep
-    ///     The load at the end, approached proportionally.
+    ///     The load at the end; all prescribed quantities change proportionally from their previous values.
     /// cycle : Cycle, optional
     ///     A cycle to which each step is added.
     /// warn : bool, default True

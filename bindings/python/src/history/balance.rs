@@ -48,7 +48,7 @@ impl EnergyBalance {
         self.0.released
     }
 
-    /// Work on the motion in stick cells that remains within the tolerance.
+    /// Work on the residual motion that the tolerance permits in stick cells.
     #[getter]
     fn residual(&self) -> f64 {
         self.0.residual

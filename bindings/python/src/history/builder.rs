@@ -20,8 +20,9 @@ use crate::work::unobserved_on;
 
 /// Two bodies in contact with memory of their load: pressure, traction, slip and energy, step by step.
 ///
-/// The arrays are copies, since the next step changes the data; :meth:`state` is a snapshot whose arrays are views. One
-/// thread at a time may use a history. A step that fails, or that is interrupted by Ctrl-C, leaves the history unchanged.
+/// The arrays are copies, because the next step changes the data; :meth:`state` is a snapshot whose arrays are views.
+/// One thread at a time may use a history. A step that fails, or that is interrupted by Ctrl-C, leaves the history
+/// unchanged.
 ///
 /// Parameters
 /// ----------
@@ -40,8 +41,8 @@ use crate::work::unobserved_on;
 ///     Coupling for bodies of different materials: "full" solves pressure and traction simultaneously; "one_way" includes
 ///     the tangential displacements due to pressure only; "neglected" omits both.
 /// entry_rule : EntryRule or str, default "since_touch"
-///     Part of the motion of a step that a cell follows if it comes into contact within the step: with "since_touch" the
-///     motion since it touched, with "whole_step" all of it.
+///     Part of the motion of a step that a cell follows if it comes into contact within the step: "since_touch" for the
+///     motion since first touch, "whole_step" for the whole motion.
 /// relative_displacement : RelativeDisplacement, optional
 ///     The pattern of a displacement that is not caused by the contact. Steps prescribe its factor; none by default.
 /// hardness : Hardness, float or array_like of shape (ny, nx), optional

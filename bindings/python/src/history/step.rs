@@ -62,8 +62,8 @@ enum Fields {
 }
 
 /// Results of a step of a history: numbers and fields. The fields are available as long as the step is the last step of
-/// the history, also after a failed step. A failed attempt of :class:`AdaptiveSteps`, however, replaces the last step.
-/// :meth:`keep` copies the fields permanently. Vectors are (x, y).
+/// the history, even if a later step fails. A failed attempt of :class:`AdaptiveSteps`, however, replaces the last
+/// step. :meth:`keep` copies the fields permanently. Vectors are (x, y).
 #[pyclass(frozen, module = "stickslip.history")]
 pub(crate) struct StepResult {
     numbers: Numbers,
@@ -242,8 +242,8 @@ impl StepResult {
     }
 
     /// Warnings of the step: ``no_contact``, ``contact_at_edge``, ``beyond_hardness``, ``stale_pressure``,
-    /// ``single_load_step``, and the warnings about contacts and zones of too few cells. Warnings about contact spots are
-    /// in ``history.normal.warnings``, since a step does not search for spots.
+    /// ``single_load_step``, and the warnings about contacts and zones of too few cells. Warnings about contact spots
+    /// are in ``history.normal.warnings``, because a step does not search for spots.
     #[getter]
     fn warnings(&self) -> Vec<Warning> {
         Warning::all(self.warnings_of())

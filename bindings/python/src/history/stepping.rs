@@ -96,8 +96,9 @@ impl History {
         Ok(step)
     }
 
-    /// Applies a load in as many steps of equal growth of the contact as a tolerance requires. A contact of dissimilar
-    /// bodies must be pressed in this way, because the stick and slip zones depend on the growth of the contact.
+    /// Applies a load in steps with equal growth of the contact, as many as a tolerance requires. A contact of
+    /// dissimilar bodies must be pressed in this way, because the stick and slip zones depend on the growth of the
+    /// contact.
     ///
     /// The load is applied in 1, 2, 4, 8, ... steps from the present state, until the tractions differ from the result
     /// for half the number of steps by no more than the tolerance. A call that fails, or that is interrupted by Ctrl-C,
@@ -106,7 +107,8 @@ impl History {
     /// Parameters
     /// ----------
     /// load : LoadStep, optional
-    ///     The load as an object, instead of by keywords. All prescribed quantities are approached proportionally.
+    ///     The load as an object, instead of by keywords. All prescribed quantities change proportionally from their
+    ///     previous values.
     /// tolerance : float
     ///     Largest sum of the magnitudes of the traction differences, relative to the sum of the friction limits, in (0,
     ///     1). A value of 0.01 is a good choice. It must be at least about a hundred times the tolerance of the settings.

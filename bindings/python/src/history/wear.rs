@@ -57,9 +57,9 @@ fn of_any_cells(
 /// pressure, slip_distance : Field or array_like of shape (ny, nx)
 ///     Pressure, and the length of the slip path of each cell under it (lengths), not negative, in a step or a cycle.
 /// depth : Field or array_like of shape (ny, nx), optional
-///     Depth removed before (lengths), to which the result is added; zero by default.
+///     Depth removed earlier (lengths), to which the result is added; zero by default.
 /// grid : Grid, optional
-///     The grid of arrays; not required, since the law does not depend on the size of the cells.
+///     The grid of arrays; not required, because the law does not depend on the size of the cells.
 ///
 /// Returns
 /// -------
@@ -184,8 +184,8 @@ pub(crate) fn threshold_energy<'py>(
 }
 
 /// Returns the number of cycles whose wear by Archard's law can be removed in one update before the pressure oscillates
-/// with growing amplitude: ``1.16 h / (E* k s)`` on square cells of side h (0.90 on a periodic grid), with coefficient of
-/// wear k and slip s.
+/// with growing amplitude: ``1.16 h / (E* k s)`` on square cells of side h (0.90 on a periodic grid), with the wear
+/// coefficient k and the slip s.
 ///
 /// Parameters
 /// ----------

@@ -18,9 +18,10 @@ use crate::pickle::picklable;
 /// Parameters
 /// ----------
 /// limit : float, Field or array_like of shape (ny, nx)
-///     The largest pressure: one positive number, or one number per cell, not negative. A cell with zero carries no load.
+///     The largest pressure: one positive number, or one number per cell, not negative. A cell whose limit is zero
+///     carries no load.
 /// grid : Grid, optional
-///     Grid of the limits; required for an array, since a Field has its own grid.
+///     Grid of the limits; required for an array, because only a Field has its own grid.
 ///
 /// Raises
 /// ------

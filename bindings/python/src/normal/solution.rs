@@ -27,7 +27,7 @@ enum Source {
 }
 
 /// Pressure, gap and approach of a normal contact. Arrays are read-only views of its memory. Two objects are equal if
-/// their solutions are equal, whatever the iterations were.
+/// their solutions are equal, even if the iterations differed.
 #[pyclass(frozen, module = "stickslip")]
 pub(crate) struct NormalSolution(Source);
 
@@ -123,7 +123,7 @@ impl NormalSolution {
         self.get().contact_cells()
     }
 
-    /// Contact area from counting cells. The properties ``mean_pressure``, the stick ratio and the areas of spots are
+    /// Contact area from counting cells. The property ``mean_pressure``, the stick ratio and the areas of spots are
     /// based on this area of the discrete contact. Its relative excess is about 0.3 times the ratio of cell side to
     /// contact radius.
     #[getter]

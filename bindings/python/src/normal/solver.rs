@@ -68,8 +68,8 @@ impl SolverArguments {
         Ok(())
     }
 
-    /// Sets both. Each is checked together with the other and not with the previous data; zero force is valid with any
-    /// gap.
+    /// Sets load and gap. Each is checked together with the other new argument and not with the previous data; zero
+    /// force is valid with any gap.
     fn set_both(&self, solver: &mut stickslip::NormalSolver) -> stickslip::Result<()> {
         solver.set_load(NormalControl::Force(0.0))?;
         solver.set_gap(&self.gap)?;

@@ -85,7 +85,7 @@ impl<O: Operator + Send> Product for Kept<O> {
 
 /// A linear operator from tractions to displacements, with one number per cell.
 ///
-/// Created by :meth:`HalfSpace.operator`, :meth:`HalfSpace.preconditioner`, :class:`stickslip.fft.Convolution`,
+/// It is created by :meth:`HalfSpace.operator`, :meth:`HalfSpace.preconditioner`, :class:`stickslip.fft.Convolution`,
 /// :class:`stickslip.dense.DenseOperator` or :func:`stickslip.cgm.identity`.
 #[pyclass(frozen, subclass, module = "stickslip.cgm")]
 pub(crate) struct LinearOperator {

@@ -268,7 +268,7 @@ impl CoupledRollingSolver {
     }
 
     /// Returns the derivatives of the forces along x and y and the moment (rows) with respect to the creepages along x
-    /// and y and the spin (columns) at the last solution. The pressure follows the tractions.
+    /// and y and the spin (columns) at the last solution. They include the change of the pressure with the tractions.
     ///
     /// Raises
     /// ------

@@ -50,7 +50,8 @@ use crate::work::unobserved_on;
 /// entry_rule : EntryRule or str, default "since_touch"
 ///     Rule for the motion of cells that enter the contact; "whole_step", the rule of CONTACT, is less accurate.
 /// slip_corrections : int, default 0
-///     Number of corrections of the direction of slip. Two raise the order of the forces under spin from 1 to between 1.5 and 2.
+///     Number of corrections of the direction of slip. Two corrections raise the order of convergence of the forces
+///     under spin from 1 to between 1.5 and 2.
 /// settings : Settings, optional
 ///     Method, tolerance and limits; ``Settings()`` by default.
 /// tolerance, method, max_iterations, time_limit : optional

@@ -81,17 +81,18 @@ impl RollingSolution {
         self.0.moment()
     }
 
-    /// Work of creepages and spin per unit length rolled (a force). The spin displaces particles as at the midpoints of
-    /// their paths, so its moment is taken there. Between bodies of the same material, all of the work is dissipated.
-    /// Between bodies of different materials, the pressure also does work, which is not included.
+    /// Work of creepages and spin per unit length rolled (a force). The displacement of a particle due to the spin is
+    /// evaluated at the midpoint of its path, and so is the moment in this work. Between bodies of the same material,
+    /// all of the work is dissipated. Between bodies of different materials, the pressure also does work, which is not
+    /// included.
     #[getter]
     fn work(&self) -> f64 {
         self.0.work()
     }
 
     /// Energy dissipated by slip in each cell per unit length rolled (a pressure), the input of the energy law of wear.
-    /// Between bodies of the same material, its integral is less than the work by a part that decreases with the cell
-    /// size.
+    /// Between bodies of the same material, the integral of this energy is less than the work; the difference decreases
+    /// with the cell size.
     #[getter]
     fn dissipation<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         let dissipation = self.0.dissipation().or_raise(py)?;

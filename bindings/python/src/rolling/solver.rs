@@ -92,7 +92,7 @@ impl RollingSolver {
         self.0.change(py, |solver| solver.set_friction(&friction))
     }
 
-    /// Sets the pressure of the next solve. A field contains no gap, so it requires a solver with
+    /// Sets the pressure of the next solve. A field contains no gap and therefore requires a solver with
     /// ``entry_rule="whole_step"``.
     ///
     /// Raises
@@ -113,8 +113,8 @@ impl RollingSolver {
         self.0.change(py, |solver| solver.set_normal_solver(normal))
     }
 
-    /// Sets the normal load of the next solve, and computes the pressure starting from the last pressure. Requires
-    /// :meth:`set_normal_solver`.
+    /// Sets the normal load of the next solve, and computes the pressure starting from the last pressure. The normal
+    /// solver must have been set by :meth:`set_normal_solver`.
     ///
     /// Parameters
     /// ----------

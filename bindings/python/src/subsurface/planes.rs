@@ -88,8 +88,8 @@ impl Plane {
         Some(fields.map(|field| copy(py, field)).into())
     }
 
-    /// Warnings about values that might mislead: on a plane nearer to the surface than a side of a cell, if shear
-    /// tractions end at the edge of a contact. Empty if there are none.
+    /// Warnings about values that might mislead; empty if there are none. A plane nearer to the surface than a cell
+    /// side has a warning if shear tractions end at the edge of a contact.
     #[getter]
     fn warnings(&self) -> Vec<Warning> {
         Warning::all(self.0.warnings())

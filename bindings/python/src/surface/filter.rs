@@ -60,9 +60,9 @@ impl Filtered {
 /// Removes short waves, long waves or both from a surface with Gaussian filters (ISO 16610-61; along lines ISO 16610-21).
 ///
 /// The mean of a filter transmits half of a wave whose length equals the nesting index, and the fraction
-/// 2^(-(index/length)^2) of other waves. Missing heights (NaN) have no weight and remain missing; therefore filter before
-/// :func:`fill_missing`. Near an edge or a hole, the mean is taken over the existing heights; heights nearer to it than
-/// half an index are affected. Level the surface first.
+/// 2^(-(index/length)^2) of a wave of any other length. Missing heights (NaN) have no weight and remain missing;
+/// therefore filter before :func:`fill_missing`. Near an edge or a hole, the mean is taken over the existing heights;
+/// heights within half a nesting index of the edge or hole are affected. Level the surface before filtering.
 ///
 /// Parameters
 /// ----------

@@ -34,8 +34,8 @@ shapes! {
     paraboloid(curvatures.0: conversion::Curvatures);
     /// Returns the gap ``slope * r`` under a cone; the slope is the tangent of the angle between cone and plane.
     cone(slope: f64);
-    /// Returns the gap under a flat punch of this radius: zero in cells whose centre is below it, the recess in all
-    /// others (lengths). The recess only has to be deeper than the displacements.
+    /// Returns the gap under a flat punch of this radius: zero in cells whose centre is below the punch, and the recess
+    /// in all other cells (lengths). The recess only has to be deeper than the displacements.
     flat_punch(radius: f64, recess: f64);
     /// Returns the gap ``amplitude * (1 - cos(2 pi x / wavelength))`` under straight waves (lengths), zero on their
     /// crests.

@@ -37,10 +37,10 @@ use crate::work::unobserved_on;
 ///     "scalar" computes the traction along the axis of the load, "vector" both components.
 /// coupling : Coupling or str, default "one_way"
 ///     Coupling for bodies of different materials: "one_way" includes the tangential displacements due to pressure,
-///     "neglected" omits them. "full" is rejected, since the pressure is given.
+///     "neglected" omits them. "full" is rejected, because the pressure is given.
 /// relative_displacement : RelativeDisplacement, optional
-///     A displacement of body 1 relative to body 2 that is not caused by the contact. It grows in proportion to the load;
-///     none by default.
+///     A displacement of body 1 relative to body 2 that is not caused by the contact. It grows proportionally to the
+///     load; none by default.
 /// settings : Settings, optional
 ///     Method, tolerance and limits; ``Settings()`` by default.
 /// tolerance, method, max_iterations, time_limit : optional

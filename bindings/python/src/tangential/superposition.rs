@@ -14,8 +14,8 @@ use crate::real::Real;
 /// Parameters
 /// ----------
 /// full, stick : NormalSolution
-///     The contact under its load W, and the contact of the same bodies under the load W - F / mu for a tangential force
-///     F. The contact area of the second is the stick zone.
+///     The contact under its load W, and the contact of the same bodies under the load W - F / mu for a tangential
+///     force F. The contact area under the second load is the stick zone.
 /// pair : ElasticPair
 ///     The bodies. The coupling between pressure and traction of different materials is neglected.
 /// friction : float
