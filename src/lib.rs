@@ -118,8 +118,8 @@
 //! | um | uN | MPa |
 //!
 //! z points into body 1. Pressure is positive in compression. A gap is positive if the surfaces are apart, and the
-//! approach is positive if the bodies come together. Heights point out of their body. Traction and tangential force act
-//! on body 1 and are exerted by body 2 through the contact; they are positive along the axis. Displacements are
+//! approach is positive if the bodies come together. Heights are positive out of their body. Traction and tangential
+//! force act on body 1 and are exerted by body 2 through the contact; they are positive along the axis. Displacements are
 //! relative: body 1 minus body 2. The shift is the rigid motion of body 2 relative to body 1, far from the contact. A
 //! body 2 dragged along +x therefore has a positive shift and pulls body 1 along with a positive force. Slip is
 //! `s = u - shift`, the motion of the surface of body 1 over the surface of body 2; its direction is opposite to the
@@ -127,13 +127,13 @@
 //!
 //! # Accuracy and cost
 //!
-//! A solve ends as [`Converged`](Status::Converged) only if two quantities, computed from a new product, are below the
-//! tolerance: the largest complementarity residual, relative to the displacement of the contact, and a bound on the
-//! error in the energy norm. Every other status is returned as an error that contains the report; the last feasible
-//! iterate is then in the solution that the caller passed in. The bound is rigorous up to the round-off of the product.
-//! It follows from the duality gap and from the smallest eigenvalue of the periodic continuation of the operator, which
-//! is read from its spectrum, as derived on the page of [`cgm`]. (For a user-defined operator without such an
-//! eigenvalue, only the residual is tested.)
+//! A solve has the status [`Converged`](Status::Converged) only if two quantities, computed from a new product, are below
+//! the tolerance: the largest complementarity residual, relative to the displacement of the contact, and a bound on the
+//! error in the energy norm. Every other status is returned as an error that contains the report; the solution that the
+//! caller passed in then contains the last feasible iterate. The bound is rigorous up to the round-off of the product. It
+//! follows from the duality gap and from the smallest eigenvalue of the periodic continuation of the operator, which is
+//! read from its spectrum, as derived on the page of [`cgm`]. (For a user-defined operator without such an eigenvalue,
+//! only the residual is tested.)
 //!
 //! For the sphere of the example the error is due to the discretisation and not to the solver. With 512 x 512 cells and
 //! the default tolerance 1e-8:
@@ -146,12 +146,12 @@
 //! | shift | 9.9e-7 |
 //! | stick ratio | -5.0e-5 |
 //!
-//! The discretisation error of the fields, summed over the cells, is 1e-4 in the pressure and 5e-4 in the shear
-//! traction of the same sphere. It is far larger if the cells barely resolve the roughness;
-//! [`discretisation_estimate`](NormalSolution::discretisation_estimate) estimates it. Values at the centres of the
-//! cells ([`CellValue::Centre`], at no extra cost), combined with edges located inside the cells ([`edges`]), reach the
-//! same accuracy with a sixteenth of the cells. The table is for a grid side of three contact radii and any position of
-//! the centre between the cells (mean of 8 positions):
+//! The discretisation error of the fields, summed over the cells, is 1e-4 in the pressure and 5e-4 in the shear traction
+//! of the same sphere. It is far larger if the cells barely resolve the roughness;
+//! [`discretisation_estimate`](NormalSolution::discretisation_estimate) estimates the discretisation error. Values at the
+//! centres of the cells ([`CellValue::Centre`], at no extra cost), combined with edges located inside the cells
+//! ([`edges`]), reach the same accuracy with a sixteenth of the cells. The table is for a grid whose side is three
+//! contact radii, and lists means over 8 positions of the contact centre relative to the cells:
 //!
 //! | sphere, 40 % of the sliding force | uniform cells, counted: 128 x 128 | 512 x 512 | centre values, with edges: 128 x 128 |
 //! |---|---|---|---|
@@ -173,15 +173,15 @@
 //! | sphere, shear traction | 512, 42 | 5.0e-4, 1.6e-3 | 128, 7.8 | 5.6e-4, 8.9e-5 |
 //!
 //! An error of 1 % in all of these quantities requires N = 32 (11 cells per contact radius) with values at the centres
-//! and edges. Uniform cells without edges need N = 64 to 128. At N = 32 the slip ring of the traction is 1.7 cells
-//! wide. Narrower rings need more cells: at the same force and N = 32, a gap r^4 has a [slip ring one cell
+//! and edges. Uniform cells without edges need N = 64 to 128. At N = 32 the slip ring of the traction is 1.7 cells wide.
+//! Narrower rings need more cells: at the same force and N = 32, a gap r^4 has a [slip ring one cell
 //! wide](edges#narrow-slip-rings) and a traction error of 3 %. All of these results use a tolerance of 1e-3. A smaller
 //! tolerance brings no improvement there, and 1e-2 leaves an error of up to 1 % on any grid. The example
-//! `grid_against_error` of the package `stickslip-testkit` measures this.
+//! `grid_against_error` of the package `stickslip-testkit` measures these errors.
 //!
-//! A tolerance a hundred times below the discretisation error brings no improvement, unless results of different steps
-//! are subtracted, as in wear and friction histories. The table lists the remaining errors for each tolerance, the
-//! largest over the sphere and the rough surface at 2, 10 and 40 % contact on 256 x 256 cells:
+//! A tolerance of less than a hundredth of the discretisation error brings no improvement, unless results of different
+//! steps are subtracted, as in wear and friction histories. The table lists the remaining errors for each tolerance. They
+//! are maxima over the sphere and the rough surface at 2, 10 and 40 % contact on 256 x 256 cells:
 //!
 //! | tolerance | approach, shift | contact and stick cells | pressure of one cell, relative to the largest | suitable for |
 //! |---|---|---|---|---|
@@ -190,14 +190,15 @@
 //! | 1e-6 | 2e-9 | none | 1e-5 | fields; steps of a few per cent |
 //! | 1e-8 (default) | 2e-11 | none | 2e-8 | histories, derivatives, comparison with other codes |
 //!
-//! Reducing the tolerance by a factor of 100 costs 10 to 30 % more time. A solve whose tolerance is below round-off
-//! ends as [`Stalled`](Status::Stalled): below about 1e-14 on spheres and rough surfaces, 1e-12 on flat surfaces (see
-//! the table on the page of [`cgm`]). The results for [hard cases](guide::hard_cases) are on a separate page.
+//! Reducing the tolerance by a factor of 100 costs 10 to 30 % more time. A solve whose tolerance is below round-off ends
+//! with the status [`Stalled`](Status::Stalled). The limit is about 1e-14 on spheres and rough surfaces, and 1e-12 on
+//! flat surfaces (see the table on the page of [`cgm`]). The results for [hard cases](guide::hard_cases) are on a
+//! separate page.
 //!
-//! On two shared cores, with 512 x 512 cells and a cold start, the pressure of the sphere took 26 ms to 1e-4 and 39 ms
-//! to 1e-10, and the shear traction 22 and 33 ms. On a rough surface at 10 % contact they took 65 and 53 ms to 1e-4,
-//! and 85 and 70 ms to 1e-6. The example `speed_against_error` of the package `stickslip-testkit` measures these times on
-//! the local machine.
+//! The following times are for two shared cores, 512 x 512 cells and a cold start. On the sphere, the pressure took 26 ms
+//! to a tolerance of 1e-4 and 39 ms to 1e-10; the shear traction took 22 and 33 ms. On a rough surface at 10 % contact,
+//! pressure and shear traction took 65 and 53 ms to 1e-4, and 85 and 70 ms to 1e-6. The example `speed_against_error` of
+//! the package `stickslip-testkit` measures these times on the local machine.
 //!
 //! # Features
 //!
@@ -223,8 +224,8 @@
 //! `default-features = false, features = ["parallel"]`. A function that combines two subjects, such as the edges of a
 //! history, requires the features of both.
 //!
-//! The table lists the compile times of a program that embeds the crate: the program on the page on
-//! [embedding](guide::embedding), compiled from scratch (seconds on one core, rustc 1.95):
+//! The table lists compile times from scratch for the program on the page on [embedding](guide::embedding) (seconds on
+//! one core, rustc 1.95):
 //!
 //! | features | other crates | release | debug |
 //! |---|---|---|---|
@@ -245,14 +246,14 @@
 //! # Scope of the model
 //!
 //! The model covers elastic half-spaces with small slopes and strains, free surroundings or a periodic grid, and any
-//! history of load along one axis or in the plane, including twist. The model along one axis neglects the traction
-//! across the load, as the paper does. On a sphere with Poisson's ratio 0.29 this changes the force by less than 0.1 %.
-//! The vector model ([`TangentialModel::Vector`]) solves for both components and takes about three times as long. If
-//! the materials couple pressure and traction (Dundurs' beta not zero), [`CoupledProblem`] and [`History`] solve for
-//! both simultaneously and reproduce the results of CONTACT. A [`TangentialProblem`] has a given pressure and solves
-//! for the tractions under this pressure. [`Coupling`] can select one-way coupling or none. The vector model reproduces
-//! the histories of CONTACT's test bench, among them 21 steps of a moving sphere, to 1e-9 of the largest pressure
-//! (`tests/it/contact_reference_histories.rs`).
+//! history of load along one axis or in the plane, including twist. The model along one axis neglects the traction across
+//! the load, as the paper does. On a sphere with Poisson's ratio 0.29 this changes the force by less than 0.1 %. The
+//! vector model ([`TangentialModel::Vector`]) solves for both components and takes about three times as long as the model
+//! along one axis. If the materials couple pressure and traction (Dundurs' beta is not zero), [`CoupledProblem`] and
+//! [`History`] solve for both simultaneously and reproduce the results of CONTACT. A [`TangentialProblem`] has a given
+//! pressure and solves for the tractions under this pressure. [`Coupling`] can select one-way coupling or none. The
+//! vector model reproduces the histories of CONTACT's test bench, among them 21 steps of a moving sphere, to 1e-9 of the
+//! largest pressure (`tests/it/contact_reference_histories.rs`).
 //!
 //! Bodies are homogeneous, coated ([`layers`]), or given by a [`Kernel`]. Plasticity, adhesion, viscosity and heat are
 //! not modelled.
