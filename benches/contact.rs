@@ -23,7 +23,7 @@ fn scenes(side: u16) -> Result<Vec<Scene>> {
     Ok(scenes)
 }
 
-/// Creates a benchmark group whose throughput counts cells.
+/// Creates a benchmark group whose throughput is measured in cells.
 fn group<'a>(criterion: &'a mut Criterion, name: &str, side: u16) -> BenchmarkGroup<'a, WallTime> {
     let mut group = criterion.benchmark_group(name);
     group.sample_size(10);

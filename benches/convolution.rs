@@ -22,7 +22,7 @@ fn bodies(cells_along_side: usize) -> Result<HalfSpace> {
     HalfSpace::new(grid, ElasticPair::new(steel, steel)?)
 }
 
-/// Creates a benchmark group whose throughput counts cells.
+/// Creates a benchmark group whose throughput is measured in cells.
 fn group<'a>(
     criterion: &'a mut Criterion,
     name: &str,
@@ -34,8 +34,8 @@ fn group<'a>(
     group
 }
 
-/// Measures displacements from pressures in either precision, and pressures from displacements by the preconditioner,
-/// without the setup.
+/// Measures the time to compute displacements from pressures in either precision, and pressures from displacements by
+/// the preconditioner, without the setup.
 fn product(criterion: &mut Criterion) {
     for side in SIDES {
         let bodies = bodies(side).expect("valid bodies");
@@ -61,7 +61,8 @@ fn product(criterion: &mut Criterion) {
     }
 }
 
-/// Measures the influence coefficients alone, and together with their spectrum and the plans of the transforms.
+/// Measures the time to compute the influence coefficients alone, and together with their spectrum and the plans of the
+/// transforms.
 fn set_up(criterion: &mut Criterion) {
     for side in SIDES {
         let mut group = group(criterion, "set-up", side);

@@ -12,7 +12,8 @@ use stickslip::{
     surface,
 };
 
-/// Numbers of cells along the side of a single contact; numbers of cells along the side and of contacts of a batch.
+/// Numbers of cells along the side of a single contact. For a batch: number of cells along the side, and number of
+/// contacts.
 struct Sizes {
     sides: &'static [u16],
     batches: &'static [(usize, usize)],
@@ -78,7 +79,7 @@ fn measure(pool: &ThreadPool, sizes: &Sizes) -> Result<()> {
     Ok(())
 }
 
-/// Measures steps of many balls under an oscillating force after a first cycle, in milliseconds.
+/// Measures the time of a step of many balls under an oscillating force after a first cycle, in milliseconds.
 fn batch(side: usize, contacts: usize, repeats: usize) -> Result<Vec<f64>> {
     let scene = benchmark::ball(64)?;
     let grid = Grid::square(side, scene.bodies.grid().area().sqrt())?;
@@ -98,7 +99,7 @@ fn batch(side: usize, contacts: usize, repeats: usize) -> Result<Vec<f64>> {
     };
     let mut step = |share: f64| {
         let failed = History::step_all(&mut histories, &vec![drag(share); contacts])?;
-        assert!(failed.is_empty(), "all contacts hold their load");
+        assert!(failed.is_empty(), "the step of a contact failed");
         Ok(())
     };
     for share in [0.4, -0.4] {

@@ -62,7 +62,7 @@ SETTINGS = {
 }
 TOLERANCES = {
     ("aspher", "press"): ASPHER_TOLERANCES,
-    # At a tolerance of 1e-4 it has never reached an energy error of 1e-4.
+    # At a tolerance of 1e-4 ASPHER has never reached an energy error of 1e-4.
     ("aspher", "shear"): [1e-5, 3e-7, 1e-7],
     ("tamaas", "press"): DECADES[2:],
     ("ContactMechanics", "press"): DECADES,

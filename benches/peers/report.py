@@ -119,7 +119,7 @@ def span(times):
 
 
 def quotients(row, part):
-    """Returns the ratios of the time of the peer to the time of this library: of the minima and of the medians."""
+    """Returns the time of the peer divided by the time of this library, for the minima and for the medians."""
     peer, own = row.get(f"peer_{part}"), row.get(f"own_{part}")
     if peer is None or own is None:
         return None

@@ -20,7 +20,7 @@ PAUSE = 0.05
 
 
 class Worker:
-    """Process that answers each line with a line. A process that does not answer in time is replaced."""
+    """Process that replies to each line of input with one line. A process that does not answer in time is replaced."""
 
     def __init__(self, command, threads, patience, environment=None):
         self.command, self.patience = command, patience

@@ -1,4 +1,4 @@
-//! The entry law of rolling: the compliance of cells that come into contact in a step.
+//! The entry rule of rolling: the compliance of cells that come into contact in a step.
 
 use crate::grid::neighbours::neighbours;
 use crate::normal::NormalSolution;

@@ -23,7 +23,7 @@
 //! A particle ahead of the contact moves with the free surface. Its displacement is smaller than the displacement of a sticking
 //! particle by B q, with $`B = \kappa\,g/p`$, the gap g at the previous position of the particle and the pressure p of the cell
 //! that it enters. The factor $`\kappa`$ varies from 1 across the edge of the contact to $`1/(1 - \nu)`$ along the edge (for
-//! bodies of the same material). This is the entry law of [growing contacts](crate::guide::load_steps). With this law the
+//! bodies of the same material). This is the entry rule of [growing contacts](crate::guide::load_steps). With this law the
 //! error of the force decreases with the square of the cell size. Without it ([`EntryRule::WholeStep`], as in CONTACT) the error
 //! decreases in proportion to the cell size.
 //!
@@ -75,8 +75,8 @@
 //!
 //! | cells | 16 | 32 | 64 | 128 |
 //! |---|---|---|---|---|
-//! | $`F/\mu P`$ with the entry law | 0.7202 | 0.7204 | 0.7205 | 0.7205 |
-//! | $`F/\mu P`$ without the entry law | 0.7477 | 0.7324 | 0.7262 | 0.7234 |
+//! | $`F/\mu P`$ with the entry rule | 0.7202 | 0.7204 | 0.7205 | 0.7205 |
+//! | $`F/\mu P`$ without the entry rule | 0.7477 | 0.7324 | 0.7262 | 0.7234 |
 //! | products, cold | 46 | 62 | 83 | 114 |
 //!
 //! After an increase of the creepage by one per cent, a solve takes 27, 37, 49 and 64 products. The products are in double
@@ -84,7 +84,7 @@
 //! cold solve therefore takes as much time as 1.0, 1.4 and 1.6 times the listed number of products.
 //!
 //! For Carter's cylinder at 0.64 of the sliding force, the error of the force is 9e-5, 4e-5, 8e-6, 3e-6 and 4e-7 of $`\mu P`$ on
-//! 32, 64, 128, 256 and 512 cells. Without the entry law it is 9e-3, 4e-3, 2e-3, 1e-3 and 6e-4. The law requires the slope of the
+//! 32, 64, 128, 256 and 512 cells. Without the entry rule it is 9e-3, 4e-3, 2e-3, 1e-3 and 6e-4. The law requires the slope of the
 //! gap two cells ahead of the contact, so the grid must extend at least this far.
 //!
 //! ```
@@ -123,7 +123,7 @@
 //! [`History`](crate::History) have no correction.
 //!
 //! Sources: J. J. Kalker, Three-dimensional elastic bodies in rolling contact (1990),
-//! <https://doi.org/10.1007/978-94-015-7889-9>; the entry law and the bound are derived here.
+//! <https://doi.org/10.1007/978-94-015-7889-9>; the entry rule and the bound are derived here.
 
 #[cfg(all(feature = "history", feature = "rolling"))]
 mod coupled;

@@ -1,6 +1,5 @@
-//! After the first cycle, a step of a history within its window allocates no buffer, plan or spectrum. A stiffness in
-//! its own buffers, a change of the gap or the friction, a wear law and the accumulation of a cycle allocate nothing
-//! either.
+//! After the first cycle, a step of a history within its window allocates no buffer, plan or spectrum. The same applies
+//! to a stiffness in its own buffers, a change of the gap or the friction, a wear law, and the accumulation of a cycle.
 
 use std::ops::ControlFlow;
 
@@ -12,7 +11,7 @@ use stickslip::{
     NormalControl, TangentialControl, TangentialModel, surface,
 };
 
-/// Counts the allocations of one thread; the steps must run on it.
+/// Counts the allocations of the current thread; the steps must run on this thread.
 fn allocations(mut work: impl FnMut() + Send) -> u64 {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(1)

@@ -27,7 +27,7 @@ fn history(bodies: &HalfSpace, lateral: TangentialModel, contact_radius: f64) ->
 fn measured(bodies: &HalfSpace, lateral: TangentialModel, contact_radius: f64) -> [f64; 4] {
     // The first history creates the data that the bodies keep for all histories.
     drop(history(bodies, lateral, contact_radius));
-    // Only the allocations of one thread are counted, so that the steps must run on it.
+    // Only the allocations of one thread are counted, so the steps must run on this thread.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1);
     let (mut kept, pool) = (Vec::new(), pool.build().unwrap());
     let [first, second] = [(); 2].map(|()| {
@@ -66,7 +66,7 @@ fn history_uses_documented_bytes_per_cell() {
         let [small, large] = [100.0, 155.0].map(|radius| measured(&bodies, lateral, radius));
         for (what, [per_cell, per_contact_cell]) in (1..).zip(expected) {
             let slope = (large[what] - small[what]) / (large[0] - small[0]);
-            // It includes a fixed part of one or two megabytes that does not depend on the size.
+            // The rest includes a fixed part of one or two megabytes that does not depend on the size.
             let rest = (small[what] - slope * small[0]) / grid.cells() as f64;
             let difference = (slope - per_contact_cell).abs();
             assert!(difference < 0.02 * per_contact_cell + 1.0, "{slope}");

@@ -8,8 +8,8 @@ use stickslip::influence::Component;
 use stickslip::ranks::Threads;
 use stickslip::{Boundary, Field, Grid, HalfSpace, Operator};
 
-/// Returns the largest number of bytes that a rank holds after products in both precisions: bodies, operator, buffers and
-/// fields.
+/// Returns the largest number of bytes that a rank stores after products in both precisions: bodies, operator, buffers
+/// and fields.
 fn max_bytes(size: usize, grid: Grid, boundary: Boundary) -> f64 {
     let hold = |rank: Threads| {
         let mut kept = None;
@@ -34,8 +34,8 @@ fn max_bytes(size: usize, grid: Grid, boundary: Boundary) -> f64 {
     bytes.into_iter().max().unwrap() as f64
 }
 
-/// With twice the number of ranks, each rank holds half, in addition to a fixed part: a band of columns and the tables of
-/// the transforms.
+/// With twice the number of ranks, each rank stores half as much, in addition to a fixed part. The fixed part consists
+/// of a band of columns and the tables of the transforms.
 #[test]
 fn rank_memory_is_proportional_to_its_part() {
     // A free grid is transformed on twice as many cells along each side.

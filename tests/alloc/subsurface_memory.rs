@@ -3,7 +3,7 @@
 use stickslip::subsurface::{Body, Planes, Tractions};
 use stickslip::{Boundary, ElasticPair, Field, Grid, HalfSpace, Material};
 
-/// Measures the number of allocations and the peak number of bytes of work on one thread.
+/// Measures the number of allocations of `work` on one thread, and its peak number of bytes.
 fn measured(mut work: impl FnMut() + Send) -> (u64, u64) {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(1)

@@ -302,9 +302,8 @@ fn work_of_bulk_stress_is_in_energy_balance() {
     }
 }
 
-/// Under a bulk stress in phase with the force, the loop of force and shift encloses the work of the force. The bulk
-/// stress does the rest of the dissipated work. Both agree with Nowell and Hills; here the bulk stress does a sixth of
-/// the total work.
+/// Under a bulk stress in phase with the force, the area of the loop of force and shift is the work of the force. The
+/// bulk stress does the remaining part of the dissipated work, here a sixth. Both parts agree with Nowell and Hills.
 #[test]
 fn loop_of_force_and_shift_encloses_work_of_force() {
     let (part, bulk_stress) = (0.6, 150.0);
@@ -342,7 +341,7 @@ fn loop_of_force_and_shift_encloses_work_of_force() {
     let energy = cycle.energy();
     let dissipated = energy.dissipated_energy / exact.energy_per_cycle();
     assert!((dissipated - 1.0).abs() < 1e-3, "{dissipated}");
-    // The loop contains one third of the energy added by the strain, because the stick zone is off centre.
+    // The area of the loop includes one third of the energy added by the strain, because the stick zone is off centre.
     let unit =
         (FRICTION * LOAD).powi(2) / (std::f64::consts::PI * hertz().pair().contact_modulus());
     let moved = exact.stick_centre() / hertz().half_width();
@@ -359,8 +358,8 @@ fn loop_of_force_and_shift_encloses_work_of_force() {
     assert!((energy.work / energy.dissipated_energy_midpoint - 1.0).abs() < 1e-4);
 }
 
-/// One step of a history from rest is the single problem. Several steps give the same result if the load does not
-/// reverse.
+/// One step of a history from rest has the same result as the single problem. Several steps also have this result if
+/// the load does not reverse.
 #[test]
 fn step_from_rest_matches_the_single_problem() {
     let found = shear_roller(256, 0.6 * FRICTION * LOAD, 150.0);

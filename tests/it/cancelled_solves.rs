@@ -138,7 +138,7 @@ fn history_cancelled_step_of_similar_bodies_is_not_taken() {
     }
 }
 
-/// Covers steps in which the coarser starts take most of the calls, and steps of a line of cells.
+/// Covers steps in which the starts from coarser grids take most of the calls, and steps on a line of cells.
 #[test]
 fn history_cancelled_step_with_nested_start_is_not_taken() {
     let (grid, gap) = sphere_gap(48);

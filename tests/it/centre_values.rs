@@ -1,5 +1,5 @@
-//! Values at the centres of cells. Away from its edge the pressure is more accurate, at the cost and with the certificate
-//! of uniform cells, and the two kinds of values cannot be mixed up.
+//! Values at the centres of cells. Away from the edge of the contact the pressure is more accurate than on uniform
+//! cells, at the same cost and with the same certificate. The two kinds of values cannot be mixed.
 
 use std::sync::Arc;
 
@@ -71,8 +71,8 @@ fn centre_products_match_uniform_cells_minus_second_difference() {
             let repeats_y = boundary != Boundary::NonPeriodic;
             let centres = with_values(grid, boundary, CellValue::Centre);
             let uniform = with_values(grid, boundary, CellValue::Uniform);
-            // The part spread beyond a free edge would be missing in the uniform cells, so that the outermost cells
-            // carry no traction.
+            // Uniform cells would lack the part of a traction that is spread beyond a free edge. The outermost cells
+            // therefore carry no traction.
             let is_inside = |i: usize, n: usize| n > 2 && i > 0 && i + 1 < n;
             let random = random_field(grid, 7);
             let traction = Field::from_indices(grid, |i, j| {
@@ -159,7 +159,8 @@ fn centre_eigenvalues_are_within_four_thirds_of_uniform_cells() {
                     DenseOperator::from_rows(cells, (0..cells * cells).map(entry).collect())
                         .unwrap()
                 };
-                // The operator is positive definite: the factor of waves as long as the grid is close to one.
+                // The difference C' - C is positive definite, although the ratio of C' to C is close to one for waves
+                // as long as the grid.
                 assert!(
                     combined(-1.0, 1.0).lower_bound() > 0.0,
                     "{component:?} {boundary:?}"
@@ -204,8 +205,8 @@ fn centre_preconditioner_inverts_operator() {
         out,
         &mut inverse.scratch().unwrap(),
     );
-    // The comparison is away from the edges, where the circulant wraps around. It is for short waves, a quarter of
-    // which the stencil scales.
+    // The comparison excludes the edges, where the circulant wraps around. The random fields contain short waves, whose
+    // inverse the stencil reduces by up to a quarter.
     let mut errors = [0.0; 2];
     for (found, field) in found.iter().zip(&fields) {
         for (i, j) in (6..18).flat_map(|i| (5..13).map(move |j| (i, j))) {
@@ -233,8 +234,8 @@ fn holds_around(field: &Field, index: usize, is_so: impl Fn(f64) -> bool) -> boo
     })
 }
 
-/// Away from the edge the error of the pressure is less than a third of that of uniform cells; over all cells it is at
-/// least 15 % smaller.
+/// Away from the edge the error of the pressure is less than a third of the error on uniform cells. Over all cells it
+/// is at least 15 % smaller than on uniform cells.
 #[test]
 fn centre_pressures_are_closer_to_closed_forms() {
     let grid = Grid::square(64, 3.0).unwrap();
@@ -258,7 +259,7 @@ fn centre_pressures_are_closer_to_closed_forms() {
     }
 }
 
-/// The traction in partial slip is closer to the closed form as well.
+/// The traction in partial slip is also closer to the closed form than on uniform cells.
 #[test]
 fn centre_tractions_are_closer_to_closed_forms() {
     let grid = Grid::square(64, 3.0).unwrap();
@@ -297,13 +298,13 @@ fn centre_tractions_are_closer_to_closed_forms() {
     assert!(centres[1] < 0.85 * uniform[1], "{centres:?} {uniform:?}");
 }
 
-/// Windows, coarser grids and ranks: results on ranks are bitwise identical to those of one process, and cells of the
-/// same size have the same coefficients on any grid.
+/// Covers windows, coarser grids and ranks. Results on ranks are bitwise identical to those of one process, and cells
+/// of the same size have the same coefficients on any grid.
 #[test]
 fn ranks_with_centre_values_match_one_process() {
     // The grid has more than one chunk of cells, so that each rank has local cells.
     let grid = Grid::new(64, 66, 0.0625, 0.0436).unwrap();
-    // Periodic rows cost most and are tested in the thorough run only.
+    // Periodic rows take the most time and are tested in the thorough run only.
     for boundary in boundaries(grid).into_iter().take(kit::thorough(2, 3)) {
         let find = |bodies: &HalfSpace| {
             let gap = Field::from_fn(bodies.grid(), |x, y| {
@@ -344,7 +345,7 @@ fn ranks_with_centre_values_match_one_process() {
     }
 }
 
-/// The stresses are those of uniform cells with the same surface displacements.
+/// The stresses equal the stresses of uniform cells with the same surface displacements.
 #[test]
 fn subsurface_stresses_match_uniform_cells_of_same_displacement() {
     let grid = Grid::new(20, 16, 0.1, 0.12).unwrap();
@@ -436,7 +437,7 @@ fn mismatched_cell_values_are_rejected() {
     let step = LoadStep::hold().tangential(Axis::X, TangentialControl::Force(0.1));
     let [first, second] = [&mut one, &mut two].map(|history| history.step(&step).unwrap().shift());
     assert_eq!(first, second);
-    // Before the first solve the two kinds are already distinguished.
+    // The two kinds are distinguished even before the first solve.
     let fresh = History::builder(&centres, &gap, friction())
         .build()
         .unwrap();

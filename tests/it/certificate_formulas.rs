@@ -1,4 +1,4 @@
-//! The values of a report agree with the formulas documented at its fields, and are not only bounds.
+//! The values of a report equal the formulas documented on its fields; they are not merely bounded by them.
 
 use std::ops::ControlFlow;
 
@@ -57,8 +57,8 @@ fn examined(chain: &Chain, linear: &[f64], interval: &Bounds<'_>, x: &mut [f64])
     workspace.report().clone()
 }
 
-/// Entries are at either bound, between the bounds or fixed, with gradients of either sign. Some lengths fill no SIMD
-/// lane.
+/// Entries are at either bound, between the bounds or fixed, with gradients of either sign. Some lengths are shorter
+/// than a SIMD vector.
 #[test]
 fn report_of_unchanged_iterate_matches_formulas() {
     let mut random = Random(7);
@@ -71,8 +71,7 @@ fn report_of_unchanged_iterate_matches_formulas() {
             };
             let mut x: Vec<f64> = (0..len).map(|_| random.uniform(-1.0, 3.0)).collect();
             if coupling <= -1.0 {
-                // All entries are equal, so that the displacement is zero and its scale follows from the eigenvalue
-                // bound.
+                // All entries are equal, so the displacement is zero, and its scale follows from the eigenvalue bound.
                 x.fill(0.75);
             }
             let linear: Vec<f64> = (0..len).map(|_| random.uniform(-4.0, 4.0)).collect();

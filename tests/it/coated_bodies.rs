@@ -473,7 +473,7 @@ fn layers_that_are_invalid_are_rejected() {
         HalfSpace::new(grid, thin),
         Err(Error::BelowMinimum { .. })
     ));
-    // A layer of nearly infinite thickness behaves as its own half-space.
+    // A layer of nearly infinite thickness behaves like a half-space of its material.
     let thick = against_rigid(
         parse_material("1/0.3")
             .coated(&[layer(2.0, 0.2, 1e308)])

@@ -124,7 +124,7 @@ fn stack() -> Material {
     body(1.0, 0.25).coated(&layers).unwrap()
 }
 
-/// On the surface a plane has the tractions, and the displacements of the operators.
+/// A plane at the surface has the applied tractions as stresses, and the displacements computed by the operators.
 #[test]
 fn surface_plane_has_tractions_and_displacements() {
     for boundary in BOUNDARIES {

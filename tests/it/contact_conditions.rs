@@ -98,8 +98,8 @@ proptest! {
     fn normal_contact_is_complementary(case in random_contact()) {
         let problem = case.to_units(1.0, 1.0);
         let solution = problem.press();
-        // Errors are relative to the largest displacement. The range of the gap would not do, because it does not
-        // depend on the contact.
+        // Errors are relative to the largest displacement. The range of the gap is not a suitable scale, because it
+        // does not depend on the contact.
         let gaps = solution.gap().as_slice().iter().zip(problem.gap.as_slice());
         let displacement = gaps.map(|(g, h)| g - (h - solution.approach())).fold(0.0, f64::max);
         let round_off = 1e-15 * (problem.gap.max() + solution.approach().abs());
@@ -134,7 +134,7 @@ proptest! {
         prop_assert!(solution.dissipated_energy() >= -1e-10 * limit * solution.shift()[0].abs());
     }
 
-    /// A uniform offset of the gap changes the approach by the same amount and nothing else.
+    /// A uniform offset of the gap changes the approach by the same amount and has no other effect.
     #[test]
     fn datum_of_gap_only_shifts_approach(case in random_contact(), lift in -10.0..10.0_f64) {
         let problem = case.to_units(1.0, 1.0);
@@ -147,7 +147,7 @@ proptest! {
         let (a, b) = (problem.press(), lifted.press());
         let scale = problem.gap.max() + a.approach().abs() + lift.abs();
         prop_assert!((b.approach() - a.approach() - lift).abs() < 1e-10 * scale);
-        // The offset adds round-off to the gap, which exceeds the approach itself for the lightest contacts.
+        // The offset adds round-off to the gap. For the lightest contacts this round-off exceeds the approach itself.
         if case.load > 1e-6 {
             prop_assert!(l2_difference(b.pressure().as_slice(), a.pressure().as_slice()) < 1e-6);
         }

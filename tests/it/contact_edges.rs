@@ -198,8 +198,8 @@ fn edges_of_singular_pressure_are_not_fitted() {
     }
 }
 
-/// Compares a periodic rough contact, whose waves the cells barely resolve, with cells that are three times finer (in
-/// the campaign five times). Counting cells overestimates the area.
+/// Compares a periodic rough contact, whose waves the cells barely resolve, with the same contact on cells that are
+/// three times finer (in the campaign, five times). Counting cells overestimates the area.
 #[test]
 fn areas_of_rough_contacts_are_accurate_if_most_fits_fail() {
     let area = |cells: usize| -> (f64, f64, Edges) {
@@ -333,9 +333,9 @@ fn shear_errors(shape: &Smooth, cells: usize, part: f64) -> [[f64; 2]; 3] {
     sums
 }
 
-/// In a slip ring one cell wide, no slip indicates the edge of the stick zone. The edge is then extrapolated from
-/// inside, which requires a nearly quadratic field. The traction improves under a sphere; for a gap r^4 it keeps the
-/// accuracy of the cells.
+/// In a slip ring one cell wide, the slip does not indicate the edge of the stick zone. The edge is then extrapolated
+/// from inside, which requires a nearly quadratic field. Under a sphere this improves the traction; for a gap r^4 the
+/// traction keeps the accuracy of the cells.
 #[test]
 fn narrow_slip_rings_do_not_degrade_the_traction() {
     let parts = kit::thorough(&[0.4][..], &[0.1, 0.2, 0.4, 0.6, 0.8]);
@@ -344,7 +344,7 @@ fn narrow_slip_rings_do_not_degrade_the_traction() {
             let all = shear_errors(&Smooth::quartic(), cells, part);
             let [[raw, found], [raw_peak, peak], [raw_stick, stick]] = all;
             assert!(found < 1.04 * raw, "{cells} {part} {all:?}");
-            // This is the least accurate of these contacts, which the docs mention.
+            // This is the least accurate of these contacts; the docs mention it.
             let is_worst = cells == 40 && part == 0.6;
             let [peaks, sticks] = if is_worst { [1.4, 1.8] } else { [1.04, 1.5] };
             assert!(peak < peaks * raw_peak + 1e-3, "{cells} {part} {all:?}");

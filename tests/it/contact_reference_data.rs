@@ -53,7 +53,7 @@ fn coefficient(table: &Table, from: &Cell, [ix, iy]: [usize; 2]) -> f64 {
     table.get(distance[0], distance[1]).unwrap()
 }
 
-/// Checks that two numbers agree to the tolerance relative to a scale.
+/// Checks that two numbers agree within the tolerance relative to a scale.
 #[track_caller]
 fn assert_near(found: f64, expected: f64, scale: f64) {
     let error = (found - expected).abs() / scale;

@@ -1,4 +1,4 @@
-//! CONTACT's cases with both tractions agree cell by cell after every step.
+//! For CONTACT's cases with tractions along both axes, the results agree with CONTACT cell by cell after every step.
 
 use kit::contact::{Case, Normal, Step, Tangential};
 use kit::max_difference;

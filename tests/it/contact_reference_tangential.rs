@@ -1,4 +1,4 @@
-//! The first steps of CONTACT's cases with both tractions agree cell by cell.
+//! For the first steps of CONTACT's cases with tractions along both axes, the results agree with CONTACT cell by cell.
 
 use kit::contact::{Case, Normal, Step, Tangential};
 use kit::press;

@@ -122,8 +122,8 @@ fn normal_stiffness_matches_difference_of_forces() {
     }
 }
 
-/// Hertz: 2 E* a; Mindlin: the same times the ratio of the compliances. The error due to the staircase of the edge
-/// decreases with the cell size, averaged over several loads.
+/// Hertz: 2 E* a; Mindlin: the same times the ratio of the compliances. Averaged over several loads, the error due to
+/// the staircase-shaped edge decreases with the cell size.
 #[test]
 fn stiffness_converges_to_hertz_and_mindlin() {
     let poisson = 0.3;
@@ -151,8 +151,8 @@ fn stiffness_converges_to_hertz_and_mindlin() {
     }
 }
 
-/// Without Poisson's effect the stiffness under F equals that of the contact under W - F/mu, on any surface and also on
-/// the grid.
+/// Without Poisson's effect the stiffness under the tangential force F equals the stiffness under the normal force W -
+/// F/mu. This holds for any surface and also on the grid.
 #[test]
 fn partial_slip_stiffness_is_that_of_lighter_contact() {
     for model in [TangentialModel::Scalar, TangentialModel::Vector] {
@@ -213,7 +213,7 @@ fn loading_stiffness_matches_differences_in_vector_model() {
         let modes = if twist > 0.0 { 3 } else { 2 };
         for column in 0..modes {
             let scale = if column < 2 { shift[0].abs() } else { twist };
-            // The difference is of second order in the step and then extrapolated.
+            // The difference is accurate to second order in the step, and is then extrapolated.
             let slope = |part: f64| {
                 let at = |sign: f64| {
                     let mut moved = motion;
@@ -271,8 +271,8 @@ fn pressing_increases_force_by_limit_of_slipping_cells() {
     }
 }
 
-/// For a history the loading stiffness is the difference quotient of a further step, and the reversal stiffness that of
-/// a step back.
+/// For a history the loading stiffness is the difference quotient of a further step, and the reversal stiffness is the
+/// difference quotient of a step back.
 #[test]
 fn history_stiffness_matches_steps_forward_and_back() {
     let scene = StiffnessCase::ball(48, 0.3, TangentialModel::Scalar);
@@ -322,7 +322,7 @@ fn sliding_contact_has_no_stiffness_along_slip() {
         let full = numbers(stuck.stiffness(&scene.bodies).unwrap().reversal)[0][0];
         assert!(numbers(found.tangential.loading)[0][0].abs() < 1e-6 * full);
         assert!((numbers(found.tangential.reversal)[0][0] / full - 1.0).abs() < 1e-9);
-        // The friction force increases in proportion to the normal force.
+        // The friction force increases proportionally to the normal force.
         let expected = FRICTION * found.normal.value;
         assert!((found.by_approach[0].unwrap() / expected - 1.0).abs() < 1e-6);
     }
@@ -368,8 +368,8 @@ fn dependent_motions_of_sliding_cells_are_handled() {
     assert!((a / b - 1.0).abs() < 1e-9 && reversal[0][0] > loading[0][0]);
 }
 
-/// The scalar model does not include the motion across its axis and the twist, so that their entries are `None` instead
-/// of zero.
+/// The scalar model includes neither the motion across its axis nor the twist, so their entries are `None` instead of
+/// zero.
 #[test]
 fn scalar_model_has_stiffness_of_one_motion() {
     let scene = StiffnessCase::ball(24, 0.3, TangentialModel::Scalar);
@@ -397,8 +397,7 @@ fn scalar_model_has_stiffness_of_one_motion() {
     assert_eq!(apart.by_approach, [Some(0.0), None, None]);
 }
 
-/// The normal and tangential parts of a coupled solution depend on each other, so that neither has a stiffness of its
-/// own.
+/// The normal and tangential parts of a coupled solution depend on each other, so neither part has its own stiffness.
 #[test]
 fn parts_of_coupled_solution_are_rejected() {
     let grid = Grid::square(16, 3.0).unwrap();
@@ -493,7 +492,7 @@ fn coupled_stiffness_matches_differences_of_solves() {
     }
 }
 
-/// A periodic grid cannot rotate, so that the row and the column of the twist are empty.
+/// A periodic grid cannot rotate, so the row and the column of the twist are empty.
 #[test]
 fn periodic_grid_has_no_twist_stiffness() {
     let scene = StiffnessCase::rough(Boundary::Periodic, TangentialModel::Vector);
@@ -536,8 +535,8 @@ fn different_bodies_and_closed_gaps_are_rejected() {
     );
 }
 
-/// Steps in which the contact grows, with and without slip: derivatives of the loads with respect to the motion and the
-/// approach at the end of the step.
+/// Covers steps in which the contact grows, with and without slip. The derivatives are those of the loads with respect
+/// to the motion and the approach at the end of the step.
 #[test]
 fn growing_contact_stiffness_matches_whole_steps() {
     use TangentialModel::{Scalar, Vector};
@@ -665,8 +664,8 @@ fn assert_stiffness_matches_steps(scene: &StiffnessCase, builder: HistoryBuilder
     }
 }
 
-/// With reused buffers, also of other contacts, a stiffness is bitwise identical. Without the reversal matrix all other
-/// entries are identical.
+/// A stiffness computed in reused buffers, including buffers of other contacts, is bitwise identical. Without the
+/// reversal matrix all other entries are identical.
 #[test]
 fn reused_buffers_do_not_change_stiffness() {
     let go_on = |_: &_| ControlFlow::Continue(());

@@ -1,5 +1,5 @@
-//! Coupled pressure and traction of dissimilar bodies, compared with closed forms and a different code, and bounds of
-//! the error.
+//! Coupled pressure and traction of dissimilar bodies: comparison with closed forms and a different code, and error
+//! bounds.
 
 use kit::contact::{Case, Normal};
 use kit::{Random, l2_difference, max_difference, rough, unit_bodies};

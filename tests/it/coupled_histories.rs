@@ -15,8 +15,8 @@ use stickslip::{
 const AGREED: f64 = 1e-7;
 
 /// Compares every step of a case of CONTACT, including its zones, at the default tolerance; the bodies are only
-/// pressed. The number of examinations is limited: one before each semismooth Newton step, one at the end, and one of a
-/// start that is too poor for Newton steps.
+/// pressed. The number of examinations is limited: one before each semismooth Newton step, one at the end, and one for
+/// a start that is too poor for Newton steps.
 fn assert_every_step_agrees(text: &str, steps: usize, examinations: usize) {
     let case = Case::parse(text);
     assert_eq!(case.steps.len(), steps);
@@ -319,7 +319,8 @@ fn press_to_tolerance_takes_two_steps_if_one_is_exact() {
     ends_at_two_steps(smooth, 60.0);
 }
 
-/// Loads that grow from an earlier load or fall to zero are also divided into equal steps of the contact size.
+/// Loads that grow from an earlier load or fall to zero are also divided into steps in which the contact size changes
+/// equally.
 #[test]
 fn press_to_tolerance_continues_from_a_load_and_unloads() {
     let mut history = aluminium_on_steel(24, 0.1, Coupling::OneWay);
@@ -387,7 +388,8 @@ fn adaptive_steps_divide_the_pressing() {
     assert!(taken > 1 && radius > 0.46, "{taken} {radius}");
 }
 
-/// Applies a thousand cycles of wear in jumps. A history saved and restored halfway has bitwise identical results.
+/// Applies a thousand cycles of wear in jumps. A history that is saved and restored halfway has bitwise identical
+/// results.
 #[test]
 fn wear_after_restart_is_bitwise_identical() {
     let (bodies, gap) = ball_problem(21);

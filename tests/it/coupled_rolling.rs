@@ -50,7 +50,8 @@ fn zone_cells(rolling: &CoupledRollingSolution) -> [usize; 2] {
 /// Compares with the example `bentall` of CONTACT (E. A. H. Vollebregt, Apache-2.0), cases 3 to 6: an aluminium roller
 /// on a steel roller. The printed creepages and forces have four digits. CONTACT alternates between pressure and
 /// traction until they no longer change. Without the change of the pressure its creepages are 3.628e-4, 4.281e-4,
-/// 2.094e-4 and 5.388e-4, and no case has 201 cells. Its creepage is the motion of body 1, which changes the sign.
+/// 2.094e-4 and 5.388e-4, and no case has 201 cells in contact. CONTACT's creepage is the motion of body 1, so it has
+/// the opposite sign.
 #[test]
 fn coupled_rollers_match_printed_digits_of_contact() {
     let grid = Grid::new(216, 1, 0.001, 1000.0).unwrap();
@@ -250,7 +251,7 @@ fn uncoupled_bodies_match_separate_solves_bitwise() {
     );
 }
 
-/// The derivatives include the change of the pressure and of its friction limits, and the entry law.
+/// The derivatives include the changes of the pressure and of the friction limits, and the entry rule.
 #[test]
 fn coupled_stiffness_matches_finite_differences() {
     for (entry_rule, poisson_ratio, motion) in [

@@ -21,7 +21,7 @@ fn file_rejected_by_one_rank_is_not_written() {
     let (npy, pvti) = (folder.join("field.npy"), folder.join("field.pvti"));
     fs::write(&npy, "old").unwrap();
     fs::write(&pvti, "old").unwrap();
-    // A folder has the name of the piece of this rank.
+    // The name of the piece of this rank is taken by a folder.
     fs::create_dir(folder.join("field_1.vti")).unwrap();
     let outcomes = on_ranks(3, grid, |bodies, rank| {
         let slab = Field::zeros(bodies.grid());
@@ -229,7 +229,7 @@ fn history_that_one_rank_cannot_write_is_not_saved() {
         assert!(is_told || is_own, "{outcome:?}");
     }
     assert_eq!(saved_factor(&path, grid), 1.0);
-    // A folder has the name of the file.
+    // The name of the file is taken by a folder.
     let taken = folder.join("taken.state");
     fs::create_dir(&taken).unwrap();
     let outcomes = save(2.0, &|_| taken.clone());

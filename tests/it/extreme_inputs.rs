@@ -1,4 +1,5 @@
-//! Inputs near the limits of numbers and grids are solved, or rejected with a number; no result is wrong.
+//! Inputs near the limits of floating-point numbers and grids are solved correctly, or rejected with an error that
+//! contains the value.
 
 use std::f64::consts::{FRAC_PI_2, TAU};
 

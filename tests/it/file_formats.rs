@@ -70,7 +70,7 @@ fn npy_of_numpy_is_read() {
             false,
         );
     }
-    // The numbers are unsigned, so the file adds one hundred.
+    // The numbers are unsigned, so one hundred is added in the file.
     let name = "u8_big_whole.npy";
     let field = io::npy::read(data_path(name), SPACING).unwrap();
     let eighths = |z: &f64| (z - 100.0) / 8.0;
@@ -154,7 +154,7 @@ fn sur_of_16_and_32_bits_is_read() {
 #[test]
 fn x3p_of_every_number_type_is_read() {
     for (name, tolerance) in [
-        // The tolerance is half a step of 65535 over the range of 2.875 micrometres.
+        // The tolerance is half a step if the range of 2.875 micrometres is divided into 65535 steps.
         ("I.x3p", 2.3e-5),
         ("L.x3p", 1e-9),
         ("F.x3p", 1e-7),

@@ -1,5 +1,6 @@
-//! A fretting loop takes the steps of its path, bitwise identical to separate steps. It stops when the loop is steady
-//! and reports if it is not. A failed step leaves the history in the state after the last successful step.
+//! A fretting loop takes the steps of its path, with results bitwise identical to those of separate steps. It stops
+//! when the cycles are steady, and reports if they are not. A failed step leaves the history in the state after the
+//! last successful step.
 
 use std::ops::ControlFlow;
 

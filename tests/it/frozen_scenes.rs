@@ -25,7 +25,7 @@ use stickslip::{
     TangentialModel, TangentialProblem, TangentialSolution, TangentialSolver, Zone, surface,
 };
 
-/// How closely a recomputed scene must agree with the file.
+/// Required agreement of a recomputed scene with the file.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Agreement {
     Exact,
@@ -425,7 +425,7 @@ fn new_history(
     friction: Friction,
     tolerance: f64,
 ) -> History {
-    // The old engine had this rule.
+    // The old engine used this rule.
     let builder = History::builder(bodies, gap, friction)
         .tolerance(tolerance)
         .entry_rule(EntryRule::WholeStep);

@@ -301,7 +301,8 @@ fn filters_with_invalid_indices_are_rejected() {
                 matches!(refused, Error::NotPositive { quantity: q, .. } if q.starts_with(quantity))
             );
         }
-        // Along y, two cells of size 1; along x, cells are half as long. The longer side is 30, the other 20.
+        // The minimum is two cells of size 1 along y; cells along x are half as long. The longer side of the grid is
+        // 30, the other 20.
         assert!(matches!(
             size(make(1.9)),
             Err(Error::BelowMinimum {
@@ -395,7 +396,7 @@ fn filter_removes_noise_from_a_contact() {
         let problem = NormalProblem::builder(bodies, &gap, NormalControl::Force(force));
         contact_quantities(&problem.tolerance(1e-6).build().unwrap().solve().unwrap())
     };
-    // The index is less than a third of the shortest wavelength, of which 93 % are transmitted.
+    // The index is less than a third of the shortest wavelength, so 93 % of the amplitude of this wave is transmitted.
     let filter = GaussianFilter::s(5.0).periodic();
     let filtered = |surfaces: &[Field; 2]| {
         surfaces

@@ -130,7 +130,7 @@ fn rotate_legs(model: TangentialModel, legs: &[Leg]) -> Vec<Leg> {
 
 const MODELS: [TangentialModel; 2] = [TangentialModel::Scalar, TangentialModel::Vector];
 
-/// Growing contacts in which all cells stick, with and without a prior slip zone.
+/// Covers growing contacts in which all cells stick, with and without a prior slip zone.
 const STRAIGHT: [&[Leg]; 2] = [
     &[(1.0, [0.28, 0.0])],
     &[(0.4, [0.0; 2]), (0.5, [0.2, 0.0]), (1.0, [0.35, 0.0])],
@@ -230,7 +230,7 @@ fn straight_path_in_one_step_is_exact_on_any_grid_and_friction() {
     }
 }
 
-/// Jaeger's superposition: the tractions of the initial contact, plus tractions in proportion to the growth of the
+/// Jaeger's superposition: the tractions of the initial contact, plus tractions proportional to the growth of the
 /// pressure. It holds for any surface if Poisson's ratio is zero.
 #[test]
 fn growing_contact_matches_jaeger_superposition() {
@@ -407,8 +407,8 @@ fn uniform_wear_between_steps_changes_only_the_approach() {
     assert!(traction_difference(&worn, &plain) < 1e-9);
 }
 
-/// The dissipation by the tractions at the ends of the steps does not depend on the number of steps, and the rule
-/// dissipates no energy without slip.
+/// The dissipation by the tractions at the ends of the steps does not depend on the number of steps. Without slip no
+/// energy is dissipated under the rule.
 #[test]
 fn growing_contact_that_sticks_dissipates_nothing() {
     let scene = GrowingCase::new(0.0, 0.15, TangentialModel::Scalar);

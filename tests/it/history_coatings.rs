@@ -33,7 +33,7 @@ fn take_step(history: &mut History, load: LoadStep) {
 }
 
 /// Shear under an increasing load gives the same tractions in one step as in many, also on cells wider than a layer.
-/// The entry law uses the ratio of compliances for waves as short as the cells.
+/// The entry rule uses the ratio of compliances for waves as short as the cells.
 #[test]
 fn coated_contact_grows_equally_in_any_steps() {
     for (ratio, thickness) in [(4.0, 0.3), (0.25, 0.3), (4.0, 4.0)] {

@@ -101,7 +101,7 @@ fn rejected_loads_leave_state_unchanged() {
         assert!(dragged.contains(&end), "{dragged}");
         assert!(message(LoadStep::spring([1.0; 2], 1.0)).contains("position of the spring"));
 
-        // The first part is a far wider contact, then a force beyond the friction limit.
+        // The step requires a far wider contact, and then its force exceeds the friction limit.
         let refused = history.step(&load_step(400.0, axis, TangentialControl::Force(-250.0)));
         let Err(Error::BeyondFrictionCapacity { force, limit, .. }) = refused else {
             panic!("{refused:?}")

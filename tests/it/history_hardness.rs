@@ -1,4 +1,4 @@
-//! With a hardness, the pressure of a history does not exceed the hardness, and yielded material keeps its shape if
+//! In a history with a hardness, the pressure does not exceed the hardness, and yielded material keeps its shape if
 //! permanent set is enabled.
 
 use kit::{max_difference, rough, unit_bodies};

@@ -112,7 +112,7 @@ fn new_contact_cells_start_without_traction() {
         history.accumulated_slip().clone(),
         history.traction()[0].clone(),
     );
-    // The window of the small contact is far exceeded.
+    // The contact grows far beyond the window of the small contact.
     take_steps(&mut history, &[(NormalControl::Force(12.0), force)], 1.0);
     assert_eq!(history.last_step().stick_ratio(), 1.0);
     let mut entered = 0;
@@ -157,7 +157,8 @@ fn new_contact_cells_start_without_traction() {
     assert!((history.shift()[0] - 3.0).abs() < 1e-9);
 }
 
-/// Before first contact, the shift follows the machine, and a nonzero force cannot be applied.
+/// Before first contact, the shift takes its prescribed value or follows a spring, and a nonzero force cannot be
+/// applied.
 #[test]
 fn force_before_first_contact_is_rejected() {
     let grid = Grid::square(32, 16.0).unwrap();

@@ -63,7 +63,7 @@ fn damaged_bytes_are_rejected() {
     }
 }
 
-/// Appends the FNV-1a checksum, so that damaged bytes pass the check of the sum.
+/// Replaces the FNV-1a checksum by the checksum of the damaged bytes, so that they are accepted by the checksum test.
 fn with_checksum(mut bytes: Vec<u8>) -> Vec<u8> {
     let end = bytes.len() - 8;
     let sum = bytes[..end]

@@ -1,4 +1,4 @@
-//! A state has the values of its history, and does not belong to different bodies.
+//! A state has the values of its history, and is rejected for different bodies.
 
 use kit::{rough, unit_bodies};
 use stickslip::history::State;

@@ -1,4 +1,4 @@
-//! The stick zone of a history has a subcell edge, also after the force has reversed.
+//! The stick zone of a history has a subcell edge, including after the force has reversed.
 
 use kit::smooth::{Smooth, l1_difference};
 use kit::unit_pair;
@@ -8,7 +8,7 @@ use stickslip::*;
 use crate::rank_contacts::PATIENCE;
 
 const FRICTION: f64 = 0.5;
-/// Load of a contact radius of one.
+/// Load that gives a contact radius of one.
 const LOAD: f64 = 4.0 / 3.0;
 const OFFSETS: [[f64; 2]; 8] = [
     [0.0, 0.0],
@@ -76,8 +76,8 @@ fn stick_edges_after_reversals_match_mindlin_deresiewicz() {
     let offsets = &OFFSETS[..kit::thorough(3, 8)];
     let part =
         |parts: &[f64]| -> Vec<f64> { parts.iter().map(|part| part * FRICTION * LOAD).collect() };
-    // Path, limits of the remaining fractions of the errors of the counted area and of the traction, and limit of the
-    // worst error of the area.
+    // Path; limits of the errors with fitted edges, as fractions of the errors of the counted area and of the traction
+    // of the cells; limit of the worst error of the area.
     for (name, forces, area_left, traction_left, worst_area) in [
         ("loaded", part(&[0.4]), 0.05, 0.3, 1e-3),
         (

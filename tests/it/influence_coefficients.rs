@@ -28,7 +28,7 @@ fn components(t: &Tensor) -> [f64; 9] {
     [t.xx, t.xy, t.xz, t.yx, t.yy, t.yz, t.zx, t.zy, t.zz]
 }
 
-/// Compares the coefficients with a table; returns its number of points.
+/// Compares the coefficients with a table, and returns the number of points in the table.
 fn compare(table: &str) -> usize {
     let rows = table.lines().filter(|line| !line.starts_with('#')).skip(1);
     rows.map(|line| {
@@ -162,7 +162,7 @@ fn cell_and_point() -> impl Strategy<Value = (f64, f64, f64, f64)> {
 }
 
 proptest! {
-    /// Mirror symmetry, exchange of the axes, and the identity of the trace.
+    /// Covers mirror symmetry, exchange of the axes, and the identity of the trace.
     #[test]
     fn coefficients_obey_symmetries((a, b, x, y) in cell_and_point(), body in body()) {
         let cell = Rectangle::new(a, b).unwrap();
@@ -207,7 +207,7 @@ fn periodic_grid_matches_free_grid_near_local_traction() {
     let cells = 128;
     let grid = Grid::new(cells, cells, 1.0, 1.5).unwrap();
     let pair = ElasticPair::new(Material::new(1.0, 0.2).unwrap(), Material::rigid()).unwrap();
-    // Laplacian of a Gaussian bell a few cells wide.
+    // The traction is the Laplacian of a Gaussian bell a few cells wide.
     let traction = Field::from_fn(grid, |x, y| {
         let r = (x * x + y * y) / 64.0;
         (1.0 - r) * (-r).exp()

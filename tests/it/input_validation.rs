@@ -1,4 +1,4 @@
-//! Every error is a value that states the invalid input before any work is done; no input causes a panic.
+//! Invalid input is reported, before any work is done, by an error that states the input. No input causes a panic.
 
 use kit::refusal::Rule::Positive;
 use kit::refusal::assert_checked;
@@ -234,7 +234,7 @@ fn engine_rejects_invalid_arguments_before_any_work() {
     }
     let outcome = cgm::minimise(&problem, &settings.max_iterations(0), [&mut x]);
     assert_eq!(outcome.err(), Some(Error::IterationLimit));
-    assert_eq!(x, [1.0, 2.0], "refused before any work");
+    assert_eq!(x, [1.0, 2.0], "rejected before any work");
 }
 
 /// The map `u = (x + y, y - x)` of two cells.
@@ -272,7 +272,7 @@ fn polonsky_keer_rejects_unsupported_problems() {
     let turning = Problem::new(AsymmetricOperator, [&linear], NonNegative);
     let outcome = cgm::minimise(&turning, &settings, [&mut x]);
     assert!(refused(outcome.err(), "operators that are not symmetric"));
-    assert_eq!(x, [1.0, 2.0], "refused before any work");
+    assert_eq!(x, [1.0, 2.0], "rejected before any work");
 }
 
 /// Each modulus is finite, and so is every modulus of the pair.

@@ -44,7 +44,7 @@ fn superposition_is_exact_for_zero_poisson_ratio() {
     let bodies = unit_bodies(grid, 0.0);
     let load = 20.0;
     let full = press(&bodies, &gap, load);
-    // The contact has many spots; it is neither a few cells nor closed.
+    // The contact has many spots; it is neither limited to a few cells nor closed.
     let fraction = full.contact_cells() as f64 / grid.cells() as f64;
     assert!((0.02..0.2).contains(&fraction), "{fraction}");
     for f in [0.1, 0.5, 0.9, 0.999] {
@@ -74,7 +74,7 @@ fn superposition_is_exact_for_zero_poisson_ratio() {
 }
 
 /// For other Poisson's ratios the superposition is an approximation with a known error. It must be close but not exact,
-/// because otherwise the tangential compliance would be the normal one.
+/// because otherwise the tangential compliance would equal the normal compliance.
 #[test]
 fn superposition_is_approximate_for_other_poisson_ratios() {
     let grid = Grid::square(96, 100.0).unwrap();

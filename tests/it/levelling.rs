@@ -55,7 +55,8 @@ fn difference(a: &Field, b: &Field) -> f64 {
     pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
-/// A plane with a distant datum whose heights are known in a corner of the grid only, with and without missing heights.
+/// Covers a plane with a distant datum whose heights are known in a corner of the grid only, with and without missing
+/// heights.
 #[test]
 fn plane_is_found_exactly() {
     for (nx, ny, share, datum) in [

@@ -413,7 +413,7 @@ fn tangential_solver_rejected_pressure_leaves_it_unchanged() {
     }
 }
 
-/// Loads near the limits of the floating-point range give a certified solution, or an error with a number.
+/// Loads near the limits of the floating-point range give a certified solution, or an error that contains the value.
 #[test]
 fn normal_loads_of_extreme_size_converge_or_are_rejected() {
     let bodies = unit_half_space();
@@ -507,7 +507,7 @@ fn unsupported_method_is_rejected() {
     assert!(is_refused(
         history().build().unwrap().set_settings(settings).err()
     ));
-    // A normal problem has no pressure that it could hold.
+    // A normal problem has no previous pressure to hold.
     let held = NormalProblem::builder(&bodies, &gap, NormalControl::Hold).build();
     assert_eq!(held.err(), Some(Error::NoPressureToHold));
 }

@@ -116,7 +116,8 @@ fn force_beyond_friction_names_remedy_for_its_subject() {
     );
 }
 
-/// No cell carries pressure: never pressed, pressed by a zero force, pressed and separated, and of dissimilar bodies.
+/// Covers contacts in which no cell carries pressure: contacts that were never pressed, pressed by a zero force, or
+/// pressed and then separated, and a contact of dissimilar bodies.
 #[test]
 fn force_on_empty_contact_reports_empty_contact() {
     let bodies = bodies(12);
@@ -424,8 +425,8 @@ fn small_spots_of_rough_surface_are_judged_together() {
     assert!(!fine.warnings().iter().any(is_unresolved));
 }
 
-/// A slip zone of two cells does not fit into spots of three cells. The warning would name a remedy that these spots do
-/// not have.
+/// A slip zone of two cells does not fit into spots of three cells. The warning would name a remedy that does not apply
+/// to these spots.
 #[test]
 fn narrow_slip_in_small_spots_gives_no_warning() {
     let grid = Grid::square(64, 64.0).unwrap();
@@ -653,7 +654,7 @@ fn held_shift_that_loses_force_gives_warning() {
             .step(&press(0.15).tangential(Axis::X, TangentialControl::Shift(0.0)))
             .unwrap();
         assert_eq!(lost(&history), None);
-        // The round-off of a zero force does not count.
+        // The round-off of a zero force does not count as a loss.
         let mut history = start();
         history.step(&LoadStep::force([0.0; 2])).unwrap();
         history.step(&press(0.3)).unwrap();

@@ -32,7 +32,7 @@ use history_continuation_is_bitwise::{found, shared_scenes};
 /// Timeout that is longer than a rank needs to solve a case on its own.
 const PATIENCE: Duration = Duration::from_secs(300);
 
-/// Timeout after which the other ranks report a stopped rank, within a call and once more after it.
+/// Timeout after which the other ranks report a stopped rank, during a call and again after the call.
 const BRIEFLY: Duration = Duration::from_secs(10);
 
 fn main() -> ExitCode {

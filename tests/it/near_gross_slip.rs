@@ -17,7 +17,7 @@ fn press_ball(cells: usize, poisson_ratio: f64) -> (HalfSpace, NormalSolution) {
     (bodies, normal)
 }
 
-/// Solves for the sliding force minus the fraction `missing` of it.
+/// Solves for the sliding force reduced by the fraction `missing`.
 fn shear(bodies: &HalfSpace, normal: &NormalSolution, missing: f64) -> TangentialSolution {
     let force = (1.0 - missing) * FRICTION * normal.force();
     let load = TangentialLoad::force(DIRECTION.map(|n| n * force));
@@ -30,9 +30,9 @@ fn shear(bodies: &HalfSpace, normal: &NormalSolution, missing: f64) -> Tangentia
         .unwrap()
 }
 
-/// All cells slip, each in a direction at an angle of order `theta` to the force. The force is then smaller by the
-/// fraction `theta^2 / 2`. Since the displacements turn the slip of each cell, the shift beyond the displacement is
-/// proportional to `1 / theta`.
+/// All cells slip, each in a direction at an angle of order `theta` to the force. The force is then smaller than the
+/// sliding force by the fraction `theta^2 / 2`. Since the displacements turn the slip of each cell, the shift beyond
+/// the displacement is proportional to `1 / theta`.
 #[test]
 fn shift_grows_with_inverse_root_of_remaining_force() {
     for (cells, poisson_ratio) in [(5, 0.3), (9, 0.5), (16, 0.3), (32, 0.5), (64, 0.3)] {

@@ -42,8 +42,8 @@ fn nested_start_of_rough_vector_problem_needs_few_iterations() {
     }
 }
 
-/// Measured products in single precision to 1e-3 and 1e-6: 4 and 8 for the pressure, 7 and 12 for the shear. If only
-/// the tractions were interpolated: 10 and 14, 9 and 16.
+/// Measured products in single precision to tolerances of 1e-3 and 1e-6: 4 and 8 for the pressure, 7 and 12 for the
+/// shear. If only the tractions are interpolated, the pressure takes 10 and 14 products, and the shear 9 and 16.
 #[test]
 fn nested_start_of_sphere_needs_few_products() {
     let grid = Grid::square(256, 3.0).unwrap();

@@ -34,7 +34,8 @@ fn punch(cells: usize, beta: f64, coefficient: f64) -> TangentialSolution {
         .unwrap()
 }
 
-/// The stick zone of a punch agrees with Spence's for any beta, because shear changes the pressure in neither.
+/// The stick zone of a punch agrees with Spence's solution for any beta, because both neglect the change of the
+/// pressure by shear.
 #[test]
 fn one_way_punch_sticks_as_in_spence() {
     for &beta in kit::thorough(&[0.5][..], &[0.5, 0.2]) {
@@ -84,7 +85,7 @@ fn pressed_flat_surface_slides_in_both_halves() {
             .unwrap()
             .solve()
             .unwrap();
-            // Apart from one or two cells that compensate the round-off between the halves.
+            // Only one or two cells, which compensate the round-off between the halves, may stick.
             sliding += usize::from(shear.stick_ratio() < 0.13);
             let [x, _] = shear.traction();
             let scale = coefficient * normal.pressure().max();
@@ -99,8 +100,8 @@ fn pressed_flat_surface_slides_in_both_halves() {
     assert!(sliding >= 8, "{sliding} of 20 cases slide");
 }
 
-/// If the cells of a row slide apart from its middle, rotations of their tractions are too small to carry a small force
-/// along the row. One cell must therefore stick.
+/// If the cells of a row slide away from its middle on both sides, rotations of their tractions are too small to carry
+/// a small force along the row. One cell must therefore stick.
 #[test]
 fn small_force_along_diverging_row_leaves_a_cell_sticking() {
     let pair = ElasticPair::new(Material::new(1.0, 0.05).unwrap(), Material::rigid()).unwrap();

@@ -30,7 +30,7 @@ fn grid_beyond_index_range_is_rejected() {
         bytes(Grid::new(usize::MAX, 1, 1.0, 1.0)),
         128 * usize::MAX as u128
     );
-    // Doubling along each axis is too much although the grid itself is not.
+    // The grid itself is within the range of an index, but the grid doubled along each axis is not.
     let grid = Grid::new(1 << 28, 1 << 27, 1.0, 1.0).unwrap();
     let cropped = SelfAffine::with_rms_height(1.0).cropped();
     assert_eq!(bytes(cropped.generate(grid)), 128 << 57);

@@ -166,7 +166,8 @@ fn single_cell_carries_the_prescribed_loads() {
     }
 }
 
-/// A spring or a force moves a single cell up to the friction limit. The solve ends by the error bound that it reports.
+/// A spring or a force moves a single cell up to the friction limit. The solve ends when the error bound that it
+/// reports is below the tolerance.
 #[test]
 fn single_periodic_cell_under_a_spring_converges_within_its_bound() {
     let grid = Grid::new(1, 1, 1.0, 1.0).unwrap();
@@ -203,7 +204,8 @@ fn single_periodic_cell_under_a_spring_converges_within_its_bound() {
     }
 }
 
-/// Rough surfaces between a few spots and nearly full contact. Grids of odd size have no coarser grid.
+/// Returns the problem of a rough surface, for contacts from a few spots to nearly full contact. Grids of odd size have
+/// no coarser grid.
 fn rough_problem(cells: usize, pressure: f64) -> (HalfSpace, Field, NormalControl) {
     let grid = Grid::square(cells, 128.0).unwrap();
     let load = NormalControl::Force(pressure * grid.area());
@@ -259,7 +261,7 @@ fn displacement_control_inverts_force_control() {
     }
 }
 
-/// Any shift causes slip in full contact, except for the resistance of the waves of the traction.
+/// In full contact only the waves of the traction resist a shift, so any shift causes slip.
 #[test]
 fn force_in_full_contact_grows_with_shift() {
     let grid = Grid::square(64, 1.0).unwrap();
@@ -395,8 +397,8 @@ mod dense_reference {
         DenseOperator::from_rows(cells, (0..cells * cells).map(entry).collect()).unwrap()
     }
 
-    /// Computes `|a - b|_C / |b|_C`. A mean has no energy, so the norm of `b` is at least the bound from the smallest
-    /// eigenvalue.
+    /// Computes `|a - b|_C / |b|_C`. A mean has no energy, so the norm of `b` is replaced by the bound from the
+    /// smallest eigenvalue if this bound is larger.
     fn energy_error(matrix: &DenseOperator, smallest: f64, a: &[f64], b: &[f64]) -> f64 {
         let energy = |x: &[f64]| {
             let mean = x.iter().sum::<f64>() / x.len() as f64;

@@ -187,7 +187,7 @@ fn rough_surfaces_on_ranks_match_one_process() {
     }
 }
 
-/// Counts are those of the whole contact, with spots that several slabs cut and that meet across the edges of the grid.
+/// Counts refer to the whole contact, including spots that extend over several slabs or across the edges of the grid.
 #[test]
 fn every_rank_reports_whole_contact() {
     let rough = SelfAffine::with_rms_slope(0.3).seed(5);

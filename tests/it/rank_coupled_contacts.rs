@@ -53,7 +53,7 @@ fn samples(contact: &CoupledSolution) -> Found {
 }
 
 /// Solvers continue from the last solution and in windows that are replaced by larger ones. In small windows some ranks
-/// have no cells. A prescribed shift under weak friction has error bounds of the whole contact.
+/// have no cells. With a prescribed shift and weak friction, the error bounds refer to the whole contact.
 #[test]
 fn continued_coupled_solves_on_ranks_match_one_process() {
     let grid = Grid::new(80, 130, 0.3, 0.2).unwrap();

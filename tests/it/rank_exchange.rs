@@ -92,7 +92,8 @@ fn rank_leaving_among_large_blocks_is_reported() {
     }
 }
 
-/// Ranks whose first rank receives one block of the second rank a word too short, after the given number of blocks.
+/// Ranks of which the first receives a block from the second that is a word too short, after the given number of
+/// blocks.
 #[derive(Debug)]
 struct ShortBlock {
     rank: Threads,

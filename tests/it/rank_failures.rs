@@ -73,7 +73,7 @@ fn mismatched_slabs_are_rejected() {
 }
 
 /// Inputs that must be the same on all ranks are compared. An error of the observer of one rank is returned by all
-/// ranks, also if the observer itself has made collective calls.
+/// ranks, even if the observer itself has made collective calls.
 #[test]
 fn differing_ranks_are_reported() {
     let (grid, boundary) = (fine(), Boundary::NonPeriodic);

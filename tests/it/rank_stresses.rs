@@ -11,7 +11,7 @@ use crate::rank_contacts::{Found, PATIENCE, assert_shared, boundaries, by_cell, 
 
 const DEPTHS: [f64; 2] = [0.0, 0.3];
 
-/// Returns tractions with discontinuous edges, of which some ranks have none.
+/// Returns tractions with discontinuous edges; some ranks have no tractions.
 fn loads(grid: Grid) -> [Field; 3] {
     let end = 0.3 * grid.whole().y(0);
     let at = |p: f64| {

@@ -1,5 +1,5 @@
-//! Rolling steps of a history move the memory of the particles. The tests compare with results of CONTACT without
-//! the entry law, with histories under a moving gap, with steady rolling, and check the energy balance.
+//! Rolling steps of a history move the memory of the particles. The tests compare with results of CONTACT without the
+//! entry rule, with histories under a moving gap, and with steady rolling. They also check the energy balance.
 
 use std::ops::ControlFlow;
 
@@ -370,7 +370,7 @@ fn entry_law_reduces_error_of_carter_force() {
     assert!(whole > 60.0 * law && whole < 3e-3, "{whole:e} {law:e}");
 }
 
-/// The entry law has a compliance that depends on the direction for this Poisson's ratio.
+/// The entry rule has a compliance that depends on the direction for this Poisson's ratio.
 #[test]
 fn rolling_history_converges_to_steady_rolling() {
     let (bodies, ball, load) = small_sphere(0.25);
@@ -616,7 +616,7 @@ fn failed_rolling_step_leaves_state_unchanged() {
     let refused = history.step(&too_much.roll(Rolling::new(1)));
     assert!(matches!(refused, Err(Error::BeyondFrictionCapacity { .. })));
     assert_eq!(history.state().to_bytes(), before);
-    // The contact would be larger than the room that the grid leaves ahead of it.
+    // The contact would grow beyond the room that the grid leaves ahead of it.
     let refused = history.step(&press(1.35 * load).roll(Rolling::new(2)));
     assert!(
         matches!(refused, Err(Error::GridTooShort { needed: 2, .. })),

@@ -1,5 +1,5 @@
-//! Stiffness, moments and creep curves of steady rolling agree with single solves, and solves stay within their limits of
-//! products.
+//! Stiffness, moments and creep curves of steady rolling agree with single solves, and solves stay within limits on the
+//! number of products.
 
 use std::ops::ControlFlow;
 
@@ -149,7 +149,7 @@ fn prescribed_moment_gives_spin_that_causes_it() {
 #[test]
 fn moment_beyond_friction_is_rejected() {
     let scene = RollingSphere::across(16);
-    // The integral of the distance weighted by a Hertzian pressure is 3 pi/16 of load times radius.
+    // The integral of the distance weighted by a Hertzian pressure is 3 pi/16 times the load and the radius.
     let capacity = 3.0 * std::f64::consts::PI / 16.0 * scene.limit;
     let of = |moment: f64| scene.rolling().spin(SpinControl::Moment(moment)).build();
     let beyond = of(1.02 * capacity);
@@ -303,7 +303,7 @@ fn friction_can_change_between_solves() {
     assert_eq!(solver.stiffness().unwrap(), stiffness);
 }
 
-/// Tractions whose squares overflow or underflow are solved one after the other by the same solver.
+/// Tractions whose squares overflow or underflow are solved consecutively by the same solver.
 #[test]
 fn friction_can_change_by_any_factor() {
     let scene = RollingSphere::across(16);

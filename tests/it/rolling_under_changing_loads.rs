@@ -144,7 +144,7 @@ fn rolling_solver_finds_the_pressure_of_a_new_load() {
     }
 }
 
-/// A pressure without a gap cannot be combined with the entry law.
+/// A pressure without a gap cannot be combined with the entry rule.
 #[test]
 fn rolling_solver_accepts_pressure_field_without_entry_law() {
     let bodies = bodies(24, &similar_pair());
@@ -206,7 +206,7 @@ fn rejected_load_leaves_rolling_solver_unchanged() {
             solver.set_normal_solver(problem(&other, 1.0).into_solver().unwrap()),
             Err(Error::GridMismatch { .. })
         ),
-        // A load too small for the prescribed force, a zero load, and a load whose contact leaves no room ahead.
+        // Covers a load too small for the prescribed force, a zero load, and a load whose contact leaves no room ahead.
         matches!(
             solver.set_load(NormalControl::Force(0.5)),
             Err(Error::BeyondFrictionCapacity { .. })

@@ -141,7 +141,7 @@ fn surfaces_survive_serialisation() {
     let heights = rough(Grid::square(16, 1.0).unwrap(), 3);
     assert_survives(&Statistics::of(&heights).unwrap());
     assert_survives(&PowerSpectrum::of(&heights).unwrap());
-    // A flat surface has no skewness (NaN), so that the values are only written and read.
+    // A flat surface has no skewness (NaN), so the values are only written and read.
     read_back(&Statistics::of(&Field::zeros(grid())).unwrap());
     for form in [
         surface::Form::Mean,

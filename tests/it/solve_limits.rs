@@ -68,7 +68,7 @@ fn ended(outcome: Result<(), Error>, status: Status) -> Report {
         panic!("{outcome:?}");
     };
     assert_eq!(report.status, status);
-    // The values are infinite if there is no displacement yet to measure by.
+    // The values are infinite if no displacement exists yet as their scale.
     assert!(report.residual >= 0.0 && report.duality_gap >= 0.0);
     *report
 }
@@ -212,7 +212,7 @@ impl End {
         }
     }
 
-    /// Asserts that no work follows the end. The first calls are made on the coarsest cells.
+    /// Asserts that the solve does no further work after its end. The first calls are made on the coarsest cells.
     fn check(self, calls: usize, report: &Report) {
         let called_again = usize::from(self.by_clock);
         assert!(calls <= self.call + called_again, "{self:?}: {calls} calls");

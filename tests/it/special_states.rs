@@ -396,7 +396,7 @@ fn keep_first(
     }
 }
 
-/// Before its first product a solve has no values to report, and it must not report those of the previous solve.
+/// Before its first product a solve has no values to report, and it must not report the values of the previous solve.
 #[test]
 fn observer_receives_nothing_of_previous_solve() {
     let grid = Grid::square(48, 100.0).unwrap();
@@ -448,8 +448,8 @@ fn observer_receives_nothing_of_previous_solve() {
     }
 }
 
-/// A solve without contact leaves no start: the next solve is bitwise identical to that of a new solver. An absurd load
-/// is rejected and changes nothing.
+/// A solve without contact leaves no initial guess: the next solve is bitwise identical to the solve of a new solver.
+/// An absurd load is rejected and changes nothing.
 #[test]
 fn solve_without_contact_leaves_no_start() {
     let grid = Grid::square(96, 8.0).unwrap();

@@ -1,5 +1,5 @@
-//! A nested start and a window around the contact save work without changing the solution, which equals that of a plain
-//! loop over the whole grid.
+//! A nested start and a window around the contact save work without changing the solution. It equals the solution of a
+//! single loop over the whole grid that starts without coarser grids.
 
 use std::ops::ControlFlow;
 use std::time::Duration;
@@ -13,7 +13,7 @@ use stickslip::{
 
 const TOLERANCE: f64 = 1e-9;
 
-/// Solves by both methods and compares; the single loop has a plain start and uses the whole grid.
+/// Compares the solutions of both methods; the single loop starts without coarser grids and uses the whole grid.
 fn assert_same(bodies: &HalfSpace, gap: &Field, load: NormalControl, friction: &Friction, f: f64) {
     let normal = press(bodies, gap, load, TOLERANCE, Method::ActiveSet);
     let plain = press(bodies, gap, load, TOLERANCE, Method::PolonskyKeer);

@@ -1,5 +1,5 @@
-//! Steady rolling agrees with Carter's closed form with second order in the force, with the numbers of CONTACT without
-//! the entry law, and with its own equations.
+//! The force of steady rolling converges to Carter's closed form with second order. Steady rolling also agrees with the
+//! numbers of CONTACT without the entry rule, and satisfies its own equations.
 
 use proptest::prelude::*;
 use stickslip::analytical::{Carter, HertzLine};
@@ -333,12 +333,12 @@ proptest! {
         let bound = (rough.report().duality_gap * energy).sqrt();
         // The solution with the smaller tolerance has an error as well.
         prop_assert!(error.max(0.0).sqrt() <= bound + 1e-10 * energy.sqrt());
-        // With the entry law the same case converges as well.
+        // With the entry rule the same case converges as well.
         let entering = problem(EntryRule::SinceTouch, 1e-9);
         prop_assert!(entering.work() >= -1e-9 || is_dissimilar);
     }
 
-    /// With the entry law the certificate is above the error as well. Without lateral contraction the compliance of an
+    /// With the entry rule the certificate is above the error as well. Without lateral contraction the compliance of an
     /// entering cell is the gap ahead divided by its pressure, in all directions.
     #[test]
     fn certificate_bounds_error_with_entry_law(
@@ -533,7 +533,7 @@ fn invalid_rolling_is_rejected() {
     assert!(matches!(refused, Err(Error::UnsupportedByModel { .. })));
 }
 
-/// The dissipation is less than the work for any creepages, spin and step, with and without the entry law.
+/// The dissipation is less than the work for any creepages, spin and step, with and without the entry rule.
 #[test]
 fn dissipation_never_exceeds_work() {
     let mut random = kit::Random(3);

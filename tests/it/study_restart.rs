@@ -14,7 +14,7 @@ use stickslip::{
     TangentialLoad, TangentialProblem,
 };
 
-/// Six normal solves and twelve cases.
+/// Arguments of a small study with six normal solves and twelve cases.
 const SMALL: &str = "--cells 16 --cut-off 4 --seeds 1-3 --pressures 0.02,0.1";
 
 fn run_study(line: &str) -> Result<(), Failure> {
@@ -302,7 +302,8 @@ fn study_table_of_another_study_is_rejected() {
     let [whole, other, merged] = paths(&folder, ["whole.csv", "other.csv", "merged.csv"]);
     let table = fs::read(&whole).unwrap();
 
-    // A different setting, in a study and in a merge, or a file of a different kind: no file is changed.
+    // A different setting, in a study or in a merge, and a file of a different kind are rejected, and no file is
+    // changed.
     let refused = run_study(&format!("{SMALL} --tolerance 1e-5 --out {whole}")).unwrap_err();
     assert!(matches!(&refused, Failure::OtherStudy { .. }), "{refused}");
     complain(&refused);

@@ -59,7 +59,8 @@ fn shapes_match_formulas() {
         0.2 * 1.36_f64.sqrt(),
         max_relative = 1e-12
     );
-    // Half a period away, a straight wave has its trough. A wave in both directions has it along one axis only.
+    // A straight wave has its trough half a period away. A wave in both directions has a trough half a period away
+    // along one axis, but not along both.
     assert_relative_eq!(value(sinusoidal(grid, 0.1, 2.0)), 0.2, max_relative = 1e-12);
     let both = bisinusoidal(grid, 0.1, [2.0, 1.2]).unwrap();
     assert!(at(&both, 30, 20).abs() < 1e-15);

@@ -224,7 +224,7 @@ fn user_kernel_stiffness_rolling_wear_and_lines_match_coating() {
     });
     let [(rolling, pressure, traction, numbers), others @ ..] = &solved;
     for (other_rolling, other_pressure, other_traction, other_numbers) in others {
-        // The entry law uses the ratio of compliances of `near` for a kernel, and the ratio at waves of two cells for
+        // The entry rule uses the ratio of compliances of `near` for a kernel, and the ratio at waves of two cells for
         // the coating.
         let close = |found: &Field, expected: &Field| {
             let error = max_difference(found.as_slice(), expected.as_slice());
@@ -240,7 +240,7 @@ fn user_kernel_stiffness_rolling_wear_and_lines_match_coating() {
         }
     }
 
-    // Cylinders on a periodic row of cells.
+    // Compares cylinders on a periodic row of cells.
     let grid = Grid::new(80, 1, 0.08, 1.0).unwrap();
     let boundary = Boundary::PeriodicAlongY { datum: 40.0 };
     let [coated, _] = coating(true);
@@ -276,7 +276,7 @@ fn history_continues_only_with_same_kernel() {
     };
     history.step(&step(0.1)).unwrap();
     let bytes = history.to_bytes();
-    // An equal closure that is created separately.
+    // This closure is equal but is created separately.
     let same = HalfSpace::new(grid, closure(true)).unwrap();
     let mut again = History::from_bytes(&same, &bytes).unwrap();
     for history in [&mut history, &mut again] {

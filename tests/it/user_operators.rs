@@ -148,7 +148,7 @@ fn gap(bodies: &HalfSpace) -> Field {
     surface::sphere(bodies.grid(), 3.0).unwrap()
 }
 
-/// Compares the pressure and the traction along x and in both models, on every kind of grid.
+/// Compares the pressure, and the traction along x and in both models, on every kind of grid.
 #[test]
 fn user_operator_contacts_match_bodies() {
     for (grid, boundary) in [
@@ -543,7 +543,8 @@ fn operator_without_bound_solves_problems_that_need_none() {
     assert!(is_unbounded(refused.unwrap_err()));
 }
 
-/// Compares the traction with one-way coupling, and the stiffness computed in buffers that other bodies used before.
+/// Compares user operators with built-in bodies: the traction under one-way coupling, and the stiffness computed in
+/// buffers previously used by other bodies.
 #[test]
 fn user_operator_one_way_coupling_matches_bodies() {
     let bodies = HalfSpace::new(
@@ -585,7 +586,7 @@ fn user_operator_one_way_coupling_matches_bodies() {
     assert!(softer.normal.value < 0.99 * found.normal.value);
 }
 
-/// On a periodic grid a uniform traction causes no displacement, so that an operator with springs is rejected.
+/// On a periodic grid a uniform traction causes no displacement, so an operator with springs is rejected.
 #[test]
 fn operator_with_mean_is_rejected_on_periodic_grid() {
     let grid = Grid::square(16, 3.0).unwrap();

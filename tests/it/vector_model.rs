@@ -1,5 +1,5 @@
-//! The vector model. Slip opposes traction in direction, and loads can have any direction. If the two components do not
-//! couple, the result is that of the scalar model.
+//! The vector model. Slip is opposite to the traction, and loads can have any direction. If the two components do not
+//! couple, the result equals the result of the scalar model.
 
 use kit::{Table2, max_abs, rough, unit_bodies, unit_pair};
 use proptest::prelude::*;
@@ -92,9 +92,9 @@ fn zero_poisson_ratio_gives_the_scalar_model() {
     }
 }
 
-/// Compares the scalar model with the vector model at one shift. Theory: traction across the load up to 3.7 % of the
-/// largest friction limit at Poisson's ratio 0.29, 7.4 % at 0.5; angles up to 7.4 and 15 degrees; force off by at most
-/// 5e-4 and 1.9e-3.
+/// Compares the scalar model with the vector model at one shift. In theory, the traction across the load is up to 3.7 %
+/// of the largest friction limit at Poisson's ratio 0.29, and 7.4 % at 0.5. The angles are up to 7.4 and 15 degrees,
+/// and the errors of the force at most 5e-4 and 1.9e-3.
 #[test]
 fn error_of_scalar_model_agrees_with_theory() {
     for (poisson_ratio, across, angle, force) in [

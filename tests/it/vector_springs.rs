@@ -1,5 +1,5 @@
 //! Springs in the vector model act along x, along y or along both axes, together with any other load. Each spring
-//! exerts the force k (X - delta), and the contact equals that under the same forces or the same shifts.
+//! exerts the force k (X - delta), and the contact equals the contact under the same forces or the same shifts.
 
 use kit::{max_difference, rough, unit_bodies, unit_pair};
 use stickslip::history::LoadPath;
@@ -131,7 +131,7 @@ fn springs_of_any_stiffness_match_forces_and_shifts() {
     }
 }
 
-/// Flat periodic surfaces in full contact do not deform under a uniform traction, so that only the springs deform.
+/// Flat periodic surfaces in full contact do not deform under a uniform traction, so only the springs deform.
 #[test]
 fn flat_periodic_surface_moves_by_its_springs_only() {
     let grid = Grid::square(16, 12.0).unwrap();
@@ -155,7 +155,7 @@ fn flat_periodic_surface_moves_by_its_springs_only() {
 }
 
 /// These surfaces deform so little that the error of the shift allowed by the tolerance may be relatively large. The
-/// error of the force must not be.
+/// error of the force must remain small.
 #[test]
 fn stiff_spring_gives_accurate_force_or_an_error() {
     let grid = Grid::square(16, 12.0).unwrap();

@@ -200,7 +200,7 @@ fn failed_step_does_not_move_start() {
     }
 }
 
-/// A step that holds everything has no direction, so that the next step cannot continue in it.
+/// A step that holds everything has no direction in which the next step could continue.
 #[test]
 fn continued_shear_costs_less_than_paused_shear() {
     for (bodies, gap, force) in scenes() {

@@ -316,8 +316,8 @@ fn surface_stress_at_edge_gives_warning() {
     }
 }
 
-/// Slip zone of a rolling step: if it is narrower than one cell, the energy from the tractions at the end of the step is
-/// half of the work.
+/// If the slip zone of a rolling step is narrower than one cell, the energy from the tractions at the end of the step
+/// is half of the work.
 #[test]
 fn narrow_slip_of_rolling_step_is_below_one_cell() {
     let grid = Grid::square(20, 2.6).unwrap();

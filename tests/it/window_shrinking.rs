@@ -1,5 +1,5 @@
-//! After a contact has shrunk, its windows have the present size, and its solution agrees with the solution of a
-//! contact that was never large.
+//! After a contact has shrunk, its windows fit its present size, and its solution agrees with the solution of a contact
+//! that was never large.
 
 use kit::{boundaries, max_abs, max_difference, rough, unit_bodies, unit_pair};
 use stickslip::history::EntryRule;

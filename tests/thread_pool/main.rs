@@ -42,7 +42,7 @@ fn run(history: &mut History) {
     thread::scope(|scope| scope.spawn(steps).join().unwrap());
 }
 
-/// Number of threads of this process, if the system reports it.
+/// Returns the number of threads of this process, if the system reports it.
 fn threads() -> Option<usize> {
     std::fs::read_dir("/proc/self/task")
         .ok()
@@ -96,7 +96,7 @@ fn work_on_few_cells_stays_off_pool() {
     // This check comes first, while no other pool starts or ends threads.
     assert_few_cells_stay_off_pool();
 
-    // Steps on a thread outside any pool stay on it, also if their contact was created in a pool.
+    // Steps on a thread outside any pool stay on this thread, even if their contact was created in a pool.
     let apart = rayon::ThreadPoolBuilder::new()
         .num_threads(3)
         .build()

@@ -6,8 +6,8 @@ use stickslip::{HalfSpace, Operator};
 use crate::Result;
 
 /// Compares `[found, truth]`. Returns the energy norm of the difference divided by the energy norm of the reference,
-/// the sum of the absolute differences divided by the absolute sum of the reference, and the relative error of the
-/// total force.
+/// the sum of the absolute differences divided by the sum of the absolute values of the reference, and the relative
+/// error of the total force.
 ///
 /// The reference is a solution of this crate with a tolerance of 1e-11. If a code used different influence
 /// coefficients, its solution would have an error that does not vanish at any tolerance.

@@ -65,7 +65,7 @@ fn answer(words: &[&str]) -> Result<String> {
 }
 
 /// Creates half-spaces of contact modulus 1 on a square of side 1. Poisson's ratio is zero, the only value at which the
-/// peer with friction converges; the pressure does not depend on it.
+/// peer with friction converges. The pressure does not depend on Poisson's ratio.
 fn bodies(cells: usize) -> Result<HalfSpace> {
     let body = Material::new(2.0, 0.0)?;
     Ok(HalfSpace::new(
@@ -147,8 +147,8 @@ impl Shear {
     }
 
     /// Measures first the setup of the operators and the solves for pressure and traction, then the solve for the
-    /// traction alone. The tolerance of the pressure is a tenth of that of the traction, since the pressure bounds the
-    /// traction.
+    /// traction alone. The tolerance of the pressure is a tenth of the tolerance of the traction, because the pressure
+    /// bounds the traction.
     fn answer(&self, tolerance: f64, output: &str) -> Result<String> {
         let start = Instant::now();
         let bodies = bodies(self.press.cells)?;

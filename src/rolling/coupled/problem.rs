@@ -181,7 +181,7 @@ impl CoupledRollingProblemBuilder {
         self
     }
 
-    /// Sets the entry law, the displacement law of cells that enter the contact (default [`EntryRule::SinceTouch`]).
+    /// Sets the entry rule, the displacement law of cells that enter the contact (default [`EntryRule::SinceTouch`]).
     pub fn entry_rule(mut self, entry_rule: EntryRule) -> Self {
         self.problem.entry_rule = entry_rule;
         self

@@ -202,7 +202,7 @@ impl RollingProblemBuilder<'_> {
         self
     }
 
-    /// Sets the entry law, the displacement law of cells that enter the contact (default [`EntryRule::SinceTouch`]).
+    /// Sets the entry rule, the displacement law of cells that enter the contact (default [`EntryRule::SinceTouch`]).
     pub fn entry_rule(mut self, entry_rule: EntryRule) -> Self {
         self.entry_rule = entry_rule;
         self

@@ -31,7 +31,7 @@ pub(in crate::rolling) struct Press {
 }
 
 impl RollingSolver {
-    /// Sets the pressure of the next solve: the solution of a normal contact on the same bodies, or a field. The entry law
+    /// Sets the pressure of the next solve: the solution of a normal contact on the same bodies, or a field. The entry rule
     /// requires the gap ahead of the contact. A field does not include a gap and therefore requires
     /// [`EntryRule::WholeStep`].
     ///
@@ -40,7 +40,7 @@ impl RollingSolver {
     /// memory is allocated.
     ///
     /// # Errors
-    /// - [`Error::UnsupportedByModel`] for a field if the entry law is active.
+    /// - [`Error::UnsupportedByModel`] for a field if the entry rule is active.
     /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or [`Error::MaterialMismatch`]
     ///   if the solution belongs to different bodies.
     /// - [`Error::NotConverged`] if the normal contact has not converged.
@@ -220,7 +220,7 @@ impl RollingProblem {
         RollingShift::new(self.bodies.grid(), self.step.edge, self.step.cells)
     }
 
-    /// Returns an error if the entry law is active, because the law requires a gap.
+    /// Returns an error if the entry rule is active, because the law requires a gap.
     fn check_needs_no_gap(&self, pressure: &Field) -> Result<()> {
         if self.entry_rule == EntryRule::WholeStep {
             return Ok(());

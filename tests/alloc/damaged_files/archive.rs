@@ -1,4 +1,4 @@
-//! X3P: archives, their XML and their data.
+//! Damaged X3P files: archives, their XML and their data.
 
 use std::fs;
 
@@ -9,8 +9,9 @@ use super::changes::{changed, changes};
 use super::zip::zip;
 use super::{assert_format_error, patched, read};
 
-/// Size of the largest entry allowed without regard to its packed size, limit of the expansion ratio, and number of
-/// copies: expanding doubles a buffer, text becomes numbers, and integers become doubles.
+/// Size up to which an entry is expanded for any packed size, limit of the expansion ratio for larger entries, and
+/// number of copies of the data in memory. The copies arise because expanding doubles a buffer, text becomes numbers,
+/// and integers become doubles.
 const ENTRY: usize = 4 << 20;
 const PACKED: usize = 100;
 const COPIES: u64 = 8;
@@ -82,7 +83,7 @@ fn x3p_infinite_heights_are_missing_points() {
     let list = zip(&[("main.xml", main.as_bytes(), true)]);
     for file in [zip(&files), list] {
         let field = io::x3p::parse(&file).unwrap();
-        // Floating-point data are heights already, so that the increment of 1e-9 does not scale them.
+        // Floating-point data are heights already, so the increment of 1e-9 does not scale them.
         assert_eq!(field.as_slice()[0], 1.5);
         assert_eq!(field.as_slice()[4..], [2.5, 3.5]);
         assert!(field.as_slice()[1..4].iter().all(|z| z.is_nan()));
@@ -382,8 +383,8 @@ fn invalid_headers_are_rejected() {
 }
 
 #[test]
-fn bombs() {
-    // Expands to a thousand times the packed size, in the XML, in the data, and in a list.
+fn archives_that_expand_beyond_limit_are_rejected() {
+    // The XML, the data or a list expand to a thousand times their packed size.
     let zeros = vec![0; 8 << 20];
     let bomb = zip(&[("main.xml", &zeros, true)]);
     assert_rejected(
@@ -407,15 +408,15 @@ fn bombs() {
         &zip(&[("main.xml", list.as_bytes(), true)]),
         "X3P, in main.xml: the document ends",
     );
-    // The declared size is small, but the expanded data are not.
+    // The declared size is small, but the expanded data are large.
     let lying = zip(&[("main.xml", &zeros, true)]);
     let directory = lying.len() - 22 - 46 - 8;
     let lying = patched(&lying, directory + 24, &1000_u32.to_le_bytes());
     assert_rejected(&lying, "X3P, in main.xml: cannot be expanded");
 }
 
-/// The cost of an element depends on its own name only, not on the enclosing names. This file would otherwise take
-/// hours.
+/// The cost of an element depends on its own name only, not on the enclosing names. Otherwise, reading this file would
+/// take hours.
 #[test]
 fn long_names_around_many_elements_are_read_quickly() {
     let name = "n".repeat(kit::thorough(1 << 19, 2 << 20));
@@ -428,7 +429,7 @@ fn long_names_around_many_elements_are_read_quickly() {
     );
 }
 
-/// Reads files of other programs, which are then changed at random.
+/// Returns files written by other programs, which the tests then change at random.
 fn files() -> Vec<Vec<u8>> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../data/files/");
     let names = ["I.x3p", "surfalize.x3p", "list.x3p"];

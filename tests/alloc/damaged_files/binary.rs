@@ -1,4 +1,4 @@
-//! NPY, SDF and SUR.
+//! Damaged NPY, SDF and SUR files.
 
 use stickslip::{Error, Field, Grid, Result, io};
 
@@ -242,7 +242,7 @@ fn damaged_sdf_files_are_rejected() {
     }
 }
 
-/// Returns a file of three points in two lines, with 16 bits each.
+/// Returns a file with two lines of three points, with 16 bits per point.
 pub(crate) fn sur() -> Vec<u8> {
     let mut bytes = vec![0; 512];
     for (start, part) in [

@@ -1,4 +1,4 @@
-//! CSV, XYZ, and SDF in text.
+//! Damaged CSV, XYZ and text SDF files.
 
 use stickslip::{Field, Result, io};
 
@@ -156,7 +156,8 @@ fn damaged_xyz_files_are_rejected() {
 
 #[test]
 fn valid_lists_of_points_are_read() {
-    // Spacings of a third of a unit to two decimals, two empty columns, a missing height, in any order.
+    // The points are in any order, with spacings of a third of a unit rounded to two decimals, two empty columns and a
+    // missing height.
     let file = "0.33,2,1\n0,2,2\n1.67,0,3\n0,0,\n";
     let field = io::xyz::parse(file.as_bytes()).unwrap();
     let grid = field.grid();

@@ -3,7 +3,7 @@
 use miniz_oxide::deflate::compress_to_vec;
 
 fn crc(bytes: &[u8]) -> u32 {
-    // A table of all bytes is used because some contents have megabytes.
+    // A table of all bytes is used because some contents are several megabytes long.
     let shifted = |byte: u8| {
         (0..8).fold(u32::from(byte), |sum, _| {
             sum >> 1 ^ if sum & 1 == 1 { 0xedb8_8320 } else { 0 }

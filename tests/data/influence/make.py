@@ -8,8 +8,8 @@ so that div(k r) = k. The integral over a rectangle is therefore the integral of
 
 With s = d sinh(t) along a side, the nearest poles of the integrand are at a distance of pi/2 from the axis.
 Gauss-Legendre quadrature with NODES nodes on pieces of length one is accurate to DIGITS digits; for a far cell, about
-thirty of them cancel between the four sides. Every tenth point is repeated with 50 % more digits and nodes, and some far
-points by the adaptive quadrature of mpmath over the cell itself. Both must agree to 40 digits of the largest
+thirty of them cancel between the four sides. Every tenth point is recomputed with 50 % more digits and nodes, and some
+far points by the adaptive quadrature of mpmath over the cell itself. All must agree to 40 digits of the largest
 coefficient.
 """
 

@@ -1,4 +1,4 @@
-//! A history with a modified state is rejected, or takes steps that end.
+//! A saved history with modified bytes is rejected, or takes steps that end.
 #![no_main]
 
 mod saved;

@@ -48,7 +48,7 @@ fn unloading_and_reloading_match_reference_values() -> Result<()> {
             panic!("{line}");
         };
         let unloaded = after_path(&[from, to])?;
-        // Reloading is the unloading path with opposite sign.
+        // Reloading follows the unloading path with opposite sign.
         let reloaded = after_path(&[from, -from, -to])?;
         for (contact, sign) in [(&unloaded, 1.0), (&reloaded, -1.0)] {
             assert_close(contact.force(), sign * to * LIMIT);
@@ -162,7 +162,7 @@ fn closed_loops_leave_only_their_dissipation() -> Result<()> {
     assert_close(turned.traction(0.9 * a), loaded.traction(0.9 * a));
     let tripled = 3.0 * loaded.dissipated_energy();
     assert_close(turned.dissipated_energy(), tripled);
-    // A hundred cycles.
+    // The dissipation also adds up over a hundred cycles.
     let many: Vec<f64> = (0..=200)
         .map(|i| if i % 2 == 0 { 0.7 } else { -0.7 })
         .collect();

@@ -93,7 +93,7 @@ fn ellipse_pressure_closes_the_gap_in_contact() -> Result<()> {
     Ok(())
 }
 
-/// Long ellipses have the logarithms of a line, at any aspect ratio that a double can represent.
+/// Long ellipses have the logarithmic terms of a line contact, at any aspect ratio that a double can represent.
 #[test]
 fn thin_ellipse_is_accurate() -> Result<()> {
     let pair = steel()?;

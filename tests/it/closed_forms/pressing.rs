@@ -9,8 +9,8 @@ fn against_rigid(poisson_ratio: f64) -> Result<ElasticPair> {
 }
 
 /// Poisson's ratio; punch stiffness relative to the frictionless one; 1/I, the approach relative to `a^2 / 2R`;
-/// relative loads of the sphere at equal approach and at equal radius. The integral was evaluated independently, and by
-/// ring elements to 2e-5.
+/// relative loads of the sphere at equal approach and at equal radius. The integral was evaluated independently of this
+/// crate, and also by ring elements to 2e-5.
 const NO_SLIP: [[f64; 5]; 5] = [
     [0.0, 1.09861, 2.17747, 1.05289, 1.19609],
     [0.1, 1.07495, 2.13274, 1.04096, 1.14629],
@@ -105,7 +105,7 @@ fn stick_zone_under_pressing_matches_spence() -> Result<()> {
             let found = SpencePressing::plane(&pair, plane * beta)?;
             assert_relative_eq!(found.stick_radius(), stick, max_relative = 2e-4);
         }
-        // The bodies can be exchanged.
+        // Exchanging the bodies does not change the result.
         let turned = ElasticPair::new(Material::rigid(), pair.bodies()[0])?;
         assert_eq!(
             SpencePressing::round(&turned, 0.1)?,

@@ -78,7 +78,7 @@ proptest! {
             let cone = ConePartialSlip::new(cone, FRICTION, held)?;
             let punch = FlatPunch::new(&pair, 1e-3 * length, 100.0 * force)?;
             let stick = punch.full_stick(FRICTION, held)?;
-            // The pressure of full contact is 3.65e8 pressures at nu = 0.29.
+            // At nu = 0.29, full contact requires a mean pressure of 3.65e8 units of pressure.
             let mean = ratio * 4e8 * pressure;
             let waves = Westergaard::new(&pair, 1e-6 * length, 1e-3 * length, mean)?;
             let waves = WestergaardPartialSlip::new(waves, FRICTION, fraction * FRICTION * mean)?;

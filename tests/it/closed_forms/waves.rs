@@ -290,7 +290,7 @@ fn full_contact_sticks_until_the_difference_contact_opens() -> Result<()> {
     // Small forces are accurate.
     let small = shear_waves(0.3, 1e-14)?;
     let contact = small.contact();
-    // The derivative of the pressure with respect to the load is the pressure of a row of flat strips.
+    // The derivative of the pressure with respect to the load is the pressure under a row of flat strips.
     let (sine, cosine) = f64::sin_cos(0.1 * PI);
     let rate = cosine / (0.3 - sine * sine).sqrt();
     assert_close(

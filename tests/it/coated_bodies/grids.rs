@@ -38,8 +38,8 @@ fn symbol_is_positive() {
     }
 }
 
-/// Rows of a grid that is periodic along y, with equal loads, agree with a line of cells. Their images agree with a
-/// free grid of many periods.
+/// Rows of a grid that is periodic along y, with equal loads, agree with a line of cells. Sums over their images agree
+/// with a free grid of many periods.
 #[test]
 fn periodic_rows_sum_their_images() {
     let body = parse_body("4/0.3/0.4;0.5/0.45/0.2", "1/0.2");
@@ -78,7 +78,8 @@ fn periodic_rows_sum_their_images() {
                 }
             }
         }
-        // Compares an alternating load on the rows, without its uniform part, with 41 periods of a free grid.
+        // Compares the displacements under an alternating load on the rows, without its uniform part, with those on 41
+        // periods of a free grid.
         let many = Grid::new(10, 6 * 41, dx, dy).unwrap();
         let many = HalfSpace::new(many, against_rigid(body)).unwrap();
         for component in [Component::ZZ, Component::XY, Component::ZY] {
@@ -108,8 +109,8 @@ fn periodic_rows_sum_their_images() {
     }
 }
 
-/// If the periodic continuation of a free grid gives no bound, the infinite lattice of its cells does; it is below the
-/// smallest eigenvalue of the matrix.
+/// If the periodic continuation of a free grid gives no bound, the infinite lattice of its cells gives one. This bound
+/// is below the smallest eigenvalue of the matrix.
 #[cfg(feature = "dense")]
 #[test]
 fn stiff_coating_on_long_grid_has_an_eigenvalue_bound() {
@@ -169,7 +170,7 @@ fn stiff_coating_on_long_grid_has_an_eigenvalue_bound() {
     assert!(estimated > 0);
 }
 
-/// Covers pressure and traction together on a free grid, as a matrix.
+/// Covers the coupled tensor of pressure and traction on a free grid, as a matrix.
 #[cfg(feature = "dense")]
 #[test]
 fn coupled_tensor_is_positive_definite() {
@@ -231,8 +232,8 @@ fn fast_product_equals_direct_sum() {
     }
 }
 
-/// The displacements of a line of cells agree with the middle of a long row of cells. Far from the load they agree with
-/// the substrate and its datum.
+/// The displacements of a line of cells agree with the displacements at the middle of a long row of cells. Far from the
+/// load they agree with the displacements of the substrate with its datum.
 #[test]
 fn line_matches_plane_strain() {
     let body = Material::from_shear_modulus(1.0, 0.2).unwrap();

@@ -234,7 +234,7 @@ fn line_certificate_is_valid_for_any_datum() {
                 let difference: Vec<f64> =
                     pressure.iter().zip(&exact.x).map(|(a, b)| a - b).collect();
                 let error = bilinear_form(&definite, &difference, &difference);
-                // The mean of a difference is round-off, which the added constant would amplify.
+                // The mean of a difference consists of round-off, which the added constant would amplify.
                 let error = error - large * difference.iter().sum::<f64>().powi(2);
                 let squares: f64 = pressure.iter().map(|p| p * p).sum();
                 let energy = bilinear_form(&matrix, pressure, pressure);

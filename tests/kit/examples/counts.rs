@@ -53,7 +53,7 @@ fn sphere(times: usize) -> stickslip::Result<()> {
     Ok(())
 }
 
-/// Moves back and forth on 64 x 64 cells: two steps of a history that has taken two before.
+/// Moves back and forth on 64 x 64 cells: two steps of a history that has already taken two steps.
 fn steps(model: TangentialModel, direction: [f64; 2], times: usize) -> stickslip::Result<()> {
     let scene = ball(64)?;
     let friction = Friction::coulomb(FRICTION)?;

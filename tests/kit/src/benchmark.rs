@@ -13,7 +13,7 @@ pub const FRICTION: f64 = 0.5;
 pub const LOADING: f64 = 0.4;
 
 /// Mean pressures relative to the contact modulus, adjusted on 256 x 256 cells until about 2, 10 and 40 % of the cells
-/// were in contact. The surface has the same slope on every grid, so that the fractions are nearly the same there.
+/// were in contact. The surface has the same slope on every grid, so the fractions are nearly the same on all grids.
 const ROUGH_LOADS: [(&str, f64); 3] = [
     ("rough-2%", 0.0009),
     ("rough-10%", 0.0044),

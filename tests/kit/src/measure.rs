@@ -40,7 +40,8 @@ pub fn distance(found: &Field, truth: &Field) -> f64 {
             .sum::<f64>()
 }
 
-/// Returns the energy norm of the difference divided by that of the solution found, as in the certified bound.
+/// Returns the energy norm of the difference divided by the energy norm of the solution found, as in the certified
+/// bound.
 pub fn energy_error(
     bodies: &HalfSpace,
     component: Component,

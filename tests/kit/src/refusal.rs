@@ -50,7 +50,7 @@ pub fn assert_checked(word: &str, rule: Rule, call: impl Fn(f64) -> Result<f64, 
     }
 }
 
-/// Returns the value of largest magnitude in a field, or NaN if there is one.
+/// Returns the value of largest magnitude in a field, or NaN if the field contains a NaN.
 pub fn extreme(field: &Field) -> f64 {
     field.as_slice().iter().fold(0.0, |largest: f64, &value| {
         if largest.is_nan() || value.is_nan() {

@@ -10,7 +10,7 @@ use super::{Scene, draw, steps};
 
 /// Number of cells up to which a scene is compared with the dense reference and solved by both methods.
 const SMALL: usize = 150;
-/// One in this many indices is a history.
+/// Period of the indices that are histories.
 const HISTORIES: u64 = 8;
 
 /// Returns the rows of an index.

@@ -11,7 +11,7 @@ use stickslip::{
 use super::{Demand, Expected, Scene, Shear, gaps};
 use crate::Random;
 
-/// Time limit of a solve, after which it counts as hanging.
+/// Time limit after which a solve counts as hanging.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(60);
 
 /// Returns the generator of a scene; the scenes of adjacent indices are unrelated.

@@ -42,10 +42,11 @@ const KINDS: [(Kind, &str); 9] = [
     (Kind::Coupled, "coupled"),
 ];
 
-/// One in this many indices is also a history.
+/// Period of the indices that are also histories.
 const HISTORIES: u64 = 3;
 
-/// Deficit from the sliding force in the plane below which the last digits of the force decide; a solve may stall there.
+/// Deficit from the sliding force in the plane below which the solution depends on the last digits of the force, so
+/// that a solve may stall.
 const LAST_DIGITS: f64 = 1e-7;
 
 /// Returns the rows of an index; the scene of each row is its kind.
@@ -315,8 +316,9 @@ impl Contact {
         self.force / (modulus * grid.area().sqrt())
     }
 
-    /// Returns the fraction of this displacement that remains if constants cause no displacement. A pressure between
-    /// zero and `h` times its mean differs from the mean by at most `sqrt(h - 1)` of it in the root mean square.
+    /// Returns the fraction of the displacement `Self::reach` that remains if constants cause no displacement. For a
+    /// pressure between zero and `h` times its mean, the root-mean-square difference from the mean is at most
+    /// `sqrt(h - 1)` times the mean.
     fn part_of_reach(&self) -> f64 {
         let mean = self.force / self.bodies.grid().area();
         let limit = self.hardness.as_ref().map(|hardness| hardness.of_cell(0));

@@ -105,7 +105,7 @@ pub(crate) fn tractions(
     let cell_area = normal.grid().cell_area();
     let is_periodic = scene.bodies.boundary() == Boundary::Periodic;
     // Near sliding the tractions under the prescribed force and under the force reached differ by the square root of
-    // their difference.
+    // the difference of the forces.
     let is_missed = prescribed_force(load).is_some_and(|[x, y]| {
         let limit = limits.iter().sum::<f64>() * cell_area;
         found.axis().is_none() && found.report().load_error > 1.0 - x.hypot(y) / limit

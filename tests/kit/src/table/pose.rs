@@ -45,7 +45,7 @@ impl UnitTransform {
         swaps * self.signs[0] * self.signs[1] * self.side()
     }
 
-    /// Transforms a strain of body 1 minus that of body 2.
+    /// Transforms the strain of body 1 minus the strain of body 2.
     pub(super) fn tensor(&self, strain: [[f64; 2]; 2]) -> [[f64; 2]; 2] {
         let [from_x, from_y] = self.swapped([0, 1]);
         let part = |i: usize, j: usize| {
