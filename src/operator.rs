@@ -276,7 +276,7 @@ impl Scratch {
         // The crate passes each scratch to the operator that created it, and `Operator::apply` requires the same of
         // other callers.
         let buffers = self.get_mut();
-        buffers.expect("the scratch must be that of the operator")
+        buffers.expect("the scratch must have been created by this operator")
     }
 }
 

@@ -149,21 +149,21 @@ impl std::fmt::Display for Warning {
         match self {
             Self::NoContact => write!(
                 formatter,
-                "the normal force is zero, no cell carries pressure: give a normal force above zero, or an approach beyond the least gap"
+                "no cell carries pressure because the normal force is zero: prescribe a positive normal force, or an approach above the smallest gap"
             ),
             Self::ContactAtEdge { cells } => {
                 write!(
                     formatter,
-                    "{cells} contact cells lie on the edge of the grid: take a larger one"
+                    "{cells} contact cells lie on the edge of the grid: use a larger grid"
                 )
             }
             Self::UnresolvedSpots { unresolved, spots } => write!(
                 formatter,
-                "{unresolved} of {spots} contact spots are smaller than {RESOLVED} cells and have a tenth of the contact cells or more: refine the grid, or filter out the short waves of the surface"
+                "{unresolved} of {spots} contact spots have fewer than {RESOLVED} cells, and together they contain at least a tenth of the contact cells: refine the grid, or filter out the short waves of the surface"
             ),
             Self::SingleRowOfCells => write!(
                 formatter,
-                "the grid is a line of cells that does not repeat: rectangles in a row, not a line contact in plane strain; for that take a line along x with a boundary that is periodic along y"
+                "the grid is a single row of rectangular cells and not periodic, so it does not model a line contact in plane strain: use a row along x with a boundary that is periodic along y"
             ),
             Self::ContactSpansGrid { along_x, along_y } => {
                 let axes = match (along_x, along_y) {
@@ -173,31 +173,31 @@ impl std::fmt::Display for Warning {
                 };
                 write!(
                     formatter,
-                    "a contact spot runs across the whole grid along {axes}: its ends at the edges bear peaks of pressure; let the surface rise before them, or let the grid repeat there: periodic along y, or along both axes"
+                    "a contact spot extends across the whole grid along {axes}, which causes pressure peaks at the edges: increase the gap towards the edges, or use a boundary that is periodic along y or along both axes"
                 )
             }
             Self::BeyondHardness { cells } => write!(
                 formatter,
-                "{cells} cells are pressed beyond the hardness of the softer body: limit the pressure to it"
+                "the pressure exceeds the hardness of the softer body in {cells} cells: limit the pressure to the hardness"
             ),
             Self::StalePressure => formatter.write_str(
-                "the gap has changed, but the pressure was held: it is that of the old gap; give the normal load again",
+                "the gap has changed, but the step kept the pressure, which belongs to the old gap: prescribe the normal load again",
             ),
             Self::StressAtEdge => write!(
                 formatter,
-                "the stress along the surface converges as the root of the cells at the edge of a sheared contact: take a plane a side of a cell or more below it"
+                "the error of the stress along the surface at the edge of a sheared contact decreases only with the square root of the cell size: use a plane at a depth of at least one cell side"
             ),
             Self::UnderresolvedContact { cells } => write!(
                 formatter,
-                "the contact has {cells} cells: its area and its stick ratio are rough; refine the grid"
+                "the contact has only {cells} cells, so that its area and its stick ratio are inaccurate: refine the grid"
             ),
             Self::UnderresolvedStickZone { cells } => write!(
                 formatter,
-                "{cells} cells stick: the size of the stick zone is rough; refine the grid"
+                "only {cells} cells stick, so that the size of the stick zone is inaccurate: refine the grid"
             ),
             Self::UnderresolvedSlipZone { tenths } => write!(
                 formatter,
-                "the zone that slips is {}.{} cells wide on the mean: slip and dissipated energy are rough; refine the grid until it has two",
+                "the slip zone is only {}.{} cells wide on average, so that slip and dissipated energy are inaccurate: refine the grid until the zone is two cells wide",
                 tenths / 10,
                 tenths % 10
             ),
@@ -205,7 +205,7 @@ impl std::fmt::Display for Warning {
                 per_mille, spots, ..
             } if *spots > MANY_SPOTS => write!(
                 formatter,
-                "the cells leave an error of about {}.{} % in the fields of {spots} contact spots, by an estimate: for 1 % resample the surface onto cells {:.1} times smaller, or filter out its short waves",
+                "the estimated discretisation error of the fields of {spots} contact spots is {}.{} %: for an error of 1 %, resample the surface onto cells {:.1} times smaller, or filter out its short waves",
                 per_mille / 10,
                 per_mille % 10,
                 refinement(1e-3 * *per_mille as f64)
@@ -216,13 +216,13 @@ impl std::fmt::Display for Warning {
                 ..
             } => write!(
                 formatter,
-                "the cells leave an error of about {}.{} % in the fields, by an estimate: for 1 % take {cells_per_radius} cells to the radius of a contact spot",
+                "the estimated discretisation error of the fields is {}.{} %: for an error of 1 %, use {cells_per_radius} cells on the radius of a contact spot",
                 per_mille / 10,
                 per_mille % 10
             ),
             Self::SingleLoadStep => write!(
                 formatter,
-                "dissimilar bodies were pressed in too few steps: under a load that grows other cells stick and slip; press a history to a tolerance by its function press"
+                "dissimilar bodies were pressed in too few steps, although different cells stick and slip while the load grows: use the function press of a history, which chooses the steps for a tolerance"
             ),
             Self::ApproachBeyondGrid { tenths } => write!(
                 formatter,
@@ -242,7 +242,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::HeldShiftLostForce { per_cent } => write!(
                 formatter,
-                "the step held the shift and lost {per_cent} % of the tangential force, expected at most 50 %: to keep the force, give it in each step"
+                "the step kept the shift and lost {per_cent} % of the tangential force, expected at most 50 %: to keep the force, prescribe it in each step"
             ),
             Self::NeglectedLift { per_million } => write_lift(formatter, *per_million),
         }
@@ -253,7 +253,7 @@ impl std::fmt::Display for Warning {
 fn write_lift(formatter: &mut std::fmt::Formatter<'_>, per_million: usize) -> std::fmt::Result {
     write!(
         formatter,
-        "tractions lift dissimilar bodies by {}.{:04} % of the normal displacement, and the pressure ignores the lift: use coupled rolling, or a history with full coupling",
+        "tractions displace the surfaces of dissimilar bodies by {}.{:04} % of the normal displacement, which the pressure neglects: use coupled rolling, or a history with full coupling",
         per_million / 10_000,
         per_million % 10_000
     )

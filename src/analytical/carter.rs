@@ -58,7 +58,7 @@ impl Carter {
             friction,
             creepage,
         };
-        finite("creepage at which all slips", carter.sliding_creepage())?;
+        finite("creepage at full sliding", carter.sliding_creepage())?;
         Ok(carter)
     }
 

@@ -70,13 +70,13 @@ impl KalkerCoefficients {
         let shorter = ratio.min(1.0 / ratio);
         let least = 0.5_f64.powi(OCTAVES);
         at_least(
-            "the least of the table",
+            "the smallest value of the table",
             least,
-            "ratio of the shorter semi-axis to the longer",
+            "ratio of the shorter to the longer semi-axis",
             shorter,
         )?;
         at_least(
-            "the least of the table",
+            "the smallest value of the table",
             0.0,
             "Poisson's ratio",
             poisson_ratio,

@@ -109,7 +109,7 @@ impl CattaneoMindlinLine {
         let slope = 2.0 * self.held.friction * self.hertz.max_pressure() / modulus;
         self.centre = self.held.direction * a * strain / slope;
         let reach = self.centre.abs() + self.stick_half_width();
-        let least_is = "the reach of the strip that sticks";
+        let least_is = "the distance of the farther end of the stick strip from the centre";
         at_least(least_is, reach, "half-width of the contact", a)?;
         Ok(self)
     }

@@ -64,7 +64,7 @@ impl RoundedPunch {
         positive("radius of the edges", radius)?;
         positive("load per length", load)?;
         let unit = 0.25 * pair.contact_modulus() * flat * (flat / radius);
-        let least_is = "the least that rounds the contact, a millionth of E* b^2/4R";
+        let least_is = "the smallest load of the closed form, 1e-6 E* b^2/4R";
         at_least(least_is, LEAST * unit, "load per length", load)?;
         let wanted = positive("load in units of E* b^2/4R", load / unit)?;
         // The load decreases with the angle. The bisection ends when no floating-point number lies between the bounds.

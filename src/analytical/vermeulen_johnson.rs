@@ -74,7 +74,7 @@ impl VermeulenJohnson {
             relative,
         };
         let x = curve.relative_creepage();
-        finite("force without slip over the friction limit", x)?;
+        finite("force without slip divided by the friction limit", x)?;
         Ok(curve)
     }
 

@@ -113,7 +113,7 @@ impl Material {
             Ok(self)
         } else {
             Err(Error::NotPositive {
-                quantity: "the modulus, and its reciprocal,",
+                quantity: "the modulus and its reciprocal",
                 value: modulus,
             })
         }
@@ -320,7 +320,7 @@ impl TryFrom<RawPair> for ElasticPair {
 
 /// Least ratio of two moduli of a coated body, and of two thicknesses of layers.
 const LEAST_PART: f64 = 1e-12;
-const LEAST_IS: &str = "the least allowed";
+const LEAST_IS: &str = "the smallest permitted ratio";
 
 /// Returns the smallest and the largest of several positive numbers.
 fn extremes(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
@@ -385,7 +385,7 @@ impl ElasticPair {
         match self.kernel {
             None => Ok(()),
             Some(_) => Err(Error::IncompleteKernel(
-                "the pair stands for a kernel: hand over the kernel itself",
+                "the pair represents a kernel; pass the kernel itself",
             )),
         }
     }
@@ -396,7 +396,7 @@ impl ElasticPair {
             let base = (!body.youngs_modulus.is_infinite()).then(|| body.shear_modulus());
             let moduli = body.layers().iter().map(Layer::shear_modulus).chain(base);
             let [least, most] = extremes(moduli);
-            let quantity = "least over largest modulus of a coated body";
+            let quantity = "ratio of the smallest to the largest modulus of a coated body";
             at_least(LEAST_IS, LEAST_PART, quantity, least / most)?;
         }
         let layers = self.bodies.iter().flat_map(Material::layers);
@@ -404,7 +404,7 @@ impl ElasticPair {
             return Ok(());
         }
         let [least, most] = extremes(layers.map(Layer::thickness));
-        let quantity = "least over largest thickness of the layers";
+        let quantity = "ratio of the smallest to the largest thickness of the layers";
         at_least(LEAST_IS, LEAST_PART, quantity, least / most)?;
         Ok(())
     }

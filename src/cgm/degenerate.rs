@@ -188,7 +188,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             });
         }
         flaw.map_or(Ok(()), |value| {
-            let quantity = "v'Mv with the preconditioner M of the iteration that failed";
+            let quantity = "v'Mv with the preconditioner M of the failed iteration";
             Err(Error::NotPositive { quantity, value })
         })
     }

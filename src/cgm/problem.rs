@@ -253,9 +253,9 @@ impl<'a, K: Constraint<N>, const N: usize> Posed<'a, K, N> {
         let quantity = if has_spring {
             "springs"
         } else if !K::Set::HAS_SINGLE_LOOP {
-            "several components a cell"
+            "several components per cell"
         } else if !self.operator.is_symmetric() {
-            "operators that are not symmetric"
+            "non-symmetric operators"
         } else {
             return Ok(());
         };

@@ -252,7 +252,10 @@ const THINNEST: f64 = 4.0;
 /// Returns an error if the outermost layers are too thin to determine the edges of a contact.
 fn check_resolved(normal: &NormalSolution) -> Result<()> {
     if normal.pair().kernel().is_some() {
-        let (quantity, remedy) = ("an edge inside the cells", "take the areas of the cells");
+        let (quantity, remedy) = (
+            "the sub-cell edge of a contact",
+            "use the areas of the cells",
+        );
         normal.pair().check_homogeneous(quantity, remedy)?;
     }
     let grid = normal.grid();
@@ -266,8 +269,8 @@ fn check_resolved(normal: &NormalSolution) -> Result<()> {
     let sides = sides.into_iter().filter(|(cells, _)| *cells > 1);
     let widest = sides.map(|(_, side)| side).fold(0.0, f64::max);
     if thinnest < THINNEST * widest {
-        let quantity = "an edge inside the cells, on layers thinner than four of them,";
-        let remedy = "take smaller cells, or the areas of the cells";
+        let quantity = "the sub-cell edge of a contact on layers thinner than four cells";
+        let remedy = "use smaller cells, or the areas of the cells";
         normal.pair().check_homogeneous(quantity, remedy)?;
     }
     Ok(())
@@ -279,7 +282,7 @@ fn check_whole(grid: Grid) -> Result<()> {
         Ok(())
     } else {
         Err(Error::Ranks(RankFailure::UnsupportedOnRanks(
-            "edges of a contact",
+            "the edge of a contact",
         )))
     }
 }

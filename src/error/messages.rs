@@ -37,22 +37,22 @@ pub(super) fn beyond_capacity(force: f64, limit: f64, remedy: &str) -> String {
     let remedy = if limit > 0.0 {
         remedy
     } else {
-        "there is no friction: give a coefficient of friction above zero"
+        "give a positive coefficient of friction"
     };
-    format!("a tangential force of {force:?} exceeds the friction limit {limit:?}: {remedy}")
+    format!("the tangential force {force:?} exceeds the friction limit {limit:?}: {remedy}")
 }
 
 /// Returns the message for a normal force beyond the hardness, with a remedy.
 pub(super) fn beyond_hardness(force: f64, capacity: f64) -> String {
     format!(
-        "a normal force of {force:?} exceeds the {capacity:?} that cells at their hardness carry: take a larger grid, or prescribe an approach"
+        "the normal force {force:?} exceeds {capacity:?}, the largest force that the cells can carry at their hardness: use a larger grid, or prescribe an approach"
     )
 }
 
 /// Returns the message for a height distribution that was not reached.
 pub(super) fn heights_not_reached(skewness: f64, kurtosis: f64, reached: [f64; 2]) -> String {
     format!(
-        "no surface of this spectrum was found with a skewness of {skewness:?} and a kurtosis of {kurtosis:?}; the search ended at {:?} and {:?}",
+        "no surface of this spectrum was found with a skewness of {skewness:?} and a kurtosis of {kurtosis:?}: request values nearer to {:?} and {:?}, at which the search ended",
         reached[0], reached[1]
     )
 }
@@ -60,13 +60,13 @@ pub(super) fn heights_not_reached(skewness: f64, kurtosis: f64, reached: [f64; 2
 /// Returns the message for an approach that does not determine the pressure.
 pub(super) fn beyond_mean_gap(approach: f64, mean_gap: f64) -> String {
     format!(
-        "an approach of {approach:?} is not below the mean gap {mean_gap:?} of a periodic contact: it closes the gap everywhere, and the pressure is undetermined"
+        "the approach {approach:?} closes the gap of a periodic contact everywhere, so that the pressure is undetermined: prescribe an approach below the mean gap {mean_gap:?}, or a normal force"
     )
 }
 
 /// Returns the message for a cycle that cannot represent the following cycles, with a remedy.
 pub(super) fn not_closed(residual: f64, limit: f64) -> String {
     format!(
-        "the cycle ends {residual:?} of its amplitude from where it began, more than {limit:?}: take another cycle on this gap before jumping, or allow a larger residual"
+        "the residual of the cycle (relative to its amplitude) is {residual:?}, but must be at most {limit:?} for a jump: compute another cycle on this gap first, or raise the limit"
     )
 }

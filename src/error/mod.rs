@@ -5,6 +5,8 @@ mod messages;
 mod place;
 mod ranks;
 mod result;
+#[cfg(test)]
+mod tests;
 
 pub(crate) use check::{
     SLIDE, all_finite, all_non_negative, at_least, finite, has_squares, length, memory,
@@ -23,7 +25,7 @@ use crate::report::Report;
 #[non_exhaustive]
 pub enum Error {
     /// The grid has no cell along an axis.
-    #[error("a grid of {nx} x {ny} cells is empty")]
+    #[error("the grid must have at least one cell along each axis, got {nx} x {ny} cells")]
     GridSize {
         /// Number of cells along x.
         nx: usize,
@@ -65,7 +67,7 @@ pub enum Error {
     },
     /// A number is so small or so large that its squares over- or underflow, so that no error could be certified.
     #[error(
-        "{quantity} is {value:e}, and must lie between {least:e} and {most:e}, where its squares are numbers: {remedy}"
+        "{quantity} must lie between {least:e} and {most:e} so that its squares do not overflow or underflow, got {value:e}: {remedy}"
     )]
     ExtremeNumber {
         /// The quantity, in words.
@@ -80,7 +82,7 @@ pub enum Error {
         remedy: &'static str,
     },
     /// A sample of a field violates a rule for that field.
-    #[error("{quantity} at index {index} is {value:?}: {rule}")]
+    #[error("{quantity} at index {index} is {value:?}, but {rule}")]
     Sample {
         /// The field, in words.
         quantity: &'static str,
@@ -95,10 +97,10 @@ pub enum Error {
     #[error("Poisson's ratio must lie in (-1, 0.5], got {0:?}")]
     PoissonRatio(f64),
     /// Both bodies are rigid. Neither body deforms, so there is nothing to solve.
-    #[error("both bodies are rigid")]
+    #[error("both bodies are rigid: give at least one body a finite Young's modulus")]
     BothRigid,
     /// A coated body has more layers than the limit.
-    #[error("a body of {found} layers exceeds the limit of {limit}")]
+    #[error("a coated body must have at most {limit} layers, got {found}")]
     TooManyLayers {
         /// Number of given layers.
         found: usize,
@@ -107,7 +109,7 @@ pub enum Error {
     },
     /// A quantity is available for homogeneous bodies only, and not for these coated bodies or this
     /// [`Kernel`](crate::Kernel).
-    #[error("{quantity} is not modelled for {bodies}: {remedy}")]
+    #[error("{quantity} is not available for {bodies}: {remedy}")]
     UnsupportedForCoatings {
         /// The requested quantity, in words.
         quantity: &'static str,
@@ -118,13 +120,13 @@ pub enum Error {
     },
     /// A pair that represents a [`Kernel`](crate::Kernel) was given without the kernel, or the table of the kernel
     /// lacks a coefficient, or its operators lack a direction.
-    #[error("the kernel is missing: {0}")]
+    #[error("the kernel is missing or incomplete: {0}")]
     IncompleteKernel(&'static str),
     /// The smallest eigenvalue of the compliance of coated bodies, or of a [`Kernel`](crate::Kernel), is not positive
     /// on this grid, so that no error could be certified. The page of [`kernel`](crate::kernel#certificate) lists the
     /// available bounds.
     #[error(
-        "the least eigenvalue of the compliance, {eigenvalue:?}, is not positive on cells of sides {sides:?}: take a grid of fewer thicknesses of the layers, or one that repeats, or a kernel that stores energy"
+        "the smallest eigenvalue of the compliance must be positive, got {eigenvalue:?} on cells of sides {sides:?}: use a grid that is smaller relative to the layer thickness, a periodic grid, or a kernel of positive energy"
     )]
     NotDefinite {
         /// The smallest eigenvalue (a length over a pressure).
@@ -135,7 +137,7 @@ pub enum Error {
     /// The [datum](crate::Boundary::PeriodicAlongY) makes the compliance indefinite. A prescribed approach, a
     /// prescribed shift or a spring then has no unique solution.
     #[error(
-        "the datum {datum:e} makes the compliance of the grid indefinite, so that a prescribed approach, shift or spring has no unique solution: prescribe the force, or take a datum beyond {least:e}"
+        "the datum distance {datum:?} makes the compliance indefinite, so that a prescribed approach, shift or spring has no unique solution: prescribe the force, or use a distance above {least:?}"
     )]
     DatumTooNear {
         /// Distance of the datum (a length).
@@ -144,15 +146,19 @@ pub enum Error {
         least: f64,
     },
     /// The stress or displacement of a rigid body was requested, but it is undetermined.
-    #[error("{0} is rigid: nothing determines its stress")]
+    #[error(
+        "{0} is rigid, so its stress is undetermined: request the stress of an elastic body or layer"
+    )]
     RigidBody(&'static str),
     /// A sum over images does not converge.
-    #[error("{0} does not converge on a grid that repeats along both axes")]
+    #[error(
+        "{0} does not converge on a grid that is periodic along both axes: compute the stress on planes instead"
+    )]
     DivergentPeriodicSum(&'static str),
     /// The materials couple pressure and traction, and the requested model neglects the effect of shear on the
     /// pressure.
     #[error(
-        "the pair couples pressure and traction (Dundurs beta = {beta:?}): a coupled problem or a history finds both together; elsewhere choose one-way or neglected coupling, and its error"
+        "the materials couple pressure and traction (Dundurs' beta = {beta:?}), which this model neglects: use a coupled problem or a history with full coupling, or accept the error of one-way or neglected coupling"
     )]
     CoupledMaterials {
         /// Dundurs' second parameter of the pair; for coated bodies its equivalent for the waves with the strongest
@@ -162,7 +168,7 @@ pub enum Error {
     /// The cells are so much longer than wide that round-off dominates the smallest eigenvalue of the compliance. No
     /// error could be certified.
     #[error(
-        "cells of sides {sides:?} are too long: double precision does not resolve the compliance of their short waves"
+        "cells of sides {sides:?} are too elongated for double precision to resolve the compliance of short waves: use cells of a smaller aspect ratio"
     )]
     CellsTooLong {
         /// Sides of a cell (lengths).
@@ -180,7 +186,7 @@ pub enum Error {
     },
     /// Two fields or bodies have different grids.
     #[error(
-        "{quantity} lives on {found_cells:?} cells of sides {found_sides:?}, expected {expected_cells:?} of {expected_sides:?}"
+        "{quantity} is on a grid of {found_cells:?} cells of sides {found_sides:?}, expected {expected_cells:?} cells of sides {expected_sides:?}"
     )]
     GridMismatch {
         /// The field, in words.
@@ -195,13 +201,17 @@ pub enum Error {
         found_sides: [f64; 2],
     },
     /// A solution belongs to bodies with a different boundary.
-    #[error("{quantity} belongs to bodies with a different boundary")]
+    #[error(
+        "{quantity} belongs to bodies with a different boundary: use the bodies for which it was computed"
+    )]
     BoundaryMismatch {
         /// The solution, in words.
         quantity: &'static str,
     },
     /// A solution belongs to bodies with a different interpretation of cell values.
-    #[error("{quantity} belongs to bodies with another CellValue")]
+    #[error(
+        "{quantity} belongs to bodies with a different CellValue: use the bodies for which it was computed"
+    )]
     CellValueMismatch {
         /// The solution, in words.
         quantity: &'static str,
@@ -210,13 +220,15 @@ pub enum Error {
     #[error("the tolerance must lie strictly between 0 and 1, got {0:?}")]
     Tolerance(f64),
     /// The iteration limit is zero.
-    #[error("the iteration limit must be at least 1")]
+    #[error("the iteration limit must be at least 1, got 0")]
     IterationLimit,
     /// The load control holds the pressure, but the normal problem has no pressure yet.
-    #[error("a normal problem has no pressure to hold: give it a force or an approach")]
+    #[error(
+        "the normal problem has no pressure to hold yet: prescribe a normal force or an approach"
+    )]
     NoPressureToHold,
     /// The method does not support the problem.
-    #[error("the method {method} does not solve problems with {quantity}: use ActiveSet")]
+    #[error("the method {method} does not support {quantity}: use ActiveSet")]
     Method {
         /// The requested method.
         method: &'static str,
@@ -246,11 +258,11 @@ pub enum Error {
         upper: f64,
     },
     /// A direction occurs twice among the directions of an operator.
-    #[error("the directions of an operator must differ from each other")]
+    #[error("an operator has the same direction twice: give each of its directions once")]
     RepeatedDirection,
     /// The bodies do not touch: there is no contact to load tangentially.
     #[error(
-        "the contact is empty, no cell carries pressure: press the bodies first, by a force or an approach beyond the least gap"
+        "the contact is empty because no cell carries pressure: first prescribe a positive normal force, or an approach above the smallest gap"
     )]
     EmptyContact,
     /// The tangential force exceeds the force that friction can carry, so that no equilibrium exists.
@@ -266,7 +278,7 @@ pub enum Error {
     /// The moment about the normal does not lie between the moments for large spins of both signs, given the prescribed
     /// creepages and forces.
     #[error(
-        "a moment of {moment:?} is not less than the friction limit {limit:?} next to the prescribed creepages and forces: give a moment between {:?} and {:?}, or prescribe the spin", .range[0], .range[1]
+        "the moment {moment:?} reaches or exceeds the friction limit {limit:?} in its direction for the prescribed creepages and forces: prescribe a moment between {:?} and {:?}, or the spin", .range[0], .range[1]
     )]
     BeyondFrictionMoment {
         /// The requested moment, positive in the direction of the limit.
@@ -286,7 +298,7 @@ pub enum Error {
     },
     /// A quantity that is defined for elastic contacts only was requested for a contact with cells at their hardness.
     #[error(
-        "{quantity} is that of an elastic contact, and {cells} cells of this one are at their hardness"
+        "{quantity} requires an elastic contact, but {cells} cells have reached their hardness: lower the load, or raise the hardness"
     )]
     Yielded {
         /// The quantity, in words.
@@ -296,7 +308,7 @@ pub enum Error {
     },
     /// The load has components along both axes, which the scalar tangential model does not allow.
     #[error(
-        "the tangential load [{x:?}, {y:?}] has two components; the scalar model requires one of them to be zero"
+        "the tangential load [{x:?}, {y:?}] has two components, but the scalar model requires one of them to be zero: use the vector model"
     )]
     ObliqueLoad {
         /// Component along x.
@@ -305,7 +317,7 @@ pub enum Error {
         y: f64,
     },
     /// A model does not include this load, or this property of an operator.
-    #[error("{model} does not include {quantity}, got {value:?}: {remedy}")]
+    #[error("{model} does not support {quantity}, got {value:?}: {remedy}")]
     UnsupportedByModel {
         /// The model, in words.
         model: &'static str,
@@ -317,7 +329,9 @@ pub enum Error {
         remedy: &'static str,
     },
     /// A solution or a saved history belongs to bodies of different materials.
-    #[error("{quantity} belongs to bodies of different materials")]
+    #[error(
+        "{quantity} belongs to bodies of different materials: use the bodies for which it was computed"
+    )]
     MaterialMismatch {
         /// The solution or the saved quantity, in words.
         quantity: &'static str,
@@ -332,7 +346,9 @@ pub enum Error {
         mean_gap: f64,
     },
     /// An explicit matrix of this size exceeds the limit.
-    #[error("an explicit matrix of {cells} cells exceeds the limit of {limit} cells")]
+    #[error(
+        "an explicit matrix of {cells} cells exceeds the limit of {limit} cells: use a smaller grid"
+    )]
     TooManyCells {
         /// Requested number of cells.
         cells: usize,
@@ -340,13 +356,17 @@ pub enum Error {
         limit: usize,
     },
     /// A matrix is not symmetric positive definite.
-    #[error("the matrix is not symmetric positive definite (row {row})")]
+    #[error(
+        "the matrix must be symmetric positive definite, but its factorisation fails at row {row}"
+    )]
     NotPositiveDefinite {
         /// The first row at which the factorisation fails.
         row: usize,
     },
     /// The known points do not determine the unknowns.
-    #[error("{quantity} has {unknowns} unknowns, which {known} known points do not determine")]
+    #[error(
+        "{known} known points do not determine the {unknowns} unknowns of the {quantity}: provide more known points"
+    )]
     Undetermined {
         /// The unknown quantity, in words.
         quantity: &'static str,
@@ -356,7 +376,7 @@ pub enum Error {
         known: usize,
     },
     /// The degree of a polynomial exceeds the limit.
-    #[error("a polynomial of degree {degree} exceeds the limit of {limit}")]
+    #[error("the degree of the polynomial must be at most {limit}, got {degree}")]
     Degree {
         /// Requested degree.
         degree: usize,
@@ -365,7 +385,7 @@ pub enum Error {
     },
     /// A range of rows or columns is empty or extends beyond the grid.
     #[error(
-        "the range {start}..{end} of {quantity} is empty or extends beyond the {count} of the grid"
+        "the range {start}..{end} of {quantity} is empty or extends beyond the {count} {quantity} of the grid"
     )]
     Range {
         /// The quantity: rows or columns.
@@ -379,7 +399,7 @@ pub enum Error {
     },
     /// The grid extends beyond the samples from which it is filled.
     #[error(
-        "the grid extends to {reach:?} from the centre along {axis}, the samples only to {limit:?}"
+        "the grid extends to {reach:?} from its centre along {axis}, but the samples extend only to {limit:?}: use a smaller grid"
     )]
     BeyondSamples {
         /// The axis, x or y.
@@ -406,7 +426,7 @@ pub enum Error {
     },
     /// The distance between the contact and the edge of the grid is too small for a rolling step.
     #[error(
-        "the grid is too small in the rolling direction: a step needs {needed} cells {side} the contact, the grid has {found}; add at least {} cells there",
+        "a rolling step requires {needed} cells {side} the contact, but the grid has {found}: extend the grid there by at least {} cells",
         needed.saturating_sub(*found)
     )]
     GridTooShort {
@@ -418,7 +438,9 @@ pub enum Error {
         found: usize,
     },
     /// No wave that is periodic on the surface has a wavelength within the requested band.
-    #[error("the surface has no wave with a wavelength between {shortest:?} and {longest:?}")]
+    #[error(
+        "no periodic wave of the surface has a wavelength between {shortest:?} and {longest:?}: widen the range of wavelengths, or use a larger grid"
+    )]
     NoWaveInBand {
         /// Requested longest wavelength.
         longest: f64,
@@ -458,14 +480,14 @@ pub enum Error {
         problem: String,
     },
     /// The number of steps per cycle is not a positive multiple of 4, so that no step would end at a turning point.
-    #[error("the steps per cycle must be a positive multiple of 4, got {0}")]
+    #[error("the number of steps per cycle must be a positive multiple of 4, got {0}")]
     StepsPerCycle(usize),
     /// A load path has no steps.
-    #[error("the load path has no steps")]
+    #[error("the load path has no steps: give at least one step")]
     EmptyPath,
     /// The cycle already contains the steps of its history up to a given step, and this step does not come after it.
     #[error(
-        "step {step} of the history does not come after step {last}, the last step of the cycle: each step is counted once"
+        "step {step} of the history does not follow step {last}, the last step of the cycle: add each step once, in order"
     )]
     StepAlreadyCounted {
         /// The number of the step, counted from 1; zero before the first step.
@@ -483,7 +505,7 @@ pub enum Error {
     },
     /// A load was divided into the shortest permitted steps, and the error of a step still exceeds its tolerance.
     #[error(
-        "a step of {part:?} of the load still has an error of {error:?}, more than its share of {tolerance:?}: raise the tolerance, or tighten that of the history"
+        "the shortest permitted step ({part:?} of the load) has an error of {error:?}, which exceeds its share of the tolerance {tolerance:?}: raise this tolerance, or lower the tolerance of the history"
     )]
     StepTooLong {
         /// Length of the step, as a fraction of the load.
@@ -498,6 +520,6 @@ pub enum Error {
     Ranks(RankFailure),
     /// The iteration ended before it reached the tolerance. After `solve_into` or `solve_observed` the solution
     /// contains the last feasible iterate; a [`History`](crate::History) remains unchanged.
-    #[error("not converged: {0}")]
+    #[error("the calculation has not converged: {0}")]
     NotConverged(Box<Report>),
 }

@@ -215,7 +215,7 @@ impl<T: Real> Plan<T> {
         assert!(
             x.iter().all(|x| x.len() == self.cells())
                 && out.iter().all(|out| out.len() == self.cells()),
-            "fields must be those of the {:?} cells of the operator",
+            "the fields must have the {:?} cells of the operator",
             self.frame.size
         );
         if self.is_line() {
@@ -234,7 +234,7 @@ impl<T: Real> Plan<T> {
             occupied.iter().all(|bands| bands.len() == along)
                 && by_rows.iter().all(|tiles| tiles.len() >= rows_tiles)
                 && by_columns.iter().all(|tiles| tiles.len() >= columns_tiles),
-            "a workspace must be that of the {:?} cells of the operator",
+            "the workspace must have the {:?} cells of the operator",
             self.frame.size
         );
         let by_rows = by_rows.each_mut().map(|tiles| &mut tiles[..rows_tiles]);

@@ -142,7 +142,7 @@ impl Superposition {
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub(crate) fn new(torus: &Torus) -> Result<Self> {
         let own = [torus.frame.size[0], torus.frame.local_rows().len()];
-        memory("transforms of tractions and stresses", own, 96)?;
+        memory("the transforms of tractions and stresses", own, 96)?;
         let plan = Plan::new(torus.frame.clone());
         let mut results = plan.tiles()?;
         let Tiles {

@@ -34,7 +34,8 @@ impl<'a> Cursor<'a> {
     pub(crate) fn take(&mut self, what: &str, count: usize) -> Result<&'a [u8]> {
         let Some((taken, _)) = self.rest().split_at_checked(count) else {
             let (start, found) = (self.position, self.rest().len());
-            let problem = format!("the file ends within {what}: {found} of {count} bytes");
+            let problem =
+                format!("the file ends within {what}: expected {count} bytes, found {found}");
             return Err(self.format.at_byte(start, problem));
         };
         self.position += count;

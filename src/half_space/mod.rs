@@ -427,12 +427,12 @@ fn cell_compliance(grid: Grid, pair: &ElasticPair) -> f64 {
 /// Checks that a grid may have this boundary, and that the memory for a contact of the given number of cells is
 /// available.
 fn check(grid: Grid, kernel: &kernel::Kernel, boundary: Boundary, cells: [usize; 2]) -> Result<()> {
-    memory("contact of all cells", cells, BYTES_PER_CELL)?;
+    memory("a contact of all cells", cells, BYTES_PER_CELL)?;
     let pair = kernel.pair();
     has_squares(
-        "the side of a cell over the contact modulus",
+        "the cell side divided by the contact modulus",
         cell_compliance(grid, pair),
-        "choose other units of length or pressure",
+        "choose different units of length or pressure",
     )?;
     let bodies = pair.bodies();
     for layer in bodies.iter().flat_map(Material::layers) {

@@ -83,7 +83,7 @@ impl<const N: usize> ElasticOperator<N> {
     /// Checks that a user-defined operator states a positive lower bound; other operators need no stated bound.
     pub(crate) fn check_bounded(&self) -> Result<()> {
         if let OperatorKind::User(part) = &self.0 {
-            positive("lower bound of an operator of a user", part.lower_bound())?;
+            positive("lower bound of a user-defined operator", part.lower_bound())?;
         }
         Ok(())
     }

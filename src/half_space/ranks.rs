@@ -41,7 +41,7 @@ impl HalfSpace {
         let team = Arc::new(RankGroup::new(ranks));
         let share = Arc::new(RowPartition::new(&team, grid.size()));
         let own = [grid.nx(), share.local_rows().len()];
-        let checked = bodies.check_no_operators("a grid that ranks share");
+        let checked = bodies.check_no_operators("a grid that is distributed over ranks");
         team.collective_result_checked(
             checked.and_then(|()| check(grid, &bodies, boundary, own)),
             &[

@@ -135,7 +135,7 @@ impl LoadPath {
         if steps == 0 || steps % 4 != 0 {
             return Err(Error::StepsPerCycle(steps));
         }
-        memory("load path", [steps, 2], size_of::<f64>())?;
+        memory("the load path", [steps, 2], size_of::<f64>())?;
         let value = |step| {
             let [x, y] = shape(Quarter::of(step, steps / 4));
             [amplitudes[0] * x, amplitudes[1] * y]

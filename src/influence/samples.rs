@@ -66,7 +66,7 @@ impl Samples {
     /// - [`Error::NotPositive`](crate::Error::NotPositive) if the sides of a cell cannot be halved or compared.
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub(crate) fn new(grid: Grid, size: [usize; 2]) -> Result<Self> {
-        memory("influence coefficients", size, size_of::<f64>())?;
+        memory("the influence coefficients", size, size_of::<f64>())?;
         Ok(Self {
             rectangle: Rectangle::new(0.5 * grid.dx(), 0.5 * grid.dy())?,
             sides: [grid.dx(), grid.dy()],
@@ -145,7 +145,7 @@ impl Samples {
             let make = || {
                 let values = self.sample(Sampled::LayerCorrection(component))?;
                 // A user-defined response can be NaN for some waves.
-                all_finite("coefficients of the kernel", &values)?;
+                all_finite("coefficient of the kernel", &values)?;
                 Ok(Arc::new(values))
             };
             let values = get_or_make(&self.rests[component as usize], make)?;

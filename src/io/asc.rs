@@ -67,7 +67,7 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
         return parse_gwyddion(bytes);
     }
     if !is_asc(bytes) {
-        return Err(FORMAT.on_line(1, "the file does not begin with # File Format = ASCII"));
+        return Err(FORMAT.on_line(1, "the file does not start with # File Format = ASCII"));
     }
     let header = Header::of(bytes)?;
     let [nx, ny] = header.size;
@@ -83,13 +83,19 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     let (heights, masks) = numbers.split_at(cells.min(numbers.len()));
     let has_mask = header.void != 0.0 && masks.len() == cells;
     if heights.len() < cells || !(masks.is_empty() || has_mask) {
-        let problem = format!("{} numbers for {nx} x {ny} heights", numbers.len());
+        let problem = format!(
+            "the file contains {} numbers, expected {nx} x {ny} heights",
+            numbers.len()
+        );
         return Err(FORMAT.in_entry("the heights", problem));
     }
     let may_be_count =
         header.void > 0.0 && header.void.fract() == 0.0 && header.void <= cells as f64;
     if may_be_count && !has_mask {
-        let problem = format!("{} points are missing, but no mask says which", header.void);
+        let problem = format!(
+            "{} points are missing, but the file has no mask that marks them",
+            header.void
+        );
         return Err(FORMAT.in_entry("voidpixels", problem));
     }
     let is_missing = |cell: usize| {
@@ -127,7 +133,7 @@ fn parse_gwyddion(bytes: &[u8]) -> Result<Field> {
     let header = header_text(bytes);
     let required = |key: &str| {
         let value = entry(&header, ':', key);
-        value.ok_or_else(|| FORMAT.in_entry(key, "the header lacks it"))
+        value.ok_or_else(|| FORMAT.in_entry(key, "the header does not contain this entry"))
     };
     let length = |key: &str| {
         let value = required(key)?;
@@ -137,7 +143,7 @@ fn parse_gwyddion(bytes: &[u8]) -> Result<Field> {
         let parsed = number.replace(',', ".").parse::<f64>();
         let problem = |_| FORMAT.in_entry(key, format!("{} is not a number", excerpt(number)));
         let value = parsed.map_err(problem)? * unit_of(key, unit.trim())?;
-        FORMAT.positive(Place::Entry(key.into()), "it", value)
+        FORMAT.positive(Place::Entry(key.into()), "the value", value)
     };
     let sides = Sides::OfGrid([length("Width")?, length("Height")?]);
     let unit = unit_of("Value units", &required("Value units")?)?;
@@ -163,7 +169,7 @@ fn entry(header: &str, sign: char, key: &str) -> Option<String> {
 /// Returns the length of a unit in metres.
 fn unit_of(key: &str, unit: &str) -> Result<f64> {
     let known = UNITS.iter().find(|(name, _)| *name == unit);
-    let problem = || format!("the unit {} is unknown", excerpt(unit));
+    let problem = || format!("{} is not a known unit of length", excerpt(unit));
     Ok(known.ok_or_else(|| FORMAT.in_entry(key, problem()))?.1)
 }
 
@@ -193,8 +199,9 @@ impl Header {
                 .transpose()
         };
         let required = |key: &str| {
-            let value = number(key)?.ok_or_else(|| FORMAT.in_entry(key, "the header lacks it"))?;
-            FORMAT.positive(Place::Entry(key.into()), "it", value)
+            let value = number(key)?
+                .ok_or_else(|| FORMAT.in_entry(key, "the header does not contain this entry"))?;
+            FORMAT.positive(Place::Entry(key.into()), "the value", value)
         };
         let count = |key: &str| {
             let value = required(key)?;
@@ -206,7 +213,10 @@ impl Header {
             if value.fract() == 0.0 && value < 2.0_f64.powi(53) {
                 Ok(value as usize)
             } else {
-                Err(FORMAT.in_entry(key, format!("{value} is no number of points")))
+                Err(FORMAT.in_entry(
+                    key,
+                    format!("the number of points must be a whole number, got {value}"),
+                ))
             }
         };
         let unit = match entry("z-unit") {

@@ -103,7 +103,8 @@ impl Options {
         let sides = sides.into().checked()?;
         check_encoding(FORMAT, bytes)?;
         if is_asc(bytes) && self == Self::default() {
-            let problem = "the header holds sides, unit and missing points: read it as ASC";
+            let problem =
+                "the header contains sides, unit and missing points: read the file as ASC";
             return Err(FORMAT.on_line(1, problem));
         }
         let (mut samples, mut width) = (Vec::new(), 0);
@@ -127,13 +128,15 @@ impl Options {
                 (width, first_line) = (found, number);
             }
             if found != 0 && found != width {
-                let problem = format!("{found} cells, but the lines before have {width}");
+                let problem = format!(
+                    "the line must have {width} cells, as the previous lines, but it has {found}"
+                );
                 return Err(FORMAT.on_line(number, problem));
             }
             ends_with_separator &= found == 0 || last.is_empty();
         }
         if samples.is_empty() {
-            return Err(FORMAT.on_line(1, "the file has no numbers"));
+            return Err(FORMAT.on_line(1, "the file contains no numbers"));
         }
         let height = samples.len() / width;
         if ends_with_separator && width > 1 {
@@ -182,8 +185,8 @@ impl Options {
             ),
         };
         let problem = format!(
-            "{labels} may be labels, because the numbers count on: leave them out by the option {remedy}, or read \
-             them as heights by the option without_labels"
+            "{labels} may contain labels, because the numbers are evenly spaced: skip the labels by the option {remedy}, or \
+             read them as heights by the option without_labels"
         );
         Err(FORMAT.on_line(line, problem))
     }
@@ -198,9 +201,9 @@ fn named(
     skipped: usize,
 ) -> Option<Error> {
     let is_name = cell.starts_with(|first: char| first.is_alphabetic() || "\"'_".contains(first));
-    let rows = format!("skip lines of names by the option skip_rows = {line}");
+    let rows = format!("skip header lines by the option skip_rows = {line}");
     let columns = skipped + 1;
-    let columns = format!("skip names of rows by the option skip_columns = {columns}");
+    let columns = format!("skip row names by the option skip_columns = {columns}");
     let remedy = match (is_first_line, is_first_column) {
         _ if !is_name => return None,
         (true, true) => format!("{rows}, or {columns}"),

@@ -97,13 +97,13 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
         Err(Format("surface").at_byte(
             0,
             if bytes.starts_with(b"\x93NUMPY") || is("npy") {
-                "NPY does not hold the cell sides: read it as NPY, with the sides given"
+                "an NPY file does not contain the cell sides: read it as NPY, and give the sides"
             } else if (is("csv") || is("txt") || is("dat") || is("asc")) && xyz::is_like_points(bytes) {
-                "the lines have three numbers: read them as XYZ if these are x, y and z, otherwise as CSV, with the sides given"
+                "the lines have three numbers: read the file as XYZ if these are x, y and z, otherwise read it as CSV, and give the sides"
             } else if is("csv") || is("asc") || is("txt") {
-                "text does not hold the cell sides: read it as CSV, with the sides given"
+                "a text file does not contain the cell sides: read it as CSV, and give the sides"
             } else {
-                "neither SDF, SUR, ASC, X3P nor XYZ; NPY and CSV are read as such, with the cell sides given"
+                "the file is not an SDF, SUR, ASC, X3P or XYZ file: read NPY and CSV files by their own functions, and give the cell sides"
             },
         ))
     })
@@ -116,7 +116,7 @@ fn parse_x3p(bytes: &[u8]) -> Result<Field> {
 
 #[cfg(not(feature = "x3p"))]
 fn parse_x3p(_: &[u8]) -> Result<Field> {
-    Err(Format("X3P").at_byte(0, "reading it requires the cargo feature `x3p`"))
+    Err(Format("X3P").at_byte(0, "reading X3P files requires the cargo feature `x3p`"))
 }
 
 /// Cell or grid sides (lengths) for a file that does not contain them. An array `[dx, dy]` converts to the sides of a

@@ -91,7 +91,9 @@ pub(crate) fn read_slab(path: &Path, slab: Grid) -> Result<Field> {
     let ([ny, nx], whole) = (array.shape, slab.whole());
     if [nx, ny] != whole.size() {
         let [columns, rows] = whole.size();
-        let problem = format!("shape ({ny}, {nx}) is not that of the grid, ({rows}, {columns})");
+        let problem = format!(
+            "the array has the shape ({ny}, {nx}), but the grid has the shape ({rows}, {columns})"
+        );
         return Err(in_file(path, FORMAT.at_byte(array.start, problem)));
     }
     let bytes = array.rows(&mut file, slab.rows());
@@ -191,13 +193,18 @@ impl Array {
     fn parse(bytes: &[u8], length: u64) -> Result<Self> {
         let mut bytes = Cursor::new(FORMAT, bytes);
         if bytes.take("the magic string", MAGIC.len())? != MAGIC {
-            return Err(FORMAT.at_byte(0, "the file does not begin with \\x93NUMPY"));
+            return Err(FORMAT.at_byte(0, "the file does not start with \\x93NUMPY"));
         }
         let [major, minor] = bytes.array("the version")?;
         let header = match major {
             1 => usize::from(bytes.u16("the length of the header")?),
             2 | 3 => bytes.u32("the length of the header")? as usize,
-            _ => return Err(FORMAT.at_byte(6, format!("version {major}.{minor} is unknown"))),
+            _ => {
+                return Err(FORMAT.at_byte(
+                    6,
+                    format!("version {major}.{minor} is not supported, expected version 1, 2 or 3"),
+                ));
+            }
         };
         let start = bytes.position();
         let array = Self::described(start, bytes.take("the header", header)?)?;
@@ -210,8 +217,9 @@ impl Array {
             length.saturating_sub(array.start as u64),
         );
         if found != expected {
-            let problem =
-                format!("shape ({ny}, {nx}) takes {expected} bytes, the file has {found}");
+            let problem = format!(
+                "an array of shape ({ny}, {nx}) requires {expected} bytes, but the file has {found}"
+            );
             return Err(FORMAT.at_byte(array.start, problem));
         }
         Ok(array)

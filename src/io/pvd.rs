@@ -45,7 +45,7 @@ impl PvdWriter {
     pub fn new(path: impl AsRef<Path>) -> Result<Self> {
         let path = path.as_ref();
         let Some(name) = path.file_stem().and_then(|name| name.to_str()) else {
-            let problem = "the path has no name that the list could hold";
+            let problem = "the path has no file name in UTF-8";
             return Err(FORMAT.in_entry(&path.display().to_string(), problem));
         };
         let series = Self {

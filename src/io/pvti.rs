@@ -61,7 +61,7 @@ pub(crate) fn write(
 fn name(path: &Path) -> Result<&str> {
     let name = path.file_stem().and_then(|name| name.to_str());
     name.ok_or_else(|| {
-        let problem = "the path has no name that the list could hold";
+        let problem = "the path has no file name in UTF-8";
         FORMAT.in_entry(&path.display().to_string(), problem)
     })
 }

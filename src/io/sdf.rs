@@ -59,11 +59,11 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     } else if is_sdf(bytes) && bytes.len() >= MAGIC_LENGTH {
         let dialect = excerpt(&String::from_utf8_lossy(&bytes[..MAGIC_LENGTH]));
         let problem = format!(
-            "the file begins with the dialect {dialect}, which is not supported: save it as bISO-1.0 or aISO-1.0"
+            "the file starts with the dialect {dialect}, which is not supported: save it as bISO-1.0 or aISO-1.0"
         );
         Err(FORMAT.at_byte(0, problem))
     } else {
-        Err(FORMAT.at_byte(0, "the file begins with neither bISO-1.0 nor aISO-1.0"))
+        Err(FORMAT.at_byte(0, "the file does not start with bISO-1.0 or aISO-1.0"))
     }
 }
 
@@ -84,7 +84,12 @@ pub fn write(path: impl AsRef<Path>, field: &Field) -> Result<()> {
 pub fn to_bytes(field: &Field) -> Result<Vec<u8>> {
     let grid = field.grid();
     let count = |name: &str, cells: usize| {
-        let problem = |_| FORMAT.in_entry(name, format!("{cells} points exceed 65535"));
+        let problem = |_| {
+            FORMAT.in_entry(
+                name,
+                format!("the number of points must be at most 65535, got {cells}"),
+            )
+        };
         u16::try_from(cells).map_err(problem)
     };
     let counts = [
@@ -138,7 +143,12 @@ fn parse_binary(bytes: &[u8]) -> Result<Field> {
         5 => (Number::I16, f64::from(i16::MIN)),
         6 => (Number::I32, f64::from(i32::MIN)),
         7 => (Number::F64, f64::MIN),
-        _ => return Err(FORMAT.at_byte(flags + 1, format!("data type {data_type} is unknown"))),
+        _ => {
+            return Err(FORMAT.at_byte(
+                flags + 1,
+                format!("data type {data_type} is not supported, expected 3, 5, 6 or 7"),
+            ));
+        }
     };
     if compression != 0 {
         return Err(FORMAT.at_byte(flags, format!("compression {compression} is not supported")));
@@ -186,7 +196,8 @@ fn parse_text(bytes: &[u8]) -> Result<Field> {
     }
     if samples.len() != grid.cells() {
         let (found, nx, ny) = (samples.len(), grid.nx(), grid.ny());
-        let problem = format!("{found} samples, but {ny} profiles of {nx} points");
+        let problem =
+            format!("the file contains {found} samples, expected {ny} profiles of {nx} points");
         return Err(FORMAT.on_line(end, problem));
     }
     Field::from_vec(grid, samples)

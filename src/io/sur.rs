@@ -46,18 +46,18 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
         ));
     }
     if magic != MAGIC {
-        return Err(FORMAT.at_byte(0, "the file does not begin with DIGITAL SURF"));
+        return Err(FORMAT.at_byte(0, "the file does not start with DIGITAL SURF"));
     }
     expect(&mut bytes, "byte order", &[0])?;
     expect(&mut bytes, "number of objects", &[0, 1])?;
     expect(&mut bytes, "version", &[1])?;
     expect(&mut bytes, "kind of object", &[1, 2])?;
     bytes.take("names and acquisition", 66)?;
-    let has_missing = expect(&mut bytes, "flag of points not measured", &[0, 1])? == 1;
+    let has_missing = expect(&mut bytes, "flag of missing points", &[0, 1])? == 1;
     bytes.take("resolution of the gauge", 10)?;
     let bits = expect(&mut bytes, "bits per point", &[16, 32])?;
-    let least = bytes.i32("the least sample")?;
-    bytes.take("the greatest sample", 4)?;
+    let least = bytes.i32("the smallest sample")?;
+    bytes.take("the largest sample", 4)?;
 
     let start = bytes.position();
     let counts = [
@@ -67,7 +67,7 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     let total = bytes.u32("the number of points")?;
     if counts[0].checked_mul(counts[1]) != Some(total) {
         let problem = format!(
-            "{} x {} points, but the total is {total}",
+            "the header states {} x {} points, but a total of {total} points",
             counts[0], counts[1]
         );
         return Err(FORMAT.at_byte(start, problem));
@@ -153,7 +153,10 @@ fn metres(bytes: &mut Cursor<'_>) -> Result<f64> {
         b"pm" => Ok(1e-12),
         other => {
             let unit = excerpt(&String::from_utf8_lossy(other));
-            Err(FORMAT.at_byte(start, format!("{unit} is not a length from pm to m")))
+            Err(FORMAT.at_byte(
+                start,
+                format!("{unit} is not a unit of length from pm to m"),
+            ))
         }
     }
 }

@@ -122,7 +122,10 @@ impl Separator {
             Ok(value) if f64::is_finite(value) || !cell.contains(|c: char| c.is_ascii_digit()) => {
                 Ok(value)
             }
-            Ok(_) => Err(format.on_line(line, format!("{} overflows", excerpt(cell)))),
+            Ok(_) => Err(format.on_line(
+                line,
+                format!("{} exceeds the range of double precision", excerpt(cell)),
+            )),
             Err(_) => Err(format.on_line(line, format!("{} is not a number", excerpt(cell)))),
         }
     }

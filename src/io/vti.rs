@@ -118,17 +118,17 @@ pub(crate) fn named<'n, 'a>(
 /// Returns the grid of all arrays, or an error if they cannot be written.
 pub(super) fn check(arrays: &[(&str, Array<'_>)]) -> Result<Grid> {
     let Some((_, first)) = arrays.first() else {
-        return Err(FORMAT.in_entry("CellData", "there is no field to write"));
+        return Err(FORMAT.in_entry("CellData", "give at least one field to write"));
     };
     let grid = first.fields()[0].grid();
     for (index, (name, array)) in arrays.iter().enumerate() {
         let agrees = |field: &&Field| grid.agrees_with(field.grid());
         let problem = if !array.fields().iter().all(agrees) {
-            "the field is on another grid than the first"
+            "the field is not on the grid of the first field"
         } else if name.is_empty() || name.contains(char::is_control) {
-            "the name is empty or holds control characters"
+            "the name must not be empty or contain control characters"
         } else if arrays[..index].iter().any(|(other, _)| other == name) {
-            "the name is given twice"
+            "the name is given twice: give each field a different name"
         } else {
             continue;
         };

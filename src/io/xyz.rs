@@ -166,7 +166,7 @@ fn gridded(points: &[SamplePoint]) -> Result<Field> {
             }
         }
     }
-    Err(refused.unwrap_or_else(|| FORMAT.on_line(1, "the file has no points")))
+    Err(refused.unwrap_or_else(|| FORMAT.on_line(1, "the file contains no points")))
 }
 
 /// Returns the field on the grid of two axes. The error includes whether a point is off the grid.
@@ -179,7 +179,7 @@ fn on_grid(
     let limit = (CELLS_PER_POINT * points.len()) as f64;
     if cells.is_nan() || cells > limit {
         let problem = format!(
-            "too few for a regular grid: {} for {} x {} places",
+            "the points are too few for a regular grid: {} points for {} x {} positions",
             points.len(),
             x.count,
             y.count
@@ -188,7 +188,10 @@ fn on_grid(
     }
     let (nx, ny) = (whole(x.count), whole(y.count));
     if nx * ny < 2 {
-        let problem = format!("{} places do not define a spacing", nx * ny);
+        let problem = format!(
+            "the number of positions must be at least 2 to define a spacing, got {}",
+            nx * ny
+        );
         return Err((FORMAT.in_entry("all points", problem), false));
     }
     let sides = match (nx, ny) {
@@ -209,14 +212,15 @@ fn on_grid(
         let [px, py] = point.position;
         let (Some(ix), Some(iy)) = (ix, iy) else {
             let problem = format!(
-                "({px}, {py}) is off the regular grid from ({}, {}) in steps of {} and {} by more than 5 %",
+                "the position ({px}, {py}) deviates by more than 5 % from the regular grid that starts at ({}, {}) with spacings of {} and {}",
                 x.least, y.least, x.spacing, y.spacing
             );
             return Err((FORMAT.on_line(point.line, problem), true));
         };
         let cell = iy * nx + ix;
         if is_taken[cell] {
-            let problem = format!("({px}, {py}) repeats the place of an earlier point");
+            let problem =
+                format!("the position ({px}, {py}) is already the position of an earlier point");
             return Err((FORMAT.on_line(point.line, problem), false));
         }
         is_taken[cell] = true;
@@ -246,7 +250,7 @@ fn points(bytes: &[u8], skip_rows: usize) -> Result<Vec<SamplePoint>> {
         };
         let mut cells = separator.split(&line);
         let (Some(x), Some(y), Some(z)) = (cells.next(), cells.next(), cells.next()) else {
-            let problem = "a point needs three cells: x, y and z";
+            let problem = "a point requires three cells: x, y and z";
             return Err(FORMAT.on_line(number, hinted(problem.into(), &points, number)));
         };
         let found = 3 + cells.count();
@@ -254,7 +258,7 @@ fn points(bytes: &[u8], skip_rows: usize) -> Result<Vec<SamplePoint>> {
             width = found;
             if separator == Separator::Comma && found > 3 && !line.contains('.') {
                 let problem = format!(
-                    "a point needs three cells, x, y and z, and commas separate {found} whole numbers: if they are \
+                    "a point requires three cells (x, y and z), but commas separate {found} whole numbers: if they are \
                      decimal commas, separate the cells by semicolons or tabs"
                 );
                 return Err(FORMAT.on_line(number, problem));
@@ -262,7 +266,7 @@ fn points(bytes: &[u8], skip_rows: usize) -> Result<Vec<SamplePoint>> {
         }
         if found != width {
             let problem = format!(
-                "a point needs three cells, and as many on each line: {found}, but the lines before have {width}"
+                "the line must have {width} cells, as the previous lines, but it has {found}"
             );
             return Err(FORMAT.on_line(number, problem));
         }
@@ -277,7 +281,7 @@ fn points(bytes: &[u8], skip_rows: usize) -> Result<Vec<SamplePoint>> {
         };
         let (position, height) = ([read(x)?, read(y)?], read(z)?);
         if !position.iter().all(|coordinate| coordinate.is_finite()) {
-            return Err(FORMAT.on_line(number, "the position of a point is not finite"));
+            return Err(FORMAT.on_line(number, "the position of a point must be finite"));
         }
         points.push(SamplePoint {
             line: number,
@@ -286,7 +290,7 @@ fn points(bytes: &[u8], skip_rows: usize) -> Result<Vec<SamplePoint>> {
         });
     }
     if points.is_empty() {
-        return Err(FORMAT.on_line(1, "the file has no points"));
+        return Err(FORMAT.on_line(1, "the file contains no points"));
     }
     Ok(points)
 }

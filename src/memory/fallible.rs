@@ -52,7 +52,7 @@ pub(crate) fn make_room<T>(buffer: &mut Vec<T>, items: usize) -> Result<()> {
 /// Returns the error for a buffer of the given number of bytes that cannot be allocated.
 pub(crate) fn out_of_memory(bytes: usize) -> Error {
     Error::Memory {
-        quantity: "a buffer of the cells",
+        quantity: "a buffer of all cells",
         bytes: bytes as u128,
     }
 }

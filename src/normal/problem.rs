@@ -63,7 +63,7 @@ impl NormalControl {
             Self::Force(force) => {
                 non_negative("normal force", force)?;
                 let pressure = force / gap.grid().cell_area();
-                finite("normal force over the area of a cell", pressure)?;
+                finite("normal force divided by the cell area", pressure)?;
                 let mean = force / bodies.grid().whole().area();
                 check_size(force, [mean, mean * bodies.cell_compliance()])?;
             }
@@ -89,9 +89,9 @@ fn check_size(load: f64, [pressure, displacement]: [f64; 2]) -> Result<()> {
     if load == 0.0 {
         return Ok(());
     }
-    let remedy = "choose other units of length or pressure, or a load that is zero";
-    has_squares("the pressure that the normal load causes", pressure, remedy)?;
-    let quantity = "the displacement that the normal load causes";
+    let remedy = "choose different units of length or pressure, or a zero load";
+    has_squares("the pressure due to the normal load", pressure, remedy)?;
+    let quantity = "the displacement due to the normal load";
     has_squares(quantity, displacement, remedy).map(drop)
 }
 

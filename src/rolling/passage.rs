@@ -139,15 +139,15 @@ impl RollingShift {
 
     /// Checks that the length is positive and finite and that the grid is not periodic along the rolling direction.
     pub(crate) fn check(&self, bodies: &HalfSpace) -> Result<()> {
-        positive("cells that a step rolls", self.cells as f64)?;
-        let length = finite("length of a rolled step", self.length)?;
+        positive("number of cells of a rolling step", self.cells as f64)?;
+        let length = finite("length of a rolling step", self.length)?;
         bodies.kernel().check_no_operators("rolling")?;
         if bodies.boundary().repeats()[self.edge.axis().index()] {
             return Err(Error::UnsupportedByModel {
                 model: "the model of rolling",
-                quantity: "a step along an axis on which the grid repeats",
+                quantity: "a step along a periodic axis (value: the length of the step)",
                 value: length,
-                remedy: "roll along the other axis, or on a grid that does not repeat",
+                remedy: "roll along the other axis, or use a grid that is not periodic",
             });
         }
         Ok(())

@@ -67,7 +67,7 @@ impl<'de> serde::Deserialize<'de> for ContactSpots {
             length("labels", read.grid.cells(), read.labels.len())?;
             let largest = read.labels.iter().copied().max().unwrap_or(0);
             at_least(
-                "the largest label",
+                "the largest label of a cell",
                 f64::from(largest),
                 "number of contact spots",
                 read.spots.len() as f64,

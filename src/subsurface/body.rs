@@ -47,7 +47,7 @@ pub(super) struct Constants {
 pub(super) fn check_described(pair: &ElasticPair) -> Result<()> {
     if pair.stands_for_kernel() {
         return Err(Error::UnsupportedForCoatings {
-            quantity: "stress below the surface",
+            quantity: "the stress below the surface",
             bodies: "kernels",
             remedy: "describe the bodies by materials and layers",
         });

@@ -144,11 +144,11 @@ impl Planes {
         let is_depth = |depth: f64| depth >= 0.0 && depth.is_finite();
         let checked = bodies
             .kernel()
-            .check_no_operators("stress below the surface")
+            .check_no_operators("the stress below the surface")
             .and_then(|()| check_described(bodies.pair()))
-            .and_then(|()| samples_obey("depths", depths, rule, is_depth))
+            .and_then(|()| samples_obey("depth", depths, rule, is_depth))
             .and_then(|()| {
-                samples_obey("depths", depths, TOO_FAR, |depth| {
+                samples_obey("depth", depths, TOO_FAR, |depth| {
                     reach(bodies.grid(), depth)
                 })
             });

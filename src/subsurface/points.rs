@@ -115,13 +115,13 @@ pub fn at_points_observed<'a>(
     points: &[[f64; 3]],
     mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
 ) -> Result<Vec<PointResult>> {
-    bodies.check_alone("stresses at points")?;
+    bodies.check_alone("the stress at points")?;
     let constants = body.constants(bodies.pair())?;
     if constants.coated().is_some() {
         return Err(Error::UnsupportedForCoatings {
-            quantity: "stress at points",
+            quantity: "the stress at points",
             bodies: "coated bodies",
-            remedy: "take planes of cell centres (subsurface::Planes)",
+            remedy: "use planes of cell centres (subsurface::Planes)",
         });
     }
     let tractions = tractions.into();
@@ -133,7 +133,7 @@ pub fn at_points_observed<'a>(
     }
     for (index, &[x, y, depth]) in points.iter().enumerate() {
         let refused = |value, rule| {
-            let quantity = "points";
+            let quantity = "point";
             Err(Error::Sample {
                 quantity,
                 index,

@@ -53,7 +53,7 @@ impl Spectra {
         watch: &mut WorkObserver<'_>,
     ) -> Result<Self> {
         let ([_, height], waves_here) = (torus.quarter(), torus.own_waves());
-        let room = memory("kernels of a depth", [waves_here.len(), height], BYTES);
+        let room = memory("the kernels of a depth", [waves_here.len(), height], BYTES);
         bodies.collective_result(room)?;
         let (grid, boundary) = (bodies.grid().whole(), bodies.boundary());
         let z = depth_in(grid, depth);
@@ -96,7 +96,7 @@ impl Spectra {
     ) -> Result<Self> {
         let ([_, height], waves_here) = (torus.quarter(), torus.own_waves());
         let size = [waves_here.len(), height];
-        bodies.collective_result(memory("kernels of a depth", size, LAYERED_BYTES))?;
+        bodies.collective_result(memory("the kernels of a depth", size, LAYERED_BYTES))?;
         let (grid, boundary) = (bodies.grid().whole(), bodies.boundary());
         watch.notify_observer()?;
         let layered = Layered::new(body, depth_in(grid, depth));

@@ -119,7 +119,7 @@ impl<'a> Tractions<'a> {
     /// Returns the pressure and, if present, the tractions along x and y of uniform cells. Returns an error if they
     /// belong to different bodies or are not finite.
     pub(super) fn checked(&self, bodies: &HalfSpace) -> Result<[Option<Cow<'a, [f64]>>; 3]> {
-        let (grid, quantity) = (bodies.grid(), "the contact whose stress is asked for");
+        let (grid, quantity) = (bodies.grid(), "the contact of the requested stress");
         if let Some((boundary, cell_value, pair)) = self.host {
             bodies.check_host(quantity, self.pressure.grid(), boundary)?;
             bodies.check_values(quantity, cell_value)?;
@@ -147,7 +147,7 @@ fn uniform<'a>(bodies: &HalfSpace, traction: &'a Field) -> Result<Cow<'a, [f64]>
     if is_of_waves || bodies.cell_value() == CellValue::Uniform {
         return Ok(Cow::Borrowed(values));
     }
-    bodies.check_alone("stresses under values at the centres of cells")?;
+    bodies.check_alone("the stress of tractions that are given at cell centres")?;
     let (size, repeats) = (bodies.grid().size(), bodies.boundary().repeats());
     let less = |i: usize| values[i] - second_difference(values, i, size, repeats) / 24.0;
     Ok(Cow::Owned(fallible::collected(

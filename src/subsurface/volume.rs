@@ -76,7 +76,7 @@ impl Planes {
         tractions: impl Into<Tractions<'a>>,
         observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<()> {
-        self.check_alone("files of stresses")?;
+        self.check_alone("a file of stresses")?;
         let tractions = tractions.into();
         let depths = self.depths();
         let (first, step) = equal_steps(depths)?;
@@ -129,7 +129,7 @@ fn equal_steps(depths: &[f64]) -> Result<(f64, f64)> {
     for (index, &value) in depths.iter().enumerate() {
         let is_next = (value - (first + index as f64 * step)).abs() <= EQUAL * step;
         if !is_next || step <= 0.0 {
-            let (quantity, rule) = ("depths", "an image needs equal steps downwards");
+            let (quantity, rule) = ("depth", "the depths must increase in equal steps");
             return Err(Error::Sample {
                 quantity,
                 index,

@@ -61,7 +61,8 @@ pub(crate) mod array {
     ) -> Result<[f64; N], D::Error> {
         let values = numbers::deserialize(deserializer)?;
         let found = values.len();
-        <[f64; N]>::try_from(values).map_err(|_| D::Error::invalid_length(found, &"another length"))
+        <[f64; N]>::try_from(values)
+            .map_err(|_| D::Error::invalid_length(found, &"a different number of entries"))
     }
 }
 

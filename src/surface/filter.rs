@@ -211,7 +211,11 @@ impl GaussianFilter {
                 known,
             });
         }
-        memory("filtered surface", self.torus(grid, self.longest()), BYTES)?;
+        memory(
+            "the filtered surface",
+            self.torus(grid, self.longest()),
+            BYTES,
+        )?;
         // Heights are taken relative to the lowest height, so that a flat surface is exactly zero, and in units of the range, so
         // that no sum overflows.
         let datum = heights.min();

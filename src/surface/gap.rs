@@ -37,7 +37,7 @@ pub fn mirror_x(heights: &Field) -> Field {
 /// - [`Error::Sample`](crate::Error::Sample) with the first height that is missing or infinite.
 /// - [`Error::NotFinite`](crate::Error::NotFinite) if the range of the heights overflows.
 pub fn gap_from_heights(heights: &Field) -> Result<Field> {
-    complete("heights", heights)?;
+    complete("height", heights)?;
     let highest = heights.max();
     finite("range of the heights", highest - heights.min())?;
     let mut gap = heights.clone();

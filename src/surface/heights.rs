@@ -15,8 +15,8 @@ pub(super) fn complete(quantity: &'static str, heights: &Field) -> Result<()> {
 
 /// Returns an error if a height is infinite; missing heights (NaN) are accepted.
 pub(super) fn finite_or_missing(heights: &Field) -> Result<()> {
-    let rule = "must be finite, or NaN where it is missing";
-    samples_obey("heights", heights.as_slice(), rule, |z| !z.is_infinite())
+    let rule = "must be finite, or NaN if the height is missing";
+    samples_obey("height", heights.as_slice(), rule, |z| !z.is_infinite())
 }
 
 /// Returns the heights relative to the mean over all ranks, and the mean.

@@ -111,7 +111,7 @@ impl PowerSpectrum {
     /// Computes the spectrum of a surface from its local slab; the surface may be distributed over ranks.
     pub(crate) fn of_slab(heights: &Field, slab: &Slab) -> Result<Self> {
         slab.layout()
-            .collective_result(complete("heights", heights))?;
+            .collective_result(complete("height", heights))?;
         let waves = parallel::enter_with(heights.grid().cells(), || {
             let (deviations, _) = about_mean(heights, slab);
             Waves::of_slab(&deviations, slab)

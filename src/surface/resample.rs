@@ -39,8 +39,8 @@ const SLACK: f64 = 1e-9;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 pub fn resample(heights: &Field, grid: Grid) -> Result<Field> {
-    complete("heights", heights)?;
-    memory("resampled surface", grid.size(), size_of::<f64>())?;
+    complete("height", heights)?;
+    memory("the resampled surface", grid.size(), size_of::<f64>())?;
     let source = heights.grid();
     let columns = SourceAxis {
         name: "x",

@@ -120,7 +120,7 @@ pub fn flat_punch(grid: Grid, radius: f64, recess: f64) -> Result<Field> {
     positive("recess", recess)?;
     let punch = sampled(grid, |x, y| if x.hypot(y) <= radius { 0.0 } else { recess })?;
     let covered = punch.as_slice().iter().filter(|&&h| h < recess).count();
-    positive("number of cells the punch covers", covered as f64)?;
+    positive("number of cells that the punch covers", covered as f64)?;
     Ok(punch)
 }
 

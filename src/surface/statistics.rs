@@ -78,7 +78,7 @@ impl Statistics {
     /// Computes the statistics of a surface from its local slab; the surface may be distributed over ranks.
     pub(crate) fn of_slab(heights: &Field, slab: &Slab) -> Result<Self> {
         slab.layout()
-            .collective_result(complete("heights", heights))?;
+            .collective_result(complete("height", heights))?;
         let (deviations, mean_height) = about_mean(heights, slab);
         let highest_peak = slab.layout().combined(deviations.max(), f64::max);
         let deepest_valley = -slab.layout().combined(deviations.min(), f64::min);

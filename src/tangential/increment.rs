@@ -279,14 +279,15 @@ impl TangentialIncrement {
             return Ok(());
         }
         let traction = pulled.into_iter().fold(moved / own, f64::max);
-        let remedy = "choose other units of length or pressure, or a load that is zero";
+        let remedy = "choose different units of length or pressure, or a zero load";
         if let Some(unit) = limits.unit() {
-            let quantity = "the traction that the tangential load causes, over the friction limit,";
+            let quantity =
+                "the ratio of the traction due to the tangential load to the friction limit";
             return has_squares(quantity, traction / unit, remedy).map(drop);
         }
-        let quantity = "the traction that the tangential load causes";
+        let quantity = "the traction due to the tangential load";
         has_squares(quantity, traction, remedy)?;
-        let quantity = "the displacement that the tangential load causes";
+        let quantity = "the displacement due to the tangential load";
         has_squares(quantity, traction * own, remedy).map(drop)
     }
 

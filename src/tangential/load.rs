@@ -210,8 +210,8 @@ impl TangentialTarget {
                 let is_oblique = x.value() != 0.0 && y.value() != 0.0;
                 let remedy = match axis {
                     _ if is_oblique => TangentialModel::VECTOR_REMEDY,
-                    Axis::X => "build it with x as its axis, or with the vector model",
-                    Axis::Y => "build it with y as its axis, or with the vector model",
+                    Axis::X => "build the model with x as its axis, or use the vector model",
+                    Axis::Y => "build the model with y as its axis, or use the vector model",
                 };
                 return Err(Error::UnsupportedByModel {
                     model: "the model of this contact",
@@ -223,7 +223,7 @@ impl TangentialTarget {
         }
         let (quantity, value) = ("twist", finite("twist", self.twist)?);
         let remedy = match (axes.len(), boundary.may_turn()) {
-            (_, false) => "a grid that repeats cannot turn, with any option",
+            (_, false) => "a periodic grid does not allow rotation in any model",
             (1, true) => TangentialModel::VECTOR_REMEDY,
             (_, true) => return Ok(()),
         };
@@ -267,7 +267,7 @@ impl TangentialTarget {
                     },
                     _,
                 ) => {
-                    let quantity = "cell area over the stiffness of the spring";
+                    let quantity = "cell area divided by the stiffness of the spring";
                     *shift = datum[component];
                     *total = Total::Spring {
                         far_end: position - datum[component],

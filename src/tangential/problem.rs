@@ -248,7 +248,7 @@ impl TangentialModel {
         match (self, settings.method) {
             (Self::Vector, Method::PolonskyKeer) => Err(Error::Method {
                 method: "PolonskyKeer",
-                quantity: "both tractions",
+                quantity: "the vector model",
             }),
             _ => Ok(()),
         }

@@ -145,7 +145,7 @@ impl RelativeDisplacement {
                     quantity: "bulk strain",
                     index,
                     value,
-                    rule: "must be zero along an axis on which the grid repeats, where its displacement would jump",
+                    rule: "must be zero along a periodic axis, because its displacement would jump there",
                 });
             }
         }

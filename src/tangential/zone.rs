@@ -70,7 +70,7 @@ pub enum TangentialModel {
 
 impl TangentialModel {
     /// Remedy in the error for a load that only the vector model supports.
-    pub(crate) const VECTOR_REMEDY: &str = "build it with the vector model";
+    pub(crate) const VECTOR_REMEDY: &str = "use the vector model";
 
     /// Returns the model of tractions along these axes.
     pub(crate) fn of(axes: &[Axis]) -> Self {

@@ -171,7 +171,7 @@ fn x3p_of_every_number_type_is_read() {
 #[test]
 fn x3p_without_its_feature_is_an_error() {
     let error = io::read(data_path("I.x3p")).unwrap_err().to_string();
-    let message = "I.x3p: X3P, at byte 0: reading it requires the cargo feature `x3p`";
+    let message = "I.x3p: X3P, at byte 0: reading X3P files requires the cargo feature `x3p`";
     assert!(error.ends_with(message), "{error}");
 }
 
@@ -236,13 +236,16 @@ fn asc_header_determines_sides_unit_and_missing_points() {
 
     let none = problem(&(header("") + heights));
     assert!(
-        none.contains("Bit2nm") && none.contains("lacks it"),
+        none.contains("Bit2nm") && none.contains("does not contain"),
         "{none}"
     );
     let unknown = problem(&(header("# z-unit = furlong\n") + heights));
     assert!(unknown.contains("furlong"), "{unknown}");
     let short = problem(&(header("# z-unit = nm\n") + "1 2 3\n"));
-    assert!(short.contains("3 numbers for 3 x 2 heights"), "{short}");
+    assert!(
+        short.contains("3 numbers, expected 3 x 2 heights"),
+        "{short}"
+    );
     let huge = header("# z-unit = nm\n").replace("x-pixels = 3", "x-pixels = 4000000000");
     assert!(problem(&huge).contains("do not fit"));
     let half = header("# z-unit = nm\n").replace("x-pixels = 3", "x-pixels = 2.5");
@@ -254,7 +257,7 @@ fn asc_header_determines_sides_unit_and_missing_points() {
     let refused = io::csv::parse(file.as_bytes(), [1.0, 1.0])
         .unwrap_err()
         .to_string();
-    assert!(refused.contains("read it as ASC"), "{refused}");
+    assert!(refused.contains("read the file as ASC"), "{refused}");
     let options = io::csv::Options::default().missing(-32768.0);
     let plain = options.parse(file.as_bytes(), [1.0, 1.0]).unwrap();
     assert!(plain.as_slice()[2].is_nan() && plain.as_slice()[0] == 1.0);
@@ -395,7 +398,7 @@ fn text_of_points_is_recognised_and_xyz_advised() {
         let path = folder.join(name);
         std::fs::write(&path, "0 0.1 3\n1.3 0.2 3\n0.2 1.7 4\n5 5 5\n").unwrap();
         let error = io::read(&path).unwrap_err().to_string();
-        assert!(error.contains("read them as XYZ"), "{error}");
+        assert!(error.contains("read the file as XYZ"), "{error}");
     }
 }
 
@@ -428,7 +431,7 @@ fn xyz_places_within_their_tolerance_are_on_the_grid() {
     }
     let error = io::xyz::parse(displaced_points(0.1).as_bytes()).unwrap_err();
     assert!(
-        error.to_string().contains("off the regular grid"),
+        error.to_string().contains("from the regular grid"),
         "{error}"
     );
 }
@@ -477,20 +480,24 @@ fn asc_export_of_gwyddion_takes_sides_and_unit_of_its_comments() {
         (
             "# Value units: nm\n",
             "",
-            "ASC, in Value units: the header lacks it",
+            "ASC, in Value units: the header does not contain this entry",
         ),
         (
             "units: nm",
             "units: V",
-            "ASC, in Value units: the unit \"V\" is unknown",
+            "ASC, in Value units: \"V\" is not a known unit of length",
         ),
         ("10.0", "wide", "ASC, in Width: \"wide\" is not a number"),
         (
             "10.0",
             "-1",
-            "ASC, in Width: it must be positive and finite",
+            "ASC, in Width: the value must be positive and finite",
         ),
-        ("3.5", "3.5 4", "ASC, on line 6: 3 cells"),
+        (
+            "3.5",
+            "3.5 4",
+            "ASC, on line 6: the line must have 2 cells, as the previous lines, but it has 3",
+        ),
     ] {
         let error = io::asc::parse(file.replace(old, new).as_bytes()).unwrap_err();
         assert!(error.to_string().starts_with(expected), "{error}");

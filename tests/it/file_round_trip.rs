@@ -256,7 +256,7 @@ fn sdf_side_beyond_format_limit_is_rejected() {
     let error = io::sdf::to_bytes(&field).unwrap_err();
     assert_eq!(
         error.to_string(),
-        "SDF, in NumProfiles: 65536 points exceed 65535"
+        "SDF, in NumProfiles: the number of points must be at most 65535, got 65536"
     );
 }
 

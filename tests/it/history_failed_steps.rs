@@ -90,12 +90,11 @@ fn rejected_loads_leave_state_unchanged() {
         };
         assert!(value == 1.5);
         let message = error.to_string();
-        let remedy =
-            format!("with {across:?} as its axis, or with the vector model").to_lowercase();
+        let remedy = format!("with {across:?} as its axis, or use the vector model").to_lowercase();
         assert!(message.contains(&remedy), "{message}");
         let message = |load| history.clone().step(&load).unwrap_err().to_string();
         let turned = message(load_step(12.0, axis, hold).twist(0.1));
-        assert!(turned.contains("twist, got 0.1") && turned.contains("with the vector model"));
+        assert!(turned.contains("twist, got 0.1") && turned.contains("use the vector model"));
         let dragged = message(LoadStep::hold().tangential(axis, spring(f64::NAN, 1.0)));
         let end = format!("position of the spring along {axis:?}").to_lowercase();
         assert!(dragged.contains(&end), "{dragged}");

@@ -46,11 +46,11 @@ fn damaged_bytes_are_rejected() {
         Ok(_) => panic!("damaged bytes were accepted"),
     };
     assert!(problem(b"").contains("magic"));
-    assert!(problem(b"nothing of the kind").contains("do not begin"));
+    assert!(problem(b"nothing of the kind").contains("do not start"));
     let mut newer = bytes.clone();
     for version in [15, 17] {
         newer[8] = version;
-        assert!(problem(&newer).contains(&format!("version {version} is unknown")));
+        assert!(problem(&newer).contains(&format!("version {version} is not supported")));
     }
     for length in [9, 15, 20, 27, 100, bytes.len() / 2, bytes.len() - 1] {
         problem(&bytes[..length]);

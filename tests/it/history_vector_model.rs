@@ -218,5 +218,5 @@ fn twist_on_periodic_grid_is_rejected() {
         panic!("{refused:?}")
     };
     let message = error.to_string();
-    assert!(value == 0.1 && message.contains("repeats") && !message.contains("TangentialModel"));
+    assert!(value == 0.1 && message.contains("periodic") && !message.contains("TangentialModel"));
 }

@@ -268,10 +268,10 @@ fn polonsky_keer_rejects_unsupported_problems() {
     assert!(refused(outcome.err(), "springs"));
     let discs = Problem::new(Identity::new(2), [&linear; 2], AbsBound(&[1.0, 2.0]));
     let outcome = cgm::minimise(&discs, &settings, [&mut x, &mut y]);
-    assert!(refused(outcome.err(), "several components a cell"));
+    assert!(refused(outcome.err(), "several components per cell"));
     let turning = Problem::new(AsymmetricOperator, [&linear], NonNegative);
     let outcome = cgm::minimise(&turning, &settings, [&mut x]);
-    assert!(refused(outcome.err(), "operators that are not symmetric"));
+    assert!(refused(outcome.err(), "non-symmetric operators"));
     assert_eq!(x, [1.0, 2.0], "rejected before any work");
 }
 
@@ -324,7 +324,10 @@ fn messages_contain_the_invalid_number() {
     let message = surface::sum(&[]).unwrap_err().to_string();
     assert_eq!(message, "list of fields has 0 entries, expected 1");
     let message = Error::EmptyContact.to_string();
-    assert!(message.contains("press the bodies first") && message.contains("least gap"));
+    assert!(
+        message.contains("first prescribe a positive normal force")
+            && message.contains("smallest gap")
+    );
 }
 
 /// Fields are added, subtracted, multiplied and scaled cell by cell on one grid. Indexing by column and row outside the

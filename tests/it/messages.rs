@@ -76,7 +76,7 @@ fn force_beyond_friction_names_remedy_for_its_subject() {
         TangentialLoad::force([too_much, 0.0]),
     );
     let text = message(still.build());
-    let numbers = format!("a tangential force of {too_much:?} exceeds the friction limit ");
+    let numbers = format!("the tangential force {too_much:?} exceeds the friction limit ");
     assert!(
         text.starts_with(&numbers) && text.ends_with(slide),
         "{text}"
@@ -111,7 +111,7 @@ fn force_beyond_friction_names_remedy_for_its_subject() {
     let load = TangentialLoad::force([too_much, 0.0]);
     let text = message(TangentialProblem::builder(&bodies, &normal, none, load).build());
     assert!(
-        text.ends_with("there is no friction: give a coefficient of friction above zero"),
+        text.ends_with("exceeds the friction limit 0.0: give a positive coefficient of friction"),
         "{text}"
     );
 }
@@ -156,7 +156,7 @@ fn unsupported_load_names_its_model() {
     let text = message(TangentialProblem::builder(&bodies, &normal, friction(), turn).build());
     assert_eq!(
         text,
-        "the model of this contact does not include twist, got 0.25: build it with the vector model"
+        "the model of this contact does not support twist, got 0.25: use the vector model"
     );
 
     let mut history = history(&bodies);
@@ -164,7 +164,7 @@ fn unsupported_load_names_its_model() {
     let text = message(history.step(&LoadStep::hold().relative_displacement(2.0)));
     assert!(
         text.starts_with(
-            "the model of this history does not include a relative displacement, got 2.0: "
+            "the model of this history does not support a relative displacement, got 2.0: "
         ),
         "{text}"
     );
@@ -172,13 +172,13 @@ fn unsupported_load_names_its_model() {
     let text = message(history.step(&LoadStep::hold().twist(0.5).roll(one)));
     assert_eq!(
         text,
-        "the model of rolling does not include a twist, got 0.5: give the spin of a rolled step instead"
+        "the model of rolling does not support a twist, got 0.5: prescribe the spin of the rolling step instead"
     );
     let mut adaptive = AdaptiveSteps::new(&history, 1e-3).unwrap();
     let text = message(adaptive.step(&mut history, &press(1.0).roll(one)));
     assert_eq!(
         text,
-        "the method of adaptive steps does not include steps that roll, got 1.0: roll cell by cell"
+        "the method of adaptive steps does not support rolling steps (value: the number of cells of the step), got 1.0: take rolling steps one cell at a time"
     );
 
     let grid = Grid::square(16, 1.0).unwrap();
@@ -188,7 +188,7 @@ fn unsupported_load_names_its_model() {
     let text = message(RollingProblem::builder(&waves, &pressed, friction()).build());
     assert_eq!(
         text,
-        "the model of rolling does not include a step along an axis on which the grid repeats, got 0.0625: roll along the other axis, or on a grid that does not repeat"
+        "the model of rolling does not support a step along a periodic axis (value: the length of the step), got 0.0625: roll along the other axis, or use a grid that is not periodic"
     );
 }
 
@@ -228,14 +228,14 @@ fn errors_of_operators_name_operators() {
     };
     let text = message(Kernel::operators(*bodies.pair(), skew(2.0)));
     assert!(
-        text.starts_with("the model of user-defined operators does not include a difference between the works of two tractions on each other's displacements (relative to their energies), got 0.")
+        text.starts_with("a kernel of user-defined operators does not support a violation of reciprocity (difference of the mutual works relative to the energies), got 0.")
             && text.ends_with(": give an operator that obeys reciprocity"),
         "{text}"
     );
     let kernel = Kernel::operators(*bodies.pair(), skew(1.0)).unwrap();
     let of_operators = HalfSpace::new(bodies.grid(), &kernel).unwrap();
     let normal = pressed(&of_operators, &ball(&of_operators), load());
-    let remedy = ": describe the bodies by materials, layers or a response, which are known beyond the cells of one grid";
+    let remedy = ": describe the bodies by materials, layers or a response to waves, which are defined beyond the cells of one grid";
     for (text, quantity) in [
         (
             message(RollingProblem::builder(&of_operators, &normal, friction()).build()),
@@ -243,10 +243,10 @@ fn errors_of_operators_name_operators() {
         ),
         (
             message(Planes::new(&of_operators, &[0.1])),
-            "stress below the surface",
+            "the stress below the surface",
         ),
     ] {
-        let expected = format!("{quantity} is not modelled for user-defined operators{remedy}");
+        let expected = format!("{quantity} is not available for user-defined operators{remedy}");
         assert_eq!(text, expected);
     }
     let grid = bodies.grid();
@@ -257,7 +257,9 @@ fn errors_of_operators_name_operators() {
         |refused: &Result<()>| matches!(refused, Err(Error::UnsupportedForCoatings { .. }));
     let text = message(refusals.into_iter().find(of_itself).unwrap());
     assert!(
-        text.starts_with("a grid that ranks share is not modelled for user-defined operators: "),
+        text.starts_with(
+            "a grid that is distributed over ranks is not available for user-defined operators: "
+        ),
         "{text}"
     );
 
@@ -267,7 +269,7 @@ fn errors_of_operators_name_operators() {
     let text = message(HertzSphere::new(&pair, 1.0, 1.0));
     assert_eq!(
         text,
-        "a closed form with one modulus is not modelled for coated bodies: solve the contact on a grid"
+        "a closed form with one modulus is not available for coated bodies: solve the contact on a grid"
     );
 }
 
@@ -291,14 +293,14 @@ fn rolling_off_grid_names_cells_to_add() {
     ));
     assert_eq!(
         error.to_string(),
-        "the grid is too small in the rolling direction: a step needs 3 cells ahead of the contact, the grid has 0; add at least 3 cells there"
+        "a rolling step requires 3 cells ahead of the contact, but the grid has 0: extend the grid there by at least 3 cells"
     );
     let mut history = history(&bodies);
     history.step(&press(1.0)).unwrap();
     let text = message(history.step(&press(1.0).roll(Rolling::new(5))));
     assert!(
-        text.contains("a step needs 5 cells behind the contact")
-            && text.contains("; add at least "),
+        text.contains("a rolling step requires 5 cells behind the contact")
+            && text.contains(": extend the grid there by at least "),
         "{text}"
     );
 }
@@ -327,7 +329,7 @@ fn numbers_in_messages_are_plain() {
                 force: 2e9,
                 capacity: 3e-8,
             },
-            "a normal force of 2000000000.0 exceeds the 3e-8 that cells at their hardness carry: take a larger grid, or prescribe an approach",
+            "the normal force 2000000000.0 exceeds 3e-8, the largest force that the cells can carry at their hardness: use a larger grid, or prescribe an approach",
         ),
         (
             Error::NotPositive {
@@ -370,7 +372,7 @@ fn contact_without_force_reports_zero_force() {
     assert_eq!(
         texts(&apart.warnings()),
         [
-            "the normal force is zero, no cell carries pressure: give a normal force above zero, or an approach beyond the least gap"
+            "no cell carries pressure because the normal force is zero: prescribe a positive normal force, or an approach above the smallest gap"
         ]
     );
 }
@@ -407,14 +409,14 @@ fn small_spots_of_rough_surface_are_judged_together() {
     let spots = coarse.spots().as_slice().iter().count();
     let text = texts(&coarse.warnings()).join("\n");
     let expected = format!(
-        "{unresolved} of {spots} contact spots are smaller than 5 cells and have a tenth of the contact cells or more: refine the grid, or filter out the short waves of the surface"
+        "{unresolved} of {spots} contact spots have fewer than 5 cells, and together they contain at least a tenth of the contact cells: refine the grid, or filter out the short waves of the surface"
     );
     assert!(text.contains(&expected), "{text}");
-    let expected = format!(
-        "in the fields of {spots} contact spots, by an estimate: for 1 % resample the surface onto cells "
-    );
+    let expected =
+        format!("the estimated discretisation error of the fields of {spots} contact spots is ");
     assert!(
-        text.contains(&expected) && text.contains(" times smaller, or filter out its short waves"),
+        text.contains(&expected)
+            && text.contains(" %: for an error of 1 %, resample the surface onto cells "),
         "{text}"
     );
 
@@ -626,7 +628,7 @@ fn held_shift_that_loses_force_gives_warning() {
                 assert_eq!(
                     text,
                     format!(
-                        "the step held the shift and lost {per_cent} % of the tangential force, expected at most 50 %: to keep the force, give it in each step"
+                        "the step kept the shift and lost {per_cent} % of the tangential force, expected at most 50 %: to keep the force, prescribe it in each step"
                     )
                 );
                 assert!(

@@ -139,7 +139,9 @@ fn ranks_returning_to_different_steps_are_reported() {
         let late = history.state().clone();
         run(&mut history, 7..8);
         let before = history.to_bytes();
-        let different = Error::Ranks(RankFailure::InconsistentInput("state but for its fields"));
+        let different = Error::Ranks(RankFailure::InconsistentInput(
+            "state (except for its fields)",
+        ));
         let outcome = history.set_state(if is_first { &early } else { &late });
         assert_eq!(outcome, Err(different));
         assert!(history.to_bytes() == before);

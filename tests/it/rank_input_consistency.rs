@@ -43,7 +43,7 @@ fn assert_reported<T: Debug + Send>(
         );
         assert_eq!(
             error.to_string(),
-            format!("the ranks do not have the same {name}")
+            format!("the {name} must be the same on all ranks")
         );
     }
 }

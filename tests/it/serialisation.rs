@@ -409,7 +409,7 @@ fn inconsistent_solutions_are_rejected() {
     let dx = "/gap/grid/dx";
     is(
         error_after_change(&normal, dx, json!(0.4)),
-        "gap lives on [24, 20] cells of sides [0.4, 0.6], expected [24, 20] of [0.5, 0.6]",
+        "gap is on a grid of [24, 20] cells of sides [0.4, 0.6], expected [24, 20] cells of sides [0.5, 0.6]",
     );
     let first = "/pressure/samples/0";
     is(
@@ -425,7 +425,7 @@ fn inconsistent_solutions_are_rejected() {
     let spots = error_after_change(&normal.spots(), "/labels/7", json!(99));
     is(
         spots,
-        "number of contact spots must be at least 99.0 (the largest label)",
+        "number of contact spots must be at least 99.0 (the largest label of a cell)",
     );
     let slip = error_after_change(&shear, "/slip/1/grid/ny", json!(19));
     is(slip, "field has 480 entries, expected 456");
@@ -450,7 +450,7 @@ fn inconsistent_solutions_are_rejected() {
     );
     is(
         grid,
-        "dissipated energy lives on [24, 20] cells of sides [0.5, 1.0], expected [24, 20]",
+        "dissipated energy is on a grid of [24, 20] cells of sides [0.5, 1.0], expected [24, 20]",
     );
 
     for count in ["/stick_cells", "/slip_cells"] {

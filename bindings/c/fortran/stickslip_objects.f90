@@ -87,7 +87,7 @@ contains
         class(stickslip_object), intent(inout) :: this
         class(stickslip_object), intent(in) :: other
         if (c_associated(this%address()) .or. c_associated(other%address())) &
-            error stop 'stickslip: an object cannot be assigned'
+            error stop 'stickslip: an object cannot be assigned to another object'
     end subroutine refuse_copy
 
     ! Returns whether an array has the shape of the grid, and reports an error if it does not. C rejects an object without a
@@ -102,7 +102,7 @@ contains
         does = grid%nx == 0 .or. all(found == [grid%nx, grid%ny])
         if (does) return
         write (message, '(a, 2(a, i0, a, i0, a))') name, ' has the shape (', found(1), ', ', found(2), ')', &
-            ', the grid (', grid%nx, ', ', grid%ny, ')'
+            ', expected the shape of the grid (', grid%nx, ', ', grid%ny, ')'
         call refuse(STICKSLIP_LENGTH, trim(message), status)
     end function fits
 
@@ -164,7 +164,7 @@ contains
             call report_status(error%code, status)
         else if (count /= grid%nx * grid%ny) then
             is = .false.
-            call refuse(STICKSLIP_LENGTH, 'the field has another number of cells than the grid of its object', status)
+            call refuse(STICKSLIP_LENGTH, 'the field must have as many cells as the grid of its object', status)
         else
             call report_status(STICKSLIP_OK, status)
         end if

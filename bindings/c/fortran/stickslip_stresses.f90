@@ -95,7 +95,7 @@ contains
         type(stickslip_observer), intent(in), optional :: observer
         integer(c_int32_t), intent(out), optional :: status
         if (index < 1) then
-            call refuse(STICKSLIP_LENGTH, 'depths are counted from one', status)
+            call refuse(STICKSLIP_LENGTH, 'the index of a depth must be at least 1', status)
             return
         end if
         if (.not. all_fit(this%grid, pressure, x, y, status)) return

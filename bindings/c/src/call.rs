@@ -71,7 +71,7 @@ pub(crate) fn caught<T>(work: impl FnOnce() -> Outcome<T>) -> Outcome<T> {
         let text = text.unwrap_or("no message");
         Err(Failure::new(
             STICKSLIP_PANIC,
-            format!("a defect of the library: {text}"),
+            format!("internal error of the library: {text}"),
         ))
     })
 }

@@ -63,7 +63,7 @@ impl Failure {
     pub(crate) fn busy(name: &str) -> Self {
         Self::new(
             STICKSLIP_BUSY,
-            format!("{name} is in use by another thread"),
+            format!("{name} is in use by another thread: wait until the other call returns"),
         )
     }
 
@@ -71,7 +71,7 @@ impl Failure {
     pub(crate) fn option(name: &str, value: i32) -> Self {
         Self::new(
             STICKSLIP_UNKNOWN_OPTION,
-            format!("there is no {name} {value}"),
+            format!("the value {value} is not a valid {name}"),
         )
         .with(|numbers| numbers.value = f64::from(value))
     }
@@ -331,7 +331,7 @@ pub unsafe extern "C" fn stickslip_last_error_report(
             let none = || {
                 Failure::new(
                     STICKSLIP_INVALID_ARGUMENT,
-                    "the last failure has no report".into(),
+                    "the last failure has no report: only STICKSLIP_NOT_CONVERGED has one".into(),
                 )
             };
             last.ok_or_else(none)

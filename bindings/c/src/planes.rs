@@ -33,7 +33,7 @@ impl Solved {
         let unsolved = || {
             Failure::new(
                 STICKSLIP_INVALID_ARGUMENT,
-                "no plane has been solved yet".into(),
+                "no plane has been solved yet: solve one first".into(),
             )
         };
         self.last.as_ref().ok_or_else(unsolved)

@@ -12,7 +12,7 @@ pub(crate) fn known(name: &str, reserved: &[u64]) -> Outcome {
         return Ok(());
     }
     let message = format!(
-        "reserved of {name} is not zero: begin from zeros or from the default, or use the library of that header"
+        "reserved of {name} must be zero: start from zeros or from the default, or use the library that belongs to the header"
     );
     Err(Failure::new(STICKSLIP_UNKNOWN_OPTION, message))
 }

@@ -78,7 +78,7 @@ impl stickslip_self_affine {
             (height, 0.0) => SelfAffine::with_rms_height(height),
             (0.0, slope) => SelfAffine::with_rms_slope(slope),
             _ => {
-                let message = "rms_height and rms_slope are both given: one must be zero";
+                let message = "rms_height and rms_slope are both given: set one of them to zero";
                 return Err(Failure::new(STICKSLIP_INVALID_ARGUMENT, message.into()));
             }
         };

@@ -67,7 +67,7 @@ impl Pools {
 }
 
 fn none(threads: usize, problem: &dyn std::fmt::Display) -> Failure {
-    let message = format!("cannot make {threads} threads: {problem}");
+    let message = format!("cannot start {threads} threads: {problem}");
     Failure::new(STICKSLIP_NO_THREADS, message)
 }
 
@@ -109,7 +109,7 @@ pub(crate) fn enter_always<T: Send>(work: impl FnOnce(bool) -> T + Send) -> T {
 pub extern "C" fn stickslip_set_num_threads(count: usize) -> stickslip_status {
     call(|| {
         if count > rayon::max_num_threads() {
-            return Err(none(count, &"too many"));
+            return Err(none(count, &"the number exceeds the maximum"));
         }
         Pools::of_this_process().pool(threads(count))?;
         ASKED.store(count, Ordering::Relaxed);

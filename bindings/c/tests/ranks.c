@@ -272,7 +272,7 @@ static void *make_one(void *argument) {
     own->status = stickslip_normal_solver_new(bodies, gap, slab.nx * slab.ny, &load, NULL, NULL, &presser);
     may_have = -1;
     if (own->ranks.rank != 1 && own->status != STICKSLIP_OK) {
-        CHECK(strstr(stickslip_last_error_message(), "rank 1 has refused") != NULL);
+        CHECK(strstr(stickslip_last_error_message(), "rank 1 rejected its part") != NULL);
     }
     OK(stickslip_normal_solver_free(presser));
     OK(stickslip_half_space_free(bodies));

@@ -162,7 +162,11 @@ pub(crate) fn minimise<'py>(
             far_end,
             compliance,
         },
-        _ => return Err(PyTypeError::new_err("give a total or a spring, not both")),
+        _ => {
+            return Err(PyTypeError::new_err(
+                "give either a total or a spring, not both",
+            ));
+        }
     };
     let is_function = operator.cast::<LinearOperator>().is_err();
     let unknowns: usize = py
@@ -172,7 +176,9 @@ pub(crate) fn minimise<'py>(
     let product = product_of(&operator, &[unknowns], lower_bound.0)?;
     let cells = product.cells();
     if cells == 0 {
-        return Err(PyValueError::new_err("there are no unknowns"));
+        return Err(PyValueError::new_err(
+            "the problem must have at least one unknown, got 0",
+        ));
     }
     let linear = numbers(&linear, cells)?;
     let linear = linear.as_slice()?;

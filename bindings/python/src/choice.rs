@@ -42,7 +42,7 @@ impl<T: Named> FromPyObject<'_, '_> for Choice<T> {
         };
         let given: String = object.extract().map_err(|_| {
             PyTypeError::new_err(format!(
-                "{} is one of {}, or a member of {}.{}, got {}",
+                "{} must be one of {}, or a member of {}.{}, got {}",
                 T::ENUMERATION,
                 names(),
                 T::MODULE,
@@ -53,7 +53,7 @@ impl<T: Named> FromPyObject<'_, '_> for Choice<T> {
         let named = T::ALL.iter().find(|(name, _)| *name == given);
         named.map(|(_, variant)| Self(*variant)).ok_or_else(|| {
             PyValueError::new_err(format!(
-                "{} is one of {}, or a member of {}.{}, got '{given}'",
+                "{} must be one of {}, or a member of {}.{}, got '{given}'",
                 T::ENUMERATION,
                 names(),
                 T::MODULE,

@@ -36,50 +36,50 @@ macro_rules! due {
 
 due! {
     /// Force along both axes.
-    Force([f64; 2]): "force is a pair (x, y)", "for a force along one axis give force_x= or force_y=";
+    Force([f64; 2]): "force must be a pair (x, y)", "for a force along one axis give force_x= or force_y=";
     /// Creepages along both axes.
-    Creepages([f64; 2]): "creepage is a pair (x, y)", "a creepage along x alone is (creepage, 0.0)";
+    Creepages([f64; 2]): "creepage must be a pair (x, y)", "for a creepage along x give (creepage, 0.0)";
     /// Shift along both axes.
-    Shift([f64; 2]): "shift is a pair (x, y)", "for a shift along one axis give shift_x= or shift_y=";
+    Shift([f64; 2]): "shift must be a pair (x, y)", "for a shift along one axis give shift_x= or shift_y=";
     /// Springs along both axes.
-    Springs(([f64; 2], f64)): "spring is ((x, y), stiffness)", "for a spring along one axis give spring_x= or spring_y=";
+    Springs(([f64; 2], f64)): "spring must be ((x, y), stiffness)", "for a spring along one axis give spring_x= or spring_y=";
     /// Spring along one axis.
-    Spring((f64, f64)): "spring_x and spring_y are pairs (position, stiffness)";
+    Spring((f64, f64)): "spring_x and spring_y must be pairs (position, stiffness)";
     /// Spring of a minimum.
-    FarEnd((f64, f64)): "spring is a pair (far_end, compliance)";
+    FarEnd((f64, f64)): "spring must be a pair (far_end, compliance)";
     /// Springs given by their stiffnesses only.
-    Stiffnesses([f64; 2]): "springs is a pair of stiffnesses (x, y)";
+    Stiffnesses([f64; 2]): "springs must be a pair of stiffnesses (x, y)";
     /// Amplitude of a reciprocating load.
-    Amplitude([f64; 2]): "amplitude is a pair (x, y)", "to and fro along x it is (amplitude, 0.0)";
+    Amplitude([f64; 2]): "amplitude must be a pair (x, y)", "for a load along x give (amplitude, 0.0)";
     /// Amplitudes of an elliptical load path.
-    EllipseAmplitudes([f64; 2]): "amplitudes is a pair (x, y)";
+    EllipseAmplitudes([f64; 2]): "amplitudes must be a pair (x, y)";
     /// Values of a load path.
-    PathSteps(Vec<[f64; 2]>): "steps is a sequence of pairs (x, y)";
+    PathSteps(Vec<[f64; 2]>): "steps must be a sequence of pairs (x, y)";
     /// Forces of a load path along one axis.
-    ForcePath(Vec<f64>): "path is a sequence of forces";
+    ForcePath(Vec<f64>): "path must be a sequence of forces";
     /// Wavelengths along both axes.
-    Wavelengths([f64; 2]): "wavelengths is a pair (x, y)";
+    Wavelengths([f64; 2]): "wavelengths must be a pair (x, y)";
     /// Curvatures of a paraboloid.
-    Curvatures([f64; 3]): "curvatures is (k_xx, k_xy, k_yy)";
+    Curvatures([f64; 3]): "curvatures must be (k_xx, k_xy, k_yy)";
     /// In-plane strain.
-    Strain([[f64; 2]; 2]): "strain is [[xx, xy], [yx, yy]]";
+    Strain([[f64; 2]; 2]): "strain must be [[xx, xy], [yx, yy]]";
     /// Bulk stresses of both bodies.
-    BulkStress([f64; 2]): "stress is a pair (body_1, body_2)", "for a bulk stress of body 1 it is (stress, 0.0)";
+    BulkStress([f64; 2]): "stress must be a pair (body_1, body_2)", "for a bulk stress of body 1 give (stress, 0.0)";
     /// Columns of a part of a grid.
-    Columns((usize, usize)): "columns is a pair (first, end) of whole numbers";
+    Columns((usize, usize)): "columns must be a pair (first, end) of whole numbers";
     /// Rows of a part of a grid.
-    Rows((usize, usize)): "rows is a pair (first, end) of whole numbers";
+    Rows((usize, usize)): "rows must be a pair (first, end) of whole numbers";
     /// Depths below the surface.
-    Depths(Vec<f64>): "depths is a sequence of numbers", "a single depth is [depth]";
+    Depths(Vec<f64>): "depths must be a sequence of numbers", "for a single depth give [depth]";
     /// Side lengths of a cell.
-    CellSides([f64; 2]): "cell is a pair (dx, dy)";
+    CellSides([f64; 2]): "cell must be a pair (dx, dy)";
     /// Side lengths of a grid.
-    GridSides([f64; 2]): "size is a pair (x, y)";
+    GridSides([f64; 2]): "size must be a pair (x, y)";
 }
 
 /// Returns the name of the argument, which precedes the verb in the description of the expected form.
 fn named_in(due: &str) -> &str {
-    let verb = due.find(" is ").or_else(|| due.find(" are "));
+    let verb = due.find(" must be ");
     verb.map_or(due, |verb| &due[..verb])
 }
 
@@ -129,10 +129,10 @@ macro_rules! triples {
 
 triples! {
     /// Points below the surface.
-    Points: "points is a sequence of (x, y, depth)", "a single point is [(x, y, depth)]";
+    Points: "points must be a sequence of (x, y, depth)", "for a single point give [(x, y, depth)]";
     /// Creepages and spins.
-    CreepPoints: "points is a sequence of (creepage_x, creepage_y, spin)",
-        "a single point is [(creepage_x, creepage_y, spin)]";
+    CreepPoints: "points must be a sequence of (creepage_x, creepage_y, spin)",
+        "for a single point give [(creepage_x, creepage_y, spin)]";
 }
 
 fn triples(object: &Bound<'_, PyAny>, due: &str, instead: &str) -> PyResult<Vec<[f64; 3]>> {
@@ -185,5 +185,8 @@ where
 /// Returns the name of the type of an object.
 pub(crate) fn kind_of(object: &Bound<'_, PyAny>) -> String {
     let name = object.get_type().name();
-    name.map_or_else(|_| "another object".into(), |name| name.to_string())
+    name.map_or_else(
+        |_| "an object of unknown type".into(),
+        |name| name.to_string(),
+    )
 }

@@ -32,7 +32,7 @@ impl<T> OrRaise<T> for stickslip::Result<T> {
 }
 
 /// Fields that may have missing samples, for example points that were not measured.
-const MEASURED: [&str; 4] = ["gap", "heights", "upper surface", "lower surface"];
+const MEASURED: [&str; 4] = ["gap", "height", "upper surface", "lower surface"];
 
 /// Returns the message of an error about a sample, with row, column and remedy if available. Row and column are also
 /// stored among the attributes.
@@ -64,9 +64,9 @@ fn of_sample(
         ""
     };
     Ok(match place {
-        None => format!("{quantity} at index {index} is {value}: {rule}{remedy}"),
+        None => format!("{quantity} at index {index} is {value}, but {rule}{remedy}"),
         Some((row, column)) => format!(
-            "{quantity} at row {row}, column {column} (index {index}) is {value}: {rule}{remedy}"
+            "{quantity} at row {row}, column {column} (index {index}) is {value}, but {rule}{remedy}"
         ),
     })
 }

@@ -98,7 +98,9 @@ impl Field {
     ///     If the unit of the surface is not known, or if either unit is not in this list.
     fn to_unit(&self, py: Python<'_>, unit: &str) -> PyResult<Self> {
         let own = self.1.as_deref().ok_or_else(|| {
-            PyValueError::new_err("the surface has no unit: Field(grid, samples, unit=...)")
+            PyValueError::new_err(
+                "the surface has no unit: give one by Field(grid, samples, unit=...)",
+            )
         })?;
         let factor = metres(own)? / metres(unit)?;
         let (grid, samples) = (self.0.grid(), self.0.scaled(factor).into_vec());
@@ -339,13 +341,13 @@ impl Samples<'_> {
         if self.is_topography()? {
             return Err(PyTypeError::new_err(format!(
                 "{quantity} is a topography, whose heights point out of its body: \
-                 surface.gap_from_heights(topography) makes a gap of them"
+                 convert it to a gap by surface.gap_from_heights(topography)"
             )));
         }
         if self.has_heights() {
             return Err(PyTypeError::new_err(format!(
                 "{quantity} is a {}, which has heights: give its .heights, or \
-                 surface.gap_from_heights(rough.heights), the gap under them",
+                 the gap surface.gap_from_heights(rough.heights)",
                 kind_of(&self.0)
             )));
         }
@@ -399,10 +401,10 @@ impl Samples<'_> {
             let instead = if self.has_heights() {
                 format!(", got {}: give its .heights", kind_of(&self.0))
             } else {
-                ": Field(grid, array)".into()
+                ": create a Field by Field(grid, array)".into()
             };
             PyTypeError::new_err(format!(
-                "{quantity} must be a Field or a topography, which know their grid{instead}"
+                "{quantity} must be a Field or a topography, which contain their grid{instead}"
             ))
         })
     }
@@ -473,6 +475,6 @@ pub(crate) fn grid_of(grid: Option<&Grid>, fields: &[&Samples<'_>]) -> PyResult<
         }
     }
     Err(PyTypeError::new_err(
-        "an array does not know the sides of its cells: give grid= (history.grid, solution.grid), or a Field",
+        "an array does not contain the sides of its cells: give grid= (such as history.grid or solution.grid), or a Field",
     ))
 }

@@ -172,11 +172,13 @@ impl HalfSpace {
     )> {
         let bodies = slf.get();
         let refused = if bodies.0.pair().stands_for_kernel() {
-            Some("bodies of a Kernel are not pickled: make them from it anew")
+            Some("bodies of a Kernel cannot be pickled: create them again from the Kernel")
         } else {
             // Only distributed bodies perform gather operations when they are created.
             let is_shared = bodies.0.traffic().gathers > 0;
-            is_shared.then_some("bodies that ranks share are not pickled: make them anew")
+            is_shared.then_some(
+                "bodies that are distributed over ranks cannot be pickled: create them again",
+            )
         };
         if let Some(refused) = refused {
             return Err(PyTypeError::new_err(refused));

@@ -25,7 +25,7 @@ fn sides(
         (Some(cell), None) => Ok(Sides::OfCell(cell.0)),
         (None, Some(size)) => Ok(Sides::OfGrid(size.0)),
         _ => Err(PyTypeError::new_err(
-            "give the sides of a cell, cell=(dx, dy), or of the grid, size=(x, y)",
+            "give either the sides of a cell, cell=(dx, dy), or the sides of the grid, size=(x, y)",
         )),
     }
 }
@@ -53,7 +53,7 @@ fn in_metres(field: &Samples<'_>) -> PyResult<Arc<stickslip::Field>> {
     match unit.as_deref() {
         None | Some(METRE) => field.alone("field"),
         Some(unit) => Err(PyValueError::new_err(format!(
-            "the file is in metres, and the surface in {unit}: surface.to_unit('m')"
+            "the unit of the file is the metre, but the unit of the surface is {unit}: convert it by surface.to_unit('m')"
         ))),
     }
 }
@@ -331,7 +331,7 @@ impl Arrays {
                     .iter()
                     .map(|part| one(&part))
                     .collect::<PyResult<_>>()?,
-                Some(_) => return Err(PyTypeError::new_err("a vector has two components")),
+                Some(_) => return Err(PyTypeError::new_err("a vector must have two components")),
                 None => vec![one(&value)?],
             };
             arrays.push((name.extract()?, parts));

@@ -77,7 +77,7 @@ impl Kernel {
             let first = response.call1((1.0 / thickness.0,))?;
             let _: (f64, f64, f64, f64) = first.extract().map_err(|_| {
                 PyTypeError::new_err(
-                    "response must return four numbers: normal, along, across, coupling",
+                    "response must return four numbers: normal, along, across and coupling",
                 )
             })?;
         }
@@ -137,12 +137,18 @@ impl Kernel {
             let so_far = match table {
                 None => CoefficientTable::new(sides, [nx, ny]).or_raise(py)?,
                 Some(table) if table.size() == [nx, ny] => table,
-                Some(_) => return Err(PyValueError::new_err("coefficients differ in their shape")),
+                Some(_) => {
+                    return Err(PyValueError::new_err(
+                        "the arrays of coefficients must have the same shape",
+                    ));
+                }
             };
             let values = values.iter().copied().collect();
             table = Some(so_far.with(component.0, values).or_raise(py)?);
         }
-        let table = table.ok_or_else(|| PyValueError::new_err("coefficients has no component"))?;
+        let table = table.ok_or_else(|| {
+            PyValueError::new_err("coefficients must contain at least one component")
+        })?;
         stickslip::Kernel::tabulated(near.0, table)
             .or_raise(py)
             .map(Self)
@@ -211,7 +217,7 @@ impl Kernel {
             let of = operators.get_item(&name)?;
             if of.is_none_or(|of| of.is_instance_of::<LinearOperator>()) {
                 return Err(PyValueError::new_err(format!(
-                    "lower_bounds has {}, which is no callable of operators",
+                    "lower_bounds contains {}, but operators contains no callable of this name",
                     name.repr()?
                 )));
             }
@@ -264,7 +270,7 @@ fn directions(name: &Bound<'_, PyAny>) -> PyResult<Vec<Direction>> {
     match known.collect::<Option<Vec<_>>>() {
         Some(directions) if (1..=3).contains(&directions.len()) => Ok(directions),
         _ => Err(PyValueError::new_err(format!(
-            "directions of an operator are one to three of the letters x, y and z, got {}",
+            "the directions of an operator must be one to three of the letters x, y and z, got {}",
             name.repr()?
         ))),
     }

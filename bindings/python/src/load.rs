@@ -21,7 +21,7 @@ pub(crate) fn normal(
         (None, Some(Real(approach))) => Ok(Some(NormalControl::Approach(approach))),
         (None, None) => Ok(None),
         _ => Err(PyTypeError::new_err(
-            "give a normal force or an approach, not both",
+            "give either a normal force or an approach, not both",
         )),
     }
 }
@@ -29,7 +29,7 @@ pub(crate) fn normal(
 /// Returns the normal control of a problem, which requires a force or an approach.
 pub(crate) fn needed(force: Option<Real>, approach: Option<Real>) -> PyResult<NormalControl> {
     normal(force, approach)?
-        .ok_or_else(|| PyTypeError::new_err("give the normal load: force= or approach="))
+        .ok_or_else(|| PyTypeError::new_err("give the normal load by force= or approach="))
 }
 
 /// Force, shift or spring along both axes.
@@ -50,7 +50,7 @@ pub(crate) fn one_along<T>(
     match given.next() {
         None => Ok(first),
         Some(_) => Err(PyTypeError::new_err(format!(
-            "give one of {kinds} along {}",
+            "give at most one of {kinds} along {}",
             ["x", "y"][axis]
         ))),
     }
@@ -187,7 +187,7 @@ fn one_of<T>(object: Option<T>, is_without_keywords: bool, by_keywords: T) -> Py
         None => Ok(by_keywords),
         Some(load) if is_without_keywords => Ok(load),
         Some(_) => Err(PyTypeError::new_err(
-            "give a load or its keywords, not both",
+            "give either a load or its keywords, not both",
         )),
     }
 }

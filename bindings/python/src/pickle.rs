@@ -69,8 +69,9 @@ fn restored<'py, T>(py: Python<'py>, bytes: &[u8]) -> PyResult<Bound<'py, PyAny>
 where
     T: Stored + PyClass + Into<PyClassInitializer<T>>,
 {
-    let content = postcard::from_bytes(bytes)
-        .map_err(|error| PyValueError::new_err(format!("not a pickled {}: {error}", T::KIND)))?;
+    let content = postcard::from_bytes(bytes).map_err(|error| {
+        PyValueError::new_err(format!("the bytes are not a pickled {}: {error}", T::KIND))
+    })?;
     Ok(Bound::new(py, T::of_content(content))?.into_any())
 }
 
@@ -170,14 +171,14 @@ macro_rules! kinds {
         ) -> PyResult<Bound<'py, PyAny>> {
             if version != env!("CARGO_PKG_VERSION") {
                 return Err(PyValueError::new_err(format!(
-                    "a {kind} pickled by stickslip {version} cannot be read by stickslip {}",
+                    "a {kind} pickled by stickslip {version} cannot be read by stickslip {}: use the same version",
                     env!("CARGO_PKG_VERSION")
                 )));
             }
             $(if kind == <$class as Stored>::KIND {
                 return restored::<$class>(py, bytes);
             })+
-            Err(PyTypeError::new_err(format!("no class {kind}")))
+            Err(PyTypeError::new_err(format!("stickslip has no class {kind} that can be pickled")))
         }
     };
 }

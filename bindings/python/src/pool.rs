@@ -132,7 +132,7 @@ pub(crate) fn alone<T>(work: impl FnOnce() -> T) -> T {
 pub(crate) fn set_num_threads(_py: Python<'_>, threads: usize) -> PyResult<()> {
     if threads == 0 {
         return Err(PyValueError::new_err(
-            "at least one thread is needed, got 0",
+            "the number of threads must be at least 1, got 0",
         ));
     }
     let owned = Owned::new(threads)?;

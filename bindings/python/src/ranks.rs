@@ -57,7 +57,9 @@ impl Ranks for Communicator {
                 let bytes = received.cast::<PyBytes>()?.as_bytes();
                 if bytes.len() % WORD != 0 {
                     let length = bytes.len();
-                    let told = format!("a block of {length} bytes is not one of words of {WORD}");
+                    let told = format!(
+                        "sendrecv returned {length} bytes, expected a multiple of {WORD} bytes"
+                    );
                     return Err(PyValueError::new_err(told));
                 }
                 let words = bytes.chunks_exact(WORD);

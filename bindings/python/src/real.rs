@@ -26,7 +26,7 @@ fn unreal(object: &Bound<'_, PyAny>) -> PyResult<Option<&'static str>> {
     Ok(match &kind[..] {
         "c" => Some("complex: give the real part, .real"),
         "U" | "S" | "T" => Some("text"),
-        "M" | "m" => Some("of times"),
+        "M" | "m" => Some("times"),
         _ => None,
     })
 }
@@ -36,7 +36,7 @@ pub(crate) fn is_real(object: &Bound<'_, PyAny>, quantity: &str) -> PyResult<()>
     match unreal(object)? {
         None => Ok(()),
         Some(found) => Err(PyTypeError::new_err(format!(
-            "{quantity} must be real numbers, and is {found}"
+            "{quantity} must be real numbers, got {found}"
         ))),
     }
 }
@@ -66,7 +66,7 @@ impl FromPyObject<'_, '_> for Real {
         match found {
             None => object.extract().map(Self),
             Some(found) => Err(PyTypeError::new_err(format!(
-                "must be a real number, and is {found}"
+                "must be a real number, got {found}"
             ))),
         }
     }

@@ -19,7 +19,7 @@ pub(crate) fn place<T>(entries: &[T], index: isize, name: &str) -> PyResult<usiz
     let place = from_end.checked_add_signed(index);
     place.filter(|&place| place < entries.len()).ok_or_else(|| {
         PyIndexError::new_err(format!(
-            "no {name} of index {index} among {}, whose indices begin at 0",
+            "there is no {name} with index {index}: the sequence has length {}, and its indices start at 0",
             entries.len()
         ))
     })

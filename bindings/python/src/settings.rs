@@ -106,7 +106,7 @@ pub(crate) fn chosen(
     if let Some(Real(seconds)) = time_limit {
         let limit = Duration::try_from_secs_f64(seconds).map_err(|_| {
             PyValueError::new_err(format!(
-                "time_limit must be a number of seconds, got {seconds}"
+                "time_limit must be a non-negative number of seconds, got {seconds}"
             ))
         })?;
         chosen = chosen.time_limit(limit);

@@ -12,7 +12,7 @@ pub(crate) fn lock<'a, T>(place: &'a Mutex<T>, what: &str) -> PyResult<MutexGuar
         // The crate leaves its data consistent when it panics, so a poisoned lock can be used.
         Err(TryLockError::Poisoned(guard)) => Ok(guard.into_inner()),
         Err(TryLockError::WouldBlock) => Err(PyRuntimeError::new_err(format!(
-            "the {what} is in use, by another thread or by the call that this one is made from"
+            "the {what} is in use by another thread or by the call that made this call: wait until that call returns"
         ))),
     }
 }

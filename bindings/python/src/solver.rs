@@ -56,7 +56,8 @@ fn finished<S: Solver>(
     solution: Option<Arc<S::Solution>>,
     is_warned: bool,
 ) -> PyResult<Bound<'_, S::Object>> {
-    let solution = || solution.ok_or_else(|| PyRuntimeError::new_err("the solve left nothing"));
+    let solution =
+        || solution.ok_or_else(|| PyRuntimeError::new_err("the solve returned no solution"));
     match outcome {
         Ok(()) => {
             let solution = solution()?;
@@ -136,7 +137,7 @@ impl<S: Solver> Reused<S> {
         set(solver)?;
         let mut solution = spare.take(|| solver.new_solution());
         let into = Arc::get_mut(&mut solution);
-        let into = into.ok_or_else(|| PyRuntimeError::new_err("the solution is held"))?;
+        let into = into.ok_or_else(|| PyRuntimeError::new_err("the solution is still in use"))?;
         let outcome = solve(py, self.grid.cells(), progress, |observer| {
             solver.solve_observed(into, |iteration| observer(Some(iteration)))
         })?;

@@ -23,7 +23,7 @@ pub(crate) fn metres(unit: &str) -> PyResult<f64> {
         "pm" => 1e-12,
         other => {
             return Err(PyValueError::new_err(format!(
-                "{other} is no unit of length from pm to m"
+                "{other} is not a unit of length from pm to m"
             )));
         }
     })
@@ -42,7 +42,7 @@ pub(crate) fn one_of(units: impl IntoIterator<Item = Option<Unit>>) -> PyResult<
         match &first {
             Some(first) if !is_same(first, &unit) => {
                 return Err(PyValueError::new_err(format!(
-                    "one surface is in {first} and another in {unit}: give both in one unit, surface.to_unit(...)"
+                    "the surfaces have the units {first} and {unit}: convert one of them by surface.to_unit(...)"
                 )));
             }
             Some(_) => {}

@@ -52,7 +52,7 @@ pub(crate) fn solve<T: Send>(
 ) -> PyResult<Result<T>> {
     if IS_CALLED_BACK.get() {
         return Err(PyRuntimeError::new_err(
-            "a solve cannot begin within the progress callback of another",
+            "a solve cannot start within the progress callback of a different solve",
         ));
     }
     let callback = progress.callback();

@@ -177,7 +177,7 @@ def test_adaptive_steps_rejected_keep_fields_and_failed_replace_them():
     assert np.array_equal(step.slip_distance, slip) and np.array_equal(step.keep().slip_distance, slip)
     with pytest.raises(ss.errors.StepTooLong):
         adaptive.step(history, ss.LoadStep(normal_force=150.0, force_x=-20.0))
-    with pytest.raises(RuntimeError, match="has taken another step since: keep"):
+    with pytest.raises(RuntimeError, match="has taken a further step: call keep"):
         step.slip_distance
     assert history.to_bytes() == before and history.last_step.normal_force > FORCE
 
@@ -187,7 +187,7 @@ def test_invalid_point_reports_index_and_invalid_pressure_reports_row_and_column
     for index, axis, value in [(4000, 2, -1e-5), (4999, 0, math.nan)]:
         wrong = points.copy()
         wrong[index, axis] = value
-        with pytest.raises(ss.errors.Sample, match=f"points.*{index}") as refused:
+        with pytest.raises(ss.errors.Sample, match=f"point at index {index} ") as refused:
             ss.subsurface.at_points(scene.bodies, "one", scene.normal(), wrong)
         assert (refused.value.index, refused.value.row, refused.value.column) == (index, None, None)
     pressure = np.zeros(scene.grid.shape)
@@ -274,7 +274,7 @@ def test_held_shift_that_loses_force_is_warned_about(scene):
     history = scene.history()
     history.step(normal_force=FORCE)
     history.step(force_x=0.4 * FORCE)
-    with pytest.warns(ss.ContactWarning, match="held the shift and lost .* %"):
+    with pytest.warns(ss.ContactWarning, match="kept the shift and lost .* %"):
         step = history.step(normal_force=0.3 * FORCE)
     assert "held_shift_lost_force" in [remark.kind for remark in step.warnings]
 

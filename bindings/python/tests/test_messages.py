@@ -15,23 +15,23 @@ from conftest import FORCE
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda scene: ss.LoadStep(force=1.0), r"force is a pair \(x, y\), got float: .* force_x="),
-        (lambda scene: ss.LoadStep(shift=(1.0, 2.0, 3.0)), r"shift is a pair \(x, y\), got tuple of length 3: .* shift_x="),
-        (lambda scene: ss.LoadStep(spring=(1.0, 2.0)), r"spring is \(\(x, y\), stiffness\), got tuple of length 2: .* spring_x="),
-        (lambda scene: ss.LoadStep(spring_x=1.0), r"spring_x and spring_y are pairs \(position, stiffness\), got float"),
-        (lambda scene: ss.TangentialProblem(scene.bodies, scene.ball, 0.5, force=1.0), "force is a pair"),
-        (lambda scene: scene.history().step(force=1.0), "force is a pair"),
-        (lambda scene: ss.history.LoadPath.sine(2e-6, 20), r"amplitude is a pair \(x, y\), got float: .*\(amplitude, 0.0\)"),
-        (lambda scene: ss.history.LoadPath([1.0, 2.0]), r"steps is a sequence of pairs \(x, y\), got list of length 2"),
-        (lambda scene: ss.subsurface.Planes(scene.bodies, 1e-5), r"depths is a sequence of numbers, got float: .*\[depth\]"),
+        (lambda scene: ss.LoadStep(force=1.0), r"force must be a pair \(x, y\), got float: .* force_x="),
+        (lambda scene: ss.LoadStep(shift=(1.0, 2.0, 3.0)), r"shift must be a pair \(x, y\), got tuple of length 3: .* shift_x="),
+        (lambda scene: ss.LoadStep(spring=(1.0, 2.0)), r"spring must be \(\(x, y\), stiffness\), got tuple of length 2: .* spring_x="),
+        (lambda scene: ss.LoadStep(spring_x=1.0), r"spring_x and spring_y must be pairs \(position, stiffness\), got float"),
+        (lambda scene: ss.TangentialProblem(scene.bodies, scene.ball, 0.5, force=1.0), "force must be a pair"),
+        (lambda scene: scene.history().step(force=1.0), "force must be a pair"),
+        (lambda scene: ss.history.LoadPath.sine(2e-6, 20), r"amplitude must be a pair \(x, y\), got float: .*\(amplitude, 0.0\)"),
+        (lambda scene: ss.history.LoadPath([1.0, 2.0]), r"steps must be a sequence of pairs \(x, y\), got list of length 2"),
+        (lambda scene: ss.subsurface.Planes(scene.bodies, 1e-5), r"depths must be a sequence of numbers, got float: .*\[depth\]"),
         (
             lambda scene: ss.subsurface.at_points(scene.bodies, "one", scene.ball, (0.0, 0.0, 1e-5)),
-            r"points is a sequence of \(x, y, depth\), got tuple of length 3: .*\[\(x, y, depth\)\]",
+            r"points must be a sequence of \(x, y, depth\), got tuple of length 3: .*\[\(x, y, depth\)\]",
         ),
-        (lambda scene: ss.surface.bisinusoidal(scene.grid, 1.0, 2.0), r"wavelengths is a pair \(x, y\), got float"),
-        (lambda scene: ss.surface.paraboloid(scene.grid, 2.0), r"curvatures is \(k_xx, k_xy, k_yy\), got float"),
-        (lambda scene: ss.surface.crop(scene.ball, 2, (0, 3)), r"columns is a pair \(first, end\)"),
-        (lambda scene: ss.io.npy.read("heights.npy", cell=1.0), r"cell is a pair \(dx, dy\), got float"),
+        (lambda scene: ss.surface.bisinusoidal(scene.grid, 1.0, 2.0), r"wavelengths must be a pair \(x, y\), got float"),
+        (lambda scene: ss.surface.paraboloid(scene.grid, 2.0), r"curvatures must be \(k_xx, k_xy, k_yy\), got float"),
+        (lambda scene: ss.surface.crop(scene.ball, 2, (0, 3)), r"columns must be a pair \(first, end\)"),
+        (lambda scene: ss.io.npy.read("heights.npy", cell=1.0), r"cell must be a pair \(dx, dy\), got float"),
     ],
 )
 def test_wrong_pair_or_sequence_message_names_argument_and_form(scene, call, message):
@@ -44,11 +44,11 @@ def test_wrong_pair_or_sequence_message_names_argument_and_form(scene, call, mes
     [
         (
             lambda scene: ss.surface.crop(scene.ball, (0, -1), (0, 3)),
-            r"columns is a pair \(first, end\) of whole numbers, got -1, which is negative",
+            r"columns must be a pair \(first, end\) of whole numbers, got -1, which is negative",
         ),
-        (lambda scene: ss.surface.crop(scene.ball, (0, 3), (np.int64(-2), 3)), "rows is .*, got -2, which is negative"),
-        (lambda scene: ss.surface.crop(scene.ball, (0, 2**70), (0, 3)), f"columns is .*, got {2**70}, which is too large"),
-        (lambda scene: ss.LoadStep(force=(-1, 10**400)), "force is a pair .*, got 1000.*, which is too large"),
+        (lambda scene: ss.surface.crop(scene.ball, (0, 3), (np.int64(-2), 3)), "rows must be .*, got -2, which is negative"),
+        (lambda scene: ss.surface.crop(scene.ball, (0, 2**70), (0, 3)), f"columns must be .*, got {2**70}, which is too large"),
+        (lambda scene: ss.LoadStep(force=(-1, 10**400)), "force must be a pair .*, got 1000.*, which is too large"),
     ],
 )
 def test_pair_with_number_out_of_range_names_number(scene, call, message):
@@ -59,7 +59,7 @@ def test_pair_with_number_out_of_range_names_number(scene, call, message):
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda scene: ss.TangentialProblem(scene.bodies, scene.normal(), 0.5, force_x=60.0), r"force of 60\.0 exceeds"),
+        (lambda scene: ss.TangentialProblem(scene.bodies, scene.normal(), 0.5, force_x=60.0), r"force 60\.0 exceeds"),
         (lambda scene: ss.Grid.square(3, -1.0), r"got -1\.0$"),
         (lambda scene: ss.Grid.square(3, math.nan), r"got nan$"),
         (lambda scene: ss.Grid.square(3, -1e-12), r"got -1e-12$"),
@@ -67,8 +67,8 @@ def test_pair_with_number_out_of_range_names_number(scene, call, message):
         (lambda scene: ss.Material(1.0, -math.inf), r"\(-1, 0\.5\], got -inf$"),
         (lambda scene: ss.Settings(tolerance=2.0), r"between 0 and 1, got 2\.0$"),
         (lambda scene: scene.ball - ss.Field(ss.Grid.square(64, 1e-6), 0.0), r"sides \[1\.5625e-08, 1\.5625e-08\], expected"),
-        (lambda scene: ss.surface.gap_from_heights(scene.ball * math.nan), r"index 0\) is nan: "),
-        (lambda scene: ss.NormalProblem(scene.bodies, scene.ball * 0.0 - math.inf, force=1.0), r"is -inf: "),
+        (lambda scene: ss.surface.gap_from_heights(scene.ball * math.nan), r"index 0\) is nan, but "),
+        (lambda scene: ss.NormalProblem(scene.bodies, scene.ball * 0.0 - math.inf, force=1.0), r"is -inf, but "),
         (lambda scene: ss.surface.crop(scene.ball, (3, 3), (0, 1)), r"range 3\.\.3 of"),
         (lambda scene: ss.History(scene.bodies, scene.ball, 0.5).step(force=(1.0, 2.5)), r"2\.5"),
     ],
@@ -141,7 +141,7 @@ def test_non_real_numbers_are_rejected(scene, number):
         ):
             with pytest.raises((TypeError, ValueError), match="real number|boundary must|pair|numbers|operand"):
                 call()
-    with pytest.raises(TypeError, match="must be a real number, and is (complex: give the real part|text)"):
+    with pytest.raises(TypeError, match="must be a real number, got (complex: give the real part|text)"):
         ss.Material(number, 0.3)
     assert ss.Material(np.float32(1.0), 0) == ss.Material(np.array(1.0), np.int64(0)) == ss.Material(1, False)
 
@@ -206,17 +206,17 @@ def test_subsurface_messages_state_required_arguments(scene):
     contact = scene.normal()
     shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
     points = [(0.0, 0.0, 1e-5)]
-    with pytest.raises(TypeError, match=r"no pressure: give the normal solution too, \(normal, shear\)"):
+    with pytest.raises(TypeError, match=r"no pressure: give the normal solution too, as \(normal, shear\)"):
         ss.subsurface.at_points(scene.bodies, "one", shear, points)
     for tractions in [(contact, contact), (shear, contact)]:
         with pytest.raises(TypeError, match=r"expected \(normal, shear\)"):
             ss.subsurface.at_points(scene.bodies, "one", tractions, points)
-    with pytest.raises(ValueError, match="Body is one of 'one', 'two', or a member of stickslip.subsurface.Body, got '1'"):
+    with pytest.raises(ValueError, match="Body must be one of 'one', 'two', or a member of stickslip.subsurface.Body, got '1'"):
         ss.subsurface.at_points(scene.bodies, "1", contact, points)
     with pytest.raises(TypeError, match="'one', 'two', .* got int"):
         ss.subsurface.at_points(scene.bodies, 1, contact, points)
     planes = ss.subsurface.Planes(scene.bodies, [0.0, 1e-5])
-    with pytest.raises(IndexError, match="no depth of index 99 among 2"):
+    with pytest.raises(IndexError, match="no depth with index 99: the sequence has length 2"):
         planes.solve(99, "one", contact)
     assert planes.solve(-1, "one", contact).depth == 1e-5
 

@@ -182,7 +182,7 @@ def test_rolling_rejected_input_leaves_solver_unchanged(ball):
     assert (caught.value.force, caught.value.limit) == pytest.approx((0.31, 0.3))
     with pytest.raises(ss.errors.NotFinite, match="creepage"):
         solver.solve(creepage=(0.0, np.nan))
-    with pytest.raises(ss.errors.BeyondFrictionMoment, match="moment of 1.0"):
+    with pytest.raises(ss.errors.BeyondFrictionMoment, match="moment 1.0"):
         solver.solve(moment=1.0)
     with pytest.raises(ss.errors.NotFinite):
         solver.creep_forces([(0.2, 0.0, 0.0), (np.inf, 0.0, 0.0)])
@@ -190,7 +190,7 @@ def test_rolling_rejected_input_leaves_solver_unchanged(ball):
         solver.solve(creepage_x=0.1, force_x=0.1)
     with pytest.raises(TypeError, match="a spin or a moment"):
         solver.solve(spin=0.1, moment=0.1)
-    with pytest.raises(TypeError, match="creepage is a pair"):
+    with pytest.raises(TypeError, match="creepage must be a pair"):
         solver.solve(creepage=0.1)
     with pytest.raises(TypeError, match=r"\(creepage_x, creepage_y, spin\)"):
         solver.creep_forces([(0.1, 0.0)])
@@ -202,7 +202,7 @@ def test_rolling_rejected_input_leaves_solver_unchanged(ball):
 def test_rolling_invalid_contacts_are_rejected(ball):
     with pytest.raises(ss.errors.NotPositive, match="step"):
         ball.problem(step=0)
-    with pytest.raises(ValueError, match="LeadingEdge is one of 'plus_x'"):
+    with pytest.raises(ValueError, match="LeadingEdge must be one of 'plus_x'"):
         ball.problem(leading_edge="x")
     with pytest.raises(ss.errors.Method):
         ball.problem(method="polonsky_keer")
@@ -211,7 +211,7 @@ def test_rolling_invalid_contacts_are_rejected(ball):
     assert isinstance(caught.value.last_iterate, ss.rolling.RollingSolution)
     # The contact reaches the edge of the grid, where particles would enter.
     flat = ss.NormalProblem(ball.bodies, np.zeros((24, 24)), force=1.0).solve(warn=False)
-    with pytest.raises(ss.errors.GridTooShort, match="cells ahead of the contact, the grid has 0; add at least 1 cells"):
+    with pytest.raises(ss.errors.GridTooShort, match="cells ahead of the contact, but the grid has 0: extend the grid there by at least 1 cells"):
         RollingProblem(ball.bodies, flat, FRICTION)
 
 

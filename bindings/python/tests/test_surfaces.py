@@ -58,13 +58,13 @@ def test_surfaces_keep_unit(tmp_path):
 
     metres = rough.to_unit("m")
     assert metres.unit == "m" and metres.grid.dx == pytest.approx(1e-6) and metres.max() == pytest.approx(1e-6 * rough.max())
-    with pytest.raises(ValueError, match="in metres, and the surface in um"):
+    with pytest.raises(ValueError, match="unit of the surface is um"):
         ss.io.sdf.write(tmp_path / "a.sdf", rough)
     ss.io.sdf.write(tmp_path / "a.sdf", metres)
     assert ss.io.read(tmp_path / "a.sdf").unit == ss.io.sdf.read(tmp_path / "a.sdf").unit == "m"
     with pytest.raises(ValueError, match="has no unit"):
         wave(grid, 8.0).to_unit("m")
-    with pytest.raises(ValueError, match="furlong is no unit of length"):
+    with pytest.raises(ValueError, match="furlong is not a unit of length"):
         rough.to_unit("furlong")
 
 
@@ -72,7 +72,7 @@ def test_surfaces_with_different_units_are_rejected():
     grid = ss.Grid.square(16, 16.0)
     one, two, unknown = wave(grid, 8.0, "um"), wave(grid, 8.0, "nm"), wave(grid, 8.0)
     for call in (lambda a, b: a + b, lambda a, b: a - b, ss.surface.gap_between, lambda a, b: ss.surface.sum([a, b])):
-        with pytest.raises(ValueError, match="one surface is in um and another in nm"):
+        with pytest.raises(ValueError, match="the units um and nm"):
             call(one, two)
         assert call(one, unknown).unit == call(unknown, one).unit == "um"
         assert call(one, wave(grid, 8.0, "\u00b5m")).unit == "um"

@@ -124,7 +124,7 @@ def test_progress_exception_ends_solve(cells):
     with pytest.raises(KeyError, match="enough"):
         history.step(force_x=20.0, progress=refuse)
     assert history.to_bytes() == before
-    with pytest.raises(RuntimeError, match="cannot begin within"):
+    with pytest.raises(RuntimeError, match="cannot start within"):
         history.step(force_x=20.0, progress=lambda _: scene.normal())
     assert history.to_bytes() == before
     assert history.step(force_x=20.0).tangential_force[0] == pytest.approx(20.0)

@@ -9,7 +9,7 @@ use crate::grid::Grid;
 const MIRRORED: f64 = 1e-10;
 
 /// Meaning of the value 1 in checks of the allowed difference divided by the actual difference.
-pub(super) const AS_ALLOWED: &str = "a difference as large as allowed";
+pub(super) const AS_ALLOWED: &str = "a difference equal to the permitted difference";
 
 /// Least thickness of a layer divided by the diagonal of a grid: the range of the tables of coated bodies.
 const THINNEST: f64 = 1e-25;
@@ -17,9 +17,9 @@ const THINNEST: f64 = 1e-25;
 /// Checks that the tables of a layer of this thickness cover the grid.
 pub(crate) fn check_thickness(thickness: f64, grid: Grid) -> Result<()> {
     let [length, width] = [grid.nx() as f64 * grid.dx(), grid.ny() as f64 * grid.dy()];
-    let quantity = "thickness of a layer over the diagonal of the grid";
+    let quantity = "ratio of the layer thickness to the diagonal of the grid";
     at_least(
-        "the least allowed",
+        "the smallest permitted ratio",
         THINNEST,
         quantity,
         thickness / length.hypot(width),
@@ -49,13 +49,13 @@ pub(super) fn checked(found: Response) -> Result<Response> {
     )?;
     finite("coupling of the kernel", found.coupling)?;
     let coupling = ratio(found.coupling, found.normal, found.along);
-    let quantity = "energy of a wave of pressure and traction, over that without coupling,";
+    let quantity = "ratio of the energy of a wave to its energy without coupling";
     positive(quantity, 1.0 - coupling * coupling)?;
     Ok(found)
 }
 
 pub(super) fn checked_far(far: Response) -> Result<Response> {
-    let quantity = "response of the kernel to long waves, times k,";
+    let quantity = "product of wave number and response of the kernel to long waves";
     for value in [far.normal, far.along, far.across, far.coupling] {
         finite(quantity, value)?;
     }
@@ -92,7 +92,8 @@ pub(super) fn check_mirrored(
         (found - mirrored).abs() / unit
     });
     let most = differences.fold(0.0, |a: f64, b| if b.is_nan() { b } else { a.max(b) });
-    let quantity = "allowed over found difference of a response from its mirror image";
+    let quantity =
+        "ratio of the permitted to the actual difference between a response and its mirror image";
     at_least(AS_ALLOWED, 1.0, quantity, MIRRORED / most.max(MIRRORED))?;
     Ok(())
 }

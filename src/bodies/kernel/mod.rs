@@ -257,7 +257,7 @@ impl Kernel {
             let beside = base.with(isotropic.far, |base, far| (base - far).abs());
             let most = beside.normal.max(beside.along).max(beside.across);
             let found = most.max(beside.coupling) / self.pair.compliances().normal;
-            let quantity = "allowed over found difference of the long waves from the response";
+            let quantity = "ratio of the permitted to the actual difference between the long-wave limit and the response";
             at_least(AS_ALLOWED, 1.0, quantity, ALIKE / found.max(ALIKE))?;
             isotropic.far = base;
         }
@@ -407,7 +407,7 @@ impl Kernel {
             Some(_) => Err(Error::UnsupportedForCoatings {
                 quantity,
                 bodies: "user-defined operators",
-                remedy: "describe the bodies by materials, layers or a response, which are known beyond the cells of one grid",
+                remedy: "describe the bodies by materials, layers or a response to waves, which are defined beyond the cells of one grid",
             }),
         }
     }
@@ -447,7 +447,7 @@ impl Kernel {
     /// Checks that bodies on the grid can be created from the kernel.
     pub(crate) fn check_on(&self, grid: Grid, boundary: Boundary) -> Result<()> {
         const REPEATING: &str =
-            "take a grid that repeats along both axes, or a table of coefficients";
+            "use a grid that is periodic along both axes, or a table of coefficients";
         match &self.given {
             None => self.pair.check_no_kernel(),
             Some(KernelSource::Isotropic(of)) if boundary == Boundary::Periodic => {
@@ -463,7 +463,7 @@ impl Kernel {
                 waves_of(grid).try_for_each(check)
             }
             Some(KernelSource::Orthotropic(_)) => Err(Error::UnsupportedForCoatings {
-                quantity: "a grid that does not repeat along both axes",
+                quantity: "a grid that is not periodic along both axes",
                 bodies: "an orthotropic response",
                 remedy: REPEATING,
             }),
@@ -474,9 +474,9 @@ impl Kernel {
                 table.check_on(grid)
             }
             Some(KernelSource::Table(_)) => Err(Error::UnsupportedForCoatings {
-                quantity: "a grid that repeats",
+                quantity: "a periodic grid",
                 bodies: "a table of coefficients",
-                remedy: "take a grid that does not repeat, or a response to waves",
+                remedy: "use a grid that is not periodic, or a response to waves",
             }),
         }
     }
@@ -491,14 +491,14 @@ impl Isotropic {
             finite("response of the kernel", value)?;
         }
         let most = beside.normal.max(beside.along).max(beside.across);
-        let quantity = "allowed over found difference of the response from the half-space near, at 20 over the thickness,";
+        let quantity = "ratio of the permitted to the actual difference between the response and the pair `near` at the wave number 20/thickness";
         let found = most.max(beside.coupling) / near.normal;
         at_least(AS_ALLOWED, 1.0, quantity, CLOSE / found.max(CLOSE))?;
         Ok(())
     }
 }
 
-const NEAR_IS: &str = "the half-space near of a kernel";
+const NEAR_IS: &str = "the pair `near` of a kernel";
 const NEAR_REMEDY: &str = "give a pair of homogeneous bodies";
 
 /// Returns the wave numbers at which a kernel is checked.

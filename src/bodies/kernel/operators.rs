@@ -87,9 +87,9 @@ impl Operators {
     pub(super) fn examined(&self, near: &ElasticPair) -> Result<Vec<f64>> {
         let unit = near.compliances().normal;
         let [first, ..] = &self.given[..] else {
-            return Err(Error::IncompleteKernel("there is no operator"));
+            return Err(Error::IncompleteKernel("give at least one operator"));
         };
-        positive("cells of an operator", first.cells() as f64)?;
+        positive("number of cells of an operator", first.cells() as f64)?;
         let mut shown = Vec::new();
         for given in &self.given {
             let directions = given.directions();
@@ -133,13 +133,13 @@ impl Operators {
             those.find_map(|given| given.part(components, size))
         };
         (1..=3).find_map(having).ok_or(Error::IncompleteKernel(
-            "no operator has all directions asked for: Z for pressure, X, Y or both for traction, all three where the half-spaces near are coupled",
+            "no operator has all required directions (Z for pressure; X, Y or both for traction; all three if the materials of `near` are coupled)",
         ))
     }
 }
 
 /// Name of the conditions for operators in error messages.
-const MODEL: &str = "the model of user-defined operators";
+const MODEL: &str = "a kernel of user-defined operators";
 
 /// Checks the products of two fields with zero mean and returns numbers that identify the operator. The numbers are
 /// both energies, and the work of one field on the displacements of the other divided by the geometric mean of the
@@ -149,31 +149,31 @@ fn examined(given: &UserOperator) -> Result<[f64; 3]> {
     if !given.is_symmetric() {
         return Err(Error::UnsupportedByModel {
             model: MODEL,
-            quantity: "operators that are not symmetric (value: number of directions)",
+            quantity: "a non-symmetric operator (value: the number of its directions)",
             value: directions.len() as f64,
-            remedy: "give an operator that obeys reciprocity, and says so",
+            remedy: "give an operator that obeys reciprocity and whose is_symmetric returns true",
         });
     }
     let (x, y) = (probe(given, STEPS[0])?, probe(given, STEPS[1])?);
     let (u, v) = (given.product(&x)?, given.product(&y)?);
     let [xx, xy, yx, yy] = [(&x, &u), (&x, &v), (&y, &u), (&y, &v)].map(|(x, u)| dot(x, u));
     for energy in [xx, yy] {
-        positive("energy of a field of tractions under an operator", energy)?;
+        positive("energy of tractions under an operator", energy)?;
     }
     let mean = xx.sqrt() * yy.sqrt();
     let asymmetry = finite("product of an operator", (xy - yx).abs() / mean)?;
     if asymmetry > ROUNDED {
         return Err(Error::UnsupportedByModel {
             model: MODEL,
-            quantity: "a difference between the works of two tractions on each other's displacements (relative to their energies)",
+            quantity: "a violation of reciprocity (difference of the mutual works relative to the energies)",
             value: asymmetry,
             remedy: "give an operator that obeys reciprocity",
         });
     }
     let bound = finite("lower bound of an operator", given.lower_bound())?;
-    let quantity = "energy of a field of tractions under an operator";
+    let quantity = "energy of tractions under an operator";
     at_least(
-        "the energy by its lower bound",
+        "the energy according to the lower bound of the operator",
         bound * dot(&x, &x),
         quantity,
         xx,
@@ -197,9 +197,9 @@ fn check_uncoupled(given: &UserOperator) -> Result<()> {
     if coupled > ROUNDED {
         return Err(Error::UnsupportedByModel {
             model: MODEL,
-            quantity: "a tangential displacement by pressure (relative to the normal one)",
+            quantity: "a tangential displacement due to pressure (relative to the normal displacement)",
             value: coupled,
-            remedy: "give half-spaces near that are coupled too",
+            remedy: "give a pair `near` of coupled materials",
         });
     }
     Ok(())
@@ -219,9 +219,9 @@ fn check_means(given: &UserOperator) -> Result<()> {
         if cells > 1 && finite("product of an operator", ratio)? > ROUNDED {
             return Err(Error::UnsupportedByModel {
                 model: MODEL,
-                quantity: "a displacement by a uniform traction on a grid that repeats (relative to that by others)",
+                quantity: "a displacement due to a uniform traction on a periodic grid (relative to the displacement due to other tractions)",
                 value: ratio,
-                remedy: "give an operator of displacements without mean, or a grid that does not repeat",
+                remedy: "give an operator whose displacements have zero mean, or use a grid that is not periodic",
             });
         }
     }

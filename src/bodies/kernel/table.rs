@@ -159,7 +159,7 @@ impl CoefficientTable {
                     quantity: QUANTITY,
                     index,
                     value: values[index],
-                    rule: "an odd coefficient is zero at distance zero",
+                    rule: "an odd coefficient must be zero at distance zero",
                 });
             }
         }
@@ -171,7 +171,7 @@ impl CoefficientTable {
         let (place, _) = place(component);
         if place < 3 && self.values[place].is_none() {
             return Err(Error::IncompleteKernel(
-                "its table has no coefficients of a displacement by its own traction, XX, YY or ZZ",
+                "the table lacks the coefficients of a displacement along its own traction (XX, YY or ZZ)",
             ));
         }
         Ok(())

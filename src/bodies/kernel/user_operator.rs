@@ -108,7 +108,7 @@ impl UserOperator {
     pub(super) fn unknowns(&self) -> Result<usize> {
         let (cells, directions) = (self.cells(), self.directions.len());
         memory(
-            "field of an operator",
+            "a field of an operator",
             [cells, directions],
             size_of::<f64>(),
         )?;

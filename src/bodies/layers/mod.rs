@@ -168,7 +168,7 @@ impl Layer {
             return Ok(layer);
         }
         Err(Error::NotPositive {
-            quantity: "the modulus of the layer, and its reciprocal,",
+            quantity: "the modulus of the layer and its reciprocal",
             value: youngs_modulus,
         })
     }

@@ -50,7 +50,7 @@ pub(super) trait Codec {
             if obeys(found) {
                 Ok(found)
             } else {
-                Err(format!("{what} is {found}: {words}"))
+                Err(format!("{what} is {found}, but {words}"))
             }
         })
     }
@@ -67,7 +67,9 @@ pub(super) trait Codec {
             if range.contains(&found) {
                 Ok(found)
             } else {
-                Err(format!("{what} is {found}, not in {range:?}"))
+                Err(format!(
+                    "{what} is {found}, but must lie in the range {range:?}"
+                ))
             }
         })
     }
@@ -94,7 +96,7 @@ pub(super) trait Codec {
         self.value(what, value, to, |[place]| {
             let kind = table.get(usize::from(place));
             kind.copied()
-                .ok_or_else(|| format!("{what} {place} is unknown"))
+                .ok_or_else(|| format!("code {place} of {what} is unknown"))
         })
     }
 
@@ -158,7 +160,7 @@ impl Reader<'_> {
         if found >= count {
             return Ok(());
         }
-        let problem = format!("the file ends within {what}: {found} of {count} bytes");
+        let problem = format!("the file ends within {what}: expected {count} bytes, found {found}");
         Err(FORMAT.at_byte(self.0.position(), problem))
     }
 
@@ -167,7 +169,7 @@ impl Reader<'_> {
         if self.0.rest().is_empty() {
             return Ok(());
         }
-        let problem = "more bytes follow than a history has";
+        let problem = "the data continue beyond the end of the history";
         Err(FORMAT.at_byte(self.0.position(), problem))
     }
 }

@@ -146,8 +146,9 @@ fn parts_of(path: &Path) -> Result<Vec<Range<u64>>> {
         start.take("the magic string", MAGIC.len())?;
         let version = start.u32("the version")?;
         if version != VERSION {
-            let problem =
-                format!("version {version} of slabs is unknown; this is version {VERSION}");
+            let problem = format!(
+                "version {version} of the slabs is not supported, expected version {VERSION}"
+            );
             return Err(FORMAT.at_byte(MAGIC.len(), problem));
         }
         let count = start.u64("the number of slabs")?;
@@ -163,7 +164,7 @@ fn parts_of(path: &Path) -> Result<Vec<Range<u64>>> {
         if first == length {
             return Ok(parts);
         }
-        let problem = format!("{first} bytes were saved, {length} are here");
+        let problem = format!("the file has {length} bytes, expected {first}");
         Err(FORMAT.at_byte(TABLE, problem))
     };
     parts().map_err(|error| in_file(path, error))

@@ -88,7 +88,7 @@ impl SnapshotHeader {
         }
         visit_boundary(codec, &mut self.boundary)?;
         let values = [CellValue::Uniform, CellValue::Centre];
-        codec.kind("meaning of the values", &mut self.cell_value, &values)?;
+        codec.kind("meaning of the cell values", &mut self.cell_value, &values)?;
         for [modulus, ratio, hardness] in &mut self.materials {
             codec.number("Young's modulus", modulus, POSITIVE_OR_INFINITE)?;
             codec.number("Poisson's ratio", ratio, FINITE)?;
@@ -307,13 +307,13 @@ impl State {
         for slip in &mut memory.slip {
             codec.numbers("slip of the last step", slip, FINITE)?;
         }
-        let mark = "mark of cells that entered";
+        let mark = "mark of cells that came into contact";
         codec.kind(mark, &mut memory.has_entered, &[false, true])?;
         if memory.has_entered {
             let cells = memory.window.held(grid).cells();
             fallible::resize(&mut memory.entered, cells, 0.0)?;
             codec.numbers(
-                "compliance of cells that entered",
+                "compliance of cells that came into contact",
                 &mut memory.entered,
                 NOT_NEGATIVE,
             )?;
@@ -333,7 +333,7 @@ fn visit_settings<C: Codec>(codec: &mut C, settings: &mut Settings) -> Result<()
     if let Some(limit) = limit {
         let (mut seconds, mut rest) = (limit.as_secs(), limit.subsec_nanos().into());
         codec.integer("seconds of the time limit", &mut seconds, ..)?;
-        codec.integer("rest of the time limit", &mut rest, ..1_000_000_000)?;
+        codec.integer("nanoseconds of the time limit", &mut rest, ..1_000_000_000)?;
         *limit = Duration::from_secs(seconds).saturating_add(Duration::from_nanos(rest));
     }
     Ok(())
@@ -408,7 +408,7 @@ fn visit_normal<C: Codec>(codec: &mut C, normal: &mut NormalSolution) -> Result<
         &mut report.double_precision_products,
         &mut report.single_precision_products,
     ] {
-        codec.count("count of the report", count, ..=LARGEST_COUNT)?;
+        codec.count("number in the report", count, ..=LARGEST_COUNT)?;
     }
     for error in [
         &mut report.residual,

@@ -107,7 +107,7 @@ impl State {
         state.visit(&mut reader)?;
         reader.end()?;
         if state.is_joint() && !state.is_whole() {
-            let problem = "a coupled contact must remember both axes on all of its grid";
+            let problem = "a coupled contact must store both axes on its whole grid";
             return Err(FORMAT.at_byte(HEADER, problem));
         }
         Ok(state)
@@ -168,11 +168,11 @@ impl History {
 /// Reads the magic and the version and returns an error if they do not match this format.
 fn check_kind(start: &mut Cursor<'_>) -> Result<()> {
     if start.take("the magic string", MAGIC.len())? != MAGIC {
-        return Err(FORMAT.at_byte(0, "the bytes do not begin with \\x93STKSLIP"));
+        return Err(FORMAT.at_byte(0, "the data do not start with \\x93STKSLIP"));
     }
     let version = start.u32("the version")?;
     if version != VERSION {
-        let problem = format!("version {version} is unknown; this is version {VERSION}");
+        let problem = format!("version {version} is not supported, expected version {VERSION}");
         return Err(FORMAT.at_byte(MAGIC.len(), problem));
     }
     Ok(())
@@ -184,12 +184,15 @@ fn opened(bytes: &[u8]) -> Result<Cursor<'_>> {
     check_kind(&mut start)?;
     let (length, found) = (start.u64("the length")?, bytes.len());
     if length != found as u64 || found < HEADER + SUM {
-        let problem = format!("{length} bytes were saved, {found} are here");
+        let problem = format!("the data have {found} bytes, expected {length}");
         return Err(FORMAT.at_byte(MAGIC.len() + 4, problem));
     }
     let (contents, sum) = bytes.split_at(found - SUM);
     if checksum::of_bytes(contents).to_le_bytes() != sum {
-        return Err(FORMAT.at_byte(found - SUM, "the checksum of the bytes is another"));
+        return Err(FORMAT.at_byte(
+            found - SUM,
+            "the checksum does not match: the data are damaged",
+        ));
     }
     let mut contents = Cursor::new(FORMAT, contents);
     contents.take("the header", HEADER)?;

@@ -59,7 +59,7 @@ impl State {
                     model: "the model of this history",
                     quantity: "a relative displacement",
                     value: amount,
-                    remedy: "build it with a pattern of relative displacement",
+                    remedy: "build the history with a pattern of relative displacement",
                 });
             }
             None => {}

@@ -115,7 +115,7 @@ pub struct History {
 shown!(History: bodies, state);
 
 /// Name in error messages of the parts of a state that slabs have in common.
-const ALL_BUT_FIELDS: &str = "state but for its fields";
+const ALL_BUT_FIELDS: &str = "state (except for its fields)";
 
 const _: () = {
     const fn assert_send<T: Send>() {}

@@ -151,20 +151,36 @@ impl Rolling {
             })
         };
         if bodies.is_shared() {
-            let remedy = "roll bodies on a grid that ranks do not share";
-            return refused("bodies on a grid that ranks share", cells, remedy);
+            let remedy = "use bodies that are not distributed";
+            return refused(
+                "a grid that is distributed over ranks (value: the number of cells of the step)",
+                cells,
+                remedy,
+            );
         }
         if state.relative.is_some() {
             let remedy = "build the history without a relative displacement";
-            return refused("a relative displacement", cells, remedy);
+            return refused(
+                "a relative displacement (value: the number of cells of the step)",
+                cells,
+                remedy,
+            );
         }
         if state.yielded.is_some() {
             let remedy = "build the history without a permanent set";
-            return refused("a permanent set", cells, remedy);
+            return refused(
+                "a permanent set (value: the number of cells of the step)",
+                cells,
+                remedy,
+            );
         }
         if load.names_twist() {
             let twist = load.demand(0.0).twist;
-            return refused("a twist", twist, "give the spin of a rolled step instead");
+            return refused(
+                "a twist",
+                twist,
+                "prescribe the spin of the rolling step instead",
+            );
         }
         for (axis, control) in Axis::BOTH.iter().zip(load.demand(0.0).controls) {
             let creepage = self.creepage[axis.index()];
@@ -172,11 +188,15 @@ impl Rolling {
                 TangentialControl::Hold => {}
                 TangentialControl::Force(_) if creepage == 0.0 => {}
                 TangentialControl::Force(_) => {
-                    let remedy = "name the force along an axis or its creepage";
-                    return refused("both creepage and force along one axis", creepage, remedy);
+                    let remedy = "prescribe either the force or the creepage along an axis";
+                    return refused(
+                        "a creepage and a force along the same axis",
+                        creepage,
+                        remedy,
+                    );
                 }
                 TangentialControl::Shift(_) | TangentialControl::Spring { .. } => {
-                    let remedy = "name forces or creepages in a rolled step";
+                    let remedy = "prescribe forces or creepages in a rolling step";
                     let (_, value) = control.checked(*axis)?;
                     return refused("a shift or a spring", value, remedy);
                 }
@@ -187,7 +207,7 @@ impl Rolling {
             }
         }
         if self.spin != 0.0 && !boundary.may_turn() {
-            let remedy = "a grid that repeats cannot turn, with any option";
+            let remedy = "a periodic grid does not allow rotation in any model";
             return refused("spin", self.spin, remedy);
         }
         if self.spin != 0.0 && state.axes.len() == 1 {
@@ -195,7 +215,7 @@ impl Rolling {
         }
         let extent = (grid.dx() * grid.nx() as f64).hypot(grid.dy() * grid.ny() as f64);
         let demand = self.compute_target(load.demand(0.0), state, length);
-        finite("turn by the spin", demand.twist * extent)?;
+        finite("rotation due to the spin", demand.twist * extent)?;
         travel.check_behind(bodies, state.pressure())
     }
 }
@@ -206,9 +226,9 @@ impl LoadStep {
         self.rolling().map_or(Ok(()), |rolling| {
             Err(Error::UnsupportedByModel {
                 model: "the method of adaptive steps",
-                quantity: "steps that roll",
+                quantity: "rolling steps (value: the number of cells of the step)",
                 value: rolling.cells as f64,
-                remedy: "roll cell by cell",
+                remedy: "take rolling steps one cell at a time",
             })
         })
     }

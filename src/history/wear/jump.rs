@@ -97,7 +97,7 @@ pub fn max_stable_cycles<'a>(
 /// # Ok::<(), Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-#[must_use = "a jump is a number only by cycles()"]
+#[must_use = "call cycles() to obtain the number of cycles"]
 pub struct CycleJump {
     without_overshoot: f64,
     depth_per_cycle: f64,

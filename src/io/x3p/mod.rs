@@ -66,11 +66,15 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
             number.decode(ByteOrder::LeastFirst, &stored)
         }
         (None, false) => main.list,
-        (None, true) => return Err(FORMAT.in_entry(MAIN, "there is no data, linked or listed")),
+        (None, true) => {
+            return Err(
+                FORMAT.in_entry(MAIN, "the file contains no data, neither linked nor listed")
+            );
+        }
     };
     if samples.len() != grid.cells() {
         let (found, nx, ny) = (samples.len(), grid.nx(), grid.ny());
-        let problem = format!("{found} data are listed for {nx} x {ny} points");
+        let problem = format!("the file lists {found} samples, expected {nx} x {ny} points");
         return Err(FORMAT.in_entry(MAIN, problem));
     }
     let is_float = matches!(main.number, Some(Number::F32 | Number::F64));
@@ -159,7 +163,7 @@ impl Main {
 
 /// Returns the value of an element, or an error if it is missing.
 fn required<T>(path: &str, value: Option<T>) -> Result<T> {
-    value.ok_or_else(|| FORMAT.in_entry(MAIN, format!("there is no {path}")))
+    value.ok_or_else(|| FORMAT.in_entry(MAIN, format!("the element {path} is missing")))
 }
 
 /// Element of `main.xml`.
@@ -171,7 +175,7 @@ struct Element<'a> {
 
 impl Element<'_> {
     fn refused(&self, problem: &str) -> Error {
-        let problem = format!("{} is {}, {problem}", self.path, excerpt(self.text));
+        let problem = format!("{} is {}, but {problem}", self.path, excerpt(self.text));
         FORMAT.in_entry(MAIN, problem)
     }
 
@@ -194,13 +198,13 @@ impl Element<'_> {
 
     fn count(&self) -> Result<usize> {
         let count = self.text.parse();
-        count.map_err(|_| self.refused("not a number of points"))
+        count.map_err(|_| self.refused("must be a whole number of points"))
     }
 
     /// Parses a number; NaN and infinities are accepted.
     fn number(&self) -> Result<f64> {
         let number = self.text.parse();
-        number.map_err(|_| self.refused("not a number"))
+        number.map_err(|_| self.refused("must be a number"))
     }
 
     fn real(&self) -> Result<f64> {
@@ -208,7 +212,7 @@ impl Element<'_> {
         if number.is_finite() {
             Ok(number)
         } else {
-            Err(self.refused("not finite"))
+            Err(self.refused("must be finite"))
         }
     }
 
@@ -217,7 +221,7 @@ impl Element<'_> {
         if number > 0.0 {
             Ok(number)
         } else {
-            Err(self.refused("not positive"))
+            Err(self.refused("must be positive"))
         }
     }
 
@@ -227,7 +231,7 @@ impl Element<'_> {
             "L" => Ok(Number::I32),
             "F" => Ok(Number::F32),
             "D" => Ok(Number::F64),
-            _ => Err(self.refused("not one of I, L, F and D")),
+            _ => Err(self.refused("must be I, L, F or D")),
         }
     }
 }

@@ -14,7 +14,8 @@ const DEEPEST: usize = 16;
 /// prefixes and starts at the child of the root, as in `Record1/Axes/CX/TangentialIncrement`.
 pub(super) fn elements(xml: &[u8], mut visit: impl FnMut(&str, &str) -> Result<()>) -> Result<()> {
     let broken = |problem: String| FORMAT.in_entry(MAIN, problem);
-    let xml = std::str::from_utf8(xml).map_err(|error| broken(format!("not UTF-8: {error}")))?;
+    let xml = std::str::from_utf8(xml)
+        .map_err(|error| broken(format!("the text is not UTF-8: {error}")))?;
     let mut reader = Reader::from_str(xml);
     reader.config_mut().expand_empty_elements = true;
     // The path contains the names of the open elements below the root, each after a slash; `starts` contains their
@@ -26,7 +27,9 @@ pub(super) fn elements(xml: &[u8], mut visit: impl FnMut(&str, &str) -> Result<(
         match event.map_err(|error| broken(error.to_string()))? {
             Event::Start(element) => {
                 if starts.len() == DEEPEST {
-                    return Err(broken(format!("elements more than {DEEPEST} deep")));
+                    return Err(broken(format!(
+                        "the elements are nested more than {DEEPEST} levels deep"
+                    )));
                 }
                 let is_root = starts.is_empty();
                 starts.push(path.len());

@@ -22,9 +22,10 @@ impl<'a> Archive<'a> {
     pub(super) fn new(bytes: &'a [u8]) -> Result<Self> {
         let archive = ZipArchive::from_slice(bytes);
         archive.map(Self).map_err(|error| match error.kind() {
-            ErrorKind::MissingEndOfCentralDirectory | ErrorKind::Eof => {
-                FORMAT.at_byte(bytes.len(), "the archive has no end: it is truncated")
-            }
+            ErrorKind::MissingEndOfCentralDirectory | ErrorKind::Eof => FORMAT.at_byte(
+                bytes.len(),
+                "the archive is truncated: its end record is missing",
+            ),
             _ => {
                 let end = Place::Byte(error.eocd_offset().unwrap_or_default());
                 FORMAT.at(end, format!("the end of the archive is damaged: {error}"))
@@ -42,11 +43,13 @@ impl<'a> Archive<'a> {
         }
         let size = header.uncompressed_size_hint();
         if let Some(expected) = expected.filter(|&expected| expected as u64 != size) {
-            return Err(refused(format!("{size} bytes, expected {expected}")));
+            return Err(refused(format!(
+                "the file has {size} bytes, expected {expected}"
+            )));
         }
         let entry = self.0.get_entry(header.wayfinder()).map_err(|error| {
             let start = header.local_header_offset();
-            refused(format!("not found at byte {start}: {error}"))
+            refused(format!("the file was not found at byte {start}: {error}"))
         })?;
         let packed = entry.data();
         let limit = SMALL.max(packed.len().saturating_mul(LARGEST_RATIO));
@@ -54,14 +57,14 @@ impl<'a> Archive<'a> {
         let too_large = || {
             let packed = packed.len();
             refused(format!(
-                "{packed} bytes would expand to {size}, beyond the limit of {limit}"
+                "{packed} compressed bytes would expand to {size} bytes, but at most {limit} bytes are permitted"
             ))
         };
         let allowed = allowed.ok_or_else(too_large)?;
         let content = match header.compression_method() {
             CompressionMethod::STORE => packed.to_vec(),
             CompressionMethod::DEFLATE => decompress_to_vec_with_limit(packed, allowed)
-                .map_err(|error| refused(format!("cannot be expanded: {error}")))?,
+                .map_err(|error| refused(format!("the file cannot be decompressed: {error}")))?,
             method => {
                 let method = method.as_u16();
                 return Err(refused(format!("compression {method} is not supported")));
@@ -107,7 +110,7 @@ impl<'a> Archive<'a> {
         let declared = usize::try_from(self.0.entries_hint()).unwrap_or(usize::MAX);
         for entry in self.0.entries().take(declared) {
             let entry = entry.map_err(|error| {
-                let problem = format!("the directory that begins here is damaged: {error}");
+                let problem = format!("the directory of the archive is damaged: {error}");
                 FORMAT.at(Place::Byte(self.0.directory_offset()), problem)
             })?;
             if is_searched(entry.file_path().as_bytes()) {

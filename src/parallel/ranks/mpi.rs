@@ -261,7 +261,8 @@ impl PeerQueues {
     /// Aborts all processes.
     fn abort(world: &SimpleCommunicator, why: RankFailure) -> ! {
         let own = world.rank();
-        let message = format!("stickslip: rank {own} gives up: {why}; all ranks are aborted\n");
+        let message =
+            format!("stickslip: rank {own} cannot continue and aborts all ranks: {why}\n");
         // No error can reach a caller any more. One write keeps the messages of several ranks separate.
         let _ = std::io::stderr().write_all(message.as_bytes());
         world.abort(1)

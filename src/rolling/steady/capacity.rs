@@ -103,7 +103,7 @@ impl RollingProblem {
     ) -> Result<()> {
         let ends = self.moment_ends(controls)?;
         for end in ends {
-            finite("moment that friction holds", end)?;
+            finite("moment that friction can carry", end)?;
         }
         let range = [ends[0].min(ends[1]), ends[0].max(ends[1])];
         let margin = SLIDING * ends[0].abs().max(ends[1].abs());

@@ -287,13 +287,13 @@ pub(in crate::rolling) fn check_motion(
             model: "the model of rolling",
             quantity: name,
             value: turn,
-            remedy: "a grid that repeats cannot turn, with any option",
+            remedy: "a periodic grid does not allow rotation in any model",
         });
     }
     let (grid, area) = (bodies.grid(), bodies.grid().cell_area());
     if let SpinControl::Spin(spin) = spin {
         let extent = (grid.dx() * grid.nx() as f64).hypot(grid.dy() * grid.ny() as f64);
-        finite("turn of a step by the spin", spin * extent * length)?;
+        finite("rotation of a step due to the spin", spin * extent * length)?;
     }
     for control in controls {
         match control {
@@ -301,7 +301,7 @@ pub(in crate::rolling) fn check_motion(
                 finite("creepage of a step", creepage * length)?;
             }
             RollingControl::Force(force) => {
-                finite("tangential force over the cell area", force / area)?;
+                finite("tangential force divided by the cell area", force / area)?;
             }
         }
     }

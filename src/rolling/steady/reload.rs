@@ -112,7 +112,7 @@ impl RollingSolver {
                     NormalControl::Force(load) | NormalControl::Approach(load) => load,
                     NormalControl::Hold => 0.0,
                 },
-                remedy: "give it one by set_normal_solver, or a solved pressure by set_pressure",
+                remedy: "set a normal solver by set_normal_solver, or a solved pressure by set_pressure",
             });
         };
         let before = press.solver.load();
@@ -227,9 +227,9 @@ impl RollingProblem {
         }
         Err(Error::UnsupportedByModel {
             model: "the entry rule",
-            quantity: "a pressure without a gap, largest pressure",
+            quantity: "a pressure without a gap (value: the largest pressure)",
             value: pressure.max(),
-            remedy: "give a solved normal contact, or build with EntryRule::WholeStep",
+            remedy: "give a solved normal contact, or build the problem with EntryRule::WholeStep",
         })
     }
 

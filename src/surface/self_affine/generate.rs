@@ -58,7 +58,7 @@ impl SelfAffine {
         } else {
             CropWindow::all(grid)
         };
-        memory("rough surface", cut.whole.size(), BYTES_PER_CELL)?;
+        memory("the rough surface", cut.whole.size(), BYTES_PER_CELL)?;
         parallel::enter_with(grid.cells(), || self.made(&cut, wanted, target, watch))
     }
 

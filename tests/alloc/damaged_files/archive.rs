@@ -102,7 +102,7 @@ fn x3p_empty_elements_are_absent() {
         assert_eq!(field.as_slice()[3], 4.0 * scale, "{empty}");
     }
     let main = MAIN.replace("1e-6", "");
-    let expected = "X3P, in main.xml: there is no Record1/Axes/CX/Increment";
+    let expected = "X3P, in main.xml: the element Record1/Axes/CX/Increment is missing";
     assert_rejected(&with_main(&main), expected);
 }
 
@@ -133,7 +133,8 @@ fn damaged_archives_are_rejected() {
     ));
     let far = [255, 255, 255, 127];
     for length in [0, 1, 21, directory, end, whole.len() - 1] {
-        let expected = format!("X3P, at byte {length}: the archive has no end");
+        let expected =
+            format!("X3P, at byte {length}: the archive is truncated: its end record is missing");
         assert_rejected(&whole[..length], &expected);
     }
     for (start, part, expected) in [
@@ -142,7 +143,11 @@ fn damaged_archives_are_rejected() {
             &far[..],
             &*format!("X3P, at byte {end}: the end of the archive is damaged"),
         ),
-        (end + 16, &[0, 0], "X3P, in main.xml: not found at byte "),
+        (
+            end + 16,
+            &[0, 0],
+            "X3P, in main.xml: the file was not found at byte ",
+        ),
         (
             end + 10,
             &[0, 0],
@@ -151,7 +156,7 @@ fn damaged_archives_are_rejected() {
         (
             directory,
             b"XX",
-            &format!("X3P, at byte {directory}: the directory that begins here is damaged"),
+            &format!("X3P, at byte {directory}: the directory of the archive is damaged"),
         ),
         (
             directory + 8,
@@ -171,17 +176,17 @@ fn damaged_archives_are_rejected() {
         (
             directory + 20,
             &far,
-            "X3P, in main.xml: not found at byte 0: Unexpected end of file",
+            "X3P, in main.xml: the file was not found at byte 0: Unexpected end of file",
         ),
         (
             directory + 24,
             &far,
-            "X3P, in main.xml: 228 bytes would expand to 2147483647, beyond",
+            "X3P, in main.xml: 228 compressed bytes would expand to 2147483647 bytes, but at most",
         ),
         (
             directory + 24,
             &[0, 0],
-            "X3P, in main.xml: cannot be expanded",
+            "X3P, in main.xml: the file cannot be decompressed",
         ),
         (
             directory + 24,
@@ -191,17 +196,17 @@ fn damaged_archives_are_rejected() {
         (
             directory + 28,
             &[255, 255],
-            &format!("X3P, at byte {directory}: the directory that begins here is damaged"),
+            &format!("X3P, at byte {directory}: the directory of the archive is damaged"),
         ),
         (
             directory + 42,
             &far,
-            "X3P, in main.xml: not found at byte 2147483647: Unexpected end",
+            "X3P, in main.xml: the file was not found at byte 2147483647: Unexpected end",
         ),
         (
             directory + 42,
             &[1],
-            "X3P, in main.xml: not found at byte 1: Invalid signature",
+            "X3P, in main.xml: the file was not found at byte 1: Invalid signature",
         ),
         (60, &[0xff; 20], "X3P, in main.xml: "),
     ] {
@@ -225,12 +230,12 @@ fn damaged_archives_are_rejected() {
     let short = ("data.bin", &DATA[..11], true);
     assert_rejected(
         &zip(&[main, short]),
-        "X3P, in data.bin: 11 bytes, expected 12",
+        "X3P, in data.bin: the file has 11 bytes, expected 12",
     );
     let long = ("valid.bin", &DATA[..2], false);
     assert_rejected(
         &zip(&[main, data, long]),
-        "X3P, in valid.bin: 2 bytes, expected 1",
+        "X3P, in valid.bin: the file has 2 bytes, expected 1",
     );
 }
 
@@ -240,7 +245,7 @@ fn invalid_headers_are_rejected() {
         (
             "SUR",
             "PRF",
-            "X3P, in main.xml: Record1/FeatureType is \"PRF\", only SUR is supported",
+            "X3P, in main.xml: Record1/FeatureType is \"PRF\", but only SUR is supported",
         ),
         (
             "<CX><AxisType>I",
@@ -260,62 +265,62 @@ fn invalid_headers_are_rejected() {
         (
             "2e-6",
             "NaN",
-            "X3P, in main.xml: Record1/Axes/CY/Increment is \"NaN\", not finite",
+            "X3P, in main.xml: Record1/Axes/CY/Increment is \"NaN\", but must be finite",
         ),
         (
             "2e-6",
             "tiny",
-            "X3P, in main.xml: Record1/Axes/CY/Increment is \"tiny\", not a number",
+            "X3P, in main.xml: Record1/Axes/CY/Increment is \"tiny\", but must be a number",
         ),
         (
             "1e-9",
             "0",
-            "X3P, in main.xml: Record1/Axes/CZ/Increment is \"0\", not positive",
+            "X3P, in main.xml: Record1/Axes/CZ/Increment is \"0\", but must be positive",
         ),
         (
             "<DataType>I",
             "<DataType>Q",
-            "X3P, in main.xml: Record1/Axes/CZ/DataType is \"Q\", not one",
+            "X3P, in main.xml: Record1/Axes/CZ/DataType is \"Q\", but must be I, L, F or D",
         ),
         (
             "<DataType>I",
             "<DataType>D",
-            "X3P, in data.bin: 12 bytes, expected 48",
+            "X3P, in data.bin: the file has 12 bytes, expected 48",
         ),
         (
             "<DataType>I</DataType>",
             "",
-            "X3P, in main.xml: there is no Record1/Axes/CZ/DataType",
+            "X3P, in main.xml: the element Record1/Axes/CZ/DataType is missing",
         ),
         (
             "<SizeX>3</SizeX>",
             "",
-            "X3P, in main.xml: there is no Record3/MatrixDimension/SizeX",
+            "X3P, in main.xml: the element Record3/MatrixDimension/SizeX is missing",
         ),
         (
             "<SizeX>3",
             "<SizeX>-3",
-            "X3P, in main.xml: Record3/MatrixDimension/SizeX is \"-3\", not",
+            "X3P, in main.xml: Record3/MatrixDimension/SizeX is \"-3\", but must be a whole number",
         ),
         (
             "<SizeX>3",
             "<SizeX>&#51;&a;",
-            "X3P, in main.xml: Record3/MatrixDimension/SizeX is \"3&a;\", not",
+            "X3P, in main.xml: Record3/MatrixDimension/SizeX is \"3&a;\", but must be a whole number",
         ),
         (
             "<SizeX>3",
             "<SizeX>3&#48;",
-            "X3P, in data.bin: 12 bytes, expected 120",
+            "X3P, in data.bin: the file has 12 bytes, expected 120",
         ),
         (
             "<SizeX>3",
             "<SizeX>4",
-            "X3P, in data.bin: 12 bytes, expected 16",
+            "X3P, in data.bin: the file has 12 bytes, expected 16",
         ),
         (
             "<SizeX>3",
             "<SizeX>0",
-            "X3P, in main.xml: a grid of 0 x 2 cells is empty",
+            "X3P, in main.xml: the grid must have at least one cell along each axis, got 0 x 2 cells",
         ),
         (
             "<SizeX>3",
@@ -325,12 +330,12 @@ fn invalid_headers_are_rejected() {
         (
             "<SizeX>3",
             "<SizeX>4000000000",
-            "X3P, in data.bin: 12 bytes, expected 16000000000",
+            "X3P, in data.bin: the file has 12 bytes, expected 16000000000",
         ),
         (
             "<SizeZ>1",
             "<SizeZ>2",
-            "X3P, in main.xml: Record3/MatrixDimension/SizeZ is \"2\", only 1",
+            "X3P, in main.xml: Record3/MatrixDimension/SizeZ is \"2\", but only 1",
         ),
         (
             "</Axes>",
@@ -347,17 +352,17 @@ fn invalid_headers_are_rejected() {
         (
             "PointDataLink>",
             "Elsewhere>",
-            "X3P, in main.xml: there is no data, linked or listed",
+            "X3P, in main.xml: the file contains no data, neither linked nor listed",
         ),
         (
             "<DataLink><PointDataLink>data.bin</PointDataLink>",
             "<DataList><Datum>1</Datum></DataList><DataLink>",
-            "X3P, in main.xml: 1 data are listed for 3 x 2 points",
+            "X3P, in main.xml: the file lists 1 samples, expected 3 x 2 points",
         ),
         (
             "<DataLink>",
             "<DataList><Datum>one</Datum></DataList><DataLink>",
-            "X3P, in main.xml: Record3/DataList/Datum is \"one\", not a number",
+            "X3P, in main.xml: Record3/DataList/Datum is \"one\", but must be a number",
         ),
     ] {
         assert!(MAIN.contains(old), "{old}");
@@ -376,10 +381,10 @@ fn invalid_headers_are_rejected() {
     let deep = "<x>".repeat(100_000);
     assert_rejected(
         &with_main(&deep),
-        "X3P, in main.xml: elements more than 16 deep",
+        "X3P, in main.xml: the elements are nested more than 16 levels deep",
     );
     let bytes = zip(&[("main.xml", &[0xff, 0xfe, 0x3c], false)]);
-    assert_rejected(&bytes, "X3P, in main.xml: not UTF-8");
+    assert_rejected(&bytes, "X3P, in main.xml: the text is not UTF-8");
 }
 
 #[test]
@@ -389,7 +394,7 @@ fn archives_that_expand_beyond_limit_are_rejected() {
     let bomb = zip(&[("main.xml", &zeros, true)]);
     assert_rejected(
         &bomb,
-        "X3P, in main.xml: 8156 bytes would expand to 8388608",
+        "X3P, in main.xml: 8156 compressed bytes would expand to 8388608",
     );
     let main = MAIN.replace("<SizeX>3", "<SizeX>2097152");
     let bomb = zip(&[
@@ -398,7 +403,7 @@ fn archives_that_expand_beyond_limit_are_rejected() {
     ]);
     assert_rejected(
         &bomb,
-        "X3P, in data.bin: 8156 bytes would expand to 8388608",
+        "X3P, in data.bin: 8156 compressed bytes would expand to 8388608",
     );
     let list = format!(
         "<x><Record3><DataList>{}",
@@ -412,7 +417,7 @@ fn archives_that_expand_beyond_limit_are_rejected() {
     let lying = zip(&[("main.xml", &zeros, true)]);
     let directory = lying.len() - 22 - 46 - 8;
     let lying = patched(&lying, directory + 24, &1000_u32.to_le_bytes());
-    assert_rejected(&lying, "X3P, in main.xml: cannot be expanded");
+    assert_rejected(&lying, "X3P, in main.xml: the file cannot be decompressed");
 }
 
 /// The cost of an element depends on its own name only, not on the enclosing names. Otherwise, reading this file would

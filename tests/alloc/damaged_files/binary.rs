@@ -32,12 +32,12 @@ fn damaged_npy_files_are_rejected() {
     for (length, expected) in [
         (
             0,
-            "NPY, at byte 0: the file ends within the magic string: 0 of 6 bytes",
+            "NPY, at byte 0: the file ends within the magic string: expected 6 bytes, found 0",
         ),
         (5, "NPY, at byte 0: the file ends within the magic string"),
         (
             7,
-            "NPY, at byte 6: the file ends within the version: 1 of 2 bytes",
+            "NPY, at byte 6: the file ends within the version: expected 2 bytes, found 1",
         ),
         (
             9,
@@ -45,15 +45,15 @@ fn damaged_npy_files_are_rejected() {
         ),
         (
             127,
-            "NPY, at byte 10: the file ends within the header: 117 of 118 bytes",
+            "NPY, at byte 10: the file ends within the header: expected 118 bytes, found 117",
         ),
         (
             128,
-            "NPY, at byte 128: shape (2, 3) takes 48 bytes, the file has 0",
+            "NPY, at byte 128: an array of shape (2, 3) requires 48 bytes, but the file has 0",
         ),
         (
             175,
-            "NPY, at byte 128: shape (2, 3) takes 48 bytes, the file has 47",
+            "NPY, at byte 128: an array of shape (2, 3) requires 48 bytes, but the file has 47",
         ),
     ] {
         assert_rejected(&whole[..length], parse_npy, expected);
@@ -62,17 +62,17 @@ fn damaged_npy_files_are_rejected() {
     assert_rejected(
         &longer,
         parse_npy,
-        "NPY, at byte 128: shape (2, 3) takes 48 bytes, the file has 49",
+        "NPY, at byte 128: an array of shape (2, 3) requires 48 bytes, but the file has 49",
     );
     assert_rejected(
         &patched(&whole, 1, b"X"),
         parse_npy,
-        "NPY, at byte 0: the file does not begin with",
+        "NPY, at byte 0: the file does not start with",
     );
     assert_rejected(
         &patched(&whole, 6, &[4]),
         parse_npy,
-        "NPY, at byte 6: version 4.0 is unknown",
+        "NPY, at byte 6: version 4.0 is not supported, expected version 1, 2 or 3",
     );
     let long_header = patched(&whole, 6, &[2, 0, 255, 255, 255, 255]);
     assert_rejected(
@@ -97,13 +97,16 @@ fn damaged_npy_files_are_rejected() {
         ),
         (
             "(1000000, 1000000)",
-            "NPY, at byte 82: shape (1000000, 1000000) takes 8000000000000 bytes",
+            "NPY, at byte 82: an array of shape (1000000, 1000000) requires 8000000000000 bytes",
         ),
         (
             "(-1, 1)",
             "NPY, at byte 10: 'shape' \"(-1, 1), }\\n\" is not supported",
         ),
-        ("(0, 4)", "NPY, at byte 10: a grid of 4 x 0 cells is empty"),
+        (
+            "(0, 4)",
+            "NPY, at byte 10: the grid must have at least one cell along each axis, got 4 x 0 cells",
+        ),
         ("(1,)", "NPY, at byte 10: 'shape'"),
         ("(1, 1, 1)", "NPY, at byte 10: 'shape'"),
         ("()", "NPY, at byte 10: 'shape'"),
@@ -174,9 +177,9 @@ fn damaged_sdf_files_are_rejected() {
     for (length, expected) in [
         (
             0,
-            "SDF, at byte 0: the file begins with neither bISO-1.0 nor aISO-1.0",
+            "SDF, at byte 0: the file does not start with bISO-1.0 or aISO-1.0",
         ),
-        (7, "SDF, at byte 0: the file begins with neither"),
+        (7, "SDF, at byte 0: the file does not start with bISO-1.0"),
         (
             8,
             "SDF, at byte 8: the file ends within manufacturer and dates",
@@ -190,11 +193,11 @@ fn damaged_sdf_files_are_rejected() {
         (80, "SDF, at byte 78: the file ends within the three flags"),
         (
             81,
-            "SDF, at byte 81: the file ends within the samples: 0 of 48 bytes",
+            "SDF, at byte 81: the file ends within the samples: expected 48 bytes, found 0",
         ),
         (
             128,
-            "SDF, at byte 81: the file ends within the samples: 47 of 48 bytes",
+            "SDF, at byte 81: the file ends within the samples: expected 48 bytes, found 47",
         ),
     ] {
         assert_rejected(&whole[..length], io::sdf::parse, expected);
@@ -202,18 +205,18 @@ fn damaged_sdf_files_are_rejected() {
     assert_rejected(
         &patched(&whole, 5, b"2.0"),
         io::sdf::parse,
-        "SDF, at byte 0: the file begins with",
+        "SDF, at byte 0: the file starts with",
     );
     let zero = 0_u16.to_le_bytes();
     assert_rejected(
         &patched(&whole, 42, &zero),
         io::sdf::parse,
-        "SDF, at byte 42: a grid of 0 x 2",
+        "SDF, at byte 42: the grid must have at least one cell along each axis, got 0 x 2",
     );
     assert_rejected(
         &patched(&whole, 44, &zero),
         io::sdf::parse,
-        "SDF, at byte 42: a grid of 3 x 0",
+        "SDF, at byte 42: the grid must have at least one cell along each axis, got 3 x 0",
     );
     let most = patched(&whole, 42, &[255; 4]);
     assert_rejected(
@@ -234,8 +237,8 @@ fn damaged_sdf_files_are_rejected() {
     }
     for (start, value, expected) in [
         (78, 1, "SDF, at byte 78: compression 1 is not supported"),
-        (79, 4, "SDF, at byte 79: data type 4 is unknown"),
-        (79, 255, "SDF, at byte 79: data type 255 is unknown"),
+        (79, 4, "SDF, at byte 79: data type 4 is not supported"),
+        (79, 255, "SDF, at byte 79: data type 255 is not supported"),
         (80, 1, "SDF, at byte 80: checksum 1 is not supported"),
     ] {
         assert_rejected(&patched(&whole, start, &[value]), io::sdf::parse, expected);
@@ -274,7 +277,7 @@ fn damaged_sur_files_are_rejected() {
         (19, "SUR, at byte 18: the file ends within kind of object"),
         (
             100,
-            "SUR, at byte 100: the file ends within the least sample",
+            "SUR, at byte 100: the file ends within the smallest sample",
         ),
         (
             119,
@@ -291,7 +294,7 @@ fn damaged_sur_files_are_rejected() {
         ),
         (
             523,
-            "SUR, at byte 512: the file ends within the samples: 11 of 12 bytes",
+            "SUR, at byte 512: the file ends within the samples: expected 12 bytes, found 11",
         ),
     ] {
         assert_rejected(&whole[..length], io::sur::parse, expected);
@@ -301,7 +304,7 @@ fn damaged_sur_files_are_rejected() {
         (
             0,
             &b"X"[..],
-            "SUR, at byte 0: the file does not begin with DIGITAL SURF",
+            "SUR, at byte 0: the file does not start with DIGITAL SURF",
         ),
         (
             0,
@@ -327,7 +330,7 @@ fn damaged_sur_files_are_rejected() {
         (
             86,
             &[2],
-            "SUR, at byte 86: flag of points not measured 2 is not supported",
+            "SUR, at byte 86: flag of missing points 2 is not supported",
         ),
         (
             98,
@@ -337,22 +340,22 @@ fn damaged_sur_files_are_rejected() {
         (
             98,
             &[32],
-            "SUR, at byte 512: the file ends within the samples: 12 of 24 bytes",
+            "SUR, at byte 512: the file ends within the samples: expected 24 bytes, found 12",
         ),
         (
             108,
             &[4],
-            "SUR, at byte 108: 4 x 2 points, but the total is 6",
+            "SUR, at byte 108: the header states 4 x 2 points, but a total of 6 points",
         ),
         (
             108,
             &[255; 12],
-            "SUR, at byte 108: 4294967295 x 4294967295 points, but the total is",
+            "SUR, at byte 108: the header states 4294967295 x 4294967295 points, but a total of",
         ),
         (
             108,
             &[0; 12],
-            "SUR, at byte 120: a grid of 0 x 0 cells is empty",
+            "SUR, at byte 120: the grid must have at least one cell along each axis, got 0 x 0 cells",
         ),
         (
             120,
@@ -377,14 +380,14 @@ fn damaged_sur_files_are_rejected() {
         (
             180,
             b"ft",
-            "SUR, at byte 180: \"ft\" is not a length from pm to m",
+            "SUR, at byte 180: \"ft\" is not a unit of length from pm to m",
         ),
-        (212, &[0], "SUR, at byte 212: \"\" is not a length"),
+        (212, &[0], "SUR, at byte 212: \"\" is not a unit of length"),
         (290, &[1], "SUR, at byte 290: inversion 1 is not supported"),
         (
             334,
             &[99],
-            "SUR, at byte 512: the file ends within the comment: 12 of 99",
+            "SUR, at byte 512: the file ends within the comment: expected 99 bytes, found 12",
         ),
     ] {
         assert_rejected(&patched(&whole, start, part), io::sur::parse, expected);

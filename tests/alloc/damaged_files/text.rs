@@ -11,19 +11,22 @@ pub(crate) fn parse_csv(bytes: &[u8]) -> Result<Field> {
 #[test]
 fn damaged_csv_files_are_rejected() {
     for (file, expected) in [
-        ("", "CSV, on line 1: the file has no numbers"),
-        ("\n# nothing\n\n", "CSV, on line 1: the file has no numbers"),
+        ("", "CSV, on line 1: the file contains no numbers"),
+        (
+            "\n# nothing\n\n",
+            "CSV, on line 1: the file contains no numbers",
+        ),
         (
             "1,2\n3,4,5\n",
-            "CSV, on line 2: 3 cells, but the lines before have 2",
+            "CSV, on line 2: the line must have 2 cells, as the previous lines, but it has 3",
         ),
         (
             "# x\n1,2,3\n\n4,5\n",
-            "CSV, on line 4: 2 cells, but the lines before have 3",
+            "CSV, on line 4: the line must have 3 cells, as the previous lines, but it has 2",
         ),
         (
             "1 2\n3\n",
-            "CSV, on line 2: 1 cells, but the lines before have 2",
+            "CSV, on line 2: the line must have 2 cells, as the previous lines, but it has 1",
         ),
         ("x,y\n1,2\n", "CSV, on line 1: \"x\" is not a number"),
         (
@@ -31,7 +34,10 @@ fn damaged_csv_files_are_rejected() {
             "CSV, on line 2: \"4,5,6\" is not a number",
         ),
         ("1;1.234,5\n", "CSV, on line 1: \"1.234,5\" is not a number"),
-        ("1,2\n3,1e999\n", "CSV, on line 2: \"1e999\" overflows"),
+        (
+            "1,2\n3,1e999\n",
+            "CSV, on line 2: \"1e999\" exceeds the range of double precision",
+        ),
         ("1 2\n3 0x10\n", "CSV, on line 2: \"0x10\" is not a number"),
         ("1 2\n3 4*\n", "CSV, on line 2: \"4*\" is not a number"),
         ("1,2 3,4,5\n", "CSV, on line 1: \"2 3\" is not a number"),
@@ -48,7 +54,7 @@ fn damaged_csv_files_are_rejected() {
     assert_rejected(
         &endless,
         parse_csv,
-        "CSV, on line 1: \"77777777777777777777777777777777\" overflows",
+        "CSV, on line 1: \"77777777777777777777777777777777\" exceeds the range",
     );
     let wide = b"1,".repeat(50_000);
     assert_eq!(parse_csv(&wide).unwrap().grid().nx(), 50_000);
@@ -57,7 +63,7 @@ fn damaged_csv_files_are_rejected() {
     assert_rejected(
         &ragged,
         parse_csv,
-        "CSV, on line 2: 1 cells, but the lines before have 50001",
+        "CSV, on line 2: the line must have 50001 cells, as the previous lines, but it has 1",
     );
 }
 
@@ -89,47 +95,47 @@ fn valid_text_matrices_are_read() {
 
 #[test]
 fn damaged_xyz_files_are_rejected() {
-    let sparse = "XYZ, in all points: too few for a regular grid: ";
+    let sparse = "XYZ, in all points: the points are too few for a regular grid: ";
     for (file, expected) in [
-        ("", "XYZ, on line 1: the file has no points"),
-        ("0 0\n", "XYZ, on line 1: a point needs three cells"),
+        ("", "XYZ, on line 1: the file contains no points"),
+        ("0 0\n", "XYZ, on line 1: a point requires three cells"),
         (
             "0 0 1\n0 1 2 3\n",
-            "XYZ, on line 2: a point needs three cells",
+            "XYZ, on line 2: the line must have 3 cells, as the previous lines, but it has 4",
         ),
         ("0 0 1\n0 x 2\n", "XYZ, on line 2: \"x\" is not a number"),
         (
             "0 0 1\n0 nan 2\n",
-            "XYZ, on line 2: the position of a point is not finite",
+            "XYZ, on line 2: the position of a point must be finite",
         ),
         (
             "0 0 1\n-inf 0 2\n",
-            "XYZ, on line 2: the position of a point is not finite",
+            "XYZ, on line 2: the position of a point must be finite",
         ),
         (
             "5 5 1\n",
-            "XYZ, in all points: 1 places do not define a spacing",
+            "XYZ, in all points: the number of positions must be at least 2 to define a spacing, got 1",
         ),
         (
             "5 5 1\n5 5 1\n",
-            "XYZ, in all points: 1 places do not define a spacing",
+            "XYZ, in all points: the number of positions must be at least 2 to define a spacing, got 1",
         ),
         (
             "0 0 1\n1 0 2\n# again\n0 0 3\n",
-            "XYZ, on line 4: (0, 0) repeats the place of an earlier point",
+            "XYZ, on line 4: the position (0, 0) is already the position of an earlier point",
         ),
         (
             "0 0 1\n1 0 2\n0 0 nan\n",
-            "XYZ, on line 3: (0, 0) repeats the place of an earlier point",
+            "XYZ, on line 3: the position (0, 0) is already the position of an earlier point",
         ),
         (
             "0 0 1\n1 0 2\n2.3 0 3\n3.3 0 3\n",
-            "XYZ, on line 2: (1, 0) is off the regular grid",
+            "XYZ, on line 2: the position (1, 0) deviates by more than 5 % from the regular grid",
         ),
         ("0 0 1\n1 0 2\n900 0 3\n", sparse),
         (
             "0 0 1\n1 0 2\n1e12 0 3\n",
-            "XYZ, on line 2: (1, 0) repeats the place of an earlier point",
+            "XYZ, on line 2: the position (1, 0) is already the position of an earlier point",
         ),
         ("-1e308 0 1\n1e308 1 2\n", sparse),
         ("0 0 1\n1 1 2\n2 50 3\n", sparse),
@@ -150,7 +156,7 @@ fn damaged_xyz_files_are_rejected() {
     assert_rejected(
         diagonal.as_bytes(),
         io::xyz::parse,
-        "XYZ, in all points: too few for a regular grid: 2000 for 2000 x 2000 places",
+        "XYZ, in all points: the points are too few for a regular grid: 2000 points for 2000 x 2000 positions",
     );
 }
 
@@ -214,7 +220,7 @@ fn damaged_text_sdf_files_are_rejected() {
         ),
         (
             with("NumPoints = 0"),
-            "SDF, on line 8: a grid of 0 x 2 cells",
+            "SDF, on line 8: the grid must have at least one cell along each axis, got 0 x 2 cells",
         ),
         (
             with("NumPoints = 9999999999999999999"),
@@ -222,7 +228,7 @@ fn damaged_text_sdf_files_are_rejected() {
         ),
         (
             with("NumProfiles = 1000000000"),
-            "SDF, on line 10: 4 samples, but 1000000000 profiles",
+            "SDF, on line 10: the file contains 4 samples, expected 1000000000 profiles",
         ),
         (
             with("Xscale = none"),
@@ -270,11 +276,11 @@ fn damaged_text_sdf_files_are_rejected() {
         ),
         (
             format!("{header}*\n1 2 3\n"),
-            "SDF, on line 8: 3 samples, but 2 profiles of 2 points",
+            "SDF, on line 8: the file contains 3 samples, expected 2 profiles of 2 points",
         ),
         (
             format!("{header}*\n1 2 3 4 5 *\n"),
-            "SDF, on line 8: 5 samples, but 2 profiles",
+            "SDF, on line 8: the file contains 5 samples, expected 2 profiles",
         ),
         (
             format!("{header}*\n1 2 3 GOOD\n"),

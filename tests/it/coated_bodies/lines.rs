@@ -166,7 +166,7 @@ fn line_approach_requires_a_definite_compliance() {
                 refused += 1;
                 assert!(matrix.lower_bound() == 0.0, "{strip:?} {datum}: {error}");
                 let message = error.to_string();
-                assert!(message.contains(&format!("{datum:e}")) && message.contains("force"));
+                assert!(message.contains(&format!("{datum:?}")) && message.contains("force"));
                 assert!(
                     solve(&strip.bodies(1.001 * least)).is_ok(),
                     "{strip:?} {least}"

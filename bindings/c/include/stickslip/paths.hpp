@@ -14,7 +14,7 @@ namespace stickslip {
 inline std::vector<stickslip_status> step_all(const std::vector<History *> &histories,
                                               const std::vector<LoadStep> &loads) {
     if (histories.size() != loads.size()) {
-        throw std::invalid_argument("as many loads as histories are needed");
+        throw std::invalid_argument("the number of loads must equal the number of histories");
     }
     std::vector<stickslip_history *> handles;
     for (const History *history : histories) {

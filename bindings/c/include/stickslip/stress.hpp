@@ -22,7 +22,7 @@ inline Tractions tractions(Field pressure) { return {pressure.data(), nullptr, n
 /// Returns a pressure with tractions along x and y; the samples are not copied.
 inline Tractions tractions(Field pressure, Field x, Field y) {
     if (x.size() != pressure.size() || y.size() != pressure.size()) {
-        throw std::invalid_argument("pressure and tractions have different lengths");
+        throw std::invalid_argument("pressure and tractions must have the same length");
     }
     return {pressure.data(), x.data(), y.data(), pressure.size()};
 }

@@ -15,7 +15,7 @@ class Bar:
         try:
             from tqdm.auto import tqdm  # type: ignore[import-untyped]
         except ImportError as error:
-            raise ImportError("progress=True needs tqdm: pip install 'stickslip[progress]'") from error
+            raise ImportError("progress=True requires tqdm: pip install 'stickslip[progress]'") from error
         self._bar: Any = tqdm(unit=" products")
 
     def __call__(self, iteration: Iteration) -> None:

@@ -92,7 +92,7 @@ class FrettingLoop:
             error.value = until_steady
             raise error
         if not isinstance(path, LoadPath):
-            raise TypeError(f"the path must be a LoadPath, got {type(path).__name__}: LoadPath(values)")
+            raise TypeError(f"the path must be a LoadPath, got {type(path).__name__}: create one by LoadPath(values)")
         self._path = path
         self._load = load
         self._until_steady = until_steady

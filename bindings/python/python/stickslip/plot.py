@@ -36,7 +36,7 @@ def _axes(axes: Axes | None) -> Axes:
         try:
             import matplotlib.pyplot as pyplot
         except ImportError as error:
-            raise ImportError("stickslip.plot needs matplotlib: pip install 'stickslip[plot]'") from error
+            raise ImportError("stickslip.plot requires matplotlib: pip install 'stickslip[plot]'") from error
         axes = pyplot.subplots()[1]
     # For a subfigure, take the whole figure.
     figure: Any = getattr(axes.figure, "figure", axes.figure)
@@ -64,7 +64,7 @@ def _samples(grid: Grid, values: Any) -> Any:
 def _component(axis: str) -> int:
     """Returns the index of an axis of the plane."""
     if str(axis) not in ("x", "y"):
-        raise ValueError(f"expected 'x' or 'y', got {axis!r}")
+        raise ValueError(f"the axis must be 'x' or 'y', got {axis!r}")
     return ("x", "y").index(str(axis))
 
 
@@ -73,7 +73,7 @@ def _place(grid: Grid, along: str, at: float) -> tuple[int, int]:
     direction = _component(along)
     edges = grid.extent[2:] if direction == 0 else grid.extent[:2]
     if not edges[0] <= at <= edges[1]:
-        raise ValueError(f"the section at {at} lies beyond the grid, which reaches from {edges[0]} to {edges[1]}")
+        raise ValueError(f"the section at {at} lies outside the grid, which extends from {edges[0]} to {edges[1]}")
     across = grid.y if direction == 0 else grid.x
     return direction, int(np.abs(across - at).argmin())
 
@@ -346,11 +346,11 @@ def spot_map(
     """
     known = ("cells", "area", "load", "mean_pressure", "max_pressure", "perimeter", "stick_ratio")
     if by not in known:
-        raise ValueError(f"spots are drawn by one of {', '.join(known)}, got {by!r}")
+        raise ValueError(f"by must be one of {', '.join(known)}, got {by!r}")
     spots = getattr(spots, "spots", spots)
     numbers = [getattr(spot, by) for spot in spots]
     if None in numbers:
-        raise ValueError("spots of a contact without shear have no stick_ratio")
+        raise ValueError("spots of a contact without shear have no stick_ratio: choose a different property")
     labels = spots.labels
     values = np.concatenate([[0.0], numbers])[labels]
     return field(
@@ -396,7 +396,7 @@ def stress_section(
         the grid.
     """
     if len(planes) < 2:
-        raise ValueError(f"a section needs planes at two depths or more, got {len(planes)}")
+        raise ValueError(f"a section requires planes at two depths or more, got {len(planes)}")
     planes = sorted(planes, key=lambda plane: plane.depth)
     grid = planes[0].grid
     direction, place = _place(grid, along, at)
@@ -420,7 +420,7 @@ def _stress(plane: Plane, of: str) -> Any:
     if of in components:
         return components[of]
     if of not in _STRESSES:
-        raise ValueError(f"expected {', '.join(_STRESSES)} or a component such as xx, got {of!r}")
+        raise ValueError(f"of must be {', '.join(_STRESSES)} or a component such as xx, got {of!r}")
     return getattr(plane, of)
 
 

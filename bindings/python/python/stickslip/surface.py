@@ -69,7 +69,7 @@ def from_topography(topography: Any) -> Field:
         raise ValueError(f"the heights of the topography have {heights.ndim} dimensions, expected 2")
     sizes = topography.physical_sizes
     if sizes is None:
-        raise ValueError("the topography has no physical sizes")
+        raise ValueError("the topography has no physical sizes: set its physical_sizes")
     nx, ny = heights.shape
     grid = Grid(nx, ny, sizes[0] / nx, sizes[1] / ny)
     unit = getattr(topography, "unit", None)

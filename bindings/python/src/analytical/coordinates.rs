@@ -69,7 +69,9 @@ impl Coordinates {
             })
             .collect();
         let (Some(x), Some(y)) = (x.broadcast(&shape[..]), y.broadcast(&shape[..])) else {
-            return Err(PyValueError::new_err("the shapes of x and y do not fit"));
+            return Err(PyValueError::new_err(
+                "the arrays x and y must have shapes that can be broadcast together",
+            ));
         };
         let found = Zip::from(x).and(y).map_collect(|x, y| functions(*x, *y));
         Ok(Values::each(&found))

@@ -75,7 +75,7 @@ picklable!(StepErrorEstimate: stickslip::history::StepErrorEstimate);
 #[pyclass(frozen, module = "stickslip.history")]
 pub(crate) struct AdaptiveSteps(Mutex<stickslip::history::AdaptiveSteps>);
 
-const NAME: &str = "object that takes adaptive steps";
+const NAME: &str = "object for adaptive steps";
 
 #[pymethods]
 impl AdaptiveSteps {

@@ -99,7 +99,7 @@ impl StepResult {
             Fields::Kept(step) => Ok(read(step)),
             Fields::Last { history, number } => history.bind(py).get().read_step(*number, read)?.ok_or_else(|| {
                 PyRuntimeError::new_err(
-                    "the history has taken another step since: keep() its fields before the next one",
+                    "the history has taken a further step: call keep() before the next step to keep the fields",
                 )
             }),
         }

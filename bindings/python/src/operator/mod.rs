@@ -194,7 +194,7 @@ pub(crate) fn numbers<'py>(
     } else {
         let found = array.len();
         Err(PyValueError::new_err(format!(
-            "an array of {found} numbers, expected {cells}"
+            "the array has {found} numbers, expected {cells}"
         )))
     }
 }
@@ -214,7 +214,7 @@ pub(super) fn target<'py>(
                 Ok(out)
             } else {
                 Err(PyValueError::new_err(
-                    "out must be C-contiguous and of the size of x",
+                    "out must be C-contiguous and have the size of x",
                 ))
             }
         }
@@ -265,7 +265,7 @@ impl LinearOperator {
         let x = numbers(&x, self.product.cells())?;
         let target = target(&x, out)?;
         {
-            let refused = |_| PyValueError::new_err("out overlaps x, or is read-only");
+            let refused = |_| PyValueError::new_err("out must be writable and must not overlap x");
             let mut writable = target.try_readwrite().map_err(refused)?;
             let (from, to) = (x.as_slice()?, writable.as_slice_mut()?);
             unobserved(py, from.len(), || {
@@ -293,7 +293,9 @@ impl LinearOperator {
 #[pyfunction]
 pub(crate) fn identity(cells: usize) -> PyResult<LinearOperator> {
     if cells == 0 {
-        return Err(PyRuntimeError::new_err("no cells"));
+        return Err(PyRuntimeError::new_err(
+            "the number of cells must be at least 1, got 0",
+        ));
     }
     Ok(LinearOperator::of(
         "Identity",

@@ -40,7 +40,11 @@ impl Keywords {
             (None, None) => None,
             (Some(Real(spin)), None) => Some(SpinControl::Spin(spin)),
             (None, Some(Real(moment))) => Some(SpinControl::Moment(moment)),
-            _ => return Err(PyTypeError::new_err("give a spin or a moment, not both")),
+            _ => {
+                return Err(PyTypeError::new_err(
+                    "give either a spin or a moment, not both",
+                ));
+            }
         };
         Ok(Self {
             controls: [along(0)?, along(1)?],

@@ -177,7 +177,7 @@ pub(crate) fn at_points(
     // The index in the error is that of a point, not of a cell.
     let found = match outcome {
         Err(Error::Sample {
-            quantity: "points", ..
+            quantity: "point", ..
         }) => outcome.or_raise(py)?,
         _ => outcome.or_raise_on(py, grid)?,
     };

@@ -107,7 +107,7 @@ impl Loaded<'_> {
                     Ok(TractionSource::State(Arc::new(state)))
                 } else if one.is_instance_of::<TangentialSolution>() {
                     Err(PyTypeError::new_err(
-                        "a TangentialSolution has no pressure: give the normal solution too, (normal, shear)",
+                        "a TangentialSolution has no pressure: give the normal solution too, as (normal, shear)",
                     ))
                 } else {
                     Ok(TractionSource::Fields(field(one, "pressure")?, None))
@@ -128,7 +128,7 @@ impl Loaded<'_> {
                 ))
             }
             _ => Err(PyTypeError::new_err(
-                "tractions are a solution, a normal and a tangential one, a state, a history, a pressure, or (pressure, (x, y))",
+                "tractions must be a solution, a pair (normal, shear) of solutions, a state, a history, a pressure, or (pressure, (x, y))",
             )),
         }
     }

@@ -108,7 +108,7 @@ pub(crate) fn gaussian_filter(
         (None, Some(l)) => GaussianFilter::l(l),
         (None, None) => {
             return Err(PyTypeError::new_err(
-                "give the nesting index of the S filter, s=, that of the L filter, l=, or both",
+                "give the nesting index of the S filter (s=), of the L filter (l=), or both",
             ));
         }
     };

@@ -77,7 +77,7 @@ impl SelfAffine {
             (Some(Real(height)), None) => Recipe::with_rms_height(height),
             (None, Some(Real(slope))) => Recipe::with_rms_slope(slope),
             _ => {
-                return Err(PyTypeError::new_err("give one of rms_height and rms_slope"));
+                return Err(PyTypeError::new_err("give either rms_height or rms_slope"));
             }
         };
         let numbers: [Setting; 6] = [

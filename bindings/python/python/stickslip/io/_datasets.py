@@ -72,7 +72,7 @@ def to_xarray(solution: Any) -> xarray.Dataset:
     try:
         import xarray  # noqa: F401
     except ImportError as error:
-        raise ImportError("to_xarray needs xarray: pip install xarray") from error
+        raise ImportError("to_xarray requires xarray: pip install xarray") from error
     if isinstance(solution, Field):
         dataset = _dataset(solution.grid, {"values": (solution.array, "Samples of the field.")}, {})
         for variable in dataset.variables.values():
@@ -115,7 +115,7 @@ def from_xarray(array: xarray.DataArray) -> Field:
         steps = np.diff(np.asarray(array[axis], dtype=float))
         side = float(steps.mean()) if steps.size else 0.0
         if not side > 0.0 or np.abs(steps - side).max() > 1e-6 * side:
-            raise ValueError(f"the coordinates along {axis} are not evenly spaced and increasing")
+            raise ValueError(f"the coordinates along {axis} must be evenly spaced and increasing")
         sides.append(side)
     samples = np.ascontiguousarray(array.transpose("y", "x"), dtype=float)
     grid = Grid(samples.shape[1], samples.shape[0], sides[0], sides[1])
@@ -173,7 +173,7 @@ def _volume(planes: Sequence[Plane]) -> xarray.Dataset:
 
     first = planes[0]
     if any(plane.grid != first.grid or plane.body != first.body for plane in planes):
-        raise ValueError("the planes are of several bodies or grids")
+        raise ValueError("the planes must belong to one body and one grid")
     layers = [_dataset(plane.grid, dict(_fields(plane)), {}) for plane in planes]
     depths = xarray.DataArray([plane.depth for plane in planes], dims="depth", name="depth")
     return xarray.concat(layers, depths).assign_attrs(body=str(first.body))

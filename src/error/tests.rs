@@ -1,0 +1,635 @@
+//! Texts of all errors, rank failures and warnings.
+
+use std::fmt::Display;
+
+use crate::error::{Error, Place, RankFailure, SLIDE};
+use crate::report::{Report, Status};
+use crate::warning::Warning;
+
+/// Enumeration whose variants are listed here. The `match` has no wildcard, so a new variant must be added to the list.
+trait Variants: Display {
+    const ALL: &'static [&'static str];
+
+    fn variant(&self) -> &'static str;
+}
+
+macro_rules! variants {
+    ($name:ident: $($variant:ident)+) => {
+        impl Variants for $name {
+            const ALL: &'static [&'static str] = &[$(stringify!($variant)),+];
+
+            fn variant(&self) -> &'static str {
+                match self {
+                    $(Self::$variant { .. } => stringify!($variant),)+
+                }
+            }
+        }
+    };
+}
+
+variants! { Error:
+    GridSize Memory NotPositive NegativeOrNotFinite NotFinite ExtremeNumber Sample PoissonRatio BothRigid TooManyLayers
+    UnsupportedForCoatings IncompleteKernel NotDefinite DatumTooNear RigidBody DivergentPeriodicSum CoupledMaterials
+    CellsTooLong Length GridMismatch BoundaryMismatch CellValueMismatch Tolerance IterationLimit NoPressureToHold Method
+    Bounds Total RepeatedDirection EmptyContact BeyondFrictionCapacity BeyondFrictionMoment BeyondHardness Yielded
+    ObliqueLoad UnsupportedByModel MaterialMismatch ApproachBeyondMeanGap TooManyCells NotPositiveDefinite Undetermined
+    Degree Range BeyondSamples Hurst BelowMinimum GridTooShort NoWaveInBand HeightMomentsNotReached File Format
+    StepsPerCycle EmptyPath StepAlreadyCounted CycleNotClosed StepTooLong Ranks NotConverged
+}
+
+variants! { RankFailure:
+    UnsupportedOnRanks Disconnected Timeout MissingSlab InconsistentSlabs MpiAlreadyInitialised InsufficientThreadLevel
+    SeparateMpiJobs CollectiveMismatch InconsistentInput RejectedByRank
+}
+
+variants! { Warning:
+    NoContact ContactAtEdge UnresolvedSpots SingleRowOfCells ContactSpansGrid BeyondHardness StalePressure StressAtEdge
+    UnderresolvedContact UnderresolvedStickZone UnderresolvedSlipZone DiscretisationError SingleLoadStep
+    ApproachBeyondGrid LargeContactRadius SteepSurface HeldShiftLostForce NeglectedLift
+}
+
+/// Checks the texts of the examples, and that every variant has an example.
+#[track_caller]
+fn check_texts<T: Variants>(examples: &[(T, &str)]) {
+    for (value, text) in examples {
+        assert_eq!(value.to_string(), *text);
+    }
+    for variant in T::ALL {
+        let has_example = examples
+            .iter()
+            .any(|(value, _)| value.variant() == *variant);
+        assert!(has_example, "{variant} has no example");
+    }
+}
+
+#[test]
+#[expect(clippy::too_many_lines, reason = "a table")]
+fn every_error_has_its_text() {
+    check_texts(&[
+        (
+            Error::GridSize { nx: 0, ny: 4 },
+            "the grid must have at least one cell along each axis, got 0 x 4 cells",
+        ),
+        (
+            Error::Memory {
+                quantity: "a padded grid",
+                bytes: 128_000_000_000,
+            },
+            "cannot allocate 119.2 GiB for a padded grid",
+        ),
+        (
+            Error::NotPositive {
+                quantity: "load",
+                value: 0.0,
+            },
+            "load must be positive and finite, got 0.0",
+        ),
+        (
+            Error::NegativeOrNotFinite {
+                quantity: "coefficient of friction",
+                value: -0.5,
+            },
+            "coefficient of friction must be non-negative and finite, got -0.5",
+        ),
+        (
+            Error::NotFinite {
+                quantity: "approach",
+                value: f64::NAN,
+            },
+            "approach must be finite, got NaN",
+        ),
+        (
+            Error::ExtremeNumber {
+                quantity: "the pressure due to the normal load",
+                value: 1e-140,
+                least: 1e-130,
+                most: 1e130,
+                remedy: "choose different units of length or pressure, or a zero load",
+            },
+            "the pressure due to the normal load must lie between 1e-130 and 1e130 so that its squares do not overflow or underflow, got 1e-140: choose different units of length or pressure, or a zero load",
+        ),
+        (
+            Error::Sample {
+                quantity: "height",
+                index: 7,
+                value: f64::NAN,
+                rule: "must be finite; fill missing heights first",
+            },
+            "height at index 7 is NaN, but must be finite; fill missing heights first",
+        ),
+        (
+            Error::PoissonRatio(0.7),
+            "Poisson's ratio must lie in (-1, 0.5], got 0.7",
+        ),
+        (
+            Error::BothRigid,
+            "both bodies are rigid: give at least one body a finite Young's modulus",
+        ),
+        (
+            Error::TooManyLayers { found: 9, limit: 8 },
+            "a coated body must have at most 8 layers, got 9",
+        ),
+        (
+            Error::UnsupportedForCoatings {
+                quantity: "a closed form with one modulus",
+                bodies: "coated bodies",
+                remedy: "solve the contact on a grid",
+            },
+            "a closed form with one modulus is not available for coated bodies: solve the contact on a grid",
+        ),
+        (
+            Error::IncompleteKernel("give at least one operator"),
+            "the kernel is missing or incomplete: give at least one operator",
+        ),
+        (
+            Error::NotDefinite {
+                eigenvalue: -2e-9,
+                sides: [0.5, 0.25],
+            },
+            "the smallest eigenvalue of the compliance must be positive, got -2e-9 on cells of sides [0.5, 0.25]: use a grid that is smaller relative to the layer thickness, a periodic grid, or a kernel of positive energy",
+        ),
+        (
+            Error::DatumTooNear {
+                datum: 2.0,
+                least: 3.5,
+            },
+            "the datum distance 2.0 makes the compliance indefinite, so that a prescribed approach, shift or spring has no unique solution: prescribe the force, or use a distance above 3.5",
+        ),
+        (
+            Error::RigidBody("body 2"),
+            "body 2 is rigid, so its stress is undetermined: request the stress of an elastic body or layer",
+        ),
+        (
+            Error::DivergentPeriodicSum("the sum over loaded cells"),
+            "the sum over loaded cells does not converge on a grid that is periodic along both axes: compute the stress on planes instead",
+        ),
+        (
+            Error::CoupledMaterials { beta: 0.25 },
+            "the materials couple pressure and traction (Dundurs' beta = 0.25), which this model neglects: use a coupled problem or a history with full coupling, or accept the error of one-way or neglected coupling",
+        ),
+        (
+            Error::CellsTooLong { sides: [1e9, 1.0] },
+            "cells of sides [1000000000.0, 1.0] are too elongated for double precision to resolve the compliance of short waves: use cells of a smaller aspect ratio",
+        ),
+        (
+            Error::Length {
+                quantity: "matrix",
+                expected: 9,
+                found: 8,
+            },
+            "matrix has 8 entries, expected 9",
+        ),
+        (
+            Error::GridMismatch {
+                quantity: "gap",
+                expected_cells: [4, 2],
+                expected_sides: [0.5, 0.25],
+                found_cells: [4, 3],
+                found_sides: [0.5, 0.5],
+            },
+            "gap is on a grid of [4, 3] cells of sides [0.5, 0.5], expected [4, 2] cells of sides [0.5, 0.25]",
+        ),
+        (
+            Error::BoundaryMismatch {
+                quantity: "normal solution",
+            },
+            "normal solution belongs to bodies with a different boundary: use the bodies for which it was computed",
+        ),
+        (
+            Error::CellValueMismatch {
+                quantity: "normal solution",
+            },
+            "normal solution belongs to bodies with a different CellValue: use the bodies for which it was computed",
+        ),
+        (
+            Error::Tolerance(2.0),
+            "the tolerance must lie strictly between 0 and 1, got 2.0",
+        ),
+        (
+            Error::IterationLimit,
+            "the iteration limit must be at least 1, got 0",
+        ),
+        (
+            Error::NoPressureToHold,
+            "the normal problem has no pressure to hold yet: prescribe a normal force or an approach",
+        ),
+        (
+            Error::Method {
+                method: "PolonskyKeer",
+                quantity: "springs",
+            },
+            "the method PolonskyKeer does not support springs: use ActiveSet",
+        ),
+        (
+            Error::Bounds {
+                index: 3,
+                lower: 2.0,
+                upper: 1.0,
+            },
+            "the bounds [2.0, 1.0] of entry 3 contain no finite value",
+        ),
+        (
+            Error::Total {
+                total: 5.0,
+                lower: 0.0,
+                upper: 4.0,
+            },
+            "the total 5.0 is outside the range [0.0, 4.0] allowed by the bounds",
+        ),
+        (
+            Error::RepeatedDirection,
+            "an operator has the same direction twice: give each of its directions once",
+        ),
+        (
+            Error::EmptyContact,
+            "the contact is empty because no cell carries pressure: first prescribe a positive normal force, or an approach above the smallest gap",
+        ),
+        (
+            Error::BeyondFrictionCapacity {
+                force: 3.0,
+                limit: 2.5,
+                remedy: SLIDE,
+            },
+            "the tangential force 3.0 exceeds the friction limit 2.5: prescribe a shift or a spring to let the body slide",
+        ),
+        (
+            Error::BeyondFrictionCapacity {
+                force: 3.0,
+                limit: 0.0,
+                remedy: SLIDE,
+            },
+            "the tangential force 3.0 exceeds the friction limit 0.0: give a positive coefficient of friction",
+        ),
+        (
+            Error::BeyondFrictionMoment {
+                moment: 0.5,
+                limit: 0.25,
+                range: [-0.25, 0.25],
+            },
+            "the moment 0.5 reaches or exceeds the friction limit 0.25 in its direction for the prescribed creepages and forces: prescribe a moment between -0.25 and 0.25, or the spin",
+        ),
+        (
+            Error::BeyondHardness {
+                force: 2e9,
+                capacity: 1e9,
+            },
+            "the normal force 2000000000.0 exceeds 1000000000.0, the largest force that the cells can carry at their hardness: use a larger grid, or prescribe an approach",
+        ),
+        (
+            Error::Yielded {
+                quantity: "the superposition",
+                cells: 12,
+            },
+            "the superposition requires an elastic contact, but 12 cells have reached their hardness: lower the load, or raise the hardness",
+        ),
+        (
+            Error::ObliqueLoad { x: 1.0, y: 2.0 },
+            "the tangential load [1.0, 2.0] has two components, but the scalar model requires one of them to be zero: use the vector model",
+        ),
+        (
+            Error::UnsupportedByModel {
+                model: "the model of this contact",
+                quantity: "twist",
+                value: 0.25,
+                remedy: "use the vector model",
+            },
+            "the model of this contact does not support twist, got 0.25: use the vector model",
+        ),
+        (
+            Error::MaterialMismatch {
+                quantity: "normal solution",
+            },
+            "normal solution belongs to bodies of different materials: use the bodies for which it was computed",
+        ),
+        (
+            Error::ApproachBeyondMeanGap {
+                approach: 0.5,
+                mean_gap: 0.25,
+            },
+            "the approach 0.5 closes the gap of a periodic contact everywhere, so that the pressure is undetermined: prescribe an approach below the mean gap 0.25, or a normal force",
+        ),
+        (
+            Error::TooManyCells {
+                cells: 5000,
+                limit: 4096,
+            },
+            "an explicit matrix of 5000 cells exceeds the limit of 4096 cells: use a smaller grid",
+        ),
+        (
+            Error::NotPositiveDefinite { row: 2 },
+            "the matrix must be symmetric positive definite, but its factorisation fails at row 2",
+        ),
+        (
+            Error::Undetermined {
+                quantity: "form",
+                unknowns: 6,
+                known: 4,
+            },
+            "4 known points do not determine the 6 unknowns of the form: provide more known points",
+        ),
+        (
+            Error::Degree {
+                degree: 13,
+                limit: 12,
+            },
+            "the degree of the polynomial must be at most 12, got 13",
+        ),
+        (
+            Error::Range {
+                quantity: "rows",
+                start: 3,
+                end: 9,
+                count: 8,
+            },
+            "the range 3..9 of rows is empty or extends beyond the 8 rows of the grid",
+        ),
+        (
+            Error::BeyondSamples {
+                axis: "x",
+                reach: 1.5,
+                limit: 1.25,
+            },
+            "the grid extends to 1.5 from its centre along x, but the samples extend only to 1.25: use a smaller grid",
+        ),
+        (
+            Error::Hurst(1.5),
+            "the Hurst exponent must lie in [0, 1], got 1.5",
+        ),
+        (
+            Error::BelowMinimum {
+                quantity: "kurtosis",
+                value: 0.5,
+                least_is: "the squared skewness plus one",
+                least: 1.0,
+            },
+            "kurtosis must be at least 1.0 (the squared skewness plus one), got 0.5",
+        ),
+        (
+            Error::GridTooShort {
+                side: "ahead of",
+                needed: 3,
+                found: 1,
+            },
+            "a rolling step requires 3 cells ahead of the contact, but the grid has 1: extend the grid there by at least 2 cells",
+        ),
+        (
+            Error::NoWaveInBand {
+                longest: 0.5,
+                shortest: 0.25,
+            },
+            "no periodic wave of the surface has a wavelength between 0.25 and 0.5: widen the range of wavelengths, or use a larger grid",
+        ),
+        (
+            Error::HeightMomentsNotReached {
+                skewness: 1.0,
+                kurtosis: 2.5,
+                reached: [0.5, 3.0],
+            },
+            "no surface of this spectrum was found with a skewness of 1.0 and a kurtosis of 2.5: request values nearer to 0.5 and 3.0, at which the search ended",
+        ),
+        (
+            Error::File {
+                path: "a.npy".into(),
+                problem: "No such file or directory (os error 2)".into(),
+                code: Some(2),
+            },
+            "a.npy: No such file or directory (os error 2)",
+        ),
+        (
+            Error::Format {
+                file: Some("a.npy".into()),
+                format: "NPY",
+                place: Place::Byte(6),
+                problem: "version 4.0 is not supported".into(),
+            },
+            "a.npy: NPY, at byte 6: version 4.0 is not supported",
+        ),
+        (
+            Error::Format {
+                file: None,
+                format: "CSV",
+                place: Place::Line(2),
+                problem: "\"x\" is not a number".into(),
+            },
+            "CSV, on line 2: \"x\" is not a number",
+        ),
+        (
+            Error::Format {
+                file: None,
+                format: "ASC",
+                place: Place::Entry("z-unit".into()),
+                problem: "\"ft\" is not a known unit of length".into(),
+            },
+            "ASC, in z-unit: \"ft\" is not a known unit of length",
+        ),
+        (
+            Error::StepsPerCycle(6),
+            "the number of steps per cycle must be a positive multiple of 4, got 6",
+        ),
+        (
+            Error::EmptyPath,
+            "the load path has no steps: give at least one step",
+        ),
+        (
+            Error::StepAlreadyCounted { step: 3, last: 5 },
+            "step 3 of the history does not follow step 5, the last step of the cycle: add each step once, in order",
+        ),
+        (
+            Error::CycleNotClosed {
+                residual: 0.5,
+                limit: 0.25,
+            },
+            "the residual of the cycle (relative to its amplitude) is 0.5, but must be at most 0.25 for a jump: compute another cycle on this gap first, or raise the limit",
+        ),
+        (
+            Error::StepTooLong {
+                part: 0.001,
+                error: 0.02,
+                tolerance: 0.01,
+            },
+            "the shortest permitted step (0.001 of the load) has an error of 0.02, which exceeds its share of the tolerance 0.01: raise this tolerance, or lower the tolerance of the history",
+        ),
+        (
+            Error::Ranks(RankFailure::MissingSlab { row: 3 }),
+            "no slab contains row 3: give the slabs of all ranks",
+        ),
+        (
+            Error::NotConverged(Box::new(Report {
+                status: Status::IterationLimit,
+                iterations: 3,
+                residual: 0.25,
+                ..Report::unsolved()
+            })),
+            "the calculation has not converged: stopped at the iteration limit in 3 iterations, 0 + 0 convolutions (double + single), 0.000 s: residual 2.5e-1, energy error not bounded, load error 0.0e0",
+        ),
+    ]);
+}
+
+#[test]
+fn every_rank_failure_has_its_text() {
+    check_texts(&[
+        (
+            RankFailure::UnsupportedOnRanks("steady rolling"),
+            "steady rolling is not available on a grid that is distributed over ranks: use bodies that are not distributed",
+        ),
+        (
+            RankFailure::Disconnected { rank: 2 },
+            "rank 2 has ended or cannot be reached: check the error of that rank",
+        ),
+        (
+            RankFailure::Timeout {
+                rank: 2,
+                seconds: 60.0,
+            },
+            "rank 2 did not respond within 60 s: check that rank, or raise the time limit",
+        ),
+        (
+            RankFailure::MissingSlab { row: 3 },
+            "no slab contains row 3: give the slabs of all ranks",
+        ),
+        (
+            RankFailure::InconsistentSlabs { row: 8 },
+            "the slab that starts at row 8 belongs to a different state than the other slabs: give slabs of the same step of one history",
+        ),
+        (
+            RankFailure::MpiAlreadyInitialised,
+            "MPI was already initialised in this process, which is possible only once: do all work with MPI ranks in one call",
+        ),
+        (
+            RankFailure::InsufficientThreadLevel,
+            "the MPI library allows calls from one thread only: use a library that provides at least MPI_THREAD_SERIALIZED",
+        ),
+        (
+            RankFailure::SeparateMpiJobs {
+                variable: "OMPI_COMM_WORLD_SIZE",
+                processes: 4,
+            },
+            "4 processes were started (OMPI_COMM_WORLD_SIZE), but MPI reports a single process to each of them: start them with the launcher of the MPI library with which the program was built",
+        ),
+        (
+            RankFailure::CollectiveMismatch { rank: 1 },
+            "rank 1 makes different collective calls than this rank: make the same calls in the same order on all ranks",
+        ),
+        (
+            RankFailure::InconsistentInput("normal load"),
+            "the normal load must be the same on all ranks",
+        ),
+        (
+            RankFailure::RejectedByRank { rank: 1 },
+            "rank 1 rejected its part of the work: check the error of that rank",
+        ),
+    ]);
+}
+
+#[test]
+#[expect(clippy::too_many_lines, reason = "a table")]
+fn every_warning_has_its_text() {
+    check_texts(&[
+        (
+            Warning::NoContact,
+            "no cell carries pressure because the normal force is zero: prescribe a positive normal force, or an approach above the smallest gap",
+        ),
+        (
+            Warning::ContactAtEdge { cells: 12 },
+            "12 contact cells lie on the edge of the grid: use a larger grid",
+        ),
+        (
+            Warning::UnresolvedSpots {
+                unresolved: 7,
+                spots: 40,
+            },
+            "7 of 40 contact spots have fewer than 5 cells, and together they contain at least a tenth of the contact cells: refine the grid, or filter out the short waves of the surface",
+        ),
+        (
+            Warning::SingleRowOfCells,
+            "the grid is a single row of rectangular cells and not periodic, so it does not model a line contact in plane strain: use a row along x with a boundary that is periodic along y",
+        ),
+        (
+            Warning::ContactSpansGrid {
+                along_x: true,
+                along_y: false,
+            },
+            "a contact spot extends across the whole grid along x, which causes pressure peaks at the edges: increase the gap towards the edges, or use a boundary that is periodic along y or along both axes",
+        ),
+        (
+            Warning::ContactSpansGrid {
+                along_x: false,
+                along_y: true,
+            },
+            "a contact spot extends across the whole grid along y, which causes pressure peaks at the edges: increase the gap towards the edges, or use a boundary that is periodic along y or along both axes",
+        ),
+        (
+            Warning::ContactSpansGrid {
+                along_x: true,
+                along_y: true,
+            },
+            "a contact spot extends across the whole grid along x and y, which causes pressure peaks at the edges: increase the gap towards the edges, or use a boundary that is periodic along y or along both axes",
+        ),
+        (
+            Warning::BeyondHardness { cells: 3 },
+            "the pressure exceeds the hardness of the softer body in 3 cells: limit the pressure to the hardness",
+        ),
+        (
+            Warning::StalePressure,
+            "the gap has changed, but the step kept the pressure, which belongs to the old gap: prescribe the normal load again",
+        ),
+        (
+            Warning::StressAtEdge,
+            "the error of the stress along the surface at the edge of a sheared contact decreases only with the square root of the cell size: use a plane at a depth of at least one cell side",
+        ),
+        (
+            Warning::UnderresolvedContact { cells: 80 },
+            "the contact has only 80 cells, so that its area and its stick ratio are inaccurate: refine the grid",
+        ),
+        (
+            Warning::UnderresolvedStickZone { cells: 30 },
+            "only 30 cells stick, so that the size of the stick zone is inaccurate: refine the grid",
+        ),
+        (
+            Warning::UnderresolvedSlipZone { tenths: 14 },
+            "the slip zone is only 1.4 cells wide on average, so that slip and dissipated energy are inaccurate: refine the grid until the zone is two cells wide",
+        ),
+        (
+            Warning::DiscretisationError {
+                per_mille: 80,
+                cells_per_radius: 40,
+                spots: 11,
+            },
+            "the estimated discretisation error of the fields of 11 contact spots is 8.0 %: for an error of 1 %, resample the surface onto cells 4.0 times smaller, or filter out its short waves",
+        ),
+        (
+            Warning::DiscretisationError {
+                per_mille: 82,
+                cells_per_radius: 40,
+                spots: 10,
+            },
+            "the estimated discretisation error of the fields is 8.2 %: for an error of 1 %, use 40 cells on the radius of a contact spot",
+        ),
+        (
+            Warning::SingleLoadStep,
+            "dissimilar bodies were pressed in too few steps, although different cells stick and slip while the load grows: use the function press of a history, which chooses the steps for a tolerance",
+        ),
+        (
+            Warning::ApproachBeyondGrid { tenths: 15 },
+            "the approach is 1.5 times the longest side of the grid, expected less than 1: check the units of gap, grid, modulus and load",
+        ),
+        (
+            Warning::LargeContactRadius { per_mille: 350 },
+            "the contact radius is about 0.35 of the radius of curvature, expected at most 0.3: check the units of gap and grid, or lower the load; half-spaces assume small slopes",
+        ),
+        (
+            Warning::SteepSurface { per_mille: 750 },
+            "the rms slope of the surface within the contact is 0.75, expected at most 0.5: check the units of heights and grid, or filter out short waves; half-spaces assume small slopes",
+        ),
+        (
+            Warning::HeldShiftLostForce { per_cent: 60 },
+            "the step kept the shift and lost 60 % of the tangential force, expected at most 50 %: to keep the force, prescribe it in each step",
+        ),
+        (
+            Warning::NeglectedLift {
+                per_million: 10_500,
+            },
+            "tractions displace the surfaces of dissimilar bodies by 1.0500 % of the normal displacement, which the pressure neglects: use coupled rolling, or a history with full coupling",
+        ),
+    ]);
+}
