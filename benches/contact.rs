@@ -10,14 +10,14 @@ use criterion::measurement::WallTime;
 use criterion::{
     BenchmarkGroup, BenchmarkId, Criterion, Throughput, criterion_group, criterion_main,
 };
-use kit::benchmark::{self, Scene};
+use kit::benchmark::{self, BenchmarkCase};
 use stickslip::cgm::Method;
 use stickslip::{Field, Result, TangentialLoad};
 
 const SIDES: [u16; 2] = [256, 512];
 const TOLERANCE: f64 = 1e-6;
 
-fn scenes(side: u16) -> Result<Vec<Scene>> {
+fn scenes(side: u16) -> Result<Vec<BenchmarkCase>> {
     let mut scenes = vec![benchmark::ball(side)?];
     scenes.extend(benchmark::rough(side)?);
     Ok(scenes)

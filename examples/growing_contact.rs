@@ -61,7 +61,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         (0.3, 0.0, "nu 0.3, ball"),
         (0.3, 0.15, "nu 0.3, rough"),
     ] {
-        let scene = Scene::new(poisson_ratio, roughness)?;
+        let scene = GrowingCase::new(poisson_ratio, roughness)?;
         for (kind, paths) in [("shift", &SHIFTS[..]), ("force", &FORCES[..])] {
             for (path, legs) in paths {
                 let follow = |steps, rule| scene.follow(legs, kind == "force", steps, rule);
@@ -79,14 +79,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-struct Scene {
+struct GrowingCase {
     bodies: HalfSpace,
     gap: Field,
     /// Normal force on the smooth ball at an approach of one.
     force: f64,
 }
 
-impl Scene {
+impl GrowingCase {
     fn new(poisson_ratio: f64, roughness: f64) -> Result<Self, stickslip::Error> {
         let grid = Grid::square(CELLS, CELLS as f64)?;
         let body = Material::new(1.0, poisson_ratio)?;

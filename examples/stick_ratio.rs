@@ -32,30 +32,30 @@ const TOLERANCE: f64 = 1e-6;
 const MAGNIFIED: usize = 72;
 
 /// Surface with the load on it.
-struct Scene {
+struct PressedBody {
     rms_slope: f64,
     roll_off: f64,
     /// Mean pressure divided by the contact modulus.
     mean_pressure: f64,
 }
 
-const SCENES: [Scene; 4] = [
-    Scene {
+const SCENES: [PressedBody; 4] = [
+    PressedBody {
         rms_slope: 0.1,
         roll_off: 50.0,
         mean_pressure: 1e-3,
     },
-    Scene {
+    PressedBody {
         rms_slope: 0.2,
         roll_off: 25.0,
         mean_pressure: 5e-3,
     },
-    Scene {
+    PressedBody {
         rms_slope: 0.4,
         roll_off: 12.5,
         mean_pressure: 20e-3,
     },
-    Scene {
+    PressedBody {
         rms_slope: 0.8,
         roll_off: 6.25,
         mean_pressure: 10e-3,
@@ -112,7 +112,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// Presses a surface and shears it in steps; each step starts from the last solution.
-fn shear(bodies: &HalfSpace, scene: &Scene, seed: u64) -> stickslip::Result<Sheared> {
+fn shear(bodies: &HalfSpace, scene: &PressedBody, seed: u64) -> stickslip::Result<Sheared> {
     let grid = bodies.grid();
     let rough = SelfAffine::with_rms_slope(scene.rms_slope)
         .roll_off_wavelength(scene.roll_off)

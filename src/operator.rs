@@ -245,7 +245,7 @@ impl<const N: usize> Operator<N> for Identity {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Clone, Default)]
-pub struct Scratch(Option<Box<dyn Buffers>>);
+pub struct Scratch(Option<Box<dyn AnyBuffers>>);
 
 impl Scratch {
     /// Returns a scratch without buffers.
@@ -264,7 +264,7 @@ impl Scratch {
     #[must_use]
     pub fn get_mut<T: 'static>(&mut self) -> Option<&mut T> {
         // Without the explicit type, the blanket implementation would apply to the box.
-        let buffers: &mut dyn Buffers = &mut **self.0.as_mut()?;
+        let buffers: &mut dyn AnyBuffers = &mut **self.0.as_mut()?;
         buffers.as_any_mut().downcast_mut()
     }
 
@@ -287,13 +287,13 @@ impl fmt::Debug for Scratch {
 }
 
 /// Buffers of any type that can be cloned.
-trait Buffers: Any + Send + Sync {
-    fn boxed_clone(&self) -> Box<dyn Buffers>;
+trait AnyBuffers: Any + Send + Sync {
+    fn boxed_clone(&self) -> Box<dyn AnyBuffers>;
     fn as_any_mut(&mut self) -> &mut dyn Any;
 }
 
-impl<T: Any + Clone + Send + Sync> Buffers for T {
-    fn boxed_clone(&self) -> Box<dyn Buffers> {
+impl<T: Any + Clone + Send + Sync> AnyBuffers for T {
+    fn boxed_clone(&self) -> Box<dyn AnyBuffers> {
         Box::new(self.clone())
     }
 
@@ -302,7 +302,7 @@ impl<T: Any + Clone + Send + Sync> Buffers for T {
     }
 }
 
-impl Clone for Box<dyn Buffers> {
+impl Clone for Box<dyn AnyBuffers> {
     fn clone(&self) -> Self {
         (**self).boxed_clone()
     }

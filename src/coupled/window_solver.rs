@@ -2,7 +2,7 @@
 //! normal and tangential solves (halves) as start and safeguard.
 
 use crate::bodies::component::Direction;
-use crate::cgm::cone::{self, Cone, ConeMeasures, ConeProblem, ConeStart, ConeWorkspace};
+use crate::cgm::cone::{self, ConeMeasures, ConeProblem, ConeStart, ConeWorkspace, FrictionCone};
 use crate::cgm::{
     AbsBound, BoundedPressure, CellCompliance, Disc, InitialGuess, Interval, Settings, Total,
     UNLIMITED, reduce,
@@ -47,7 +47,7 @@ pub(super) enum CoupledStart {
     Present,
 }
 
-impl Cone for &FrictionWithin<'_> {
+impl FrictionCone for &FrictionWithin<'_> {
     fn limit(&self, cell: usize, pressure: f64) -> f64 {
         FrictionWithin::limit(self, cell, pressure)
     }

@@ -1,7 +1,7 @@
 //! The quadratic that is zero at the edge, fitted to the cells around a cell.
 
 use crate::edges::stencil::{
-    FOURTH, LANES, POWERS, PRODUCT_OF, PRODUCTS, SECOND, SIDE, Square, Stencil, dot, product,
+    FOURTH, FitStencil, LANES, POWERS, PRODUCT_OF, PRODUCTS, SECOND, SIDE, Square, dot, product,
 };
 
 /// Number of unknowns: the coefficients of the quadratic, and of the squared distance outside.
@@ -71,7 +71,7 @@ pub(super) struct Fit {
 impl Fit {
     /// Fits with a modulus that depends on the normal of the edge. Returns `None` if the values do not determine the fit.
     pub(super) fn new(
-        stencil: &Stencil,
+        stencil: &FitStencil,
         values: &FitValues,
         modulus: impl Fn([f64; 2]) -> f64,
     ) -> Option<Self> {
@@ -112,7 +112,7 @@ impl Fit {
     /// Returns the values scaled with the current slope.
     fn sample(
         &self,
-        stencil: &Stencil,
+        stencil: &FitStencil,
         values: &FitValues,
         modulus: f64,
         has_edge: bool,
@@ -157,7 +157,7 @@ impl Fit {
     }
 
     /// Performs a round: fits the sample and updates the slope at the edge.
-    fn refine(&mut self, stencil: &Stencil, sample: &Sample) -> Option<[f64; UNKNOWNS]> {
+    fn refine(&mut self, stencil: &FitStencil, sample: &Sample) -> Option<[f64; UNKNOWNS]> {
         let solution = sample.least_squares(stencil)?;
         if !solution.iter().all(|part| part.is_finite()) {
             return None;
@@ -221,7 +221,7 @@ fn length([x, y]: [f64; 2]) -> f64 {
 }
 
 /// Returns the slope of the squared pressure from a plane fitted to the cells inside.
-fn first_gradient(stencil: &Stencil, values: &FitValues) -> Option<[f64; 2]> {
+fn first_gradient(stencil: &FitStencil, values: &FitValues) -> Option<[f64; 2]> {
     let mut weights = values.weights;
     for (weight, is_inside) in weights
         .as_flattened_mut()
@@ -244,7 +244,7 @@ fn first_gradient(stencil: &Stencil, values: &FitValues) -> Option<[f64; 2]> {
 }
 
 impl Sample {
-    fn least_squares(&self, stencil: &Stencil) -> Option<[f64; UNKNOWNS]> {
+    fn least_squares(&self, stencil: &FitStencil) -> Option<[f64; UNKNOWNS]> {
         let right = product(&self.weights, &self.distances);
         let outside = product(&self.weights, &self.squares);
         let sums: [f64; PRODUCTS] = stencil.moments::<FOURTH, PRODUCTS>(&self.weights);
@@ -264,7 +264,7 @@ impl Sample {
     }
 
     /// Returns the root mean square of the residual of a solution, in cells.
-    fn misfit(&self, stencil: &Stencil, [c, x, y, xx, xy, yy, outside]: [f64; UNKNOWNS]) -> f64 {
+    fn misfit(&self, stencil: &FitStencil, [c, x, y, xx, xy, yy, outside]: [f64; UNKNOWNS]) -> f64 {
         let mut missed = stencil.quadratic([c, x, y, xx, xy, yy]);
         let places = self
             .distances
@@ -317,7 +317,7 @@ mod tests {
     /// Checks that there is no fit if all squared pressures around a cell underflow.
     #[test]
     fn values_next_to_nothing_have_no_fit() {
-        let stencil = Stencil::new(Grid::square(8, 8.0).unwrap(), [false; 2]);
+        let stencil = FitStencil::new(Grid::square(8, 8.0).unwrap(), [false; 2]);
         for lifted in [0.0, f64::INFINITY] {
             let values = FitValues {
                 lifted: [[lifted; LANES]; SIDE],

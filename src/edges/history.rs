@@ -1,7 +1,7 @@
 //! Edges of the contact of a history and of its stick zone.
 
 use crate::edges::TangentialEdges;
-use crate::edges::tangential::ShearedContact;
+use crate::edges::tangential::PartialSlipContact;
 use crate::error::Result;
 use crate::grid::field::Field;
 use crate::grid::neighbours::neighbours;
@@ -73,7 +73,7 @@ impl History {
         let energies = [step.dissipated_energy(), step.dissipated_energy_midpoint()];
         let [dissipated, mid_step] = energies.map(Field::as_slice);
         let is_slip_known = self.pressing_is_excluded(step);
-        ShearedContact {
+        PartialSlipContact {
             normal: self.normal(),
             friction: self.friction(),
             zones: self.zones(),

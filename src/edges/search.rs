@@ -3,7 +3,7 @@
 use crate::edges::fit::{Fit, FitValues};
 use crate::edges::outline::{Corners, outline};
 use crate::edges::states::{States, beside};
-use crate::edges::stencil::{LANES, SIDE, Stencil};
+use crate::edges::stencil::{FitStencil, LANES, SIDE};
 use crate::edges::{EdgeCell, Edges};
 use crate::error::Result;
 use crate::grid::Grid;
@@ -57,7 +57,7 @@ impl Search<'_> {
     pub(super) fn edges(&self) -> Result<Edges> {
         let largest = largest(self.inside);
         let states = States::new(self.grid, self.repeats, self.inside)?;
-        let stencil = Stencil::new(self.grid, self.repeats);
+        let stencil = FitStencil::new(self.grid, self.repeats);
         let mut found = Vec::new();
         for index in states.at_edge() {
             let cell = EdgeCell {
@@ -129,7 +129,7 @@ impl Search<'_> {
 
     fn examine(
         &self,
-        stencil: &Stencil,
+        stencil: &FitStencil,
         values: &FitValues,
         index: usize,
         largest: f64,
@@ -221,7 +221,12 @@ impl Search<'_> {
 
     /// Returns the quantity with a uniform slope at the edge, for all cells around the found cells. The quantity is the square of
     /// the pressure inside and the negated 2/3 power of the gap outside, as in [`FitValues`]. It is zero for all other cells.
-    fn lifted(&self, stencil: &Stencil, found: &[EdgeCandidate], largest: f64) -> Result<Vec<f64>> {
+    fn lifted(
+        &self,
+        stencil: &FitStencil,
+        found: &[EdgeCandidate],
+        largest: f64,
+    ) -> Result<Vec<f64>> {
         let mut lifted = fallible::zeros(self.inside.len())?;
         let scale = 0.75 / (largest * stencil.unit);
         for found in found {
@@ -245,7 +250,7 @@ impl Search<'_> {
     fn values(
         &self,
         states: &States,
-        stencil: &Stencil,
+        stencil: &FitStencil,
         index: usize,
         lifted: &[f64],
     ) -> FitValues {

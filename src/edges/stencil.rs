@@ -70,7 +70,7 @@ const fn product_of() -> [[usize; POWERS]; POWERS] {
 
 /// Square of cells around a cell. The unit of length is the square root of the cell area, or the cell side along the line if
 /// the grid is a line of cells.
-pub(super) struct Stencil {
+pub(super) struct FitStencil {
     size: [usize; 2],
     repeats: [bool; 2],
     /// Unit of length, and the sides of a cell in this unit.
@@ -82,7 +82,7 @@ pub(super) struct Stencil {
     pub(super) weights: Square<f64>,
 }
 
-impl Stencil {
+impl FitStencil {
     pub(super) fn new(grid: Grid, repeats: [bool; 2]) -> Self {
         // The values do not vary across a line of cells, so any side is valid there.
         let (unit, sides) = match grid.size() {

@@ -125,7 +125,7 @@ impl TangentialSolution {
         friction.check(grid)?;
         let [qx, qy] = self.traction().map(Field::as_slice);
         let [slip_x, slip_y] = self.slip().map(Field::as_slice);
-        ShearedContact {
+        PartialSlipContact {
             normal,
             friction,
             zones: self.zones(),
@@ -139,7 +139,7 @@ impl TangentialSolution {
 }
 
 /// Contact in partial slip whose edges are computed.
-pub(super) struct ShearedContact<'a> {
+pub(super) struct PartialSlipContact<'a> {
     pub(super) normal: &'a NormalSolution,
     pub(super) friction: &'a Friction,
     pub(super) zones: &'a [Zone],
@@ -152,7 +152,7 @@ pub(super) struct ShearedContact<'a> {
     pub(super) largest_miss: f64,
 }
 
-impl ShearedContact<'_> {
+impl PartialSlipContact<'_> {
     pub(super) fn edges(&self) -> Result<TangentialEdges> {
         let grid = self.normal.grid();
         check_whole(grid)?;

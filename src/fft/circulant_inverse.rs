@@ -7,7 +7,7 @@ use crate::fft::length::smooth_length;
 use crate::fft::single_precision::{SingleProduct, SingleScratch};
 use crate::fft::symbol::Symbol;
 use crate::fft::torus::TorusLayout;
-use crate::influence::Kernel;
+use crate::influence::InfluenceKernel;
 use crate::operator::{Operator, Scratch};
 use crate::parallel::layout::Layout;
 use crate::parallel::ranks::partition::RowPartition;
@@ -41,7 +41,7 @@ impl<const N: usize> CirculantInverse<N> {
     pub(crate) fn new(
         size: [usize; 2],
         share: Option<Arc<RowPartition>>,
-        kernels: [[&Kernel; N]; N],
+        kernels: [[&InfluenceKernel; N]; N],
         floor: f64,
     ) -> Result<Self> {
         Self::with_mean((size, share), kernels, floor, false)
@@ -54,7 +54,7 @@ impl<const N: usize> CirculantInverse<N> {
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub(crate) fn up_to_mean(
         size: [usize; 2],
-        kernels: [[&Kernel; N]; N],
+        kernels: [[&InfluenceKernel; N]; N],
         floor: f64,
     ) -> Result<Self> {
         Self::with_mean((size, None), kernels, floor, true)
@@ -62,7 +62,7 @@ impl<const N: usize> CirculantInverse<N> {
 
     fn with_mean(
         (size, share): ([usize; 2], Option<Arc<RowPartition>>),
-        kernels: [[&Kernel; N]; N],
+        kernels: [[&InfluenceKernel; N]; N],
         floor: f64,
         is_up_to_mean: bool,
     ) -> Result<Self> {

@@ -16,7 +16,7 @@ use crate::fft::uniform_wave::UniformWave;
 use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::grid::cell_value::CellValue;
-use crate::influence::{Kernel, KernelCorrection, Samples, Symbols};
+use crate::influence::{InfluenceKernel, KernelCorrection, Samples, Symbols};
 use crate::memory::fallible::unwrap_or_abort;
 use crate::operator::{LowerBound, MeanBound, Operator, SELF_COMPLIANCE, Scratch};
 use crate::parallel;
@@ -93,7 +93,7 @@ impl Convolution {
         let added = KernelCorrection::of(&kernel::Kernel::from(*pair));
         let samples = Samples::new(grid, reach)?.coated(added);
         parallel::enter_with(grid.cells(), || {
-            let table = Kernel::Table(samples.table(grid, pair, component)?);
+            let table = InfluenceKernel::Table(samples.table(grid, pair, component)?);
             Self::of_kernels(grid.size(), None, [[&table]])
         })
     }
@@ -123,7 +123,7 @@ impl Convolution {
     /// the kernel.
     #[must_use]
     pub fn periodic(grid: Grid, pair: &ElasticPair, component: Component) -> Self {
-        let symbols = Kernel::Symbols(Symbols::new(grid, &(*pair).into(), component));
+        let symbols = InfluenceKernel::Symbols(Symbols::new(grid, &(*pair).into(), component));
         unwrap_or_abort(parallel::enter_with(grid.cells(), || {
             Self::of_kernels(grid.size(), None, [[&symbols]])
         }))
@@ -140,7 +140,7 @@ impl<const N: usize> Convolution<N> {
     pub(crate) fn of_kernels(
         size: [usize; 2],
         share: Option<Arc<RowPartition>>,
-        kernels: [[&Kernel; N]; N],
+        kernels: [[&InfluenceKernel; N]; N],
     ) -> Result<Self> {
         let repeats = kernels[0][0].repeats();
         let frame = TorusLayout {
@@ -272,7 +272,7 @@ impl Convolution<3> {
 }
 
 /// Returns a lower bound of the eigenvalues of the operator from the range of the eigenvalues on the torus.
-fn lower_bound<const N: usize>([low, high]: [f64; 2], kernels: [[&Kernel; N]; N]) -> f64 {
+fn lower_bound<const N: usize>([low, high]: [f64; 2], kernels: [[&InfluenceKernel; N]; N]) -> f64 {
     // A coefficient between two different directions is not a compliance.
     let is_compliance = (0..N).all(|i| kernels[i][i].is_odd() == [false; 2]);
     if !is_compliance {

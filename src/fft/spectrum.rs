@@ -8,7 +8,7 @@ use realfft::RealFftPlanner;
 
 use crate::error::Result;
 use crate::fft::torus::TorusLayout;
-use crate::influence::Kernel;
+use crate::influence::InfluenceKernel;
 use crate::memory::fallible;
 use crate::parallel::ranks::partition::RowPartition;
 use crate::parallel::{self, Blocks};
@@ -26,18 +26,18 @@ pub(super) struct StridedLines<'a> {
 /// # Errors
 /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
 pub(super) fn transform(
-    kernel: &Kernel,
+    kernel: &InfluenceKernel,
     frame: &TorusLayout,
     sign: f64,
     lines: StridedLines<'_>,
 ) -> Result<()> {
     match kernel {
-        Kernel::Table(table) | Kernel::Rows(table) => {
+        InfluenceKernel::Table(table) | InfluenceKernel::Rows(table) => {
             let is_odd = table.component().is_odd();
             let row = |j: usize, samples: &mut [f64]| table.write_row(j, samples);
             of_samples(is_odd, frame, table.share(), sign, lines, row)
         }
-        Kernel::Symbols(symbols) => {
+        InfluenceKernel::Symbols(symbols) => {
             let StridedLines {
                 values,
                 stride,

@@ -11,7 +11,7 @@ use crate::fft::plan::zero;
 use crate::fft::precision::Real;
 use crate::fft::spectrum::{StridedLines, transform};
 use crate::fft::torus::TorusLayout;
-use crate::influence::Kernel;
+use crate::influence::InfluenceKernel;
 use crate::memory::fallible;
 use crate::parallel;
 
@@ -28,12 +28,12 @@ pub(super) struct Symbol<T, const N: usize> {
     values: Vec<T>,
     /// First local column.
     first: usize,
-    shape: Shape<N>,
+    shape: SymbolShape<N>,
     frame: TorusLayout,
 }
 
 #[derive(Debug, Clone, Copy)]
-struct Shape<const N: usize> {
+struct SymbolShape<const N: usize> {
     /// Number of values of an entry in a column.
     height: usize,
     parity: Parity<N>,
@@ -71,12 +71,12 @@ impl<const N: usize> Parity<N> {
     }
 }
 
-impl<const N: usize> Shape<N> {
+impl<const N: usize> SymbolShape<N> {
     /// Number of entries of the upper triangle.
     const ENTRIES: usize = N * (N + 1) / 2;
 
-    fn new(height: usize, kernels: [[&Kernel; N]; N]) -> Self {
-        let is_odd = kernels.map(|row| row.map(Kernel::is_odd));
+    fn new(height: usize, kernels: [[&InfluenceKernel; N]; N]) -> Self {
+        let is_odd = kernels.map(|row| row.map(InfluenceKernel::is_odd));
         let parity = Parity::new(is_odd);
         Self { height, parity }
     }
@@ -105,8 +105,8 @@ impl<const N: usize> Symbol<f64, N> {
     ///
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
-    pub(super) fn new(frame: &TorusLayout, kernels: [[&Kernel; N]; N]) -> Result<Self> {
-        let shape = Shape::new(frame.torus[1] / 2 + 1, kernels);
+    pub(super) fn new(frame: &TorusLayout, kernels: [[&InfluenceKernel; N]; N]) -> Result<Self> {
+        let shape = SymbolShape::new(frame.torus[1] / 2 + 1, kernels);
         let columns = frame.own_columns();
         let values = frame.run_collectively(|| {
             let mut values = fallible::zeros(columns.len() * shape.stride())?;
@@ -139,7 +139,7 @@ impl<const N: usize> Symbol<f64, N> {
         let wider = |[low, high]: [f64; 2], [least, greatest]: [f64; 2]| {
             [low.min(least), high.max(greatest)]
         };
-        let Shape { height, .. } = self.shape;
+        let SymbolShape { height, .. } = self.shape;
         let matrix = |wave: usize| {
             let column = &self.values[wave / height * self.shape.stride()..];
             self.shape.matrix(column, wave % height)
@@ -151,7 +151,7 @@ impl<const N: usize> Symbol<f64, N> {
                 .map(|wave| eigenvalue_range(matrix(wave)))
                 .fold(none, wider)
         };
-        let own = parallel::fold(self.values.len() / Shape::<N>::ENTRIES, leaf, wider);
+        let own = parallel::fold(self.values.len() / SymbolShape::<N>::ENTRIES, leaf, wider);
         self.frame.over_ranks(own, wider)
     }
 
@@ -247,13 +247,17 @@ impl<const N: usize> Symbol<f64, N> {
 impl Symbol<f64, 3> {
     /// Returns the strongest [coupling] of the first component with the others over all waves for which it is defined.
     pub(super) fn coupling(&self) -> f64 {
-        let Shape { height, .. } = self.shape;
+        let SymbolShape { height, .. } = self.shape;
         let of_wave = |wave: usize| {
             let column = &self.values[wave / height * self.shape.stride()..];
             coupling(self.shape.matrix(column, wave % height))
         };
         let leaf = |waves: Range<usize>| waves.map(of_wave).fold(0.0, f64::max);
-        let own = parallel::fold(self.values.len() / Shape::<3>::ENTRIES, leaf, f64::max);
+        let own = parallel::fold(
+            self.values.len() / SymbolShape::<3>::ENTRIES,
+            leaf,
+            f64::max,
+        );
         self.frame.over_ranks(own, f64::max)
     }
 }

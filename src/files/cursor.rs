@@ -83,7 +83,7 @@ pub(crate) enum ByteOrder {
 
 /// Storage type of a sample.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) enum Number {
+pub(crate) enum NumberFormat {
     I8,
     I16,
     I32,
@@ -96,7 +96,7 @@ pub(crate) enum Number {
     F64,
 }
 
-impl Number {
+impl NumberFormat {
     /// Returns the number of bytes per number.
     pub(crate) fn size(self) -> usize {
         match self {

@@ -8,7 +8,7 @@ use std::path::Path;
 use crate::error::{Error, Place, Result, positive};
 use crate::grid::Grid;
 
-pub(crate) use cursor::{ByteOrder, Cursor, Number};
+pub(crate) use cursor::{ByteOrder, Cursor, NumberFormat};
 pub(crate) use whole_file::{PartialFile, replace, replace_bytes};
 
 /// Name of a format, as used in its errors.

@@ -8,7 +8,7 @@ use crate::fft::samples;
 use crate::grid::Grid;
 use crate::grid::coarsening::{REACH, coarsened, halved, refined, refined_zone};
 use crate::grid::field::Field;
-use crate::half_space::coefficients::Kernels;
+use crate::half_space::coefficients::CellKernels;
 use crate::half_space::{HalfSpace, Shared};
 use crate::influence::KernelCorrection;
 use crate::parallel::get_or_make;
@@ -49,7 +49,7 @@ impl HalfSpace {
             };
             let dealt = (self.team().cloned(), share);
             let made = (samples, added);
-            let kernels = Kernels::new(grid, self.kernel(), boundary, cell_value, made);
+            let kernels = CellKernels::new(grid, self.kernel(), boundary, cell_value, made);
             Ok(Self::of_kernels(kernels, dealt))
         })
     }

@@ -9,12 +9,12 @@ use crate::error::Result;
 use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::grid::cell_value::CellValue;
-use crate::influence::{Kernel, KernelCorrection, Samples, Symbols};
+use crate::influence::{InfluenceKernel, KernelCorrection, Samples, Symbols};
 use crate::parallel::get_or_make;
 
 /// Kernels of bodies on cells of one size, each created at its first use.
 #[derive(Debug)]
-pub(super) struct Kernels {
+pub(super) struct CellKernels {
     grid: Grid,
     bodies: kernel::Kernel,
     boundary: Boundary,
@@ -23,10 +23,10 @@ pub(super) struct Kernels {
     samples: Option<Arc<Samples>>,
     /// Contribution of coated bodies in addition to their outermost layers, or a kernel that replaces the half-space.
     added: Option<Arc<KernelCorrection>>,
-    made: [OnceLock<Kernel>; Component::ALL.len()],
+    made: [OnceLock<InfluenceKernel>; Component::ALL.len()],
 }
 
-impl Kernels {
+impl CellKernels {
     pub(super) fn new(
         grid: Grid,
         bodies: &kernel::Kernel,
@@ -82,7 +82,7 @@ impl Kernels {
     pub(super) fn of<const N: usize>(
         &self,
         components: [[Component; N]; N],
-    ) -> Result<[[&Kernel; N]; N]> {
+    ) -> Result<[[&InfluenceKernel; N]; N]> {
         let mut kernels = [[self.kernel(components[0][0])?; N]; N];
         for (row, components) in kernels.iter_mut().zip(components) {
             for (kernel, component) in row.iter_mut().zip(components) {
@@ -92,16 +92,18 @@ impl Kernels {
         Ok(kernels)
     }
 
-    fn kernel(&self, component: Component) -> Result<&Kernel> {
+    fn kernel(&self, component: Component) -> Result<&InfluenceKernel> {
         let (grid, bodies) = (self.grid, &self.bodies);
         get_or_make(&self.made[component as usize], || {
             let Some(samples) = &self.samples else {
-                return Ok(Kernel::Symbols(Symbols::new(grid, bodies, component)));
+                return Ok(InfluenceKernel::Symbols(Symbols::new(
+                    grid, bodies, component,
+                )));
             };
             let table = samples.table(grid, bodies.pair(), component)?;
             Ok(match self.boundary.repeats() {
-                [false, false] => Kernel::Table(table),
-                _ => Kernel::Rows(table),
+                [false, false] => InfluenceKernel::Table(table),
+                _ => InfluenceKernel::Rows(table),
             })
         })
     }

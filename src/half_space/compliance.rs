@@ -9,7 +9,7 @@ use crate::fft::{CirculantInverse, Convolution, UniformWave};
 use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::half_space::{ElasticOperator, ElasticPreconditioner, HalfSpace};
-use crate::influence::{Kernel, least_of_lattice};
+use crate::influence::{InfluenceKernel, least_of_lattice};
 use crate::memory::fallible;
 use crate::memory::pool::Pool;
 use crate::operator::Operator;
@@ -240,7 +240,12 @@ impl HalfSpace {
         &self,
         components: [[Component; N]; N],
         size: [usize; 2],
-        make: impl FnOnce([usize; 2], Option<Arc<RowPartition>>, [[&Kernel; N]; N]) -> Result<T> + Send,
+        make: impl FnOnce(
+            [usize; 2],
+            Option<Arc<RowPartition>>,
+            [[&InfluenceKernel; N]; N],
+        ) -> Result<T>
+        + Send,
     ) -> Result<Arc<T>> {
         let size = self.cut(size);
         let is_kept = size == self.size();

@@ -19,13 +19,13 @@ use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::grid::cell_value::CellValue;
 use crate::grid::window::Window;
-use crate::influence::{Kernel, KernelCorrection};
+use crate::influence::{InfluenceKernel, KernelCorrection};
 use crate::parallel::ranks::RankGroup;
 use crate::parallel::ranks::partition::RowPartition;
 use crate::support::debug::shown;
 
 use cache::Cache;
-use coefficients::Kernels;
+use coefficients::CellKernels;
 pub(crate) use compliance::Compliance;
 use compliance::tensor;
 pub use operator::{ElasticOperator, ElasticPreconditioner};
@@ -66,7 +66,7 @@ shown!(HalfSpace: grid(), pair(), boundary(), cell_value());
 struct Shared {
     grid: Grid,
     /// Kernels that are kept, for small grids.
-    kernels: Kernels,
+    kernels: CellKernels,
     /// Ranks that share the grid, or that each store the whole grid and perform the same work.
     team: Option<Arc<RankGroup>>,
     /// Distribution of the grid over ranks, if any.
@@ -90,7 +90,7 @@ const _: () = {
 };
 
 impl HalfSpace {
-    /// Creates the bodies, an [`ElasticPair`] or a [`Kernel`](kernel::Kernel), on `grid` with the boundary
+    /// Creates the bodies, an [`ElasticPair`] or a [`kernel::Kernel`], on `grid` with the boundary
     /// [`Boundary::NonPeriodic`]. No operator is computed yet.
     ///
     /// # Errors
@@ -143,7 +143,7 @@ impl HalfSpace {
         let (cell_value, added) = (CellValue::default(), KernelCorrection::of(&bodies));
         let dealt = (None, added.as_ref());
         let samples = samples(grid, boundary, cell_value, grid.size(), dealt)?.map(Arc::new);
-        let kernels = Kernels::new(grid, &bodies, boundary, cell_value, (samples, added));
+        let kernels = CellKernels::new(grid, &bodies, boundary, cell_value, (samples, added));
         Ok(Self::of_kernels(kernels, (None, None)))
     }
 
@@ -199,12 +199,12 @@ impl HalfSpace {
             None => samples(grid, boundary, cell_value, grid.size(), (None, added))?.map(Arc::new),
         };
         let made = (samples, added.cloned());
-        let kernels = Kernels::new(grid, self.kernel(), boundary, cell_value, made);
+        let kernels = CellKernels::new(grid, self.kernel(), boundary, cell_value, made);
         Ok(Self::of_kernels(kernels, (team.clone(), share.clone())))
     }
 
     fn of_kernels(
-        kernels: Kernels,
+        kernels: CellKernels,
         (team, share): (Option<Arc<RankGroup>>, Option<Arc<RowPartition>>),
     ) -> Self {
         let grid = kernels.grid();
@@ -229,7 +229,7 @@ impl HalfSpace {
         self.shared.grid
     }
 
-    /// Returns the two bodies; for a [`Kernel`](kernel::Kernel), the [pair](kernel::Kernel::pair) that represents it.
+    /// Returns the two bodies; for a [`kernel::Kernel`], the [pair](kernel::Kernel::pair) that represents it.
     #[must_use]
     pub fn pair(&self) -> &ElasticPair {
         self.shared.kernels.pair()
@@ -342,7 +342,7 @@ impl HalfSpace {
         &self,
         components: [[Component; N]; N],
         size: [usize; 2],
-        make: impl FnOnce([[&Kernel; N]; N]) -> Result<T>,
+        make: impl FnOnce([[&InfluenceKernel; N]; N]) -> Result<T>,
     ) -> Result<T> {
         let Shared { grid, kernels, .. } = &*self.shared;
         let (boundary, cell_value) = (self.boundary(), self.cell_value());
@@ -357,7 +357,7 @@ impl HalfSpace {
                 self.collective_result(samples)?.map(Arc::new),
                 added.cloned(),
             );
-            let kernels = Kernels::new(grid, self.kernel(), boundary, cell_value, made);
+            let kernels = CellKernels::new(grid, self.kernel(), boundary, cell_value, made);
             make(self.collective_result(kernels.of(components))?)
         })
     }

@@ -10,7 +10,7 @@ use crate::grid::boundary::Boundary;
 use crate::grid::cell_value::CellValue;
 use crate::grid::field::Field;
 use crate::grid::window::Window;
-use crate::half_space::coefficients::Kernels;
+use crate::half_space::coefficients::CellKernels;
 use crate::half_space::{HalfSpace, check};
 use crate::influence::KernelCorrection;
 use crate::parallel::layout::Layout;
@@ -52,7 +52,7 @@ impl HalfSpace {
         )?;
         let dealt = (Some(team), Some(share));
         let made = (None, KernelCorrection::of(&bodies));
-        let kernels = Kernels::new(grid, &bodies, boundary, CellValue::default(), made);
+        let kernels = CellKernels::new(grid, &bodies, boundary, CellValue::default(), made);
         Ok(Self::of_kernels(kernels, dealt))
     }
 

@@ -96,7 +96,7 @@
 //! Rolled steps with [full coupling](crate::Coupling::Full) solve for pressure and traction together. Under constant
 //! load such a history converges to the solution of [`CoupledRollingProblem`](crate::rolling::CoupledRollingProblem).
 //! Rolled steps with [one-way coupling](crate::Coupling::OneWay) have the warning
-//! [`NeglectedLift`](crate::Warning::NeglectedLift).
+//! [`StepLift`](crate::Warning::NeglectedLift).
 //!
 //! For Carter's cylinder at 0.8 of the creepage of sliding, the force is within 2.1e-5 of $`\mu P`$ on 128 cells after
 //! 30 half-widths; without the entry compliance it is within 3e-3. The tractions on the cells of CONTACT, computed

@@ -5,7 +5,7 @@ use crate::influence::{Symbols, Table};
 
 /// One influence coefficient, in the form from which its spectrum is computed.
 #[derive(Debug)]
-pub(crate) enum Kernel {
+pub(crate) enum InfluenceKernel {
     /// Coefficient at every distance, for free surroundings.
     Table(Table),
     /// Coefficient at every distance up to half the period, for a grid that is periodic along y.
@@ -14,7 +14,7 @@ pub(crate) enum Kernel {
     Symbols(Symbols),
 }
 
-impl Kernel {
+impl InfluenceKernel {
     /// Returns whether the grid is periodic along x and along y.
     pub(crate) fn repeats(&self) -> [bool; 2] {
         match self {

@@ -74,7 +74,7 @@ mod symbols;
 mod table;
 
 pub use crate::bodies::component::{Component, Direction};
-pub(crate) use coefficient::Kernel;
+pub(crate) use coefficient::InfluenceKernel;
 pub(crate) use inhomogeneous::KernelCorrection;
 pub(crate) use lattice_bound::least_of_lattice;
 pub(crate) use layered::{LayerCorrection, slowest};

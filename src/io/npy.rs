@@ -14,7 +14,7 @@ use super::text::excerpt;
 use super::{Place, Sides, parse_file, write_bytes};
 use crate::error::Result;
 use crate::files::replace;
-use crate::files::{ByteOrder, Cursor, Number};
+use crate::files::{ByteOrder, Cursor, NumberFormat};
 use crate::files::{Format, in_file, refused};
 use crate::grid::Grid;
 use crate::grid::field::Field;
@@ -58,7 +58,7 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 /// ```
 pub fn parse(bytes: &[u8], sides: impl Into<Sides>) -> Result<Field> {
     let sides = sides.into().checked()?;
-    let array = Array::parse(bytes, bytes.len() as u64)?;
+    let array = ArrayHeader::parse(bytes, bytes.len() as u64)?;
     let samples = array.samples(array.shape[0], &bytes[array.start..]);
     Field::from_vec(array.grid(sides)?, samples)
 }
@@ -102,12 +102,12 @@ pub(crate) fn read_slab(path: &Path, slab: Grid) -> Result<Field> {
 }
 
 /// Opens a file and parses its header.
-fn open(path: &Path) -> Result<(File, Array)> {
+fn open(path: &Path) -> Result<(File, ArrayHeader)> {
     let refuse = |error: std::io::Error| refused(path, &error);
     let file = File::open(path).map_err(refuse)?;
     let length = file.metadata().map_err(refuse)?.len();
     let head = head(&file).map_err(refuse)?;
-    let array = Array::parse(&head, length).map_err(|error| in_file(path, error))?;
+    let array = ArrayHeader::parse(&head, length).map_err(|error| in_file(path, error))?;
     Ok((file, array))
 }
 
@@ -176,8 +176,8 @@ fn header(grid: Grid) -> Vec<u8> {
 
 /// Storage format and position of the array in a file.
 #[derive(Debug)]
-struct Array {
-    number: Number,
+struct ArrayHeader {
+    number: NumberFormat,
     order: ByteOrder,
     is_fortran: bool,
     /// Numbers of rows and columns.
@@ -188,7 +188,7 @@ struct Array {
     start: usize,
 }
 
-impl Array {
+impl ArrayHeader {
     /// Parses the bytes before the samples; `length` is the number of bytes of the whole file.
     fn parse(bytes: &[u8], length: u64) -> Result<Self> {
         let mut bytes = Cursor::new(FORMAT, bytes);
@@ -301,23 +301,23 @@ impl Array {
 }
 
 /// Returns the number type and byte order of a quoted code such as `'<f8'`.
-fn number(descr: &str) -> Option<(Number, ByteOrder)> {
+fn number(descr: &str) -> Option<(NumberFormat, ByteOrder)> {
     let (code, _) = descr.strip_prefix('\'')?.split_once('\'')?;
     let (order, kind) = match code.strip_prefix('>') {
         Some(kind) => (ByteOrder::GreatestFirst, kind),
         None => (ByteOrder::LeastFirst, code.strip_prefix(['<', '|'])?),
     };
     let number = match kind {
-        "i1" => Number::I8,
-        "i2" => Number::I16,
-        "i4" => Number::I32,
-        "i8" => Number::I64,
-        "u1" => Number::U8,
-        "u2" => Number::U16,
-        "u4" => Number::U32,
-        "u8" => Number::U64,
-        "f4" => Number::F32,
-        "f8" => Number::F64,
+        "i1" => NumberFormat::I8,
+        "i2" => NumberFormat::I16,
+        "i4" => NumberFormat::I32,
+        "i8" => NumberFormat::I64,
+        "u1" => NumberFormat::U8,
+        "u2" => NumberFormat::U16,
+        "u4" => NumberFormat::U32,
+        "u8" => NumberFormat::U64,
+        "f4" => NumberFormat::F32,
+        "f8" => NumberFormat::F64,
         _ => return None,
     };
     Some((number, order))

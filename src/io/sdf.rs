@@ -11,7 +11,7 @@ use super::text::{Separator, excerpt, lines};
 use super::{Place, parse_file, write_bytes};
 use crate::error::Result;
 use crate::files::Format;
-use crate::files::{ByteOrder, Cursor, Number};
+use crate::files::{ByteOrder, Cursor, NumberFormat};
 use crate::grid::Grid;
 use crate::grid::field::Field;
 
@@ -139,10 +139,10 @@ fn parse_binary(bytes: &[u8]) -> Result<Field> {
     let flags = bytes.position();
     let [compression, data_type, check_type] = bytes.array("the three flags")?;
     let (number, missing) = match data_type {
-        3 => (Number::F32, f64::from(f32::MIN)),
-        5 => (Number::I16, f64::from(i16::MIN)),
-        6 => (Number::I32, f64::from(i32::MIN)),
-        7 => (Number::F64, f64::MIN),
+        3 => (NumberFormat::F32, f64::from(f32::MIN)),
+        5 => (NumberFormat::I16, f64::from(i16::MIN)),
+        6 => (NumberFormat::I32, f64::from(i32::MIN)),
+        7 => (NumberFormat::F64, f64::MIN),
         _ => {
             return Err(FORMAT.at_byte(
                 flags + 1,

@@ -12,7 +12,7 @@ use super::text::excerpt;
 use super::{Place, parse_file};
 use crate::error::Result;
 use crate::files::Format;
-use crate::files::{ByteOrder, Cursor, Number};
+use crate::files::{ByteOrder, Cursor, NumberFormat};
 use crate::grid::field::Field;
 
 const FORMAT: Format = Format("SUR");
@@ -105,7 +105,11 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     bytes.take("the comment", comment.into())?;
     bytes.take("the private zone", private.into())?;
 
-    let number = if bits == 16 { Number::I16 } else { Number::I32 };
+    let number = if bits == 16 {
+        NumberFormat::I16
+    } else {
+        NumberFormat::I32
+    };
     let stored = bytes.take("the samples", grid.cells() * number.size())?;
     let mut samples = number.decode(ByteOrder::LeastFirst, stored);
     let missing = f64::from(least) - 2.0;

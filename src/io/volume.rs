@@ -16,7 +16,7 @@ use crate::grid::Grid;
 
 /// Points of a volume: the cell centres of a grid in equally spaced planes.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct Shape {
+pub(crate) struct VolumeShape {
     pub(crate) grid: Grid,
     /// Coordinate z of the lowest plane (a length).
     pub(crate) first: f64,
@@ -60,7 +60,7 @@ impl PlaneValues<'_> {
 /// existing file remains unchanged.
 pub(crate) fn write(
     path: &Path,
-    shape: &Shape,
+    shape: &VolumeShape,
     arrays: &[Array],
     fill: impl FnOnce(&mut PlaneValues<'_>) -> Result<()>,
 ) -> Result<()> {
@@ -83,8 +83,8 @@ pub(crate) fn write(
 
 impl PlaneValues<'_> {
     /// Writes everything except the values, and returns the position of their end.
-    fn begin(&mut self, shape: &Shape, arrays: &[Array]) -> Result<u64> {
-        let Shape {
+    fn begin(&mut self, shape: &VolumeShape, arrays: &[Array]) -> Result<u64> {
+        let VolumeShape {
             grid,
             first,
             step,

@@ -38,7 +38,7 @@
 //! # Bodies of different materials
 //!
 //! Tractions lift the surfaces of such bodies, and the pressure changes. A [`RollingProblem`] requires a given pressure, which
-//! ignores the lift; its solution then has the warning [`NeglectedLift`](crate::Warning::NeglectedLift). A
+//! ignores the lift; its solution then has the warning [`SteadyLift`](crate::Warning::NeglectedLift). A
 //! [`CoupledRollingProblem`] alternates between two solves: for the pressure over the lifted gap, and for the tractions under
 //! this pressure. The passes were a contraction in all measured contacts. The table is for a sphere on a rigid plane ($`\nu`$ of
 //! 0.45, 0.25 and 0), 24 cells over 2.6 contact radii, longitudinal creepage 0.05, spin 0.1 and a tolerance of 1e-9:

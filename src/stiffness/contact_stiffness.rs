@@ -16,7 +16,7 @@ use crate::stiffness::normal::press;
 use crate::stiffness::system::times;
 use crate::stiffness::tangential::{LastStep, ShearedContact};
 use crate::stiffness::workspace::LinearSolveContext;
-use crate::stiffness::workspace::{Buffers, StiffnessWorkspace};
+use crate::stiffness::workspace::{StiffnessWorkspace, SystemBuffers};
 use crate::tangential::{Axis, Friction, TangentialSolution};
 
 /// Normal stiffness of a contact.
@@ -147,7 +147,7 @@ impl NormalSolution {
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<NormalStiffness> {
         let mut workspace = StiffnessWorkspace::new();
-        let (mut course, Buffers { normal, growth, .. }) = workspace.begin(&mut observer);
+        let (mut course, SystemBuffers { normal, growth, .. }) = workspace.begin(&mut observer);
         let on = (bodies, None);
         bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
             press(on, self, None, normal, &mut course, growth)
@@ -267,11 +267,11 @@ impl ContactStiffness {
         pressed: &NormalContact<'_>,
         sheared: &ShearedContact<'_>,
         axis: Option<Axis>,
-        buffers: &mut Buffers,
+        buffers: &mut SystemBuffers,
         course: &mut LinearSolveContext<'_>,
     ) -> Result<Self> {
         let (contact, on) = (pressed.normal, (bodies, pressed.window));
-        let Buffers { normal, growth, .. } = &mut *buffers;
+        let SystemBuffers { normal, growth, .. } = &mut *buffers;
         let normal = press(on, contact, pressed.hardness, normal, course, growth)?;
         let (tangential, by_approach) =
             sheared.stiffness(bodies, axis, Some(pressed), buffers, course)?;

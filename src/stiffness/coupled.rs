@@ -20,7 +20,7 @@ use crate::report::Iteration;
 use crate::stiffness::contact_stiffness::{window_of, without_contact};
 use crate::stiffness::motions::kinds;
 use crate::stiffness::workspace::LinearSolveContext;
-use crate::stiffness::workspace::{Buffers, get_or_create};
+use crate::stiffness::workspace::{SystemBuffers, get_or_create};
 use crate::stiffness::{
     ContactStiffness, NormalStiffness, StiffnessWorkspace, TangentialStiffness,
 };
@@ -100,7 +100,7 @@ impl Coupled<'_> {
         observer: Observer<'_>,
     ) -> Result<ContactStiffness> {
         workspace.check_alike(bodies)?;
-        let (mut course, Buffers { joint, .. }) = workspace.begin(observer);
+        let (mut course, SystemBuffers { joint, .. }) = workspace.begin(observer);
         let pressure = self.pressure.as_slice();
         let Some(window) = bodies.around(|i| pressure[i] > 0.0) else {
             return Ok(ContactStiffness::without_contact(

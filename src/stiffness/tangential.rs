@@ -14,7 +14,7 @@ use crate::stiffness::contact_stiffness::{
 use crate::stiffness::motions::Motions;
 use crate::stiffness::system::{CellMotions, Stiffness, System};
 use crate::stiffness::workspace::LinearSolveContext;
-use crate::stiffness::workspace::{Buffers, SystemOf};
+use crate::stiffness::workspace::{SystemBuffers, SystemOf};
 use crate::tangential::{Axis, CouplingDisplacement, Zone, centre};
 
 /// Friction set of `N` traction components.
@@ -282,14 +282,14 @@ impl ShearedContact<'_> {
         bodies: &HalfSpace,
         axis: Option<Axis>,
         pressed: Option<&NormalContact<'_>>,
-        buffers: &mut Buffers,
+        buffers: &mut SystemBuffers,
         course: &mut LinearSolveContext<'_>,
     ) -> Result<FoundStiffness> {
         let Some(window) = bodies.around(|i| self.zones[i] != Zone::Separated) else {
             return Ok(without_contact(axis, bodies.boundary(), course));
         };
         let region = Region::new(bodies, window_of(bodies, self.window, window));
-        let Buffers {
+        let SystemBuffers {
             growth,
             along,
             plane,

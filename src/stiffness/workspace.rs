@@ -49,12 +49,12 @@ pub struct StiffnessWorkspace {
     has_reversal: bool,
     is_of_next_step: bool,
     report: Report,
-    buffers: Buffers,
+    buffers: SystemBuffers,
 }
 
 /// Buffers of each kind of contact, created with its first stiffness.
 #[derive(Debug, Default)]
-pub(super) struct Buffers {
+pub(super) struct SystemBuffers {
     pub(super) normal: Option<SystemOf<Interval, 1>>,
     pub(super) along: Option<SystemOf<Interval, 1>>,
     pub(super) plane: Option<SystemOf<Disc, 2>>,
@@ -70,7 +70,7 @@ impl Default for StiffnessWorkspace {
             has_reversal: true,
             is_of_next_step: false,
             report: Report::unsolved(),
-            buffers: Buffers::default(),
+            buffers: SystemBuffers::default(),
         }
     }
 }
@@ -159,7 +159,7 @@ impl StiffnessWorkspace {
     pub(super) fn begin<'a>(
         &'a mut self,
         observer: Observer<'a>,
-    ) -> (LinearSolveContext<'a>, &'a mut Buffers) {
+    ) -> (LinearSolveContext<'a>, &'a mut SystemBuffers) {
         self.report.clear();
         let course = LinearSolveContext {
             tolerance: self.tolerance,

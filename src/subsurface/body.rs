@@ -2,7 +2,7 @@
 
 use crate::bodies::material::{ElasticPair, Material};
 use crate::error::{Error, Result};
-use crate::subsurface::kernel::{Component, Load};
+use crate::subsurface::kernel::{FieldComponent, Load};
 
 /// One of the two bodies of a contact.
 ///
@@ -128,7 +128,7 @@ impl Constants {
     }
 
     /// Returns the factor that converts a component composed of the integrals to the component of the body.
-    pub(super) fn factor_out(&self, component: Component) -> f64 {
+    pub(super) fn factor_out(&self, component: FieldComponent) -> f64 {
         let sign = if self.is_second && component.is_odd_in_z() {
             -1.0
         } else {

@@ -9,7 +9,9 @@ use crate::half_space::HalfSpace;
 use crate::memory::fallible;
 use crate::subsurface::body::Constants;
 use crate::subsurface::distances::{Distances, depth_in};
-use crate::subsurface::kernel::{Component, Integral, Load, LoadedRectangle, Weights};
+use crate::subsurface::kernel::{
+    FieldComponent, Load, LoadedRectangle, PotentialIntegral, Weights,
+};
 use crate::subsurface::points::PointResult;
 use crate::subsurface::stress::Stress;
 use crate::subsurface::strip::Strips;
@@ -66,27 +68,27 @@ impl<'a> Loaded<'a> {
             constants.factor_out(component) * sum
         };
         Ok(PointResult {
-            displacement: [Component::Ux, Component::Uy, Component::Uz].map(of),
+            displacement: [FieldComponent::Ux, FieldComponent::Uy, FieldComponent::Uz].map(of),
             stress: Stress {
-                xx: of(Component::Sxx),
-                yy: of(Component::Syy),
-                zz: of(Component::Szz),
-                xy: of(Component::Sxy),
-                xz: of(Component::Sxz),
-                yz: of(Component::Syz),
+                xx: of(FieldComponent::Sxx),
+                yy: of(FieldComponent::Syy),
+                zz: of(FieldComponent::Szz),
+                xy: of(FieldComponent::Sxy),
+                xz: of(FieldComponent::Sxz),
+                yz: of(FieldComponent::Syz),
             },
         })
     }
 
     /// Returns the sums of the integrals of all cells times their tractions, row by row.
-    fn sums(&self, [x, y, z]: [f64; 3]) -> Result<[[f64; Integral::COUNT]; 3]> {
-        let mut sums = [[0.0; Integral::COUNT]; 3];
+    fn sums(&self, [x, y, z]: [f64; 3]) -> Result<[[f64; PotentialIntegral::COUNT]; 3]> {
+        let mut sums = [[0.0; PotentialIntegral::COUNT]; 3];
         let nx = self.grid.nx();
         let along_x = Distances::new(x, nx, self.grid.dx(), false);
         let is_round = self.strips.is_some();
         let along_y = Distances::new(y, self.grid.ny(), self.grid.dy(), is_round);
         let mut xs = fallible::with_room(nx)?;
-        let mut values = fallible::zeros(Integral::COUNT * nx)?;
+        let mut values = fallible::zeros(PotentialIntegral::COUNT * nx)?;
         for (iy, columns) in &self.rows {
             xs.clear();
             xs.extend(columns.clone().map(|ix| along_x.to(ix)));

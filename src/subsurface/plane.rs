@@ -5,7 +5,7 @@ use crate::grid::Grid;
 use crate::grid::field::{Field, clone_in_place};
 use crate::memory::fallible::{try_clone, try_each};
 use crate::subsurface::body::Body;
-use crate::subsurface::kernel::Component;
+use crate::subsurface::kernel::FieldComponent;
 use crate::subsurface::stress::Stress;
 use crate::support::debug::shown;
 use crate::warning::Warning;
@@ -54,11 +54,20 @@ clone_in_place!(Plane {
 try_clone!(Plane { normal, shear, displacement } { body, depth, is_at_edge });
 
 /// Components in the order of the fields.
-pub(super) const STRESSES: [[Component; 3]; 2] = [
-    [Component::Sxx, Component::Syy, Component::Szz],
-    [Component::Sxy, Component::Sxz, Component::Syz],
+pub(super) const STRESSES: [[FieldComponent; 3]; 2] = [
+    [
+        FieldComponent::Sxx,
+        FieldComponent::Syy,
+        FieldComponent::Szz,
+    ],
+    [
+        FieldComponent::Sxy,
+        FieldComponent::Sxz,
+        FieldComponent::Syz,
+    ],
 ];
-pub(super) const DISPLACEMENTS: [Component; 3] = [Component::Ux, Component::Uy, Component::Uz];
+pub(super) const DISPLACEMENTS: [FieldComponent; 3] =
+    [FieldComponent::Ux, FieldComponent::Uy, FieldComponent::Uz];
 
 impl Plane {
     pub(super) fn new(grid: Grid, body: Body, with_displacements: bool) -> Result<Self> {

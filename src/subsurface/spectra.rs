@@ -12,7 +12,9 @@ use crate::memory::fallible;
 use crate::observer::WorkObserver;
 use crate::parallel::{self, Blocks};
 use crate::subsurface::distances::depth_in;
-use crate::subsurface::kernel::{Component, Integral, Load, LoadedRectangle, Weights};
+use crate::subsurface::kernel::{
+    FieldComponent, Load, LoadedRectangle, PotentialIntegral, Weights,
+};
 use crate::subsurface::layered::{Layered, StressEntry};
 use crate::subsurface::strip::Strips;
 
@@ -33,14 +35,14 @@ pub(super) struct Spectra {
 #[derive(Debug)]
 enum SpectrumValues {
     /// Integrals. They depend on the cells but not on the materials, so homogeneous bodies share them.
-    Integrals([Vec<f64>; Integral::COUNT]),
+    Integrals([Vec<f64>; PotentialIntegral::COUNT]),
     /// Components in a coated body under each traction, and Poisson's ratio at the depth.
     Layered([Vec<f64>; StressEntry::COUNT], f64),
 }
 
 /// Memory of the integrals during their computation, per sampled distance: all integrals, and the rows and the spectrum
 /// of one integral.
-const BYTES: usize = (Integral::COUNT + 2) * size_of::<f64>();
+const BYTES: usize = (PotentialIntegral::COUNT + 2) * size_of::<f64>();
 /// Memory of the components of a coated body during their computation, per sampled distance.
 const LAYERED_BYTES: usize = (StressEntry::COUNT + 2) * size_of::<f64>();
 
@@ -63,17 +65,17 @@ impl Spectra {
                 grid,
                 torus,
                 |k| symbols(k, z),
-                |n| Integral::ALL[n].is_odd(),
+                |n| PotentialIntegral::ALL[n].is_odd(),
             ),
             _ => samples(grid, boundary, torus, z),
         })?;
-        let keeps = |n: usize| with_displacements || !Integral::ALL[n].is_length();
+        let keeps = |n: usize| with_displacements || !PotentialIntegral::ALL[n].is_length();
         transform(
             &mut values,
             boundary,
             torus,
             keeps,
-            |n| Integral::ALL[n].is_odd(),
+            |n| PotentialIntegral::ALL[n].is_odd(),
             watch,
         )?;
         Ok(Self::of(
@@ -131,7 +133,7 @@ impl Spectra {
     /// Returns the kernels of three components.
     pub(super) fn compose(
         &self,
-        components: [Component; 3],
+        components: [FieldComponent; 3],
         poisson_ratio: f64,
     ) -> ComposedSpectra<'_> {
         let weights = Weights::new(poisson_ratio, self.z);
@@ -171,7 +173,7 @@ fn samples(
     boundary: Boundary,
     torus: &Torus,
     depth: f64,
-) -> Result<[Vec<f64>; Integral::COUNT]> {
+) -> Result<[Vec<f64>; PotentialIntegral::COUNT]> {
     let ([width, _], own) = (torus.quarter(), torus.own_distances());
     let (dx, dy) = (grid.dx(), grid.dy());
     let cell = LoadedRectangle::new(0.5 * dx, 0.5 * dy);
@@ -182,7 +184,7 @@ fn samples(
         width,
     });
     let strips = Strips::new(grid, boundary);
-    let work = |row: usize, rows: [Blocks<'_, f64>; Integral::COUNT]| {
+    let work = |row: usize, rows: [Blocks<'_, f64>; PotentialIntegral::COUNT]| {
         let mut out = rows.map(|row| row.items);
         let y = (own.start + row) as f64 * dy;
         match &strips {
@@ -239,32 +241,32 @@ fn waves<const N: usize>(
 /// The harmonic potentials are `V = 2 pi exp(-kz)/k`, `L = -V/k` and `W = V/k^2`, because each is the z derivative of
 /// the next. `T` follows from the stresses of an incompressible body: `T_ijz = z V_ij - V_z` on the diagonal,
 /// `T_xyz = z V_xy`, `T_xzz = z V_xz`, `T_xxy = z L_xxy - W_xxy - V_y`, and `T_iik = -3 V_k`.
-fn symbols([x, y]: [f64; 2], z: f64) -> [f64; Integral::COUNT] {
+fn symbols([x, y]: [f64; 2], z: f64) -> [f64; PotentialIntegral::COUNT] {
     let k = x.hypot(y);
     let (x, y, kz) = (x / k, y / k, k * z);
     let decay = TAU * (-kz).exp();
-    let of = |integral: Integral| match integral {
-        Integral::V => 1.0 / k,
-        Integral::Lx => -x / k,
-        Integral::Ly => -y / k,
-        Integral::Wxx => -x * x / k,
-        Integral::Wxy => -x * y / k,
-        Integral::Lxx => x * x,
-        Integral::Lxy => x * y,
-        Integral::Wxxy => -x * x * y,
-        Integral::Wxyy => -x * y * y,
-        Integral::Txxx => x * (x * x * (1.0 + kz) - 3.0),
-        Integral::Txxy => y * (x * x * (1.0 + kz) - 1.0),
-        Integral::Txyy => x * (y * y * (1.0 + kz) - 1.0),
-        Integral::Tyyy => y * (y * y * (1.0 + kz) - 3.0),
-        Integral::Txxz => 1.0 - kz * x * x,
-        Integral::Txyz => -kz * x * y,
-        Integral::Tyyz => 1.0 - kz * y * y,
-        Integral::Txzz => -kz * x,
-        Integral::Tyzz => -kz * y,
-        Integral::Tzzz => 1.0 + kz,
+    let of = |integral: PotentialIntegral| match integral {
+        PotentialIntegral::V => 1.0 / k,
+        PotentialIntegral::Lx => -x / k,
+        PotentialIntegral::Ly => -y / k,
+        PotentialIntegral::Wxx => -x * x / k,
+        PotentialIntegral::Wxy => -x * y / k,
+        PotentialIntegral::Lxx => x * x,
+        PotentialIntegral::Lxy => x * y,
+        PotentialIntegral::Wxxy => -x * x * y,
+        PotentialIntegral::Wxyy => -x * y * y,
+        PotentialIntegral::Txxx => x * (x * x * (1.0 + kz) - 3.0),
+        PotentialIntegral::Txxy => y * (x * x * (1.0 + kz) - 1.0),
+        PotentialIntegral::Txyy => x * (y * y * (1.0 + kz) - 1.0),
+        PotentialIntegral::Tyyy => y * (y * y * (1.0 + kz) - 3.0),
+        PotentialIntegral::Txxz => 1.0 - kz * x * x,
+        PotentialIntegral::Txyz => -kz * x * y,
+        PotentialIntegral::Tyyz => 1.0 - kz * y * y,
+        PotentialIntegral::Txzz => -kz * x,
+        PotentialIntegral::Tyzz => -kz * y,
+        PotentialIntegral::Tzzz => 1.0 + kz,
     };
-    Integral::ALL.map(|integral| decay * of(integral))
+    PotentialIntegral::ALL.map(|integral| decay * of(integral))
 }
 
 /// Kernels of three components under each traction; for a homogeneous body they are sums of the integrals.
@@ -272,23 +274,23 @@ fn symbols([x, y]: [f64; 2], z: f64) -> [f64; Integral::COUNT] {
 pub(super) struct ComposedSpectra<'a> {
     spectra: &'a Spectra,
     weights: Weights,
-    components: [Component; 3],
+    components: [FieldComponent; 3],
     poisson_ratio: f64,
 }
 
 impl ComposedSpectra<'_> {
     /// Returns the response to a unit mean traction on a grid that is periodic along both axes. It consists of the
     /// stresses of a body without lateral strain; the displacement is zero.
-    fn mean(&self, component: Component, load: Load) -> f64 {
+    fn mean(&self, component: FieldComponent, load: Load) -> f64 {
         let nu = match self.spectra.values {
             SpectrumValues::Integrals(_) => self.poisson_ratio,
             SpectrumValues::Layered(_, nu) => nu,
         };
         match (component, load) {
-            (Component::Szz, Load::P) | (Component::Sxz, Load::Qx) | (Component::Syz, Load::Qy) => {
-                -1.0
-            }
-            (Component::Sxx | Component::Syy, Load::P) => -nu / (1.0 - nu),
+            (FieldComponent::Szz, Load::P)
+            | (FieldComponent::Sxz, Load::Qx)
+            | (FieldComponent::Syz, Load::Qy) => -1.0,
+            (FieldComponent::Sxx | FieldComponent::Syy, Load::P) => -nu / (1.0 - nu),
             _ => 0.0,
         }
     }

@@ -5,7 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::influence::periodic_images::{FAR, pieces};
-use crate::subsurface::kernel::{Integral, LoadedRectangle};
+use crate::subsurface::kernel::{LoadedRectangle, PotentialIntegral};
 
 /// Rows of cells that are periodic along y. The cells near the point are summed individually, the others as a
 /// uniform strip (see [`periodic_images`](crate::influence::periodic_images)).
@@ -44,11 +44,11 @@ impl Strips {
         &self,
         cell: &LoadedRectangle,
         [x, y, z]: [f64; 3],
-    ) -> [f64; Integral::COUNT] {
-        let mut values = [0.0; Integral::COUNT];
+    ) -> [f64; PotentialIntegral::COUNT] {
+        let mut values = [0.0; PotentialIntegral::COUNT];
         let mut out = values.each_mut().map(std::slice::from_mut);
         self.integrals_along_row(cell, &[x.abs()], [y.abs(), z], &mut out);
-        for (value, integral) in values.iter_mut().zip(Integral::ALL) {
+        for (value, integral) in values.iter_mut().zip(PotentialIntegral::ALL) {
             let [is_odd_x, is_odd_y] = integral.is_odd();
             if (is_odd_x && x < 0.0) != (is_odd_y && y < 0.0) {
                 *value = -*value;
@@ -64,7 +64,7 @@ impl Strips {
         cell: &LoadedRectangle,
         xs: &[f64],
         [y, z]: [f64; 2],
-        out: &mut [&mut [f64]; Integral::COUNT],
+        out: &mut [&mut [f64]; PotentialIntegral::COUNT],
     ) {
         let share = 2.0 * self.b / self.period;
         for (k, &x) in xs.iter().enumerate() {
@@ -77,7 +77,7 @@ impl Strips {
             return;
         }
         let near = xs.partition_point(|x| (x - self.a).max(0.0).hypot(z) < FAR * self.period);
-        let mut values = vec![0.0; Integral::COUNT * near];
+        let mut values = vec![0.0; PotentialIntegral::COUNT * near];
         for piece in pieces(self.b, self.period) {
             if near == 0 {
                 break;
@@ -100,7 +100,7 @@ impl Strips {
         }
         // At these y the images on both sides are symmetric, so odd integrals vanish.
         if y == 0.0 || 2.0 * y >= self.period {
-            for (out, integral) in out.iter_mut().zip(Integral::ALL) {
+            for (out, integral) in out.iter_mut().zip(PotentialIntegral::ALL) {
                 if integral.is_odd()[1] {
                     out.fill(0.0);
                 }
@@ -111,7 +111,7 @@ impl Strips {
     /// Returns the integrals over an infinitely long strip of half width `a` along y. They are the limits of
     /// the closed forms. `V` is relative to the datum, and a constant is omitted from `W_xx = -V`, as on the
     /// surface.
-    fn of_strip(&self, x: f64, z: f64) -> [f64; Integral::COUNT] {
+    fn of_strip(&self, x: f64, z: f64) -> [f64; PotentialIntegral::COUNT] {
         // Lengths are in units of the half width.
         let [x, z, datum] = [x, z, self.datum].map(|length| length / self.a);
         let (right, left) = (x + 1.0, x - 1.0);
@@ -134,26 +134,28 @@ impl Strips {
         }
         let [log_right, log_left] = squares.map(|square| (square / (datum * datum)).ln());
         let v = 4.0 - x * logarithms - (log_right + log_left) - 2.0 * z * arcs;
-        let of = |integral: Integral| match integral {
-            Integral::V => self.a * v,
-            Integral::Wxx => -self.a * v,
-            Integral::Lx => self.a * (2.0 * (x * arcs + arc_right + arc_left) - z * logarithms),
-            Integral::Lxx | Integral::Tyyz => 2.0 * arcs,
-            Integral::Txxx => 2.0 * (logarithms - zz),
-            Integral::Txyy => logarithms,
-            Integral::Txzz => 2.0 * zz,
-            Integral::Txxz => 2.0 * (arcs - zx),
-            Integral::Tzzz => 2.0 * (arcs + zx),
-            Integral::Ly
-            | Integral::Wxy
-            | Integral::Lxy
-            | Integral::Wxxy
-            | Integral::Wxyy
-            | Integral::Txxy
-            | Integral::Tyyy
-            | Integral::Txyz
-            | Integral::Tyzz => 0.0,
+        let of = |integral: PotentialIntegral| match integral {
+            PotentialIntegral::V => self.a * v,
+            PotentialIntegral::Wxx => -self.a * v,
+            PotentialIntegral::Lx => {
+                self.a * (2.0 * (x * arcs + arc_right + arc_left) - z * logarithms)
+            }
+            PotentialIntegral::Lxx | PotentialIntegral::Tyyz => 2.0 * arcs,
+            PotentialIntegral::Txxx => 2.0 * (logarithms - zz),
+            PotentialIntegral::Txyy => logarithms,
+            PotentialIntegral::Txzz => 2.0 * zz,
+            PotentialIntegral::Txxz => 2.0 * (arcs - zx),
+            PotentialIntegral::Tzzz => 2.0 * (arcs + zx),
+            PotentialIntegral::Ly
+            | PotentialIntegral::Wxy
+            | PotentialIntegral::Lxy
+            | PotentialIntegral::Wxxy
+            | PotentialIntegral::Wxyy
+            | PotentialIntegral::Txxy
+            | PotentialIntegral::Tyyy
+            | PotentialIntegral::Txyz
+            | PotentialIntegral::Tyzz => 0.0,
         };
-        Integral::ALL.map(of)
+        PotentialIntegral::ALL.map(of)
     }
 }

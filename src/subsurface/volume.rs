@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 use std::path::Path;
 
 use crate::error::{Error, Result, length};
-use crate::io::volume::{self, Array, Shape};
+use crate::io::volume::{self, Array, VolumeShape};
 use crate::observer::unwatched;
 use crate::report::Iteration;
 use crate::subsurface::body::Body;
@@ -85,7 +85,7 @@ impl Planes {
             Body::One => first,
             Body::Two => -depths[count - 1],
         };
-        let shape = Shape {
+        let shape = VolumeShape {
             grid: self.grid(),
             first: lowest,
             step,

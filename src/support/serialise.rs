@@ -11,37 +11,37 @@ use serde::ser::{Serialize, Serializer};
 
 /// Serialisation of a number, for `#[serde(with = "crate::support::serialise::number")]`.
 pub(crate) mod number {
-    use super::{Deserialize, Deserializer, Number, Serialize, Serializer};
+    use super::{Deserialize, Deserializer, NumberText, Serialize, Serializer};
 
     #[expect(
         clippy::trivially_copy_pass_by_ref,
         reason = "the signature that the derived code calls"
     )]
     pub(crate) fn serialize<S: Serializer>(value: &f64, serializer: S) -> Result<S::Ok, S::Error> {
-        Number(*value).serialize(serializer)
+        NumberText(*value).serialize(serializer)
     }
 
     pub(crate) fn deserialize<'de, D: Deserializer<'de>>(deserializer: D) -> Result<f64, D::Error> {
-        Number::deserialize(deserializer).map(|Number(value)| value)
+        NumberText::deserialize(deserializer).map(|NumberText(value)| value)
     }
 }
 
 /// Serialisation of a sequence of numbers, for `#[serde(with = "crate::support::serialise::numbers")]`.
 pub(crate) mod numbers {
-    use super::{Deserialize, Deserializer, Number, Serializer};
+    use super::{Deserialize, Deserializer, NumberText, Serializer};
 
     pub(crate) fn serialize<S: Serializer>(
         values: &[f64],
         serializer: S,
     ) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(values.iter().copied().map(Number))
+        serializer.collect_seq(values.iter().copied().map(NumberText))
     }
 
     pub(crate) fn deserialize<'de, D: Deserializer<'de>>(
         deserializer: D,
     ) -> Result<Vec<f64>, D::Error> {
         let numbers = Vec::deserialize(deserializer)?;
-        Ok(numbers.into_iter().map(|Number(value)| value).collect())
+        Ok(numbers.into_iter().map(|NumberText(value)| value).collect())
     }
 }
 
@@ -76,13 +76,13 @@ pub(crate) fn checked<T, E: Error, F: fmt::Display>(
 }
 
 /// Number in its serialised form.
-struct Number(f64);
+struct NumberText(f64);
 
 const NAN: &str = "NaN";
 const INFINITY: &str = "Infinity";
 const MINUS_INFINITY: &str = "-Infinity";
 
-impl Serialize for Number {
+impl Serialize for NumberText {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let Self(value) = *self;
         if value.is_finite() || !serializer.is_human_readable() {
@@ -99,7 +99,7 @@ impl Serialize for Number {
     }
 }
 
-impl<'de> Deserialize<'de> for Number {
+impl<'de> Deserialize<'de> for NumberText {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         if deserializer.is_human_readable() {
             deserializer.deserialize_any(NumberOrWord)
@@ -112,29 +112,29 @@ impl<'de> Deserialize<'de> for Number {
 struct NumberOrWord;
 
 impl Visitor<'_> for NumberOrWord {
-    type Value = Number;
+    type Value = NumberText;
 
     fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         formatter.write_str("a number, \"NaN\", \"Infinity\" or \"-Infinity\"")
     }
 
-    fn visit_f64<E: Error>(self, value: f64) -> Result<Number, E> {
-        Ok(Number(value))
+    fn visit_f64<E: Error>(self, value: f64) -> Result<NumberText, E> {
+        Ok(NumberText(value))
     }
 
-    fn visit_u64<E: Error>(self, value: u64) -> Result<Number, E> {
-        Ok(Number(value as f64))
+    fn visit_u64<E: Error>(self, value: u64) -> Result<NumberText, E> {
+        Ok(NumberText(value as f64))
     }
 
-    fn visit_i64<E: Error>(self, value: i64) -> Result<Number, E> {
-        Ok(Number(value as f64))
+    fn visit_i64<E: Error>(self, value: i64) -> Result<NumberText, E> {
+        Ok(NumberText(value as f64))
     }
 
-    fn visit_str<E: Error>(self, word: &str) -> Result<Number, E> {
+    fn visit_str<E: Error>(self, word: &str) -> Result<NumberText, E> {
         match word {
-            NAN => Ok(Number(f64::NAN)),
-            INFINITY => Ok(Number(f64::INFINITY)),
-            MINUS_INFINITY => Ok(Number(f64::NEG_INFINITY)),
+            NAN => Ok(NumberText(f64::NAN)),
+            INFINITY => Ok(NumberText(f64::INFINITY)),
+            MINUS_INFINITY => Ok(NumberText(f64::NEG_INFINITY)),
             _ => Err(E::invalid_value(Unexpected::Str(word), &self)),
         }
     }

@@ -77,7 +77,11 @@ struct SourceAxis {
 
 impl SourceAxis {
     /// Returns the samples and weights that interpolate the values at the centres of an axis of the new grid.
-    fn stencils(&self, count: usize, centre: impl Fn(usize) -> f64) -> Result<Vec<Stencil>> {
+    fn stencils(
+        &self,
+        count: usize,
+        centre: impl Fn(usize) -> f64,
+    ) -> Result<Vec<InterpolationStencil>> {
         // The centres are symmetric about the middle, so the last centre is the farthest.
         let reach = centre(count - 1);
         let half_side = 0.5 * self.count as f64 * self.side;
@@ -89,19 +93,20 @@ impl SourceAxis {
             });
         }
         let middle = 0.5 * (self.count - 1) as f64;
-        let stencil = |i: usize| Stencil::at(centre(i) / self.side + middle, self.count);
+        let stencil =
+            |i: usize| InterpolationStencil::at(centre(i) / self.side + middle, self.count);
         Ok((0..count).map(stencil).collect())
     }
 }
 
 /// Samples and weights of an interpolated value.
-struct Stencil {
+struct InterpolationStencil {
     first: usize,
     width: usize,
     weights: [f64; WIDTH],
 }
 
-impl Stencil {
+impl InterpolationStencil {
     /// Computes the Lagrange weights of the samples nearest to the position `t`, in units of the sample spacing.
     fn at(t: f64, count: usize) -> Self {
         let width = WIDTH.min(count);

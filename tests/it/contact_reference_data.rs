@@ -2,7 +2,7 @@
 //!
 //! Displacements are plain sums over the cells in contact; no solver of this crate is used.
 
-use kit::contact::{Case, Cell, Normal, Step, Tangential};
+use kit::contact::{Case, Cell, Normal, ReferenceStep, Tangential};
 use stickslip::influence::{Component, Table};
 
 /// Tolerance relative to the approach, to the tangential displacement, or to the friction limit at the largest
@@ -62,7 +62,7 @@ fn assert_near(found: f64, expected: f64, scale: f64) {
 
 /// Checks that the pressure is positive only where the gap is closed and zero where it is open, and that the load is
 /// the prescribed load.
-fn assert_normal_contact(case: &Case, step: &Step, displacements: &Displacements) {
+fn assert_normal_contact(case: &Case, step: &ReferenceStep, displacements: &Displacements) {
     let load: f64 = step.cells.iter().map(|cell| cell.pressure).sum();
     assert_near(load * case.grid.cell_area(), step.load, step.load);
     match step.normal {
@@ -85,7 +85,12 @@ fn assert_normal_contact(case: &Case, step: &Step, displacements: &Displacements
 }
 
 /// Checks Coulomb's law cell by cell, the forces, and the energies.
-fn assert_friction(case: &Case, step: &Step, before: &[Cell], displacements: &Displacements) {
+fn assert_friction(
+    case: &Case,
+    step: &ReferenceStep,
+    before: &[Cell],
+    displacements: &Displacements,
+) {
     let area = case.grid.cell_area();
     let limit = |cell: &Cell| case.friction * cell.pressure;
     let largest_limit = step.cells.iter().map(limit).fold(0.0, f64::max);

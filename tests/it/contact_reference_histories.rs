@@ -1,6 +1,6 @@
 //! For CONTACT's cases with tractions along both axes, the results agree with CONTACT cell by cell after every step.
 
-use kit::contact::{Case, Normal, Step, Tangential};
+use kit::contact::{Case, Normal, ReferenceStep, Tangential};
 use kit::max_difference;
 use stickslip::history::EntryRule;
 use stickslip::{
@@ -13,7 +13,7 @@ const TOLERANCE: f64 = 1e-10;
 /// Tolerance relative to the largest pressure, and to each scalar.
 const AGREED: f64 = 1e-6;
 
-fn load_step(step: &Step, shift: [f64; 2]) -> LoadStep {
+fn load_step(step: &ReferenceStep, shift: [f64; 2]) -> LoadStep {
     let mut load = LoadStep::hold().normal(match step.normal {
         Normal::Force(force) => NormalControl::Force(force),
         Normal::Approach(approach) => NormalControl::Approach(approach),
@@ -54,7 +54,7 @@ fn assert_every_step_agrees(text: &str, steps: usize) {
     }
 }
 
-fn assert_scalars_agree(case: &Case, step: &Step, shift: [f64; 2], history: &History) {
+fn assert_scalars_agree(case: &Case, step: &ReferenceStep, shift: [f64; 2], history: &History) {
     let close = |name: &str, found: f64, expected: f64, scale: f64| {
         let error = (found - expected).abs() / scale;
         assert!(error < AGREED, "{name} {error:e}");
@@ -94,7 +94,7 @@ fn assert_scalars_agree(case: &Case, step: &Step, shift: [f64; 2], history: &His
     }
 }
 
-fn assert_cells_agree(case: &Case, step: &Step, history: &History) {
+fn assert_cells_agree(case: &Case, step: &ReferenceStep, history: &History) {
     let largest = history.pressure().max();
     let pressure = case.field(step, |cell| cell.pressure);
     let error = max_difference(history.pressure().as_slice(), pressure.as_slice());

@@ -1,6 +1,6 @@
 //! For the first steps of CONTACT's cases with tractions along both axes, the results agree with CONTACT cell by cell.
 
-use kit::contact::{Case, Normal, Step, Tangential};
+use kit::contact::{Case, Normal, ReferenceStep, Tangential};
 use kit::press;
 use stickslip::cgm::Method;
 use stickslip::tangential::TangentialProblemBuilder;
@@ -14,7 +14,7 @@ const TOLERANCE: f64 = 1e-10;
 const AGREED: f64 = 1e-6;
 
 /// All these cases are symmetric about the x axis, so zero shift along y implies zero force along y.
-fn tangential_load(step: &Step) -> TangentialLoad {
+fn tangential_load(step: &ReferenceStep) -> TangentialLoad {
     match step.tangential {
         [Tangential::Force(x), Tangential::Force(y)] => TangentialLoad::force([x, y]),
         [Tangential::Shift(x), Tangential::Shift(y)] => TangentialLoad::shift([x, y]),
@@ -52,7 +52,11 @@ fn assert_first_step_agrees(text: &str) {
     assert_tractions_agree(&case, step, shear);
 }
 
-fn assert_tractions_agree(case: &Case, step: &Step, shear: TangentialProblemBuilder<'_, '_>) {
+fn assert_tractions_agree(
+    case: &Case,
+    step: &ReferenceStep,
+    shear: TangentialProblemBuilder<'_, '_>,
+) {
     let shear = shear.model(TangentialModel::Vector).tolerance(TOLERANCE);
     let shear = shear.build().unwrap().solve().unwrap();
     let pressures = step.cells.iter().map(|cell| cell.pressure);

@@ -286,13 +286,13 @@ fn dense_reference_solves_three_unknowns_exactly() {
 }
 
 /// An operator that fails at a given product.
-struct FailingOperator {
+struct LimitedOperator {
     matrix: DenseOperator,
     sound_products: usize,
     products: std::sync::atomic::AtomicUsize,
 }
 
-impl Operator for FailingOperator {
+impl Operator for LimitedOperator {
     fn cells(&self) -> usize {
         self.matrix.cells()
     }
@@ -316,7 +316,7 @@ fn failing_operator_never_converges() {
     for method in [Method::ActiveSet, Method::PolonskyKeer] {
         for sound_products in 0..6 {
             for total in [None, Some(total)] {
-                let operator = FailingOperator {
+                let operator = LimitedOperator {
                     matrix: DenseOperator::of_half_space(&scene.bodies, Component::ZZ).unwrap(),
                     sound_products,
                     products: 0.into(),

@@ -101,7 +101,7 @@ const SCENES: &[FrozenScene] = &[
 // Record of a scene.
 
 /// A line of the data: the quantity, its value, and its scale or the kind of count.
-struct Row {
+struct FrozenRow {
     quantity: String,
     value: String,
     scale: String,
@@ -112,7 +112,7 @@ const CELLS: &str = "cells";
 const COSTS: &str = "costs";
 
 struct Record {
-    rows: Vec<Row>,
+    rows: Vec<FrozenRow>,
     /// FNV-1a hash of all bits.
     hash: u64,
     /// Prefix of the quantities of a solve.
@@ -131,7 +131,7 @@ impl Record {
     fn row(&mut self, quantity: &str, value: String, scale: &str) {
         let quantity = format!("{}{quantity}", self.solve);
         let scale = scale.to_owned();
-        self.rows.push(Row {
+        self.rows.push(FrozenRow {
             quantity,
             value,
             scale,
@@ -1006,7 +1006,7 @@ fn frozen_scenes_are_unchanged() {
         writeln!(hashes, "{scene} {:016x}", record.hash).unwrap();
         let prefix = format!("{scene},");
         let mut lines = frozen.lines().filter_map(|line| line.strip_prefix(&prefix));
-        for Row {
+        for FrozenRow {
             quantity,
             value,
             scale,

@@ -238,9 +238,9 @@ fn engine_rejects_invalid_arguments_before_any_work() {
 }
 
 /// The map `u = (x + y, y - x)` of two cells.
-struct AsymmetricOperator;
+struct RotationOperator;
 
-impl Operator for AsymmetricOperator {
+impl Operator for RotationOperator {
     fn cells(&self) -> usize {
         2
     }
@@ -269,7 +269,7 @@ fn polonsky_keer_rejects_unsupported_problems() {
     let discs = Problem::new(Identity::new(2), [&linear; 2], AbsBound(&[1.0, 2.0]));
     let outcome = cgm::minimise(&discs, &settings, [&mut x, &mut y]);
     assert!(refused(outcome.err(), "several components per cell"));
-    let turning = Problem::new(AsymmetricOperator, [&linear], NonNegative);
+    let turning = Problem::new(RotationOperator, [&linear], NonNegative);
     let outcome = cgm::minimise(&turning, &settings, [&mut x]);
     assert!(refused(outcome.err(), "non-symmetric operators"));
     assert_eq!(x, [1.0, 2.0], "rejected before any work");

@@ -21,13 +21,13 @@ struct ShearedHistory {
     friction: f64,
     /// Approach of the first step beyond the first point of contact.
     depth: f64,
-    before: Vec<Step>,
-    last: Step,
+    before: Vec<ShearStep>,
+    last: ShearStep,
 }
 
 /// Normal load of a step, and the shift and the twist at its end.
 #[derive(Debug, Clone, Copy)]
-struct Step {
+struct ShearStep {
     normal: NormalControl,
     motion: [f64; 3],
 }
@@ -101,12 +101,12 @@ impl ShearedHistory {
             } else {
                 gap.min() + depth * random.uniform(0.7, 1.1)
             };
-            Step {
+            ShearStep {
                 normal: NormalControl::Approach(approach),
                 motion: [length * angle.cos(), length * angle.sin(), twist],
             }
         };
-        let mut before = vec![Step {
+        let mut before = vec![ShearStep {
             normal: NormalControl::Approach(approach),
             motion: [0.0; 3],
         }];
@@ -138,7 +138,7 @@ impl ShearedHistory {
         Ok(history)
     }
 
-    fn take(&self, history: &mut History, step: Step) -> Result<(), Error> {
+    fn take(&self, history: &mut History, step: ShearStep) -> Result<(), Error> {
         let [x, y, twist] = step.motion;
         let mut load = LoadStep::shift([x, y]).normal(step.normal);
         if self.may_turn() {
@@ -297,7 +297,7 @@ fn numbers(matrix: [[Option<f64>; 3]; 3]) -> [[f64; 3]; 3] {
 fn obliquely_sliding_ball_stiffness_matches_last_step() {
     let grid = Grid::square(8, 3.0).unwrap();
     let body = Material::from_shear_modulus(1.0, 0.3).unwrap();
-    let force = |motion| Step {
+    let force = |motion| ShearStep {
         normal: NormalControl::Force(0.5),
         motion,
     };
@@ -317,7 +317,7 @@ fn obliquely_sliding_row_stiffness_matches_last_step() {
     let grid = Grid::new(5, 1, 1.0, 1.0).unwrap();
     let body = Material::new(1.0, 0.48).unwrap();
     let angle: f64 = 4.48;
-    let pressed = |motion| Step {
+    let pressed = |motion| ShearStep {
         normal: NormalControl::Approach(0.1),
         motion,
     };

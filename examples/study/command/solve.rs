@@ -17,12 +17,12 @@ const POISSON_RATIO: f64 = 0.3;
 
 /// Data common to all cases of a plan.
 #[derive(Debug)]
-pub(super) struct Scene<'p> {
+pub(super) struct StudyCase<'p> {
     plan: &'p Plan,
     bodies: HalfSpace,
 }
 
-impl<'p> Scene<'p> {
+impl<'p> StudyCase<'p> {
     pub(super) fn new(plan: &'p Plan) -> Result<Self> {
         let grid = Grid::square(plan.cells, UNIT)?;
         let material = Material::new(UNIT, POISSON_RATIO)?;

@@ -10,7 +10,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use super::failure::Failure;
 use super::plan::Plan;
 use super::row::Row;
-use super::solve::Scene;
+use super::solve::StudyCase;
 
 /// Cases of a press that must be solved.
 #[derive(Debug)]
@@ -30,7 +30,7 @@ pub(super) fn work(
     threads: usize,
     mut take: impl FnMut(Option<Row>) -> Result<(), Failure>,
 ) -> Result<(), Failure> {
-    let scene = &Scene::new(plan)?;
+    let scene = &StudyCase::new(plan)?;
     let pool = |_| ThreadPoolBuilder::new().num_threads(1).build();
     let pools = (0..threads.min(jobs.len()))
         .map(pool)

@@ -3,7 +3,7 @@
 
 use crate::cgm::cone::cell_state::{CellKind, ConeCellState};
 use crate::cgm::cone::workspace::gradient;
-use crate::cgm::cone::{Cone, ConeRun, N};
+use crate::cgm::cone::{ConeRun, FrictionCone, N};
 use crate::cgm::law::state::Row;
 use crate::cgm::linear::Border;
 use crate::cgm::totals::sums_of;
@@ -38,7 +38,7 @@ fn slip_against(law: ConeCellState, [_, x, y]: [f64; N], missing: [f64; 2]) -> O
     }
 }
 
-impl<F: Cone> ConeRun<'_, '_, F> {
+impl<F: FrictionCone> ConeRun<'_, '_, F> {
     /// Determines the spread of the multipliers. Totals that no cell can change are inactive.
     pub(super) fn border(&mut self) -> Border<N> {
         let (totals, mut border) = (self.problem.totals, Border::NONE);

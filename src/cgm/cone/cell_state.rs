@@ -1,6 +1,6 @@
 //! State of a cell of the friction cone in the semismooth Newton method: apart, frictionless, sticking or slipping.
 
-use crate::cgm::cone::{Cone, N};
+use crate::cgm::cone::{FrictionCone, N};
 use crate::cgm::law::disc_motion::Weight;
 use crate::cgm::law::state::Row;
 use crate::numerics::cell_vector::{dot, norm, plus};
@@ -192,7 +192,7 @@ impl ConeCellState {
         cell: usize,
         x: [f64; N],
         r: [f64; N],
-        friction: &impl Cone,
+        friction: &impl FrictionCone,
         noise: Noise,
     ) -> (Self, [f64; N]) {
         let (q, s) = ([x[1], x[2]], [r[1], r[2]]);
@@ -326,7 +326,7 @@ impl Row<N> for ConeCellState {
 
 impl CellKind {
     /// Returns the next state of a cell that is apart.
-    fn entered(cell: usize, r: [f64; N], friction: &impl Cone, noise: Noise) -> Self {
+    fn entered(cell: usize, r: [f64; N], friction: &impl FrictionCone, noise: Noise) -> Self {
         let (g, s) = (r[0], [r[1], r[2]]);
         let slope = friction.slope(cell, 0.0);
         if g >= -noise.gap {

@@ -4,7 +4,7 @@
 //! from the moment of contact, $`r = m'(0)\,n`$ while its pressure is zero.
 
 use crate::cgm::cone::cell_state::{CellKind, ConeCellState, EntryLag};
-use crate::cgm::cone::{Cone, ConeProblem, ConeRun, N};
+use crate::cgm::cone::{ConeProblem, ConeRun, FrictionCone, N};
 use crate::cgm::reduce;
 use crate::numerics::cell_vector::{at, slices, update_cells};
 use crate::parallel;
@@ -12,7 +12,7 @@ use crate::parallel;
 /// Fraction of the largest pressure that replaces a smaller pressure in `kappa g / p`.
 const LEAST: f64 = 1e-9;
 
-impl<F: Cone> ConeProblem<'_, F> {
+impl<F: FrictionCone> ConeProblem<'_, F> {
     /// Returns the mean of $`\kappa g`$ over all directions for a cell.
     pub(super) fn closing_of(&self, cell: usize) -> f64 {
         self.closing.map_or(0.0, |closing| closing.mean(cell))
@@ -28,7 +28,7 @@ impl<F: Cone> ConeProblem<'_, F> {
     }
 }
 
-impl<F: Cone> ConeRun<'_, '_, F> {
+impl<F: FrictionCone> ConeRun<'_, '_, F> {
     /// Updates the entry compliance at the current pressure, and adds the lag to the product.
     pub(super) fn refresh_lag(&mut self) {
         let problem = self.problem;

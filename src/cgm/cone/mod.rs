@@ -46,7 +46,7 @@ pub(crate) use workspace::ConeWorkspace;
 const N: usize = 3;
 
 /// Friction limit of a cell as a function of its pressure.
-pub(crate) trait Cone: Sync {
+pub(crate) trait FrictionCone: Sync {
     /// Returns the limit, non-negative and non-decreasing in the pressure.
     fn limit(&self, cell: usize, pressure: f64) -> f64;
 
@@ -137,7 +137,7 @@ pub(crate) struct ConeRun<'a, 'b, F> {
 ///
 /// # Errors
 /// - [`Error::Memory`](crate::Error::Memory) if the memory does not suffice.
-pub(crate) fn solve<F: Cone>(
+pub(crate) fn solve<F: FrictionCone>(
     problem: &ConeProblem<'_, F>,
     settings: &Settings,
     opening: ConeStart,

@@ -6,7 +6,7 @@ use crate::cgm::active_set_solve::Precision;
 use crate::cgm::certificate::{Iterate, IterateMeasures, measure};
 use crate::cgm::cone::cell_state::{ConeCellState, Noise};
 use crate::cgm::cone::workspace::gradient;
-use crate::cgm::cone::{Cone, ConeMeasures, ConeRun, ConeStart, N};
+use crate::cgm::cone::{ConeMeasures, ConeRun, ConeStart, FrictionCone, N};
 use crate::cgm::law::state::Row;
 use crate::cgm::linear::{BASES, Linear, UpdatedIterate};
 use crate::cgm::newton::NewtonSteps;
@@ -57,7 +57,7 @@ impl NewtonProgress {
     };
 }
 
-impl<F: Cone> NewtonSteps for ConeRun<'_, '_, F> {
+impl<F: FrictionCone> NewtonSteps for ConeRun<'_, '_, F> {
     fn begin(&mut self) -> ControlFlow<Status> {
         self.set_laws();
         ControlFlow::Continue(())
@@ -141,7 +141,7 @@ impl<F: Cone> NewtonSteps for ConeRun<'_, '_, F> {
     }
 }
 
-impl<'a, F: Cone> ConeRun<'a, '_, F> {
+impl<'a, F: FrictionCone> ConeRun<'a, '_, F> {
     /// Projects the tractions onto their cones and determines the state of the cells.
     pub(super) fn set_laws(&mut self) {
         self.is_fresh = false;

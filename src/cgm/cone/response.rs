@@ -2,7 +2,7 @@
 
 use crate::cgm::cone::cell_state::{ConeCellState, EntryLag};
 use crate::cgm::cone::newton::NOTHING;
-use crate::cgm::cone::{Cone, ConeProblem, ConeWorkspace, N};
+use crate::cgm::cone::{ConeProblem, ConeWorkspace, FrictionCone, N};
 use crate::cgm::linear::LinearWorkspace;
 use crate::cgm::reduce;
 use crate::error::Result;
@@ -25,7 +25,7 @@ impl ConeWorkspace {
     /// - [`Error::Memory`](crate::Error::Memory) if the memory does not suffice.
     pub(crate) fn hold(
         &mut self,
-        problem: &ConeProblem<'_, impl Cone>,
+        problem: &ConeProblem<'_, impl FrictionCone>,
         stand: FrozenState<'_>,
     ) -> Result<&mut LinearWorkspace<ConeCellState, N>> {
         let FrozenState {

@@ -29,7 +29,7 @@ use crate::history::state::window_shrinking::narrow;
 use crate::history::step::commit::commit;
 use crate::history::step::coupled_steps::new_joint;
 use crate::history::step::diagnostics::StepDiagnostics;
-use crate::history::step::neglected::NeglectedLift;
+use crate::history::step::neglected::StepLift;
 use crate::history::step::pool::IncrementPool;
 use crate::history::{EnergyBalance, LoadStep, StepResult};
 use crate::memory::fallible::TryClone;
@@ -107,7 +107,7 @@ pub struct History {
     pub(super) joint: Option<Box<CoupledIncrement>>,
     pub(super) step: StepResult,
     /// Lift due to the tractions of rolled steps with one-way coupling; `None` before the first such step.
-    pub(super) lifting: Option<NeglectedLift>,
+    pub(super) lifting: Option<StepLift>,
     /// Window in which the fields of the step may be non-zero; `None` if all fields are zero.
     written: Option<Window>,
 }

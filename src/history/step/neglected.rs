@@ -10,7 +10,7 @@ use crate::warning::Warning;
 
 /// Operator of the lift on the window of a contact with one-way coupling, and the lift of the last rolled step.
 #[derive(Debug, Clone)]
-pub(in crate::history) struct NeglectedLift {
+pub(in crate::history) struct StepLift {
     size: [usize; 2],
     lifting: Lifting,
     lift: Vec<f64>,
@@ -18,7 +18,7 @@ pub(in crate::history) struct NeglectedLift {
     pub(super) found: Option<usize>,
 }
 
-impl NeglectedLift {
+impl StepLift {
     /// Measures the lift due to the tractions of a step. `pressed` contains the normal contact and its gap before
     /// loading. The buffers in `slot` are reused if they have the size of the window.
     pub(in crate::history) fn measure(

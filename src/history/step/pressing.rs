@@ -93,7 +93,7 @@ impl History {
         )?;
         let mut pressing = LoadRamp {
             load,
-            course: LoadPath::of(load, self),
+            course: NormalLoadRange::of(load, self),
             start: self.state().try_clone()?,
             coarse: try_each(|axis| self.traction()[axis].try_clone())?,
         };
@@ -108,7 +108,7 @@ impl History {
 /// Load that is taken in an increasing number of steps.
 struct LoadRamp<'a> {
     load: &'a LoadStep,
-    course: LoadPath,
+    course: NormalLoadRange,
     start: State,
     /// Tractions after half as many steps.
     coarse: [Field; 2],
@@ -164,7 +164,7 @@ impl LoadRamp<'_> {
 
 /// Variation of the normal load between its ends.
 #[derive(Debug, Clone, Copy)]
-enum LoadPath {
+enum NormalLoadRange {
     /// Load proportional to the number of the step.
     Linear,
     /// Power of a length that grows in equal steps.
@@ -179,7 +179,7 @@ enum LoadPath {
     },
 }
 
-impl LoadPath {
+impl NormalLoadRange {
     fn of(load: &LoadStep, history: &History) -> Self {
         let (state, layout) = (history.state(), history.bodies.grid_layout());
         let (exponent, origin, ends) = match load.normal_control() {

@@ -6,7 +6,7 @@ use crate::grid::field::Field;
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::history::state::memory::Memory;
-use crate::history::step::neglected::NeglectedLift;
+use crate::history::step::neglected::StepLift;
 use crate::history::{History, LoadStep, State};
 use crate::memory::fallible::{self, TryClone};
 use crate::normal::{NormalControl, NormalInput};
@@ -190,7 +190,7 @@ impl History {
             };
             let tolerance = state.settings.tolerance;
             let (lifting, answer) = (&mut self.lifting, increment.answer());
-            NeglectedLift::measure(lifting, &self.bodies, &answer, (pressed, gap), tolerance)?;
+            StepLift::measure(lifting, &self.bodies, &answer, (pressed, gap), tolerance)?;
         }
         Ok(increment.motion())
     }

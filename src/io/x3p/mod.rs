@@ -14,7 +14,7 @@ use super::text::excerpt;
 use super::{Place, parse_file};
 use crate::error::{Error, Result};
 use crate::files::Format;
-use crate::files::{ByteOrder, Number};
+use crate::files::{ByteOrder, NumberFormat};
 use crate::grid::Grid;
 use crate::grid::field::Field;
 use zip::Archive;
@@ -77,7 +77,7 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
         let problem = format!("the file lists {found} samples, expected {nx} x {ny} points");
         return Err(FORMAT.in_entry(MAIN, problem));
     }
-    let is_float = matches!(main.number, Some(Number::F32 | Number::F64));
+    let is_float = matches!(main.number, Some(NumberFormat::F32 | NumberFormat::F64));
     let increment = main.height_increment.filter(|_| !is_float).unwrap_or(1.0);
     let offset = main.height_offset.unwrap_or(0.0);
     for sample in &mut samples {
@@ -103,7 +103,7 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
 struct Main {
     sizes: [Option<usize>; 2],
     increments: [Option<f64>; 2],
-    number: Option<Number>,
+    number: Option<NumberFormat>,
     height_increment: Option<f64>,
     height_offset: Option<f64>,
     /// Name of the file of samples, or the samples themselves.
@@ -225,12 +225,12 @@ impl Element<'_> {
         }
     }
 
-    fn data_type(&self) -> Result<Number> {
+    fn data_type(&self) -> Result<NumberFormat> {
         match self.text {
-            "I" => Ok(Number::I16),
-            "L" => Ok(Number::I32),
-            "F" => Ok(Number::F32),
-            "D" => Ok(Number::F64),
+            "I" => Ok(NumberFormat::I16),
+            "L" => Ok(NumberFormat::I32),
+            "F" => Ok(NumberFormat::F32),
+            "D" => Ok(NumberFormat::F64),
             _ => Err(self.refused("must be I, L, F or D")),
         }
     }

@@ -9,7 +9,7 @@ use crate::tangential::{Lifting, PressureOnWindow, lift_residual};
 
 /// Operators of the normal displacement by tractions and by the pressure on a window.
 #[derive(Debug, Clone)]
-pub(in crate::rolling) struct NeglectedLift {
+pub(in crate::rolling) struct SteadyLift {
     lifting: Lifting,
     lift: Vec<f64>,
     pressing: ElasticOperator<1>,
@@ -18,7 +18,7 @@ pub(in crate::rolling) struct NeglectedLift {
     displacement: Vec<f64>,
 }
 
-impl NeglectedLift {
+impl SteadyLift {
     /// Creates the operators of coupled bodies; `None` for bodies without coupling.
     pub(super) fn new(bodies: &HalfSpace, pressed: &PressureOnWindow) -> Result<Option<Self>> {
         if !bodies.pair().is_coupled() {

@@ -17,7 +17,7 @@ use crate::operator::Operator;
 use crate::report::{Iteration, Report, Status};
 use crate::rolling::WindowShift;
 use crate::rolling::steady::inverse::SteadyPreconditioner;
-use crate::rolling::steady::neglected_lift::NeglectedLift;
+use crate::rolling::steady::neglected_lift::SteadyLift;
 use crate::rolling::steady::reload::Press;
 use crate::rolling::steady::slip_operator::SteadyOperator;
 use crate::rolling::steady::spin_search::SpinSearch;
@@ -97,7 +97,7 @@ pub struct RollingSolver {
     pub(in crate::rolling) has_new_pressure: bool,
     pub(in crate::rolling) follow: Option<RollingSensitivity>,
     /// Operators of the neglected lift, for bodies of different materials with one-way coupling.
-    pub(in crate::rolling) lifting: Option<NeglectedLift>,
+    pub(in crate::rolling) lifting: Option<SteadyLift>,
 }
 
 shown!(RollingSolver: problem);
@@ -114,7 +114,7 @@ impl RollingSolver {
         let inverse = SteadyPreconditioner::new(inverse, step);
         let (operator, inverse) = (Arc::new(operator), Arc::new(inverse));
         let cells = operator.cells();
-        let lifting = NeglectedLift::new(bodies, &problem.pressed)?;
+        let lifting = SteadyLift::new(bodies, &problem.pressed)?;
         let mut solver = Self {
             lifting,
             limits: zeros(cells)?,

@@ -1,13 +1,13 @@
 //! The integrals at points and along rows of points.
 
 use super::far;
-use super::integral::{Integral, Values, sign};
+use super::integral::{PotentialIntegral, Values, sign};
 use super::piece::{CellPart, Extent};
 use crate::numerics::gauss::QuadratureRule;
 
 /// Cell of half sides `a` and `b`.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Cell {
+pub(super) struct LoadedCell {
     pub(super) a: f64,
     pub(super) b: f64,
     /// Length that replaces a zero distance inside a logarithm.
@@ -17,7 +17,7 @@ pub(super) struct Cell {
 /// Number of points of a row that are integrated together in vector registers.
 const LANES: usize = 4;
 
-impl Cell {
+impl LoadedCell {
     /// Returns the integrals at a point with `z >= 0`.
     pub(super) fn at(&self, [x, y, z]: [f64; 3]) -> Values {
         let Self { a, b, unit } = *self;
@@ -29,7 +29,7 @@ impl Cell {
             let (x, y) = (Extent::new(x_abs, a), Extent::new(y_abs, b));
             CellPart { x, y, z, unit }.integrals()
         };
-        for (value, integral) in values.iter_mut().zip(Integral::ALL) {
+        for (value, integral) in values.iter_mut().zip(PotentialIntegral::ALL) {
             *value *= sign(integral, [x, y]);
         }
         values
@@ -40,7 +40,7 @@ impl Cell {
         &self,
         xs: &[f64],
         [y, z]: [f64; 2],
-        out: &mut [&mut [f64]; Integral::COUNT],
+        out: &mut [&mut [f64]; PotentialIntegral::COUNT],
     ) {
         let mut done = 0;
         while let Some(&x) = xs.get(done) {
@@ -63,7 +63,7 @@ impl Cell {
                 .map(|(x, place)| *place = x.abs())
                 .count();
             let sums = far::integrals([self.a, self.b], rule, &block, [y.abs(), z]);
-            for ((row, sums), integral) in out.iter_mut().zip(sums).zip(Integral::ALL) {
+            for ((row, sums), integral) in out.iter_mut().zip(sums).zip(PotentialIntegral::ALL) {
                 for ((value, sum), &x) in
                     row[done..].iter_mut().zip(&sums[..count]).zip(&xs[done..])
                 {

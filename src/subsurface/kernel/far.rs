@@ -3,7 +3,7 @@
 use crate::numerics::gauss::{
     GAUSS_3, GAUSS_4, GAUSS_5, GAUSS_6, GAUSS_8, GAUSS_12, GAUSS_16, QuadratureRule,
 };
-use crate::subsurface::kernel::integral::Integral;
+use crate::subsurface::kernel::integral::PotentialIntegral;
 
 /// Returns the integrals over a rectangle of half sides a and b at `N` points of a row of the quadrant `x >= 0`,
 /// `y >= 0`. The result at a point does not depend on the other points.
@@ -15,10 +15,10 @@ pub(super) fn integrals<const N: usize>(
     rule: QuadratureRule,
     xs: &[f64; N],
     [y, z]: [f64; 2],
-) -> [[f64; N]; Integral::COUNT] {
+) -> [[f64; N]; PotentialIntegral::COUNT] {
     let mut sums = product_rule(rule, [xs, &[a; N]], [y, b], z);
-    let mut replace_odd = |axis: usize, others: [[f64; N]; Integral::COUNT]| {
-        for ((sum, other), integral) in sums.iter_mut().zip(others).zip(Integral::ALL) {
+    let mut replace_odd = |axis: usize, others: [[f64; N]; PotentialIntegral::COUNT]| {
+        for ((sum, other), integral) in sums.iter_mut().zip(others).zip(PotentialIntegral::ALL) {
             if integral.is_odd()[axis] {
                 *sum = other;
             }
@@ -40,8 +40,8 @@ fn product_rule<const N: usize>(
     [xs, a]: [&[f64; N]; 2],
     [y, b]: [f64; 2],
     z: f64,
-) -> [[f64; N]; Integral::COUNT] {
-    let mut sums = [[0.0; N]; Integral::COUNT];
+) -> [[f64; N]; PotentialIntegral::COUNT] {
+    let mut sums = [[0.0; N]; PotentialIntegral::COUNT];
     for &[node_y, weight_y] in rule {
         let y = y + b * node_y;
         for &[node_x, weight_x] in rule {
@@ -56,14 +56,14 @@ fn product_rule<const N: usize>(
 /// `z ln(r + z) - r`, and products of three coordinates over `r^5/3`.
 #[inline]
 fn add_integrands<const N: usize>(
-    sums: &mut [[f64; N]; Integral::COUNT],
+    sums: &mut [[f64; N]; PotentialIntegral::COUNT],
     [xs, a]: [&[f64; N]; 2],
     [node, weight]: [f64; 2],
     [y, z]: [f64; 2],
 ) {
     let (y2, z2) = (y * y, z * z);
     for (lane, (x, a)) in xs.iter().zip(a).enumerate() {
-        let mut add = |integral: Integral, value| sums[integral.index()][lane] += value;
+        let mut add = |integral: PotentialIntegral, value| sums[integral.index()][lane] += value;
         let (x, weight) = (x + a * node, a * weight);
         let x2 = x * x;
         let r = ((x2 + y2) + z2).sqrt();
@@ -81,25 +81,25 @@ fn add_integrands<const N: usize>(
         let k = wi3 * (s * s) * (1.0 + 2.0 * t);
         let (xy, three_x, three_y, three_z) = (x * y, three * x, three * y, three * z);
 
-        add(Integral::V, weight * i);
-        add(Integral::Lx, x * wis);
-        add(Integral::Ly, y * wis);
-        add(Integral::Wxx, x2 * n - weight * s);
-        add(Integral::Wxy, xy * n);
-        add(Integral::Lxx, wis - x2 * m);
-        add(Integral::Lxy, -(xy * m));
-        add(Integral::Wxxy, y * (n - x2 * k));
-        add(Integral::Wxyy, x * (n - y2 * k));
-        add(Integral::Txxx, three_x * x2);
-        add(Integral::Txxy, three_y * x2);
-        add(Integral::Txyy, three_x * y2);
-        add(Integral::Tyyy, three_y * y2);
-        add(Integral::Txxz, three_z * x2);
-        add(Integral::Txyz, three_z * xy);
-        add(Integral::Tyyz, three_z * y2);
-        add(Integral::Txzz, three_x * z2);
-        add(Integral::Tyzz, three_y * z2);
-        add(Integral::Tzzz, three_z * z2);
+        add(PotentialIntegral::V, weight * i);
+        add(PotentialIntegral::Lx, x * wis);
+        add(PotentialIntegral::Ly, y * wis);
+        add(PotentialIntegral::Wxx, x2 * n - weight * s);
+        add(PotentialIntegral::Wxy, xy * n);
+        add(PotentialIntegral::Lxx, wis - x2 * m);
+        add(PotentialIntegral::Lxy, -(xy * m));
+        add(PotentialIntegral::Wxxy, y * (n - x2 * k));
+        add(PotentialIntegral::Wxyy, x * (n - y2 * k));
+        add(PotentialIntegral::Txxx, three_x * x2);
+        add(PotentialIntegral::Txxy, three_y * x2);
+        add(PotentialIntegral::Txyy, three_x * y2);
+        add(PotentialIntegral::Tyyy, three_y * y2);
+        add(PotentialIntegral::Txxz, three_z * x2);
+        add(PotentialIntegral::Txyz, three_z * xy);
+        add(PotentialIntegral::Tyyz, three_z * y2);
+        add(PotentialIntegral::Txzz, three_x * z2);
+        add(PotentialIntegral::Tyzz, three_y * z2);
+        add(PotentialIntegral::Tzzz, three_z * z2);
     }
 }
 

@@ -5,7 +5,7 @@
 ///
 /// The first five are lengths, the others are dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Integral {
+pub(crate) enum PotentialIntegral {
     V,
     Lx,
     Ly,
@@ -27,7 +27,7 @@ pub(crate) enum Integral {
     Tzzz,
 }
 
-impl Integral {
+impl PotentialIntegral {
     /// Number of integrals.
     pub(crate) const COUNT: usize = 19;
 
@@ -81,11 +81,11 @@ impl Integral {
 }
 
 /// Value of each integral.
-pub(super) type Values = [f64; Integral::COUNT];
+pub(super) type Values = [f64; PotentialIntegral::COUNT];
 
 /// Returns the sign of an integral relative to the quadrant of positive x and y, or zero if the integral vanishes by
 /// parity.
-pub(super) fn sign(integral: Integral, [x, y]: [f64; 2]) -> f64 {
+pub(super) fn sign(integral: PotentialIntegral, [x, y]: [f64; 2]) -> f64 {
     let [odd_x, odd_y] = integral.is_odd();
     let along = |is_odd: bool, x: f64| match x {
         _ if !is_odd || x > 0.0 => 1.0,

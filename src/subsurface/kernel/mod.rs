@@ -55,7 +55,7 @@
 //! ```
 //!
 //! A traction along y acts like a traction along x with the axes exchanged. The result is composed of the 19 functions
-//! of [`Integral`], which depend on the cell and the point but not on `nu`. [`Weights`] contains the factors of the
+//! of [`PotentialIntegral`], which depend on the cell and the point but not on `nu`. [`Weights`] contains the factors of the
 //! components.
 //!
 //! With the corners `(X, Y, s) = (x+a, y+b, +), (x-a, y+b, -), (x+a, y-b, -), (x-a, y-b, +)`, their distances `r`,
@@ -124,6 +124,6 @@ mod rectangle;
 mod tests;
 mod weights;
 
-pub(crate) use integral::Integral;
+pub(crate) use integral::PotentialIntegral;
 pub(crate) use rectangle::LoadedRectangle;
-pub(crate) use weights::{Component, Load, Weights};
+pub(crate) use weights::{FieldComponent, Load, Weights};

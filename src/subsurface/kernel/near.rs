@@ -1,7 +1,7 @@
 //! The integrals in closed form, for points near the cell.
 
 use super::edge::{Differences, Edge};
-use super::integral::{Integral, Values};
+use super::integral::{PotentialIntegral, Values};
 use super::piece::CellPart;
 use std::f64::consts::PI;
 
@@ -95,35 +95,44 @@ pub(super) fn integrals(piece: &CellPart) -> Values {
     let [xxx, zvxx, zvxz] = [0, 1, 2].map(|k| -outline.over_x(|edge| edge.cubes[k]));
     let [yyy, zvyy, zvyz] = [0, 1, 2].map(|k| -outline.over_y(|edge| edge.cubes[k]));
 
-    let mut values = [0.0; Integral::COUNT];
-    let mut set = |integral: Integral, value| values[integral.index()] = value;
-    set(Integral::V, lines_x + lines_y + z * vz);
+    let mut values = [0.0; PotentialIntegral::COUNT];
+    let mut set = |integral: PotentialIntegral, value| values[integral.index()] = value;
+    set(PotentialIntegral::V, lines_x + lines_y + z * vz);
     set(
-        Integral::Lx,
+        PotentialIntegral::Lx,
         logarithms_y + outline.times_x(|edge| edge.theta) + z * vx,
     );
     set(
-        Integral::Ly,
+        PotentialIntegral::Ly,
         logarithms_x + outline.times_y(|edge| edge.theta) + z * vy,
     );
-    set(Integral::Wxx, z * lxx - lines_x);
+    set(PotentialIntegral::Wxx, z * lxx - lines_x);
     set(
-        Integral::Wxy,
+        PotentialIntegral::Wxy,
         z * lxy - outline.over_x(|edge| edge.distance),
     );
-    set(Integral::Lxx, lxx);
-    set(Integral::Lxy, lxy);
-    set(Integral::Wxxy, -outline.over_x(|edge| edge.ratio));
-    set(Integral::Wxyy, -outline.over_y(|edge| edge.ratio));
-    set(Integral::Txxx, xxx - 2.0 * vx);
-    set(Integral::Txxy, outline.over_x(|edge| edge.inverse[0]) - vy);
-    set(Integral::Txyy, outline.over_y(|edge| edge.inverse[0]) - vx);
-    set(Integral::Tyyy, yyy - 2.0 * vy);
-    set(Integral::Txxz, zvxx - vz);
-    set(Integral::Txyz, outline.over_x(|edge| edge.inverse[1]));
-    set(Integral::Tyyz, zvyy - vz);
-    set(Integral::Txzz, zvxz);
-    set(Integral::Tyzz, zvyz);
-    set(Integral::Tzzz, -(zvxx + zvyy) - vz);
+    set(PotentialIntegral::Lxx, lxx);
+    set(PotentialIntegral::Lxy, lxy);
+    set(PotentialIntegral::Wxxy, -outline.over_x(|edge| edge.ratio));
+    set(PotentialIntegral::Wxyy, -outline.over_y(|edge| edge.ratio));
+    set(PotentialIntegral::Txxx, xxx - 2.0 * vx);
+    set(
+        PotentialIntegral::Txxy,
+        outline.over_x(|edge| edge.inverse[0]) - vy,
+    );
+    set(
+        PotentialIntegral::Txyy,
+        outline.over_y(|edge| edge.inverse[0]) - vx,
+    );
+    set(PotentialIntegral::Tyyy, yyy - 2.0 * vy);
+    set(PotentialIntegral::Txxz, zvxx - vz);
+    set(
+        PotentialIntegral::Txyz,
+        outline.over_x(|edge| edge.inverse[1]),
+    );
+    set(PotentialIntegral::Tyyz, zvyy - vz);
+    set(PotentialIntegral::Txzz, zvxz);
+    set(PotentialIntegral::Tyzz, zvyz);
+    set(PotentialIntegral::Tzzz, -(zvxx + zvyy) - vz);
     values
 }

@@ -1,6 +1,6 @@
 //! A rectangle near the point: closed form, after subdivision if the rectangle is slender.
 
-use super::integral::{Integral, Values, sign};
+use super::integral::{PotentialIntegral, Values, sign};
 use super::{far, near};
 use crate::numerics::gauss::QuadratureRule;
 
@@ -70,7 +70,7 @@ impl CellPart {
             return self.whole();
         };
         // A list replaces recursion, because very slender cells are divided about a hundred times.
-        let (mut values, mut pending) = ([0.0; Integral::COUNT], halves.to_vec());
+        let (mut values, mut pending) = ([0.0; PotentialIntegral::COUNT], halves.to_vec());
         while let Some(piece) = pending.pop() {
             if let Some(halves) = piece.halves() {
                 pending.extend(halves);
@@ -108,7 +108,7 @@ impl CellPart {
             }
             None => near::integrals(&Self { x, y, ..*self }),
         };
-        for (value, integral) in values.iter_mut().zip(Integral::ALL) {
+        for (value, integral) in values.iter_mut().zip(PotentialIntegral::ALL) {
             *value *= sign(integral, [sign_x, sign_y]);
         }
         values

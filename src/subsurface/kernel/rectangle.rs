@@ -1,13 +1,13 @@
 //! The loaded rectangle in any unit of length.
 
-use super::cell::Cell;
-use super::integral::Integral;
+use super::cell::LoadedCell;
+use super::integral::PotentialIntegral;
 
 /// Cell of half sides `a` along x and `b` along y, centred on the origin of the surface `z = 0`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct LoadedRectangle {
     /// Cell in units of its size, so that no power of a length overflows.
-    cell: Cell,
+    cell: LoadedCell,
     /// Largest power of two that does not exceed the longer side. Division by it is exact, so a point very close to
     /// an edge keeps its distance to the edge.
     unit: f64,
@@ -24,7 +24,7 @@ impl LoadedRectangle {
         // Clearing the mantissa bits leaves a power of two.
         let unit = f64::from_bits(longer.to_bits() & f64::INFINITY.to_bits());
         let (a, b) = (a / unit, b / unit);
-        let cell = Cell {
+        let cell = LoadedCell {
             a,
             b,
             unit: a.max(b),
@@ -33,20 +33,20 @@ impl LoadedRectangle {
     }
 
     /// Computes the integrals at the points `(x, y, z)` of a row (lengths, `z >= 0`), with one slice for each
-    /// integral by [`Integral::index`]. The result at a point does not depend on the other points. Points beyond the
+    /// integral by [`PotentialIntegral::index`]. The result at a point does not depend on the other points. Points beyond the
     /// end of the shortest slice are ignored.
     pub(crate) fn integrals_along_row(
         &self,
         xs: &[f64],
         y: f64,
         z: f64,
-        out: &mut [&mut [f64]; Integral::COUNT],
+        out: &mut [&mut [f64]; PotentialIntegral::COUNT],
     ) {
         let count = out.iter().map(|row| row.len()).fold(xs.len(), usize::min);
         let scaled: Vec<f64> = xs[..count].iter().map(|x| x / self.unit).collect();
         self.cell
             .along_row(&scaled, [y / self.unit, z / self.unit], out);
-        for row in &mut out[..Integral::LENGTHS] {
+        for row in &mut out[..PotentialIntegral::LENGTHS] {
             for value in &mut row[..count] {
                 *value *= self.unit;
             }
@@ -56,10 +56,10 @@ impl LoadedRectangle {
 
 #[cfg(test)]
 impl LoadedRectangle {
-    /// Returns the integrals at `[x, y, z]` (lengths, `z >= 0`), by [`Integral::index`].
-    pub(super) fn integrals(&self, point: [f64; 3]) -> [f64; Integral::COUNT] {
+    /// Returns the integrals at `[x, y, z]` (lengths, `z >= 0`), by [`PotentialIntegral::index`].
+    pub(super) fn integrals(&self, point: [f64; 3]) -> [f64; PotentialIntegral::COUNT] {
         let mut values = self.cell.at(point.map(|length| length / self.unit));
-        for value in &mut values[..Integral::LENGTHS] {
+        for value in &mut values[..PotentialIntegral::LENGTHS] {
             *value *= self.unit;
         }
         values

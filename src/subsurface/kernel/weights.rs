@@ -1,6 +1,6 @@
 //! The components of displacement and stress as weighted sums of the integrals.
 
-use super::integral::Integral;
+use super::integral::PotentialIntegral;
 use std::f64::consts::PI;
 
 /// Unit traction on the cell.
@@ -27,7 +27,7 @@ impl Load {
 /// Component of displacement, times the shear modulus and per unit traction (a length), or component of stress, per
 /// unit traction.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum Component {
+pub(crate) enum FieldComponent {
     Ux,
     Uy,
     Uz,
@@ -39,7 +39,7 @@ pub(crate) enum Component {
     Syz,
 }
 
-impl Component {
+impl FieldComponent {
     /// Number of components.
     pub(crate) const COUNT: usize = 9;
 
@@ -83,7 +83,7 @@ impl Component {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Weights {
     /// Weights by load, component and integral.
-    table: [[[f64; Integral::COUNT]; Component::COUNT]; 3],
+    table: [[[f64; PotentialIntegral::COUNT]; FieldComponent::COUNT]; 3],
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -96,7 +96,7 @@ enum EdgeAxis {
 impl Weights {
     /// Computes the weights at the depth `z` for Poisson's ratio `nu`.
     pub(crate) fn new(nu: f64, z: f64) -> Self {
-        let table = [[[0.0; Integral::COUNT]; Component::COUNT]; 3];
+        let table = [[[0.0; PotentialIntegral::COUNT]; FieldComponent::COUNT]; 3];
         let mut weights = Self { table };
         weights.set_pressure(nu, z);
         weights.set_traction_x(nu, z);
@@ -104,74 +104,86 @@ impl Weights {
         weights
     }
 
-    /// Returns the weights of one component, by [`Integral::index`].
-    pub(crate) fn of(&self, load: Load, component: Component) -> &[f64; Integral::COUNT] {
+    /// Returns the weights of one component, by [`PotentialIntegral::index`].
+    pub(crate) fn of(
+        &self,
+        load: Load,
+        component: FieldComponent,
+    ) -> &[f64; PotentialIntegral::COUNT] {
         &self.table[load as usize][component as usize]
     }
 
     fn set_pressure(&mut self, nu: f64, z: f64) {
-        use Integral::{Lx, Lxx, Lxy, Ly, Txxz, Txyz, Txzz, Tyyz, Tyzz, Tzzz, V};
+        use PotentialIntegral::{Lx, Lxx, Lxy, Ly, Txxz, Txyz, Txzz, Tyyz, Tyzz, Tzzz, V};
         let e = 1.0 - 2.0 * nu;
         let load = Load::P;
-        self.add(load, Component::Ux, &[(-e, Lx)]);
-        self.add_trace(load, Component::Ux, z, EdgeAxis::X);
-        self.add(load, Component::Uy, &[(-e, Ly)]);
-        self.add_trace(load, Component::Uy, z, EdgeAxis::Y);
-        self.add(load, Component::Uz, &[(2.0 * (1.0 - nu), V)]);
-        self.add_trace(load, Component::Uz, z, EdgeAxis::Z);
-        self.add(load, Component::Sxx, &[(-1.0, Txxz), (-e, Lxx)]);
-        self.add_trace(load, Component::Sxx, e, EdgeAxis::Z);
-        self.add(load, Component::Syy, &[(-1.0, Tyyz), (e, Lxx)]);
-        self.add(load, Component::Szz, &[(-1.0, Tzzz)]);
-        self.add(load, Component::Sxy, &[(-1.0, Txyz), (-e, Lxy)]);
-        self.add(load, Component::Sxz, &[(-1.0, Txzz)]);
-        self.add(load, Component::Syz, &[(-1.0, Tyzz)]);
+        self.add(load, FieldComponent::Ux, &[(-e, Lx)]);
+        self.add_trace(load, FieldComponent::Ux, z, EdgeAxis::X);
+        self.add(load, FieldComponent::Uy, &[(-e, Ly)]);
+        self.add_trace(load, FieldComponent::Uy, z, EdgeAxis::Y);
+        self.add(load, FieldComponent::Uz, &[(2.0 * (1.0 - nu), V)]);
+        self.add_trace(load, FieldComponent::Uz, z, EdgeAxis::Z);
+        self.add(load, FieldComponent::Sxx, &[(-1.0, Txxz), (-e, Lxx)]);
+        self.add_trace(load, FieldComponent::Sxx, e, EdgeAxis::Z);
+        self.add(load, FieldComponent::Syy, &[(-1.0, Tyyz), (e, Lxx)]);
+        self.add(load, FieldComponent::Szz, &[(-1.0, Tzzz)]);
+        self.add(load, FieldComponent::Sxy, &[(-1.0, Txyz), (-e, Lxy)]);
+        self.add(load, FieldComponent::Sxz, &[(-1.0, Txzz)]);
+        self.add(load, FieldComponent::Syz, &[(-1.0, Tyzz)]);
     }
 
     fn set_traction_x(&mut self, nu: f64, z: f64) {
-        use Integral::{Lx, Lxx, Lxy, Txxx, Txxy, Txxz, Txyy, Txyz, Txzz, V, Wxx, Wxxy, Wxy, Wxyy};
+        use PotentialIntegral::{
+            Lx, Lxx, Lxy, Txxx, Txxy, Txxz, Txyy, Txyz, Txzz, V, Wxx, Wxxy, Wxy, Wxyy,
+        };
         let e = 1.0 - 2.0 * nu;
         let load = Load::Qx;
-        self.add(load, Component::Ux, &[(2.0, V), (2.0 * nu, Wxx), (-z, Lxx)]);
-        self.add(load, Component::Uy, &[(2.0 * nu, Wxy), (-z, Lxy)]);
-        self.add(load, Component::Uz, &[(e, Lx)]);
-        self.add_trace(load, Component::Uz, z, EdgeAxis::X);
-        self.add(load, Component::Sxx, &[(-1.0, Txxx), (e, Wxyy)]);
-        self.add(load, Component::Syy, &[(-1.0, Txyy), (-e, Wxyy)]);
-        self.add_trace(load, Component::Syy, e, EdgeAxis::X);
-        self.add(load, Component::Szz, &[(-1.0, Txzz)]);
-        self.add(load, Component::Sxy, &[(-1.0, Txxy), (-e, Wxxy)]);
-        self.add(load, Component::Sxz, &[(-1.0, Txxz)]);
-        self.add(load, Component::Syz, &[(-1.0, Txyz)]);
+        self.add(
+            load,
+            FieldComponent::Ux,
+            &[(2.0, V), (2.0 * nu, Wxx), (-z, Lxx)],
+        );
+        self.add(load, FieldComponent::Uy, &[(2.0 * nu, Wxy), (-z, Lxy)]);
+        self.add(load, FieldComponent::Uz, &[(e, Lx)]);
+        self.add_trace(load, FieldComponent::Uz, z, EdgeAxis::X);
+        self.add(load, FieldComponent::Sxx, &[(-1.0, Txxx), (e, Wxyy)]);
+        self.add(load, FieldComponent::Syy, &[(-1.0, Txyy), (-e, Wxyy)]);
+        self.add_trace(load, FieldComponent::Syy, e, EdgeAxis::X);
+        self.add(load, FieldComponent::Szz, &[(-1.0, Txzz)]);
+        self.add(load, FieldComponent::Sxy, &[(-1.0, Txxy), (-e, Wxxy)]);
+        self.add(load, FieldComponent::Sxz, &[(-1.0, Txxz)]);
+        self.add(load, FieldComponent::Syz, &[(-1.0, Txyz)]);
     }
 
     /// Sets the weights for a traction along y: those for a traction along x with the axes exchanged, with `L_yy` and
     /// `W_yy` expressed by the other integrals.
     fn set_traction_y(&mut self, nu: f64, z: f64) {
-        use Integral::{Lxx, Lxy, Ly, Txxy, Txyy, Txyz, Tyyy, Tyyz, Tyzz, V, Wxx, Wxxy, Wxy, Wxyy};
+        use PotentialIntegral::{
+            Lxx, Lxy, Ly, Txxy, Txyy, Txyz, Tyyy, Tyyz, Tyzz, V, Wxx, Wxxy, Wxy, Wxyy,
+        };
         let e = 1.0 - 2.0 * nu;
         let load = Load::Qy;
-        self.add(load, Component::Ux, &[(2.0 * nu, Wxy), (-z, Lxy)]);
+        self.add(load, FieldComponent::Ux, &[(2.0 * nu, Wxy), (-z, Lxy)]);
         self.add(
             load,
-            Component::Uy,
+            FieldComponent::Uy,
             &[(2.0 - 2.0 * nu, V), (-2.0 * nu, Wxx), (z, Lxx)],
         );
-        self.add_trace(load, Component::Uy, -z, EdgeAxis::Z);
-        self.add(load, Component::Uz, &[(e, Ly)]);
-        self.add_trace(load, Component::Uz, z, EdgeAxis::Y);
-        self.add(load, Component::Sxx, &[(-1.0, Txxy), (-e, Wxxy)]);
-        self.add_trace(load, Component::Sxx, e, EdgeAxis::Y);
-        self.add(load, Component::Syy, &[(-1.0, Tyyy), (e, Wxxy)]);
-        self.add(load, Component::Szz, &[(-1.0, Tyzz)]);
-        self.add(load, Component::Sxy, &[(-1.0, Txyy), (-e, Wxyy)]);
-        self.add(load, Component::Sxz, &[(-1.0, Txyz)]);
-        self.add(load, Component::Syz, &[(-1.0, Tyyz)]);
+        self.add_trace(load, FieldComponent::Uy, -z, EdgeAxis::Z);
+        self.add(load, FieldComponent::Uz, &[(e, Ly)]);
+        self.add_trace(load, FieldComponent::Uz, z, EdgeAxis::Y);
+        self.add(load, FieldComponent::Sxx, &[(-1.0, Txxy), (-e, Wxxy)]);
+        self.add_trace(load, FieldComponent::Sxx, e, EdgeAxis::Y);
+        self.add(load, FieldComponent::Syy, &[(-1.0, Tyyy), (e, Wxxy)]);
+        self.add(load, FieldComponent::Szz, &[(-1.0, Tyzz)]);
+        self.add(load, FieldComponent::Sxy, &[(-1.0, Txyy), (-e, Wxyy)]);
+        self.add(load, FieldComponent::Sxz, &[(-1.0, Txyz)]);
+        self.add(load, FieldComponent::Syz, &[(-1.0, Tyyz)]);
     }
 
     /// Adds a factor times `-V_x`, `-V_y` or `-V_z`, one third of the trace of `T`.
-    fn add_trace(&mut self, load: Load, component: Component, factor: f64, axis: EdgeAxis) {
-        use Integral::{Txxx, Txxy, Txxz, Txyy, Txzz, Tyyy, Tyyz, Tyzz, Tzzz};
+    fn add_trace(&mut self, load: Load, component: FieldComponent, factor: f64, axis: EdgeAxis) {
+        use PotentialIntegral::{Txxx, Txxy, Txxz, Txyy, Txzz, Tyyy, Tyyz, Tyzz, Tzzz};
         let trace = match axis {
             EdgeAxis::X => [Txxx, Txyy, Txzz],
             EdgeAxis::Y => [Txxy, Tyyy, Tyzz],
@@ -185,7 +197,7 @@ impl Weights {
     }
 
     /// Adds weights with the factor `1/(4 pi)` for displacements and `1/(2 pi)` for stresses.
-    fn add(&mut self, load: Load, component: Component, parts: &[(f64, Integral)]) {
+    fn add(&mut self, load: Load, component: FieldComponent, parts: &[(f64, PotentialIntegral)]) {
         let divisor = if component.is_displacement() {
             4.0 * PI
         } else {

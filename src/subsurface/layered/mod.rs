@@ -10,7 +10,9 @@ use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::memory::fallible;
 use crate::parallel::{self, Blocks};
-use crate::subsurface::kernel::{Component, Integral, Load, LoadedRectangle, Weights};
+use crate::subsurface::kernel::{
+    FieldComponent, Load, LoadedRectangle, PotentialIntegral, Weights,
+};
 use crate::subsurface::strip::Strips;
 use radial::Radial;
 
@@ -18,21 +20,21 @@ use radial::Radial;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct StressEntry {
     pub(super) load: Load,
-    pub(super) component: Component,
+    pub(super) component: FieldComponent,
 }
 
 impl StressEntry {
-    pub(super) const COUNT: usize = 3 * Component::COUNT;
+    pub(super) const COUNT: usize = 3 * FieldComponent::COUNT;
 
     pub(super) fn of(index: usize) -> Self {
         Self {
-            load: Load::ALL[index / Component::COUNT],
-            component: Component::ALL[index % Component::COUNT],
+            load: Load::ALL[index / FieldComponent::COUNT],
+            component: FieldComponent::ALL[index % FieldComponent::COUNT],
         }
     }
 
     pub(super) fn index(self) -> usize {
-        Component::COUNT * self.load as usize + self.component as usize
+        FieldComponent::COUNT * self.load as usize + self.component as usize
     }
 
     /// Returns whether the component is odd in x and odd in y.
@@ -45,7 +47,7 @@ impl StressEntry {
 /// Values of all components under each traction.
 type Entries = [f64; StressEntry::COUNT];
 /// Values of all components under one traction.
-type TractionColumn = [f64; Component::COUNT];
+type TractionColumn = [f64; FieldComponent::COUNT];
 
 /// Kernels at a depth below the surface of a coated body.
 ///
@@ -135,9 +137,9 @@ impl<'a> Layered<'a> {
                 }
             }
             if let Some([modulus, nu]) = self.near {
-                let mut integrals = vec![0.0; Integral::COUNT * width];
+                let mut integrals = vec![0.0; PotentialIntegral::COUNT * width];
                 let mut lines = integrals.chunks_exact_mut(width);
-                let mut lines: [_; Integral::COUNT] =
+                let mut lines: [_; PotentialIntegral::COUNT] =
                     std::array::from_fn(|_| lines.next().unwrap_or_default());
                 match &strips {
                     None => cell.integrals_along_row(&xs, y, self.depth, &mut lines),
@@ -176,7 +178,7 @@ fn of_half_space([modulus, nu]: [f64; 2]) -> [f64; 3] {
 fn add_homogeneous(
     weights: &Weights,
     modulus: f64,
-    integrals: &[&mut [f64]; Integral::COUNT],
+    integrals: &[&mut [f64]; PotentialIntegral::COUNT],
     out: &mut [&mut [f64]; StressEntry::COUNT],
 ) {
     for (n, out) in out.iter_mut().enumerate() {
@@ -238,5 +240,5 @@ fn exchanged([ux, uy, uz, xx, yy, zz, xy, xz, yz]: TractionColumn) -> TractionCo
 
 fn joined(pressure: TractionColumn, along_x: TractionColumn, along_y: TractionColumn) -> Entries {
     let loads = [pressure, along_x, along_y];
-    std::array::from_fn(|n| loads[n / Component::COUNT][n % Component::COUNT])
+    std::array::from_fn(|n| loads[n / FieldComponent::COUNT][n % FieldComponent::COUNT])
 }

@@ -4,7 +4,7 @@
 use std::error::Error;
 use std::hint::black_box;
 
-use kit::benchmark::{FRICTION, LOADING, Scene, ball};
+use kit::benchmark::{BenchmarkCase, FRICTION, LOADING, ball};
 use stickslip::cgm::Method;
 use stickslip::influence::Component;
 use stickslip::{Field, Friction, History, LoadStep, NormalControl, Operator, TangentialModel};
@@ -29,7 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// Computes products of the normal compliance with pressures on 128 x 128 cells, one in double and one in single
 /// precision.
 fn product(times: usize) -> stickslip::Result<()> {
-    let Scene { bodies, .. } = ball(128)?;
+    let BenchmarkCase { bodies, .. } = ball(128)?;
     let operator = bodies.operator(Component::ZZ)?;
     let pressure = Field::from_fn(bodies.grid(), |x, y| (1e4 * x).sin() + (2e4 * y).cos());
     let mut out = vec![0.0; operator.cells()];

@@ -41,7 +41,7 @@ const COLUMNS: &str = "scene,cells,tolerance,uniform_ms,uniform_error,uniform_ar
 type Function = Box<dyn Fn(f64, f64) -> f64>;
 
 /// Contact of the unit pair whose pressure or traction is known.
-struct Scene {
+struct ClosedFormCase {
     name: &'static str,
     gap: Function,
     exact: Function,
@@ -56,7 +56,7 @@ struct Scene {
 /// Time, error of the field, error of the area.
 type Measured = [f64; 3];
 
-struct Row {
+struct ErrorRow {
     scene: &'static str,
     cells: usize,
     tolerance: f64,
@@ -88,7 +88,7 @@ fn main() -> std::result::Result<(), Box<dyn Error>> {
         for cells in GRIDS {
             for tolerance in TOLERANCES {
                 let measured = |value| scene.measure(cells, value, tolerance);
-                let row = Row {
+                let row = ErrorRow {
                     scene: scene.name,
                     cells,
                     tolerance,
@@ -108,11 +108,11 @@ fn main() -> std::result::Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-fn scenes() -> Result<[Scene; 5]> {
+fn scenes() -> Result<[ClosedFormCase; 5]> {
     let pair = unit_pair(0.0);
     let smooth = |shape: fn() -> Smooth| {
         let (gap, pressure) = (shape(), shape());
-        Scene {
+        ClosedFormCase {
             name: gap.name,
             force: gap.force,
             area: gap.area,
@@ -125,7 +125,7 @@ fn scenes() -> Result<[Scene; 5]> {
     let sphere = smooth(Smooth::sphere);
     let hertz = HertzSphere::new(&pair, 1.0, sphere.force)?;
     let shear = CattaneoMindlin::new(hertz, FRICTION, LOADING * FRICTION * sphere.force)?;
-    let sheared = Scene {
+    let sheared = ClosedFormCase {
         name: "Cattaneo-Mindlin",
         exact: Box::new(move |x, y| shear.traction(x.hypot(y))),
         area: shear.stick_ratio() * hertz.contact_area(),
@@ -142,7 +142,7 @@ fn scenes() -> Result<[Scene; 5]> {
     Ok([
         sphere,
         smooth(Smooth::ellipse),
-        Scene {
+        ClosedFormCase {
             name: "cone",
             gap: Box::new(move |x, y| slope * x.hypot(y)),
             exact: Box::new(move |x, y| cone.pressure(x.hypot(y))),
@@ -151,7 +151,7 @@ fn scenes() -> Result<[Scene; 5]> {
             boundary: Boundary::NonPeriodic,
             shear: None,
         },
-        Scene {
+        ClosedFormCase {
             name: "wave",
             gap: Box::new(move |x, _| amplitude * (1.0 - (TAU * x / SIDE).cos())),
             exact: Box::new(move |x, _| wave.pressure(x)),
@@ -164,7 +164,7 @@ fn scenes() -> Result<[Scene; 5]> {
     ])
 }
 
-impl Scene {
+impl ClosedFormCase {
     /// Measures the shortest time of a solve with its evaluation, and the mean errors over the offsets.
     fn measure(&self, cells: usize, value: CellValue, tolerance: f64) -> Result<Measured> {
         let grid = Grid::square(cells, SIDE)?;
@@ -233,7 +233,7 @@ impl Scene {
     }
 }
 
-impl Row {
+impl ErrorRow {
     fn show(&self, file: &mut File) -> std::io::Result<()> {
         let (scene, cells, tolerance) = (self.scene, self.cells, self.tolerance);
         let ([a, b, c], [d, e, f]) = (self.uniform, self.centre);
@@ -249,7 +249,7 @@ impl Row {
 
 /// Draws the time over the error, with the pressure of the sphere on the left and its traction on the right; the grid
 /// size increases along a curve.
-fn draw(path: &Path, rows: &[Row]) -> std::result::Result<(), Box<dyn Error>> {
+fn draw(path: &Path, rows: &[ErrorRow]) -> std::result::Result<(), Box<dyn Error>> {
     let title = "32 x 32 (right), 64, .. 512 x 512 cells (left) on three contact radii";
     let figure = support::figure(path, (1960, 1000), title)?;
     let (left, right) = figure.split_horizontally(980);

@@ -11,7 +11,7 @@ use std::fs::File;
 use std::io::Write;
 use std::path::Path;
 
-use kit::benchmark::{self, Scene};
+use kit::benchmark::{self, BenchmarkCase};
 use kit::measure::{distance, energy_error, fastest};
 use plotters::prelude::*;
 use stickslip::Report;
@@ -39,7 +39,7 @@ const COLOURS: [(&str, RGBColor); 4] = [
     ("rough-40%", support::ORANGE),
 ];
 
-struct Row {
+struct TimingRow {
     scene: &'static str,
     cells: usize,
     /// Fraction of the cells in contact.
@@ -108,9 +108,9 @@ fn main() -> Result<(), Box<dyn Error>> {
 
 /// Solves a scene by every method to every tolerance, and passes each row to `show` when it is complete.
 fn measure(
-    scene: &Scene,
+    scene: &BenchmarkCase,
     methods: &[Method],
-    mut show: impl FnMut(Row) -> std::io::Result<()>,
+    mut show: impl FnMut(TimingRow) -> std::io::Result<()>,
 ) -> Result<(), Box<dyn Error>> {
     let normal = scene.normal(Method::ActiveSet, BEST)?.solve()?;
     let shear = scene
@@ -155,7 +155,7 @@ fn measure(
                 energy: energy_error(&scene.bodies, Component::XX, along_x, traction)?,
                 l1: distance(along_x, traction),
             };
-            show(Row {
+            show(TimingRow {
                 scene: scene.name,
                 cells: grid.nx(),
                 contact: normal.contact_cells() as f64 / grid.cells() as f64,
@@ -198,7 +198,7 @@ impl Run {
     }
 }
 
-impl Row {
+impl TimingRow {
     fn line(&self) -> String {
         let method = format!("{:?}", self.method);
         let [normal, shear] = self.runs.each_ref().map(Run::line);
@@ -214,7 +214,7 @@ impl Row {
 }
 
 /// Draws the time over the true error, with the normal problem on the left and the tangential problem on the right.
-fn draw(path: &Path, rows: &[Row]) -> Result<(), Box<dyn Error>> {
+fn draw(path: &Path, rows: &[TimingRow]) -> Result<(), Box<dyn Error>> {
     let rows: Vec<_> = rows.iter().filter(|row| row.cells == SHOWN).collect();
     let runs = rows.iter().flat_map(|row| &row.runs);
     let exponents = runs.map(|run| run.milliseconds.log10());

@@ -22,7 +22,7 @@ const ROUGH_LOADS: [(&str, f64); 3] = [
 
 /// Two bodies that are pressed and then sheared along x.
 #[derive(Debug)]
-pub struct Scene {
+pub struct BenchmarkCase {
     pub name: &'static str,
     pub bodies: HalfSpace,
     pub gap: Field,
@@ -31,13 +31,13 @@ pub struct Scene {
 }
 
 /// Returns the ball of the paper's Table 2, in SI units, on a square with a side of three contact radii.
-pub fn ball(cells: u16) -> Result<Scene> {
+pub fn ball(cells: u16) -> Result<BenchmarkCase> {
     let steel = Material::new(213e9, 0.29)?;
     let pair = ElasticPair::new(steel, steel)?;
     let hertz = HertzSphere::new(&pair, 3.5e-3, 100.0)?;
     let grid = Grid::square(usize::from(cells), 3.0 * hertz.contact_radius())?;
     let shear_force = LOADING * FRICTION * hertz.load();
-    Ok(Scene {
+    Ok(BenchmarkCase {
         name: "sphere",
         bodies: HalfSpace::new(grid, pair)?,
         gap: surface::sphere(grid, hertz.radius())?,
@@ -48,7 +48,7 @@ pub fn ball(cells: u16) -> Result<Scene> {
 
 /// Returns one rough surface on two equal bodies under three loads. The contact modulus `E / 2(1 - nu^2)` is the unit
 /// of pressure, and the cells are the unit of length.
-pub fn rough(cells: u16) -> Result<[Scene; 3]> {
+pub fn rough(cells: u16) -> Result<[BenchmarkCase; 3]> {
     let body = Material::new(2.0 * (1.0 - 0.3 * 0.3), 0.3)?;
     let side = f64::from(cells);
     let grid = Grid::square(usize::from(cells), side)?;
@@ -59,7 +59,7 @@ pub fn rough(cells: u16) -> Result<[Scene; 3]> {
         .generate(grid)?;
     let gap = surface::gap_from_heights(rough.heights())?;
     let bodies = HalfSpace::new(grid, ElasticPair::new(body, body)?)?;
-    Ok(ROUGH_LOADS.map(|(name, pressure)| Scene {
+    Ok(ROUGH_LOADS.map(|(name, pressure)| BenchmarkCase {
         name,
         bodies: bodies.clone(),
         gap: gap.clone(),
@@ -68,7 +68,7 @@ pub fn rough(cells: u16) -> Result<[Scene; 3]> {
     }))
 }
 
-impl Scene {
+impl BenchmarkCase {
     pub fn normal(&self, method: Method, tolerance: f64) -> Result<NormalProblem> {
         let load = NormalControl::Force(self.force);
         NormalProblem::builder(&self.bodies, &self.gap, load)

@@ -14,7 +14,7 @@ pub struct Case {
     first: [f64; 2],
     pub pair: ElasticPair,
     pub friction: f64,
-    pub steps: Vec<Step>,
+    pub steps: Vec<ReferenceStep>,
 }
 
 /// Quantity prescribed along z.
@@ -22,7 +22,7 @@ pub struct Case {
 pub enum Normal {
     Force(f64),
     Approach(f64),
-    /// The pressure of every cell is given by [`Step::cells`].
+    /// The pressure of every cell is given by [`ReferenceStep::cells`].
     Pressure,
 }
 
@@ -37,7 +37,7 @@ pub enum Tangential {
 
 /// One step: the prescribed quantities, and the results of CONTACT at its end.
 #[derive(Debug)]
-pub struct Step {
+pub struct ReferenceStep {
     /// Whether the step continues from the previous step, or starts from unloaded bodies.
     pub continues: bool,
     /// Factors of x^2, x y, y^2, x, y, 1 in the gap; zero if the pressure is prescribed.
@@ -83,7 +83,7 @@ impl Case {
         let [friction] = numbers(after(lines.next(), "friction"));
         let mut steps = Vec::new();
         while lines.peek().is_some() {
-            steps.push(Step::parse(&mut lines));
+            steps.push(ReferenceStep::parse(&mut lines));
         }
         Self {
             grid: Grid::new(size[0], size[1], dx, dy).unwrap(),
@@ -95,7 +95,7 @@ impl Case {
     }
 
     /// Returns the undeformed gap of a step.
-    pub fn gap(&self, step: &Step) -> Field {
+    pub fn gap(&self, step: &ReferenceStep) -> Field {
         let [xx, xy, yy, along_x, along_y, constant] = step.gap;
         Field::from_indices(self.grid, |ix, iy| {
             let x = self.first[0] + ix as f64 * self.grid.dx();
@@ -105,7 +105,7 @@ impl Case {
     }
 
     /// Returns a quantity of the cells in contact, and zero elsewhere.
-    pub fn field(&self, step: &Step, quantity: impl Fn(&Cell) -> f64) -> Field {
+    pub fn field(&self, step: &ReferenceStep, quantity: impl Fn(&Cell) -> f64) -> Field {
         let mut field = Field::zeros(self.grid);
         for cell in &step.cells {
             field.as_mut_slice()[cell.iy * self.grid.nx() + cell.ix] = quantity(cell);
@@ -114,7 +114,7 @@ impl Case {
     }
 }
 
-impl Step {
+impl ReferenceStep {
     fn parse<'a>(lines: &mut impl Iterator<Item = &'a str>) -> Self {
         let continues = after(lines.next(), "step").ends_with("continue");
         let mut line = lines.next();

@@ -1,7 +1,7 @@
 //! Closed forms compared with quadrature, the equations of elasticity and the point force.
 
 use super::{Numbers, at, error};
-use crate::subsurface::kernel::{Integral, LoadedRectangle};
+use crate::subsurface::kernel::{LoadedRectangle, PotentialIntegral};
 use std::f64::consts::PI;
 
 /// Returns nodes and weights of the Gauss-Legendre rule with `n` points, by Newton's method.
@@ -27,32 +27,32 @@ fn gauss(n: u32) -> Vec<[f64; 2]> {
 }
 
 /// Returns the functions under the integrals, as obtained by differentiation.
-fn integrands([x, y, z]: [f64; 3]) -> [f64; Integral::COUNT] {
+fn integrands([x, y, z]: [f64; 3]) -> [f64; PotentialIntegral::COUNT] {
     let r = (x * x + y * y + z * z).sqrt();
     let s = r + z;
     let t = |a: f64, b: f64, c: f64| 3.0 * a * b * c / r.powi(5);
     let of = |integral| match integral {
-        Integral::V => 1.0 / r,
-        Integral::Lx => x / (r * s),
-        Integral::Ly => y / (r * s),
-        Integral::Wxx => -1.0 / s + x * x / (r * s * s),
-        Integral::Wxy => x * y / (r * s * s),
-        Integral::Lxx => 1.0 / (r * s) - x * x * (s + r) / (r.powi(3) * s * s),
-        Integral::Lxy => -x * y * (s + r) / (r.powi(3) * s * s),
-        Integral::Wxxy => y / (r * s * s) - x * x * y * (s + 2.0 * r) / (r * s).powi(3),
-        Integral::Wxyy => x / (r * s * s) - x * y * y * (s + 2.0 * r) / (r * s).powi(3),
-        Integral::Txxx => t(x, x, x),
-        Integral::Txxy => t(x, x, y),
-        Integral::Txyy => t(x, y, y),
-        Integral::Tyyy => t(y, y, y),
-        Integral::Txxz => t(x, x, z),
-        Integral::Txyz => t(x, y, z),
-        Integral::Tyyz => t(y, y, z),
-        Integral::Txzz => t(x, z, z),
-        Integral::Tyzz => t(y, z, z),
-        Integral::Tzzz => t(z, z, z),
+        PotentialIntegral::V => 1.0 / r,
+        PotentialIntegral::Lx => x / (r * s),
+        PotentialIntegral::Ly => y / (r * s),
+        PotentialIntegral::Wxx => -1.0 / s + x * x / (r * s * s),
+        PotentialIntegral::Wxy => x * y / (r * s * s),
+        PotentialIntegral::Lxx => 1.0 / (r * s) - x * x * (s + r) / (r.powi(3) * s * s),
+        PotentialIntegral::Lxy => -x * y * (s + r) / (r.powi(3) * s * s),
+        PotentialIntegral::Wxxy => y / (r * s * s) - x * x * y * (s + 2.0 * r) / (r * s).powi(3),
+        PotentialIntegral::Wxyy => x / (r * s * s) - x * y * y * (s + 2.0 * r) / (r * s).powi(3),
+        PotentialIntegral::Txxx => t(x, x, x),
+        PotentialIntegral::Txxy => t(x, x, y),
+        PotentialIntegral::Txyy => t(x, y, y),
+        PotentialIntegral::Tyyy => t(y, y, y),
+        PotentialIntegral::Txxz => t(x, x, z),
+        PotentialIntegral::Txyz => t(x, y, z),
+        PotentialIntegral::Tyyz => t(y, y, z),
+        PotentialIntegral::Txzz => t(x, z, z),
+        PotentialIntegral::Tyzz => t(y, z, z),
+        PotentialIntegral::Tzzz => t(z, z, z),
     };
-    Integral::ALL.map(of)
+    PotentialIntegral::ALL.map(of)
 }
 
 /// Checks that each integrand is the derivative of a function with a simpler formula.
@@ -77,22 +77,22 @@ fn integrands_are_derivatives() {
         assert!((derivative(2, &logarithm) - 1.0 / r(point)).abs() < 1e-10);
         assert!((derivative(0, &w) - wx(point)).abs() < 1e-10);
 
-        let of = |integral: Integral| move |p| integrands(p)[integral.index()];
-        let is = |integral: Integral, axis, of: &dyn Fn([f64; 3]) -> f64| {
+        let of = |integral: PotentialIntegral| move |p| integrands(p)[integral.index()];
+        let is = |integral: PotentialIntegral, axis, of: &dyn Fn([f64; 3]) -> f64| {
             let [found, expected] = [integrands(point)[integral.index()], derivative(axis, of)];
             assert!(
                 (found - expected).abs() < 1e-10 * (1.0 + found.abs()),
                 "{integral:?}"
             );
         };
-        is(Integral::Lx, 0, &logarithm);
-        is(Integral::Ly, 1, &logarithm);
-        is(Integral::Wxx, 0, &wx);
-        is(Integral::Wxy, 1, &wx);
-        is(Integral::Lxx, 0, &of(Integral::Lx));
-        is(Integral::Lxy, 1, &of(Integral::Lx));
-        is(Integral::Wxxy, 0, &of(Integral::Wxy));
-        is(Integral::Wxyy, 1, &of(Integral::Wxy));
+        is(PotentialIntegral::Lx, 0, &logarithm);
+        is(PotentialIntegral::Ly, 1, &logarithm);
+        is(PotentialIntegral::Wxx, 0, &wx);
+        is(PotentialIntegral::Wxy, 1, &wx);
+        is(PotentialIntegral::Lxx, 0, &of(PotentialIntegral::Lx));
+        is(PotentialIntegral::Lxy, 1, &of(PotentialIntegral::Lx));
+        is(PotentialIntegral::Wxxy, 0, &of(PotentialIntegral::Wxy));
+        is(PotentialIntegral::Wxyy, 1, &of(PotentialIntegral::Wxy));
     }
 }
 
@@ -105,7 +105,7 @@ fn integrals_by_quadrature() {
         for _ in 0..30 {
             let point = [2.0, 2.0].map(|reach| numbers.between(-reach, reach));
             let z = numbers.between(0.2, 2.0);
-            let mut sums = [0.0; Integral::COUNT];
+            let mut sums = [0.0; PotentialIntegral::COUNT];
             let parts = 8;
             for [k, l] in (0..parts * parts).map(|k| [k / parts, k % parts]) {
                 let small = sides.map(|side| side / f64::from(parts));
@@ -122,7 +122,8 @@ fn integrals_by_quadrature() {
                 }
             }
             let found = cell.integrals([point[0], point[1], z]);
-            for ((found, expected), integral) in found.iter().zip(sums).zip(Integral::ALL) {
+            for ((found, expected), integral) in found.iter().zip(sums).zip(PotentialIntegral::ALL)
+            {
                 let error = (found - expected).abs();
                 assert!(
                     error < 1e-14 * (1.0 + expected.abs()),

@@ -3,13 +3,13 @@
 mod formulas;
 mod surface_and_symmetry;
 
-use super::{Component, Load, LoadedRectangle, Weights};
+use super::{FieldComponent, Load, LoadedRectangle, Weights};
 
 /// Returns all components at a point under unit `p`, `qx` and `qy`, with `G = 1`.
-fn at(cell: &LoadedRectangle, point: [f64; 3], nu: f64) -> [[f64; Component::COUNT]; 3] {
+fn at(cell: &LoadedRectangle, point: [f64; 3], nu: f64) -> [[f64; FieldComponent::COUNT]; 3] {
     let (integrals, weights) = (cell.integrals(point), Weights::new(nu, point[2]));
     Load::ALL.map(|load| {
-        Component::ALL.map(|component| {
+        FieldComponent::ALL.map(|component| {
             let products = weights.of(load, component).iter().zip(integrals);
             products.map(|(weight, integral)| weight * integral).sum()
         })

@@ -2,7 +2,7 @@
 #![expect(clippy::float_cmp, reason = "these symmetries are exact")]
 
 use super::{Numbers, at, error};
-use crate::subsurface::kernel::{Integral, LoadedRectangle};
+use crate::subsurface::kernel::{LoadedRectangle, PotentialIntegral};
 
 const SIDES: [[f64; 2]; 5] = [[0.5, 0.5], [0.5, 0.8], [3.0, 0.5], [1e-3, 1.0], [1e3, 1.0]];
 
@@ -25,7 +25,7 @@ fn parity_is_exact() {
                 assert!(values.iter().all(|value| value.is_finite()));
                 for (mirror, axis) in [([-x, y, z], 0), ([x, -y, z], 1)] {
                     let mirrored = cell.integrals(mirror);
-                    for integral in Integral::ALL {
+                    for integral in PotentialIntegral::ALL {
                         let is_odd = integral.is_odd()[axis];
                         let sign = if is_odd { -1.0 } else { 1.0 };
                         let value = values[integral.index()];
@@ -130,7 +130,7 @@ fn edges_of_the_surface_have_the_finite_part() {
     let [step, finer] = [24, 34].map(|n| 0.5_f64.powi(n));
     let edges = points(0.0).map(|[[x, y], _]| cell.integrals([x, y, 0.0]));
     for ((edge, coarse), fine) in edges.iter().zip(means(step)).zip(means(finer)) {
-        for integral in Integral::ALL {
+        for integral in PotentialIntegral::ALL {
             let k = integral.index();
             let slope = (coarse[k] - fine[k]) / (step / finer).ln();
             let finite = fine[k] - slope * (finer / a).ln();
@@ -184,9 +184,10 @@ fn rows_are_points() {
         let xs: Vec<f64> = (-150..150).map(|k| 2.0 * sides[0] * f64::from(k)).collect();
         for y in [0.0, 0.4, 2.0, -2.0, 10.0, 900.0].map(|k| k * sides[1]) {
             for z in DEPTHS {
-                let mut planes = vec![[0.0; 300]; Integral::COUNT];
+                let mut planes = vec![[0.0; 300]; PotentialIntegral::COUNT];
                 let mut rows = planes.iter_mut().map(|plane| &mut plane[..]);
-                let mut out = [(); Integral::COUNT].map(|()| rows.next().unwrap_or_default());
+                let mut out =
+                    [(); PotentialIntegral::COUNT].map(|()| rows.next().unwrap_or_default());
                 cell.integrals_along_row(&xs, y, z, &mut out);
                 for (k, &x) in xs.iter().enumerate() {
                     let point = cell.integrals([x, y, z]);

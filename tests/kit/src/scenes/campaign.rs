@@ -6,7 +6,7 @@ use stickslip::{Error, Operator};
 
 use super::judge::Verifier;
 use super::row::Row;
-use super::{Scene, draw, steps};
+use super::{RandomScene, draw, steps};
 
 /// Number of cells up to which a scene is compared with the dense reference and solved by both methods.
 const SMALL: usize = 150;
@@ -65,7 +65,7 @@ fn settled(index: u64, outcome: stickslip::Result<Vec<Row>>) -> Vec<Row> {
     })
 }
 
-fn contacts(scene: &Scene) -> Vec<Row> {
+fn contacts(scene: &RandomScene) -> Vec<Row> {
     let judge = Verifier { dense_limit: SMALL };
     let mut rows = judge.rows(scene, Method::ActiveSet);
     if scene.gap.grid().cells() <= SMALL {

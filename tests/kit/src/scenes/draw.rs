@@ -8,7 +8,7 @@ use stickslip::{
     Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, Result,
 };
 
-use super::{Demand, Expected, Scene, Shear, gaps};
+use super::{Demand, Expected, RandomScene, Shear, gaps};
 use crate::Random;
 
 /// Time limit after which a solve counts as hanging.
@@ -21,14 +21,14 @@ pub(crate) fn random_of(index: u64) -> Random {
 }
 
 /// Returns the scene of an index.
-pub(crate) fn scene(index: u64) -> Result<Scene> {
+pub(crate) fn scene(index: u64) -> Result<RandomScene> {
     scene_of(index, |pair, _| Ok(pair))
 }
 
 /// Returns the scene of an index with a layer on body 1, in three of ten cases also on body 2. Its thickness is between
 /// a hundredth of a cell and the size of the grid. Its modulus differs from that of the body by a factor of up to a
 /// thousand.
-pub(crate) fn coated_scene(index: u64) -> Result<Scene> {
+pub(crate) fn coated_scene(index: u64) -> Result<RandomScene> {
     let mut random = random_of(index ^ 0x0063_6f61_7465_6400);
     scene_of(index, |pair, grid| {
         let [body, other] = pair.bodies();
@@ -49,7 +49,7 @@ pub(crate) fn coated_scene(index: u64) -> Result<Scene> {
 fn scene_of(
     index: u64,
     bodies: impl FnOnce(ElasticPair, Grid) -> Result<ElasticPair>,
-) -> Result<Scene> {
+) -> Result<RandomScene> {
     let mut random = random_of(index);
     let pair = pair(&mut random)?;
     let grid = grid(&mut random)?;
@@ -72,9 +72,9 @@ fn scene_of(
     let settings = Settings::default()
         .tolerance(tolerance)
         .time_limit(PATIENCE);
-    let mut scene = Scene {
+    let mut scene = RandomScene {
         settings,
-        ..Scene::new(format!("scene {index}"), &bodies, gap, load).expect(expected)
+        ..RandomScene::new(format!("scene {index}"), &bodies, gap, load).expect(expected)
     };
     if random.chance(0.2) {
         let before = self::gap(grid, &mut random);

@@ -14,7 +14,7 @@ use stickslip::{
 use super::compliance::{Compliance, dot};
 use super::oracle::{self, ReferenceSolution, gathered, limits};
 use super::row::{Measured, Row};
-use super::{Demand, Expected, Scene, Shear};
+use super::{Demand, Expected, RandomScene, Shear};
 
 /// Verifier with the number of cells up to which the dense reference is used.
 #[derive(Debug, Clone, Copy)]
@@ -24,7 +24,7 @@ pub(crate) struct Verifier {
 
 impl Verifier {
     /// Returns the rows of all parts of a scene; a panic counts as a fault.
-    pub(crate) fn rows(self, scene: &Scene, method: Method) -> Vec<Row> {
+    pub(crate) fn rows(self, scene: &RandomScene, method: Method) -> Vec<Row> {
         let halves = AssertUnwindSafe(|| self.halves(scene, method));
         match catch_unwind(halves) {
             Ok(rows) => rows,
@@ -32,7 +32,7 @@ impl Verifier {
         }
     }
 
-    fn halves(self, scene: &Scene, method: Method) -> Vec<Row> {
+    fn halves(self, scene: &RandomScene, method: Method) -> Vec<Row> {
         let (row, normal) = match self.press(scene, method) {
             Ok(pressed) => pressed,
             Err(error) => return vec![broken(scene, error.to_string())],
@@ -47,7 +47,7 @@ impl Verifier {
         rows
     }
 
-    fn press(self, scene: &Scene, method: Method) -> Result<(Row, Option<NormalSolution>)> {
+    fn press(self, scene: &RandomScene, method: Method) -> Result<(Row, Option<NormalSolution>)> {
         let mut row = Row::new(&scene.name, "pressure");
         let mut builder = NormalProblem::builder(&scene.bodies, &scene.gap, scene.load)
             .tolerance(scene.settings.tolerance)
@@ -119,7 +119,7 @@ impl Verifier {
 
     fn shear(
         self,
-        scene: &Scene,
+        scene: &RandomScene,
         shear: &Shear,
         normal: &NormalSolution,
         method: Method,
@@ -185,7 +185,7 @@ impl Verifier {
     fn examine_shear(
         self,
         row: &mut Row,
-        scene: &Scene,
+        scene: &RandomScene,
         shear: &Shear,
         normal: &NormalSolution,
         load: TangentialLoad,
@@ -257,7 +257,7 @@ fn pose(solver: &mut NormalSolver, (gap, load): &(Field, NormalControl)) -> Resu
 }
 
 /// Returns a row with a fault.
-fn broken(scene: &Scene, fault: String) -> Row {
+fn broken(scene: &RandomScene, fault: String) -> Row {
     let mut row = Row::new(&scene.name, "all");
     row.fault = Some(fault);
     row

@@ -18,7 +18,7 @@ use stickslip::{Field, Friction, HalfSpace, NormalControl, TangentialModel};
 
 /// A normal contact, and the tangential contacts under its pressure.
 #[derive(Debug)]
-pub(crate) struct Scene {
+pub(crate) struct RandomScene {
     pub(crate) name: String,
     pub(crate) bodies: HalfSpace,
     pub(crate) gap: Field,
@@ -70,7 +70,7 @@ pub(crate) enum Expected {
     Refused(&'static str),
 }
 
-impl Scene {
+impl RandomScene {
     /// Creates a scene with default settings that must converge, without tangential contacts.
     pub(crate) fn new(
         name: impl Into<String>,

@@ -10,7 +10,7 @@ use stickslip::{
     Result, TangentialControl, TangentialLoad, TangentialProblem, TangentialSolution,
 };
 
-use super::{Scene, Shear};
+use super::{RandomScene, Shear};
 
 /// A reference solution on the whole grid.
 #[derive(Debug)]
@@ -44,7 +44,7 @@ fn finer(tolerance: f64) -> f64 {
 
 /// Returns the reference pressure for the force or the approach that was found.
 pub(crate) fn pressure(
-    scene: &Scene,
+    scene: &RandomScene,
     found: &NormalSolution,
     method: Method,
     dense_limit: usize,
@@ -93,7 +93,7 @@ pub(crate) fn pressure(
 
 /// Returns the reference tractions for the load, or for the force found if a periodic grid was shifted.
 pub(crate) fn tractions(
-    scene: &Scene,
+    scene: &RandomScene,
     shear: &Shear,
     normal: &NormalSolution,
     load: TangentialLoad,
@@ -210,7 +210,7 @@ fn varying(field: &[f64]) -> f64 {
 }
 
 fn exact_traction(
-    scene: &Scene,
+    scene: &RandomScene,
     limits: &[f64],
     contact: &[usize],
     load: TangentialLoad,

@@ -2,25 +2,25 @@
 
 use stickslip::{Boundary, ElasticPair, Field, Grid, HalfSpace, Material, Result};
 
-use super::super::{Scene, gaps};
+use super::super::{RandomScene, gaps};
 use super::{free, pair, periodic, press, suffix};
 use crate::Random;
 
 /// Returns contacts from a single cell to all cells.
-pub(crate) fn contacts() -> Result<Vec<Scene>> {
+pub(crate) fn contacts() -> Result<Vec<RandomScene>> {
     let mut scenes = Vec::new();
     let places = [[10, 10], [10, 11], [3, 17], [0, 0], [19, 2]];
     for count in [1, 2, 5] {
         let bodies = free(20, 20)?;
         let gap = gaps::nails(bodies.grid(), 0.5, &places[..count]);
         let name = format!("contact of {count} cells");
-        scenes.push(Scene::new(name, &bodies, gap, press(&bodies, 1e-5)).sheared(0.5, 0.6)?);
+        scenes.push(RandomScene::new(name, &bodies, gap, press(&bodies, 1e-5)).sheared(0.5, 0.6)?);
     }
     let corners = [[0, 0], [199, 0], [0, 199], [199, 199], [100, 100]];
     let bodies = free(200, 200)?;
     let gap = gaps::nails(bodies.grid(), 0.5, &corners);
     scenes.push(
-        Scene::new(
+        RandomScene::new(
             "isolated cells far apart",
             &bodies,
             gap,
@@ -33,7 +33,7 @@ pub(crate) fn contacts() -> Result<Vec<Scene>> {
         ("flat on flat, periodic", periodic(20, 20)?),
     ] {
         let gap = Field::zeros(bodies.grid());
-        scenes.push(Scene::new(name, &bodies, gap, press(&bodies, 1e-2)).sheared(0.5, 0.6)?);
+        scenes.push(RandomScene::new(name, &bodies, gap, press(&bodies, 1e-2)).sheared(0.5, 0.6)?);
     }
     for (name, bodies, amplitude, part) in [
         ("full contact", free(20, 20)?, 0.01, 0.1),
@@ -47,19 +47,19 @@ pub(crate) fn contacts() -> Result<Vec<Scene>> {
         ),
     ] {
         let gap = gaps::waves(bodies.grid(), [amplitude, amplitude]);
-        scenes.push(Scene::new(name, &bodies, gap, press(&bodies, part)).sheared(0.5, 0.6)?);
+        scenes.push(RandomScene::new(name, &bodies, gap, press(&bodies, part)).sheared(0.5, 0.6)?);
     }
     let bodies = free(20, 20)?;
     let gap = gaps::punch(bodies.grid(), 6.3, 1.0);
     scenes.push(
-        Scene::new("flat punch, sharp edge", &bodies, gap, press(&bodies, 1e-2))
+        RandomScene::new("flat punch, sharp edge", &bodies, gap, press(&bodies, 1e-2))
             .sheared(0.5, 0.6)?,
     );
     let gap = Field::from_fn(bodies.grid(), |x, y| {
         ((x - 8.0).powi(2) + (y + 9.0).powi(2)) / 80.0
     });
     scenes.push(
-        Scene::new(
+        RandomScene::new(
             "contact across the edge of the grid",
             &bodies,
             gap,
@@ -71,7 +71,7 @@ pub(crate) fn contacts() -> Result<Vec<Scene>> {
 }
 
 /// Returns slender grids, prime sizes and slender cells.
-pub(crate) fn grids() -> Result<Vec<Scene>> {
+pub(crate) fn grids() -> Result<Vec<RandomScene>> {
     let mut scenes = Vec::new();
     for (nx, ny) in [
         (1, 1),
@@ -88,7 +88,9 @@ pub(crate) fn grids() -> Result<Vec<Scene>> {
             let bodies = HalfSpace::with_boundary(grid, pair(0.3)?, boundary)?;
             let gap = gaps::bowl(grid, 2.0 * nx.max(ny) as f64);
             let name = format!("{nx} x {ny} cells{}", suffix(boundary));
-            scenes.push(Scene::new(name, &bodies, gap, press(&bodies, 3e-3)).sheared(0.5, 0.6)?);
+            scenes.push(
+                RandomScene::new(name, &bodies, gap, press(&bodies, 3e-3)).sheared(0.5, 0.6)?,
+            );
         }
     }
     for (dx, dy) in [(1.0, 100.0), (100.0, 1.0)] {
@@ -97,19 +99,21 @@ pub(crate) fn grids() -> Result<Vec<Scene>> {
             let bodies = HalfSpace::with_boundary(grid, pair(0.3)?, boundary)?;
             let gap = gaps::bowl(grid, 1e4);
             let name = format!("cells {dx} : {dy}{}", suffix(boundary));
-            scenes.push(Scene::new(name, &bodies, gap, press(&bodies, 0.03)).sheared(0.5, 0.6)?);
+            scenes.push(
+                RandomScene::new(name, &bodies, gap, press(&bodies, 0.03)).sheared(0.5, 0.6)?,
+            );
         }
     }
     Ok(scenes)
 }
 
-pub(crate) fn materials() -> Result<Vec<Scene>> {
+pub(crate) fn materials() -> Result<Vec<RandomScene>> {
     let grid = Grid::square(20, 20.0)?;
     let mut scenes = Vec::new();
     for poisson_ratio in [0.0, 0.499999, 0.5, -0.5] {
         let bodies = HalfSpace::new(grid, pair(poisson_ratio)?)?;
         let name = format!("Poisson's ratio {poisson_ratio}");
-        let scene = Scene::new(name, &bodies, gaps::bowl(grid, 40.0), press(&bodies, 0.01));
+        let scene = RandomScene::new(name, &bodies, gaps::bowl(grid, 40.0), press(&bodies, 0.01));
         scenes.push(scene.sheared(0.5, 0.6)?);
     }
     let body = Material::new(1.0, 0.3)?;
@@ -121,14 +125,14 @@ pub(crate) fn materials() -> Result<Vec<Scene>> {
         ("moduli 1 : 1e12", ElasticPair::new(body, stiff)?),
     ] {
         let bodies = HalfSpace::new(grid, pair)?;
-        let scene = Scene::new(name, &bodies, gaps::bowl(grid, 40.0), press(&bodies, 0.01));
+        let scene = RandomScene::new(name, &bodies, gaps::bowl(grid, 40.0), press(&bodies, 0.01));
         scenes.push(scene.sheared(0.5, 0.6)?);
     }
     Ok(scenes)
 }
 
 /// Returns scenes in extreme units.
-pub(crate) fn scales() -> Result<Vec<Scene>> {
+pub(crate) fn scales() -> Result<Vec<RandomScene>> {
     let mut scenes = Vec::new();
     for modulus in [1e-3, 1e15] {
         for length in [1e-12, 1e6] {
@@ -137,13 +141,15 @@ pub(crate) fn scales() -> Result<Vec<Scene>> {
             let bodies = HalfSpace::new(grid, ElasticPair::new(body, body)?)?;
             let gap = gaps::bowl(grid, 40.0 * length);
             let name = format!("modulus {modulus:e}, length {length:e}");
-            scenes.push(Scene::new(name, &bodies, gap, press(&bodies, 0.01)).sheared(0.5, 0.6)?);
+            scenes.push(
+                RandomScene::new(name, &bodies, gap, press(&bodies, 0.01)).sheared(0.5, 0.6)?,
+            );
         }
     }
     Ok(scenes)
 }
 
-pub(crate) fn surfaces() -> Result<Vec<Scene>> {
+pub(crate) fn surfaces() -> Result<Vec<RandomScene>> {
     let mut scenes = Vec::new();
     for bodies in [free(20, 20)?, periodic(20, 20)?, free(64, 60)?] {
         for (height, name) in [
@@ -153,13 +159,15 @@ pub(crate) fn surfaces() -> Result<Vec<Scene>> {
             let gap = gaps::white_noise(bodies.grid(), height, &mut Random(5));
             let cells = bodies.grid().cells();
             let name = format!("{name}, {cells} cells{}", suffix(bodies.boundary()));
-            scenes.push(Scene::new(name, &bodies, gap, press(&bodies, 0.02)).sheared(0.5, 0.6)?);
+            scenes.push(
+                RandomScene::new(name, &bodies, gap, press(&bodies, 0.02)).sheared(0.5, 0.6)?,
+            );
         }
     }
     let bodies = free(64, 64)?;
     let gap = gaps::two_bowls(bodies.grid(), [3e3, 3.0], 30.0);
     scenes.push(
-        Scene::new(
+        RandomScene::new(
             "two contacts of very different size",
             &bodies,
             gap,

@@ -4,31 +4,33 @@ use std::f64::consts::FRAC_PI_4;
 
 use stickslip::{Field, Friction, NormalControl, Result};
 
-use super::super::{Demand, Expected, Scene, Shear, gaps};
+use super::super::{Demand, Expected, RandomScene, Shear, gaps};
 use super::{free, periodic, press, suffix};
 use crate::Random;
 
 /// Returns loads from zero to far beyond the range of elastic bodies, and tangential forces from zero to sliding.
-pub(crate) fn loads() -> Result<Vec<Scene>> {
+pub(crate) fn loads() -> Result<Vec<RandomScene>> {
     let mut scenes = Vec::new();
     for part in [1e-14, 1e-9, 1.0, 1e3] {
         for bodies in [free(20, 20)?, periodic(20, 20)?] {
             let mut random = Random(3);
             let gap = gaps::white_noise(bodies.grid(), 1.0, &mut random);
             let name = format!("load {part:e} of E*{}", suffix(bodies.boundary()));
-            scenes.push(Scene::new(name, &bodies, gap, press(&bodies, part)).sheared(0.5, 0.6)?);
+            scenes.push(
+                RandomScene::new(name, &bodies, gap, press(&bodies, part)).sheared(0.5, 0.6)?,
+            );
         }
     }
     for (parts, bodies) in [(0.6, free(20, 20)?), (0.03, periodic(20, 20)?)] {
         let gap = gaps::waves(bodies.grid(), [0.3, 0.3]);
         let load = NormalControl::Approach(parts);
         let name = format!("prescribed approach{}", suffix(bodies.boundary()));
-        scenes.push(Scene::new(name, &bodies, gap, load).sheared(0.5, 0.6)?);
+        scenes.push(RandomScene::new(name, &bodies, gap, load).sheared(0.5, 0.6)?);
     }
     for bodies in [free(16, 16)?, periodic(16, 16)?] {
         let gap = gaps::bowl(bodies.grid(), 40.0);
         let name = format!("bowl{}", suffix(bodies.boundary()));
-        let mut scene = Scene::new(name, &bodies, gap, press(&bodies, 0.01));
+        let mut scene = RandomScene::new(name, &bodies, gap, press(&bodies, 0.01));
         for (part, name) in [
             (0.0, "F = 0"),
             (1e-12, "F = 1e-12 of sliding"),
@@ -70,11 +72,11 @@ pub(crate) fn loads() -> Result<Vec<Scene>> {
     Ok(scenes)
 }
 
-pub(crate) fn frictions() -> Result<Vec<Scene>> {
+pub(crate) fn frictions() -> Result<Vec<RandomScene>> {
     let bodies = free(20, 20)?;
     let grid = bodies.grid();
     let gap = gaps::bowl(grid, 40.0);
-    let mut scene = Scene::new("friction", &bodies, gap, press(&bodies, 0.01));
+    let mut scene = RandomScene::new("friction", &bodies, gap, press(&bodies, 0.01));
     let nowhere = Shear::new("0", Friction::coulomb(0.0)?, Demand::Shift([1e-3, 0.0]));
     let halved = Field::from_fn(grid, |x, _| if x < 0.0 { 0.0 } else { 0.5 });
     let jumping = Field::from_indices(grid, |ix, iy| if (ix + iy) % 2 == 0 { 1e-3 } else { 1e3 });
@@ -100,10 +102,10 @@ pub(crate) fn frictions() -> Result<Vec<Scene>> {
     Ok(vec![scene.shear(nowhere)])
 }
 
-pub(crate) fn tolerances() -> Result<Vec<Scene>> {
+pub(crate) fn tolerances() -> Result<Vec<RandomScene>> {
     let bodies = free(20, 20)?;
     let scene = || {
-        Scene::new(
+        RandomScene::new(
             "tolerance",
             &bodies,
             gaps::bowl(bodies.grid(), 40.0),
@@ -134,14 +136,14 @@ pub(crate) fn tolerances() -> Result<Vec<Scene>> {
 }
 
 /// Returns scenes whose solver has solved a different scene before, which must not affect the solution.
-pub(crate) fn warm_starts() -> Result<Vec<Scene>> {
+pub(crate) fn warm_starts() -> Result<Vec<RandomScene>> {
     let mut scenes = Vec::new();
     for bodies in [free(20, 20)?, periodic(20, 20)?, free(60, 60)?] {
         let grid = bodies.grid();
         let noise = gaps::white_noise(grid, 5.0, &mut Random(6));
         let name = format!("after another scene, {} cells", grid.cells());
         let name = name + suffix(bodies.boundary());
-        let scene = Scene::new(name, &bodies, gaps::bowl(grid, 40.0), press(&bodies, 0.01));
+        let scene = RandomScene::new(name, &bodies, gaps::bowl(grid, 40.0), press(&bodies, 0.01));
         scenes.push(scene.after(noise, press(&bodies, 1.0)));
     }
     Ok(scenes)
