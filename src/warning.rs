@@ -1,5 +1,8 @@
 //! Warnings about a converged solution, and the resolution of its zones.
 
+#[cfg(test)]
+mod tests;
+
 use crate::grid::Grid;
 
 /// Warning that a converged solution may be misleading.

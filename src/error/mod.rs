@@ -6,7 +6,7 @@ mod place;
 mod ranks;
 mod result;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 pub(crate) use check::{
     SLIDE, all_finite, all_non_negative, at_least, finite, has_squares, length, memory,

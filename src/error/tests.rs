@@ -1,13 +1,12 @@
-//! Texts of all errors, rank failures and warnings.
+//! Texts of all errors and rank failures.
 
 use std::fmt::Display;
 
 use crate::error::{Error, Place, RankFailure, SLIDE};
 use crate::report::{Report, Status};
-use crate::warning::Warning;
 
 /// Enumeration whose variants are listed here. The `match` has no wildcard, so a new variant must be added to the list.
-trait Variants: Display {
+pub(crate) trait Variants: Display {
     const ALL: &'static [&'static str];
 
     fn variant(&self) -> &'static str;
@@ -27,6 +26,8 @@ macro_rules! variants {
     };
 }
 
+pub(crate) use variants;
+
 variants! { Error:
     GridSize Memory NotPositive NegativeOrNotFinite NotFinite ExtremeNumber Sample PoissonRatio BothRigid TooManyLayers
     UnsupportedForCoatings IncompleteKernel NotDefinite DatumTooNear RigidBody DivergentPeriodicSum CoupledMaterials
@@ -42,15 +43,9 @@ variants! { RankFailure:
     SeparateMpiJobs CollectiveMismatch InconsistentInput RejectedByRank
 }
 
-variants! { Warning:
-    NoContact ContactAtEdge UnresolvedSpots SingleRowOfCells ContactSpansGrid BeyondHardness StalePressure StressAtEdge
-    UnderresolvedContact UnderresolvedStickZone UnderresolvedSlipZone DiscretisationError SingleLoadStep
-    ApproachBeyondGrid LargeContactRadius SteepSurface HeldShiftLostForce NeglectedLift
-}
-
 /// Checks the texts of the examples, and that every variant has an example.
 #[track_caller]
-fn check_texts<T: Variants>(examples: &[(T, &str)]) {
+pub(crate) fn check_texts<T: Variants>(examples: &[(T, &str)]) {
     for (value, text) in examples {
         assert_eq!(value.to_string(), *text);
     }
@@ -517,119 +512,6 @@ fn every_rank_failure_has_its_text() {
         (
             RankFailure::RejectedByRank { rank: 1 },
             "rank 1 rejected its part of the work: check the error of that rank",
-        ),
-    ]);
-}
-
-#[test]
-#[expect(clippy::too_many_lines, reason = "a table")]
-fn every_warning_has_its_text() {
-    check_texts(&[
-        (
-            Warning::NoContact,
-            "no cell carries pressure because the normal force is zero: prescribe a positive normal force, or an approach above the smallest gap",
-        ),
-        (
-            Warning::ContactAtEdge { cells: 12 },
-            "12 contact cells lie on the edge of the grid: use a larger grid",
-        ),
-        (
-            Warning::UnresolvedSpots {
-                unresolved: 7,
-                spots: 40,
-            },
-            "7 of 40 contact spots have fewer than 5 cells, and together they contain at least a tenth of the contact cells: refine the grid, or filter out the short waves of the surface",
-        ),
-        (
-            Warning::SingleRowOfCells,
-            "the grid is a single row of rectangular cells and not periodic, so it does not model a line contact in plane strain: use a row along x with a boundary that is periodic along y",
-        ),
-        (
-            Warning::ContactSpansGrid {
-                along_x: true,
-                along_y: false,
-            },
-            "a contact spot extends across the whole grid along x, which causes pressure peaks at the edges: increase the gap towards the edges, or use a boundary that is periodic along y or along both axes",
-        ),
-        (
-            Warning::ContactSpansGrid {
-                along_x: false,
-                along_y: true,
-            },
-            "a contact spot extends across the whole grid along y, which causes pressure peaks at the edges: increase the gap towards the edges, or use a boundary that is periodic along y or along both axes",
-        ),
-        (
-            Warning::ContactSpansGrid {
-                along_x: true,
-                along_y: true,
-            },
-            "a contact spot extends across the whole grid along x and y, which causes pressure peaks at the edges: increase the gap towards the edges, or use a boundary that is periodic along y or along both axes",
-        ),
-        (
-            Warning::BeyondHardness { cells: 3 },
-            "the pressure exceeds the hardness of the softer body in 3 cells: limit the pressure to the hardness",
-        ),
-        (
-            Warning::StalePressure,
-            "the gap has changed, but the step kept the pressure, which belongs to the old gap: prescribe the normal load again",
-        ),
-        (
-            Warning::StressAtEdge,
-            "the error of the stress along the surface at the edge of a sheared contact decreases only with the square root of the cell size: use a plane at a depth of at least one cell side",
-        ),
-        (
-            Warning::UnderresolvedContact { cells: 80 },
-            "the contact has only 80 cells, so that its area and its stick ratio are inaccurate: refine the grid",
-        ),
-        (
-            Warning::UnderresolvedStickZone { cells: 30 },
-            "only 30 cells stick, so that the size of the stick zone is inaccurate: refine the grid",
-        ),
-        (
-            Warning::UnderresolvedSlipZone { tenths: 14 },
-            "the slip zone is only 1.4 cells wide on average, so that slip and dissipated energy are inaccurate: refine the grid until the zone is two cells wide",
-        ),
-        (
-            Warning::DiscretisationError {
-                per_mille: 80,
-                cells_per_radius: 40,
-                spots: 11,
-            },
-            "the estimated discretisation error of the fields of 11 contact spots is 8.0 %: for an error of 1 %, resample the surface onto cells 4.0 times smaller, or filter out its short waves",
-        ),
-        (
-            Warning::DiscretisationError {
-                per_mille: 82,
-                cells_per_radius: 40,
-                spots: 10,
-            },
-            "the estimated discretisation error of the fields is 8.2 %: for an error of 1 %, use 40 cells on the radius of a contact spot",
-        ),
-        (
-            Warning::SingleLoadStep,
-            "dissimilar bodies were pressed in too few steps, although different cells stick and slip while the load grows: use the function press of a history, which chooses the steps for a tolerance",
-        ),
-        (
-            Warning::ApproachBeyondGrid { tenths: 15 },
-            "the approach is 1.5 times the longest side of the grid, expected less than 1: check the units of gap, grid, modulus and load",
-        ),
-        (
-            Warning::LargeContactRadius { per_mille: 350 },
-            "the contact radius is about 0.35 of the radius of curvature, expected at most 0.3: check the units of gap and grid, or lower the load; half-spaces assume small slopes",
-        ),
-        (
-            Warning::SteepSurface { per_mille: 750 },
-            "the rms slope of the surface within the contact is 0.75, expected at most 0.5: check the units of heights and grid, or filter out short waves; half-spaces assume small slopes",
-        ),
-        (
-            Warning::HeldShiftLostForce { per_cent: 60 },
-            "the step kept the shift and lost 60 % of the tangential force, expected at most 50 %: to keep the force, prescribe it in each step",
-        ),
-        (
-            Warning::NeglectedLift {
-                per_million: 10_500,
-            },
-            "tractions displace the surfaces of dissimilar bodies by 1.0500 % of the normal displacement, which the pressure neglects: use coupled rolling, or a history with full coupling",
         ),
     ]);
 }

@@ -35,7 +35,7 @@ fn signs_are_consistent_for_two_different_bodies() {
     let stiff = Material::from_shear_modulus(4.0, 0.1).unwrap();
     let grid = Grid::new(20, 18, 1.0, 1.1).unwrap();
     let bodies = HalfSpace::new(grid, ElasticPair::new(soft, stiff).unwrap()).unwrap();
-    assert!(bodies.pair().dundurs_beta().abs() < 1e-15 || bodies.pair().dundurs_beta() != 0.0);
+    assert!(bodies.pair().dundurs_beta().abs() < 1e-15);
     let ball = surface::sphere(grid, 40.0).unwrap();
     let press = NormalProblem::builder(&bodies, &ball, NormalControl::Force(3.0)).tolerance(1e-12);
     let normal = press.build().unwrap().solve().unwrap();
