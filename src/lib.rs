@@ -118,10 +118,10 @@
 //! | um | uN | MPa |
 //!
 //! z points into body 1. Pressure is positive in compression. A gap is positive if the surfaces are apart, and the
-//! approach is positive if the bodies come together. Heights are positive out of their body. Traction and tangential
+//! approach is positive if the bodies come together. Heights are positive away from their body. Traction and tangential
 //! force act on body 1 and are exerted by body 2 through the contact; they are positive along the axis. Displacements are
-//! relative: body 1 minus body 2. The shift is the rigid motion of body 2 relative to body 1, far from the contact. A
-//! body 2 dragged along +x therefore has a positive shift and pulls body 1 along with a positive force. Slip is
+//! relative: body 1 minus body 2. The shift is the rigid motion of body 2 relative to body 1, far from the contact. If
+//! body 2 is dragged along +x, its shift is therefore positive, and it pulls body 1 along with a positive force. Slip is
 //! `s = u - shift`, the motion of the surface of body 1 over the surface of body 2; its direction is opposite to the
 //! traction. Fields are row-major with x fastest, the memory layout of a NumPy array of shape `(ny, nx)`.
 //!
@@ -135,8 +135,8 @@
 //! read from its spectrum, as derived on the page of [`cgm`]. (For a user-defined operator without such an eigenvalue,
 //! only the residual is tested.)
 //!
-//! For the sphere of the example the error is due to the discretisation and not to the solver. With 512 x 512 cells and
-//! the default tolerance 1e-8:
+//! For the sphere of the example the error is due to the discretisation and not to the solver. The table is for 512 x
+//! 512 cells and the default tolerance of 1e-8:
 //!
 //! | quantity | relative difference from the closed form |
 //! |---|---|
@@ -162,8 +162,8 @@
 //! | largest shear traction | 7e-3 | 2e-3 | 2e-4 |
 //! | approach | 2e-5 | 1.4e-6 | 1.2e-6 |
 //!
-//! The next table lists grids for an error of 0.1 %, with N x N cells on a side of three contact radii, a tolerance of
-//! 1e-3 and one thread. The times include the edges.
+//! The next table lists grids for an error of 0.1 %, with N x N cells on a square whose side is three contact radii, a
+//! tolerance of 1e-3 and one thread. The times for "centres, edges" include the computation of the edges.
 //!
 //! | contact, 0.1 % | cells, counted: N, ms | error of field, area | centres, edges: N, ms | error of field, area |
 //! |---|---|---|---|---|
@@ -174,10 +174,10 @@
 //!
 //! An error of 1 % in all of these quantities requires N = 32 (11 cells per contact radius) with values at the centres
 //! and edges. Uniform cells without edges need N = 64 to 128. At N = 32 the slip ring of the traction is 1.7 cells wide.
-//! Narrower rings need more cells: at the same force and N = 32, a gap r^4 has a [slip ring one cell
+//! Narrower rings need more cells: at the same force and N = 32, a gap proportional to r^4 has a [slip ring one cell
 //! wide](edges#narrow-slip-rings) and a traction error of 3 %. All of these results use a tolerance of 1e-3. A smaller
-//! tolerance brings no improvement there, and 1e-2 leaves an error of up to 1 % on any grid. The example
-//! `grid_against_error` of the package `stickslip-testkit` measures these errors.
+//! tolerance does not improve these results, and a tolerance of 1e-2 leaves an error of up to 1 % on any grid. The
+//! example `grid_against_error` of the package `stickslip-testkit` measures these errors.
 //!
 //! A tolerance of less than a hundredth of the discretisation error brings no improvement, unless results of different
 //! steps are subtracted, as in wear and friction histories. The table lists the remaining errors for each tolerance. They
@@ -195,10 +195,16 @@
 //! flat surfaces (see the table on the page of [`cgm`]). The results for [hard cases](guide::hard_cases) are on a
 //! separate page.
 //!
-//! The following times are for two shared cores, 512 x 512 cells and a cold start. On the sphere, the pressure took 26 ms
-//! to a tolerance of 1e-4 and 39 ms to 1e-10; the shear traction took 22 and 33 ms. On a rough surface at 10 % contact,
-//! pressure and shear traction took 65 and 53 ms to 1e-4, and 85 and 70 ms to 1e-6. The example `speed_against_error` of
-//! the package `stickslip-testkit` measures these times on the local machine.
+//! The following times are for two shared cores, 512 x 512 cells and a cold start:
+//!
+//! | contact | tolerance | pressure | shear traction |
+//! |---|---|---|---|
+//! | sphere | 1e-4 | 26 ms | 22 ms |
+//! | sphere | 1e-10 | 39 ms | 33 ms |
+//! | rough surface, 10 % contact | 1e-4 | 65 ms | 53 ms |
+//! | rough surface, 10 % contact | 1e-6 | 85 ms | 70 ms |
+//!
+//! The example `speed_against_error` of the package `stickslip-testkit` measures these times on the local machine.
 //!
 //! # Features
 //!
@@ -235,7 +241,7 @@
 //! | `parallel`, `full`, `dense` | 64 | 211 s | 128 s |
 //! | all except `mpi` | 72 | 222 s | 137 s |
 //!
-//! The library alone takes 48 s with `parallel` and 91 s with the defaults.
+//! The library alone takes 48 s with `parallel` and 91 s with the default features.
 //!
 //! With `serde`, deserialisation rejects the values that a constructor would reject, with the same message, and
 //! preserves the bits of numbers. In human-readable formats such as JSON, non-finite numbers are strings: `"NaN"` (a
@@ -251,9 +257,9 @@
 //! vector model ([`TangentialModel::Vector`]) solves for both components and takes about three times as long as the model
 //! along one axis. If the materials couple pressure and traction (Dundurs' beta is not zero), [`CoupledProblem`] and
 //! [`History`] solve for both simultaneously and reproduce the results of CONTACT. A [`TangentialProblem`] has a given
-//! pressure and solves for the tractions under this pressure. [`Coupling`] can select one-way coupling or none. The
-//! vector model reproduces the histories of CONTACT's test bench, among them 21 steps of a moving sphere, to 1e-9 of the
-//! largest pressure (`tests/it/contact_reference_histories.rs`).
+//! pressure and solves for the tractions under this pressure. [`Coupling`] can select one-way coupling or no coupling.
+//! The vector model reproduces the histories of CONTACT's test bench, among them 21 steps of a moving sphere, to 1e-9 of
+//! the largest pressure (`tests/it/contact_reference_histories.rs`).
 //!
 //! Bodies are homogeneous, coated ([`layers`]), or given by a [`Kernel`]. Plasticity, adhesion, viscosity and heat are
 //! not modelled.
@@ -276,7 +282,7 @@
 //! [`history`].
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
-// Without some of the features a private function may be unused. With all of them the lints report dead code.
+// Without some of the features a private function may be unused. With all features enabled, the lints report dead code.
 #![cfg_attr(
     not(all(
         feature = "analytical",
