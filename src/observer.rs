@@ -1,4 +1,4 @@
-//! Observer of long-running work other than a solve; it may cancel that work.
+//! Observer of long-running work other than a solve. The observer may cancel that work.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -44,7 +44,7 @@ impl<'a> WorkObserver<'a> {
         &mut self.shown
     }
 
-    /// Calls the observer before the next product, or the next unit of other work, and counts this unit.
+    /// Calls the observer before the next product or the next unit of other work, and counts this product or unit.
     ///
     /// # Errors
     /// - [`Error::NotConverged`] with the status [`Status::Cancelled`] if the observer cancels.

@@ -39,7 +39,7 @@ pub(crate) enum MeanBound {
     Springs,
 }
 
-/// Linear map from tractions to displacements, `u = C x`, with `N` components per cell; symmetric unless
+/// Linear map from tractions to displacements, `u = C x`, with `N` components per cell. The map is symmetric unless
 /// [`Self::is_symmetric`] returns false.
 ///
 /// A vector is passed as `N` slices, one per component, each with an entry per cell. The operator is immutable and
@@ -69,7 +69,7 @@ pub(crate) enum MeanBound {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 pub trait Operator<const N: usize = 1>: Sync {
-    /// Returns the number of cells: the unknowns of one component.
+    /// Returns the number of cells, which is the number of unknowns of each component.
     fn cells(&self) -> usize;
 
     /// Returns the layout of the cells, which determines the order of sums over them (default: a flat sequence of local
@@ -99,12 +99,13 @@ pub trait Operator<const N: usize = 1>: Sync {
         self.apply(x, out, scratch);
     }
 
-    /// Returns a lower bound on the smallest eigenvalue, `x' C x >= bound * x' x`. It is valid for all `x`, or, if the
-    /// operator maps constants to zero as on a periodic grid, for all `x` in which each component sums to zero.
+    /// Returns a lower bound on the smallest eigenvalue, `x' C x >= bound * x' x`. The bound is valid for all `x`. For
+    /// an operator that maps constants to zero, as on a periodic grid, it is valid for all `x` in which each component
+    /// sums to zero.
     ///
     /// The bound converts a residual to a certified error. The error is relative to the minimum or, in the second case,
     /// to the minimum under the totals of the iterate. The default, zero, states only that the operator is positive
-    /// semi-definite; the certificate is then the duality gap. A negative number or NaN counts as zero.
+    /// semi-definite; the certificate is then the duality gap. A negative bound or NaN counts as zero.
     fn lower_bound(&self) -> f64 {
         0.0
     }

@@ -13,8 +13,8 @@ use std::time::Duration;
 pub enum Status {
     /// No solve has been started yet.
     Unsolved,
-    /// Residual and certified error, computed from a new product, are at or below the tolerance. For a user-defined
-    /// operator without a [`lower_bound`](crate::Operator::lower_bound), only the residual is tested.
+    /// The residual and the certified error, both computed from a new product, are at or below the tolerance. For a
+    /// user-defined operator without a [`lower_bound`](crate::Operator::lower_bound), only the residual is tested.
     Converged,
     /// The solve reached the iteration limit before it converged.
     IterationLimit,
@@ -44,14 +44,14 @@ impl fmt::Display for Status {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum EigenvalueBound {
-    /// No bound is available. [`Report::duality_gap`] is then the duality gap of the problem, and the error bound, its
-    /// square root, decreases only with the square root of the residual.
+    /// No bound is available. [`Report::duality_gap`] is then the duality gap of the problem. The error bound is the
+    /// square root of this gap, and decreases only with the square root of the residual.
     #[default]
     Unknown,
     /// Conservative estimate, used for stiff coatings on long grids ([`layers`](crate::layers#limits-of-the-model)).
     Estimated,
-    /// Rigorous lower bound: computed for the operators of this crate, stated by the implementation for a user-defined
-    /// operator.
+    /// Rigorous lower bound. It is computed for the operators of this crate, and stated by the implementation for a
+    /// user-defined operator.
     Proven,
 }
 
@@ -60,13 +60,13 @@ pub enum EigenvalueBound {
 /// The observer is called before every product, including products on the coarser grids of a nested start. After the
 /// observer cancels, or after a time limit, the solver computes one more product on each grid in use, to measure the
 /// error of the remaining iterate. A solve that the observer has cancelled always ends with [`Status::Cancelled`], even
-/// if that iterate satisfies the tolerance. A step of a history is then not taken. Residual and free entries are the
-/// last measured values: between two outer steps of the active-set method they do not change.
+/// if that iterate satisfies the tolerance. A step of a history is then not taken. The residual and the number of free
+/// entries are the last measured values: between two outer steps of the active-set method they do not change.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Iteration {
-    /// Number of conjugate-gradient steps so far; zero before the first.
+    /// Number of conjugate-gradient steps so far; zero before the first step.
     pub iteration: usize,
     /// Number of products with the operator in double precision so far.
     pub double_precision_products: usize,
@@ -81,7 +81,8 @@ pub struct Iteration {
 }
 
 impl Iteration {
-    /// Returns this step with the given numbers of earlier steps, double-precision and single-precision products added.
+    /// Returns this step with the given numbers of earlier steps, double-precision products and single-precision
+    /// products added.
     pub(crate) fn after(self, [iterations, double, single]: [usize; 3]) -> Self {
         Self {
             iteration: iterations + self.iteration,
@@ -109,19 +110,19 @@ pub struct Report {
     /// Number of products in single precision, within the iteration only.
     pub single_precision_products: usize,
     /// Largest complementarity residual: `|g_i|` on free entries and the wrong-signed part of `g_i` on entries at a
-    /// bound, divided by the largest `|(Cx)_i|` over the entries that can move. If the smallest eigenvalue of the
-    /// operator times the largest unknown is larger, this product is the divisor (a uniform traction causes no
-    /// displacement on a periodic grid). Dimensionless.
+    /// bound, divided by the largest `|(Cx)_i|` over the entries that can move. If the product of the smallest
+    /// eigenvalue of the operator and the largest unknown is larger, it is the divisor instead. This product is needed
+    /// on a periodic grid, where a uniform traction causes no displacement. Dimensionless.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub residual: f64,
     /// Certified bound on the squared relative error in the energy norm:
     /// `(x - x*)' C (x - x*) <= duality_gap * x' C x`. If `lambda x' x` is larger than `x' C x`, it replaces `x' C x`,
-    /// with `lambda` the available bound on the smallest eigenvalue of the operator. Dimensionless. The value is a
+    /// where `lambda` is the available bound on the smallest eigenvalue of the operator. Dimensionless. The value is a
     /// duality gap and not a distance.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub duality_gap: f64,
-    /// Origin of the eigenvalue bound behind [`Self::duality_gap`] and behind the other certified bounds, of a coupled
-    /// contact and of a stiffness.
+    /// Origin of the eigenvalue bound on which [`Self::duality_gap`] and the other certified bounds, of a coupled
+    /// contact and of a stiffness, rely.
     pub eigenvalue_bound: EigenvalueBound,
     /// Relative error of the prescribed total, `|sum x - total| / sum |x|`; zero if no total is prescribed. The
     /// [duality gap](Self::duality_gap) refers to the total of the iterate. Near sliding, the directions of tractions
@@ -130,8 +131,8 @@ pub struct Report {
     pub load_error: f64,
     /// Wall time of the solve.
     pub time: Duration,
-    /// Iterates whose residual was measured, in order: the start, then one entry per outer step (active set, in single
-    /// precision while the residual is large) or per step (Polonsky-Keer).
+    /// Iterates whose residual was measured, in order: the start, then one entry per outer step (active-set method, in
+    /// single precision while the residual is large) or per step (Polonsky-Keer).
     pub history: Vec<Iteration>,
 }
 
@@ -155,8 +156,8 @@ impl Report {
         }
     }
 
-    /// Returns the report before any solve, with memory for a history of the usual length, for a solver that is used
-    /// repeatedly.
+    /// Returns the report before any solve, with memory for a history of the usual length. Solvers that are used
+    /// repeatedly start from this report.
     pub(crate) fn with_room() -> Self {
         Self {
             history: Vec::with_capacity(ENTRIES),
@@ -174,8 +175,8 @@ impl Report {
         };
     }
 
-    /// Sets the status and the errors to those of an earlier report, with all counts zero, for a solution that needs no
-    /// work.
+    /// Sets the status and the errors to the values of an earlier report, and all counts to zero, for a solution that
+    /// needs no work.
     pub(crate) fn recall(&mut self, known: &Self) {
         self.clear();
         self.status = known.status;
@@ -185,7 +186,7 @@ impl Report {
         self.load_error = known.load_error;
     }
 
-    /// Marks the solve as cancelled, and returns a copy.
+    /// Marks the solve as cancelled, and returns a copy of the report.
     pub(crate) fn cancelled(&mut self) -> Self {
         self.status = Status::Cancelled;
         self.clone()
@@ -200,8 +201,8 @@ impl Report {
     /// Returns the number of products with the operator in either precision: the cost of a solve, independent of the
     /// machine.
     ///
-    /// Both precisions count the same. A product in single precision takes nine tenths of the time of a product in
-    /// double precision on 64 x 64 cells, and half to two thirds for 512 x 512 cells or more.
+    /// Both precisions count the same. Compared with a product in double precision, a product in single precision takes
+    /// nine tenths of the time on 64 x 64 cells, and half to two thirds on 512 x 512 cells or more.
     #[must_use]
     pub fn products(&self) -> usize {
         self.double_precision_products + self.single_precision_products
@@ -216,7 +217,8 @@ impl Report {
         ]
     }
 
-    /// Adds a further pass: appends its history, adds its counts, and replaces all other values by those of the pass.
+    /// Adds a further pass: appends its history, adds its counts, and replaces all other values by the values of the
+    /// pass.
     pub(crate) fn add_pass(&mut self, pass: &Self) {
         let before = self.counts();
         let mut history = std::mem::take(&mut self.history);

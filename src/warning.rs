@@ -17,9 +17,9 @@ pub enum Warning {
         /// Number of contact cells in the ring.
         cells: usize,
     },
-    /// Contact spots smaller than five cells contain a tenth of the contact cells or more. Their area is overestimated,
-    /// and their stick fraction has little meaning. Rough surfaces always have some small spots; a few of them do not
-    /// matter.
+    /// Contact spots of fewer than five cells contain a tenth of the contact cells or more. The area of such spots is
+    /// overestimated, and their stick fraction has little meaning. Rough surfaces always have some small spots; a few
+    /// of them do not matter.
     UnresolvedSpots {
         /// Number of spots of fewer than five cells.
         unresolved: usize,
@@ -30,7 +30,7 @@ pub enum Warning {
     /// line contact in plane strain.
     SingleRowOfCells,
     /// A contact spot extends from edge to edge of the grid, like the contact of a cylinder. The bodies end there, and
-    /// their ends have pressure peaks that a longer body does not have.
+    /// the pressure has peaks at these ends that a longer body does not have.
     ContactSpansGrid {
         /// Whether a spot extends from the first column to the last.
         along_x: bool,
@@ -52,14 +52,14 @@ pub enum Warning {
     /// side or more are not affected.
     StressAtEdge,
     /// The contact has fewer than 100 cells (a contact radius of 5.6 cells), or fewer than 20 on a line of cells. On a
-    /// sphere the error of the area is then up to 17 %, and the error of the stick ratio up to 17 % (22 % for 20 cells).
-    /// For 113 cells or more both are at most 7 %, for any position of the centre between the cells.
+    /// sphere the error of the area is then up to 17 %, and the error of the stick ratio is up to 17 % (22 % for 20
+    /// cells). For 113 cells or more both errors are at most 7 %, for any position of the centre between the cells.
     UnderresolvedContact {
         /// Number of contact cells.
         cells: usize,
     },
     /// Fewer than 50 cells stick, or fewer than 10 on a line of cells. On a sphere the error of the stick ratio is then
-    /// a tenth and, for ten cells, a fifth of the ratio.
+    /// a tenth of the ratio, and a fifth of it for ten cells.
     UnderresolvedStickZone {
         /// Number of sticking cells.
         cells: usize,
@@ -72,9 +72,10 @@ pub enum Warning {
     ///
     /// A rolling step has the warning only if the slip zone is narrower than one cell. The slip zone of rolling lies
     /// along the trailing edge, but its mean width is taken over the whole edge. The error of forces and creepages of
-    /// steady rolling is then at most 0.6 %, for widths of 0.3 cells or more. On a sphere `dissipated_energy` is too
-    /// small by 72 % at 0.3 cells and 28 % at one cell. It is too small by 15 % at two cells and 8 % at four cells. On
-    /// a cylinder it is too small by 51 % at one cell and 28 % at two cells. The work of rolling is accurate to 0.4 %.
+    /// steady rolling is at most 0.6 % for widths of 0.3 cells or more. On a sphere `dissipated_energy` is too small by
+    /// 72 % at a width of 0.3 cells and 28 % at one cell. It is too small by 15 % at two cells and 8 % at four cells.
+    /// On a cylinder it is too small by 51 % at one cell and 28 % at two cells. The work of rolling is accurate to 0.4
+    /// %.
     UnderresolvedSlipZone {
         /// Mean width of the zone in tenths of a cell: the number of its cells divided by the number of cell sides
         /// along the edge of the contact. On a grid of rows and columns each side counts as $`\pi/4`$.
@@ -95,7 +96,7 @@ pub enum Warning {
         spots: usize,
     },
     /// Dissimilar bodies with friction were pressed in too few steps. Under a growing load, cells come into contact one
-    /// after another while other cells slip and stick. [`History::press`](crate::History::press) applies the load in
+    /// after the other while other cells slip and stick. [`History::press`](crate::History::press) applies the load in
     /// the necessary number of steps.
     ///
     /// A step of a history has the warning if more than a tenth of the contact came into contact in the step. The first
@@ -114,10 +115,10 @@ pub enum Warning {
     /// The contact radius a exceeds 0.3 of the radius of curvature R of the gap. Half-space theory assumes that a/R is
     /// small.
     ///
-    /// Both values follow from the slopes of the gap before loading between cells in contact. 1/R is the regression of
-    /// the slopes on the position along x or along y, and a is twice the standard deviation of the position. On a
-    /// sphere a/R is accurate to 10 % for a radius of five cells or more; on a cylinder it is 15 % too large. Roughness
-    /// does not cause this warning, because its slopes are not correlated with the position.
+    /// Both values follow from the slopes of the gap before loading between cells in contact. 1/R is the regression
+    /// coefficient of the slopes on the position along x or along y, and a is twice the standard deviation of the
+    /// position. On a sphere a/R is accurate to 10 % for a radius of five cells or more; on a cylinder a/R is 15 % too
+    /// large. Roughness does not cause this warning, because its slopes are not correlated with the position.
     LargeContactRadius {
         /// The larger of a/R along x and a/R along y, in thousandths.
         per_mille: usize,
@@ -269,7 +270,7 @@ const SMALL_ERROR: f64 = 0.01;
 /// Number of spots above which a contact counts as rough, so that the radius of its spots cannot be chosen.
 const MANY_SPOTS: usize = 10;
 
-/// Returns the factor by which cells must be smaller for a small discretisation error.
+/// Returns the factor by which the cell size must be divided for a small discretisation error.
 fn refinement(estimate: f64) -> f64 {
     (estimate / SMALL_ERROR).cbrt().powi(2)
 }
@@ -316,11 +317,11 @@ pub(crate) const RESOLVED: usize = 5;
 const RESOLVED_AREA: [usize; 2] = [100, 50];
 const RESOLVED_LINE: [usize; 2] = [20, 10];
 
-/// Least width of a resolved slip zone in tenths of a cell.
+/// Least width of a resolved slip zone, in tenths of a cell.
 const RESOLVED_WIDTH: usize = 20;
 
-/// Least width of a resolved slip zone of a rolling step in tenths of a cell. It is smaller because forces need less
-/// resolution than energies.
+/// Least width of a resolved slip zone of a rolling step, in tenths of a cell. This width is smaller than the width for
+/// other steps because forces need less resolution than energies.
 const RESOLVED_ROLLING_WIDTH: usize = 10;
 
 /// Least number of cells on the mean radius of contact spots at which a slip zone can be resolved.
@@ -349,8 +350,8 @@ impl Resolution {
         }
     }
 
-    /// Returns this resolution with the numbers of sticking and slipping cells. `edge` counts the cell sides along the
-    /// edge of the contact; it is called only if both numbers are positive.
+    /// Returns this resolution with the numbers of sticking and slipping cells. `edge` returns the number of cell sides
+    /// along the edge of the contact; it is called only if both numbers are positive.
     pub(crate) fn with_zones(
         self,
         [stick, slip]: [usize; 2],

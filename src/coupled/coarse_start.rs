@@ -1,4 +1,4 @@
-//! Start from the solution on coarser cells.
+//! Start of a coupled solve from the solution on coarser cells.
 
 use crate::cgm::UNLIMITED;
 use crate::contact::{SolveContext, interrupted_status, is_worth_coarsening};
@@ -9,8 +9,8 @@ use crate::normal::Hardness;
 use crate::tangential::{RigidMotion, prolongated_traction, reserve};
 
 impl CoupledIncrement {
-    /// Solves recursively on cells of twice the side length and uses the result as the start. Returns whether there is
-    /// such a start.
+    /// Solves recursively on cells of twice the side length and uses the result as the start. Returns whether a coarser
+    /// solution is available.
     pub(super) fn start_from_coarser(
         &mut self,
         demand: CoupledTarget<'_>,
@@ -57,7 +57,7 @@ impl CoupledIncrement {
         Ok(true)
     }
 
-    /// Interpolates the coarse solution.
+    /// Interpolates the coarse solution to the cells of this solver.
     fn refine(&mut self, coarse: &Self, size: [usize; 2], demand: CoupledTarget<'_>) -> Result<()> {
         let answer = coarse.answer();
         self.set_known(coarse.approach(), answer.motion.shift);

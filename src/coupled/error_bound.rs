@@ -3,7 +3,7 @@
 use crate::cgm::cone::ConeMeasures;
 use crate::coupled::ErrorEstimate;
 
-/// Sensitivities of the normal and the tangential half to each other.
+/// Sensitivities of the normal and the tangential half of a coupled problem to each other.
 ///
 /// Let $`P(q)`$ be the pressure for given tractions $`q`$ and $`Q(p)`$ the tractions for a given pressure $`p`$ under a
 /// given shift. In the energy norms of $`C_{zz}`$ and $`C_{tt}`$, with $`\kappa = |C_{zz}^{-1/2} B\, C_{tt}^{-1/2}|`$
@@ -31,7 +31,7 @@ pub(super) struct Contraction {
     pub(super) beta: f64,
 }
 
-/// Measured sensitivity of the pressure to the tractions, over beta.
+/// Measured sensitivity of the pressure to the tractions, divided by beta.
 const TYPICAL: f64 = 0.7;
 
 impl Contraction {
@@ -45,8 +45,8 @@ impl Contraction {
         whole(findings.bounds, coupling, slope)
     }
 
-    /// Estimates the errors with the sensitivities 0.7 beta for $`P`$ and 0.7 beta + mu for $`Q`$, which no measured
-    /// contact exceeded. Unlike the bounds, they do not depend on the cells.
+    /// Estimates the errors with the sensitivities 0.7 beta for $`P`$ and 0.7 beta + mu for $`Q`$. No measured contact
+    /// exceeded these sensitivities. Unlike the bounds, they do not depend on the cells.
     pub(super) fn estimate(self, friction: f64, findings: &ConeMeasures) -> Option<ErrorEstimate> {
         let coupling = TYPICAL * self.beta;
         let [pressure, traction] = whole(findings.bounds, coupling, coupling + friction)?;

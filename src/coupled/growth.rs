@@ -3,8 +3,8 @@
 use crate::cgm::reduce;
 use crate::parallel::layout::Layout;
 
-/// Largest fraction of the contact that may come into contact in a step without a warning. About 20 steps of equal
-/// growth of the radius satisfy it.
+/// Largest fraction of the contact cells that may come into contact in a step without a warning. About 20 steps of
+/// equal growth of the radius satisfy this limit.
 const LARGEST_GROWTH: f64 = 0.1;
 
 /// Contact whose pressure has changed in one step.

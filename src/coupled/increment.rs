@@ -19,25 +19,26 @@ use crate::tangential::{
     TangentialVector, centre, zeros,
 };
 
-/// Growth of the contact in a step, in cells, for which the window has room.
+/// Growth of the contact in a step, in cells, that the margin of the window allows.
 const GROWTH: usize = 2;
 
 /// Pressure and traction on the grid, the memory of the cells, and the solver of a step.
 ///
 /// A step finds pressures $`p`$, tractions $`q`$, an approach and a motion $`\delta_t`$ of body 2; the slip of the step
-/// is $`s = u_t - S - \delta_t`$. The offset $`S`$ is the value of $`u_t - \delta_t`$ in a cell while it sticks, zero
-/// from rest. A history sets the offset.
+/// is $`s = u_t - S - \delta_t`$. The offset $`S`$ is the value of $`u_t - \delta_t`$ in a cell while it sticks; it is
+/// zero if the step starts from rest. A history sets the offset.
 #[derive(Debug, Clone)]
 pub(crate) struct CoupledIncrement {
     pub(super) bodies: HalfSpace,
     windows: Windows<CoupledEngine>,
-    /// Pressure and tractions of the whole grid: start of the next step and solution of the last step.
+    /// Pressure and tractions of the whole grid, which are the start of the next step and the solution of the last
+    /// step.
     pub(super) tractions: [Vec<f64>; N],
     displacement: [Vec<f64>; N],
     pub(crate) pressed: PressureOnWindow,
     pub(super) offset: TangentialVector,
     pub(super) linear: [Vec<f64>; N],
-    /// $`\kappa g`$ of the cells that would come into contact in this step, if they lag behind the motion.
+    /// $`\kappa g`$ of the cells that would come into contact in this step, if such cells lag behind the motion.
     pub(super) closing: Vec<f64>,
     /// Deviator of $`\kappa g`$ over the directions, if the bodies roll; otherwise empty.
     pub(super) closing_deviator: Vec<[f64; 2]>,
@@ -289,7 +290,7 @@ impl CoupledIncrement {
     ) -> Result<()> {
         let grid = self.bodies.grid();
         let contact = self.contact().unwrap_or(Window::whole(grid));
-        // A margin for a little growth is cheaper than a second solve.
+        // A margin for a small growth of the contact is cheaper than a second solve.
         let grown = contact.with_margins(grid, [GROWTH; 2]);
         let (bodies, total) = (&self.bodies, task.totals[0]);
         let holds = |window: Window| {

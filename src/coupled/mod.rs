@@ -18,16 +18,16 @@
 //!
 //! # Influence of the coupling
 //!
-//! Between aluminium and steel ($`\beta = 0.12`$) the neglect of the coupling changes the peak pressure of a sphere by
-//! 1.2 %, at $`\beta = 0.29`$ by 8 %, and at 0.5 by 20 to 30 %. The approach changes by at most 3.4 %. Steel on rubber
-//! is nearly uncoupled (0.02), but a hard body on a compressible one is not.
+//! Between aluminium and steel ($`\beta = 0.12`$), neglecting the coupling changes the peak pressure of a sphere by 1.2
+//! %. The change is 8 % at $`\beta = 0.29`$ and 20 to 30 % at $`\beta = 0.5`$. The approach changes by at most 3.4 %.
+//! Steel on rubber is nearly uncoupled ($`\beta = 0.02`$), but a hard body on a compressible body is not.
 //!
 //! # Load steps
 //!
 //! Friction makes pressing depend on the load history: cells at the rim of a growing contact slip while cells inside
-//! stick. One step from rest underestimates the stick radius of a pressed sphere by more than a factor of two (0.23
-//! instead of 0.50 of the contact radius at $`\beta = 0.5`$, $`\mu = 0.3`$). Its approach is accurate to 4e-4 and its
-//! peak pressure to 9e-3. For a flat punch, whose contact does not grow, one step is exact.
+//! stick. One step from rest underestimates the stick radius of a pressed sphere by more than a factor of two. At
+//! $`\beta = 0.5`$ and $`\mu = 0.3`$ it gives 0.23 instead of 0.50 of the contact radius. Its approach is accurate to
+//! 4e-4 and its peak pressure to 9e-3. For a flat punch, whose contact does not grow, one step is exact.
 //! [`History::press`](crate::History::press) takes as many steps as a tolerance requires.
 //!
 //! # Sliding forces
@@ -44,9 +44,9 @@
 //! # Certificates
 //!
 //! A friction limit that depends on the unknown pressure is not the optimality condition of any energy, and the
-//! solution is known to be unique for weak friction only. The report gives the residual of both laws. It also gives a
-//! rigorous bound for each half (the normal or the tangential problem), for the present solution of the other half; see
-//! [`CoupledReport`].
+//! solution is known to be unique for weak friction only. The report contains the residual of both laws. It also
+//! contains a rigorous bound for each half (the normal or the tangential problem), given the present solution of the
+//! other half. See [`CoupledReport`].
 //!
 //! If friction is weak enough for the grid and no tangential force is prescribed, these bounds also bound the whole
 //! error ([`CoupledReport::error_bounds`]). On 64 x 64 cells this holds up to $`\mu = 0.29`$ for aluminium on steel, up

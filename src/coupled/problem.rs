@@ -72,8 +72,8 @@ impl CoupledProblem {
     /// Starts a builder from the required input: bodies, initial gap (lengths, on the grid of the bodies), friction,
     /// normal and tangential load. A gap passed by reference is copied; a gap passed by value or in an [`Arc`] is not.
     ///
-    /// A tangential load of zero force differs from a load of zero shift. The tractions of pressing alone sum to zero
-    /// only if the contact is symmetric.
+    /// A tangential load of zero force differs from a load of zero shift. The tractions due to pressing alone sum to
+    /// zero only if the contact is symmetric.
     #[doc(alias = "dissimilar")]
     pub fn builder(
         bodies: &HalfSpace,
@@ -189,7 +189,7 @@ impl CoupledProblemBuilder<'_> {
         })
     }
 
-    /// Returns an error if the input is invalid, as far as a rank can check without the others.
+    /// Returns an error if the part of the input that a rank can check without the others is invalid.
     fn check(&self) -> Result<()> {
         check_joint(self.bodies)?;
         let grid = self.bodies.grid();

@@ -7,9 +7,9 @@ use crate::report::{Report, Status};
 
 /// Report of a coupled solve: status, cost, and certificates of its normal and tangential halves.
 ///
-/// The equations of a coupled contact are not the optimality conditions of any energy, and no bound on the whole error
-/// is known except for weak friction. Instead, one product yields certificates for the two halves. The certificate of
-/// the normal half bounds the distance of the pressure from the exact pressure under the computed tractions. The
+/// The equations of a coupled contact are not the optimality conditions of any energy, and a bound on the whole error
+/// is known only for weak friction. Instead, one product yields certificates for the two halves. The certificate of the
+/// normal half bounds the distance of the pressure from the exact pressure under the computed tractions. The
 /// certificate of the tangential half bounds the distance of the tractions from the exact tractions under the computed
 /// pressure. If friction is weak, the two certificates also bound the whole error.
 #[derive(Debug, PartialEq)]
@@ -20,9 +20,9 @@ pub struct CoupledReport {
     /// all coefficients, residual, load error and time. The duality gap is infinite because the whole error is not
     /// certified. The eigenvalue bound is the weaker of the two bounds used for the halves.
     pub work: Report,
-    /// Steps and products with the normal operator in the alternating sweeps.
+    /// Report of the normal half: its steps and products with the normal operator in the alternating sweeps.
     pub normal: Report,
-    /// Steps and products with the tangential operator in the alternating sweeps.
+    /// Report of the tangential half: its steps and products with the tangential operator in the alternating sweeps.
     pub tangential: Report,
     /// Bound on the error of the pressure in the energy norm, for the computed tractions, relative to the square root
     /// of `x' C x`.
@@ -34,7 +34,7 @@ pub struct CoupledReport {
     pub traction_error_bound: f64,
     /// Rigorous bounds on the whole errors of pressure and of traction, each in its energy norm relative to the square
     /// root of `x' C x`. They exist if friction is weak enough for the grid and no tangential force is prescribed.
-    /// Otherwise, and on periodic grids, they are `None`, and only the halves are certified.
+    /// Otherwise, and on periodic grids, the value is `None`, and only the halves are certified.
     pub error_bounds: Option<[f64; 2]>,
     /// Estimated errors of the whole solution; `None` if friction is too strong.
     pub error_estimate: Option<ErrorEstimate>,
@@ -46,7 +46,7 @@ pub struct CoupledReport {
 /// The estimate has the form of [`CoupledReport::error_bounds`] but uses the sensitivities observed in measured
 /// contacts. The change of the pressure was at most $`0.7\,|\beta|`$ times the change of the traction that caused it.
 /// The change of the traction was at most $`0.7\,|\beta| + \mu`$ times the change of the pressure that caused it. The
-/// estimate is `None` if the product of the two factors is not below one, which happens at $`\beta = 1/2`$ for
+/// estimate is `None` unless the product of the two factors is below one. At $`\beta = 1/2`$ it is `None` for
 /// $`\mu > 2.5`$.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -8,8 +8,8 @@ use crate::error::{Error, Result, SLIDE};
 use crate::memory::fallible::TryClone;
 use crate::report::Status;
 
-/// Shift of the sliding solve over the largest displacement. The directions of slip of the cells differ by the inverse
-/// of this ratio.
+/// Shift of the sliding solve, divided by the largest displacement. The directions of slip of the cells differ by the
+/// inverse of this ratio.
 const FAR: f64 = 1e6;
 /// Least tolerance of the sliding solve, because the slip of a cell is a small difference between shift and
 /// displacement.

@@ -15,8 +15,8 @@ use crate::support::serialise::checked;
 use crate::tangential::TangentialSolution;
 use crate::warning::Warning;
 
-/// Normal and tangential part of a coupled contact, with the displacements that they cause together. Equality compares
-/// the results and ignores the report.
+/// Normal and tangential part of a coupled contact, with the displacements that pressure and tractions cause together.
+/// Equality compares the results and ignores the report.
 #[derive(Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CoupledSolution {
@@ -112,15 +112,15 @@ impl CoupledSolution {
         self.whole_energy = bodies.is_shared().then(|| self.energy_over(&layout));
     }
 
-    /// Returns the normal part: pressure, gap under load, approach and contact area. Its report belongs to the whole
-    /// solve.
+    /// Returns the normal part: pressure, gap under load, approach and contact area. The report of this part describes
+    /// the whole solve.
     #[must_use]
     pub fn normal(&self) -> &NormalSolution {
         &self.normal
     }
 
-    /// Returns the tangential part: tractions along both axes, slip, zones and shift. Its report belongs to the whole
-    /// solve.
+    /// Returns the tangential part: tractions along both axes, slip, zones and shift. The report of this part describes
+    /// the whole solve.
     #[must_use]
     pub fn tangential(&self) -> &TangentialSolution {
         &self.tangential

@@ -31,9 +31,10 @@ use crate::tangential::{FrictionWithin, entry_compliance};
 const START: f64 = 1e-2;
 /// Residual of the start above which a sweep of alternating solves is cheaper than Newton's method.
 const POOR: f64 = 0.1;
-/// Number of rounds after which cycling active sets end the solve; each round takes more sweeps than the round before.
+/// Number of rounds after which cycling active sets end the solve; each round takes more sweeps than the previous
+/// round.
 const ROUNDS: usize = 12;
-/// Largest fraction of the friction capacity that a tangential half may use, since its pressure is not final.
+/// Largest fraction of the friction capacity that a tangential half may use, because its pressure is not final.
 const HELD: f64 = 0.999;
 
 /// Start of a solve.
@@ -93,7 +94,7 @@ pub(super) struct CoupledEngine {
     /// Window in the local part of the grid.
     region: Region,
     layout: Layout,
-    /// Operator and buffer for the whole grid; `None` if the window is the grid.
+    /// Operator and buffer for the whole grid; `None` if the window is the whole grid.
     whole: Option<GridOperator>,
     compliance: Compliance<N>,
     workspace: ConeWorkspace,
@@ -126,7 +127,7 @@ pub(super) struct CoupledEngine {
     own_deviator: Vec<[f64; 2]>,
     image: [Vec<f64>; N],
     limits: Vec<f64>,
-    /// Largest pressure if it is uniform; otherwise `hardness_of_cells` has the value of each cell.
+    /// Largest pressure if the limit is uniform; otherwise `hardness_of_cells` contains the limit of each cell.
     hardness: PerCell<()>,
     hardness_of_cells: Vec<f64>,
 }
@@ -292,8 +293,8 @@ impl CoupledEngine {
                     break;
                 }
             }
-            // A half that was stopped leaves tractions beyond the limits of its pressure. The Newton solver projects
-            // and measures them, and then stops as well.
+            // A half that was stopped leaves tractions beyond the friction limits of its pressure. The Newton solver
+            // projects these tractions, measures their residual, and then stops as well.
             let multiplier = self.workspace.multiplier();
             let has_halves = sweeps > 0;
             if has_halves {
@@ -523,8 +524,8 @@ impl CoupledEngine {
     }
 }
 
-/// Solves a half; returns the status if the observer or the time limit ended it. The result of an unfinished half is
-/// also used.
+/// Solves a half. Returns the status if the observer or the time limit ended the solve. The result of an unfinished
+/// half is also used.
 fn half(
     tolerance: f64,
     conditions: &mut SolveContext<'_, '_>,

@@ -32,11 +32,11 @@ pub(crate) fn finite(quantity: &'static str, value: f64) -> Result<f64> {
     }
 }
 
-/// Range of numbers for which sums over all cells of squares, and of products of two such numbers, neither overflow nor
-/// underflow.
+/// Range of numbers for which sums over all cells neither overflow nor underflow. The summands may be squares of such
+/// numbers or products of two such numbers.
 const WITH_SQUARES: RangeInclusive<f64> = 1e-130..=1e130;
 
-/// Checks that the squares of a positive value, and of small fractions of it, do not over- or underflow.
+/// Checks that the squares of a positive value, and of small fractions of this value, neither overflow nor underflow.
 pub(crate) fn has_squares(quantity: &'static str, value: f64, remedy: &'static str) -> Result<f64> {
     if WITH_SQUARES.contains(&value) {
         Ok(value)
@@ -125,7 +125,7 @@ pub(crate) fn memory(quantity: &'static str, counts: [usize; 2], each: usize) ->
     let can_be_had = usize::try_from(bytes).is_ok_and(|bytes| {
         let mut probe = Vec::<u8>::new();
         let outcome = probe.try_reserve_exact(bytes);
-        // Otherwise the compiler may assume that an unused allocation succeeds.
+        // Without this use, the compiler may assume that an unused allocation succeeds.
         std::hint::black_box(&mut probe);
         outcome.is_ok()
     });
@@ -168,7 +168,7 @@ pub(crate) fn at_least(
 /// Relative deficit at which a value that should equal its lower limit is still accepted.
 const ROUND_OFF: f64 = 1e-9;
 
-/// Remedies for a load beyond the friction limit.
+/// Remedy for a load beyond the friction limit.
 pub(crate) const SLIDE: &str = "prescribe a shift or a spring to let the body slide";
 const ROLL: &str = "prescribe the creepage, or lower the force";
 

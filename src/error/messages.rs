@@ -10,12 +10,12 @@ impl fmt::Debug for Error {
     }
 }
 
-/// Returns the name of a file as a prefix of the problem in it.
+/// Returns the name of a file as a prefix for the description of a problem in the file.
 pub(super) fn prefix(file: Option<&str>) -> String {
     file.map_or_else(String::new, |file| format!("{file}: "))
 }
 
-/// Returns a number of bytes in MiB below 1 GiB, and in GiB above.
+/// Returns the text for a number of bytes, in MiB below 1 GiB and in GiB above.
 pub(super) fn size(bytes: u128) -> String {
     const MIB: f64 = 1_048_576.0;
     let mib = bytes as f64 / MIB;

@@ -16,11 +16,12 @@ pub use {place::Place, ranks::RankFailure, result::Result};
 
 use crate::report::Report;
 
-/// Reason why a call failed: one variant per violated rule, with the offending number.
+/// Reason why a call failed. There is one variant per violated rule, with the offending number.
 ///
 /// `Debug` writes the same sentence as `Display`, because a program whose `main` returns the error prints it with
-/// `Debug`. Arguments are checked before any work, and a failed call leaves the caller's state unchanged. The exception
-/// is [`Error::NotConverged`]: `solve_into` and `solve_observed` then leave the last feasible iterate in the solution.
+/// `Debug`. Arguments are checked before any work, and a failed call leaves the state of the caller unchanged.
+/// [`Error::NotConverged`] is the exception: `solve_into` and `solve_observed` then leave the last feasible iterate in
+/// the solution.
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -41,7 +42,7 @@ pub enum Error {
         /// Required number of bytes.
         bytes: u128,
     },
-    /// A quantity that must be positive and finite is not.
+    /// A quantity that must be positive and finite is not positive or not finite.
     #[error("{quantity} must be positive and finite, got {value:?}")]
     NotPositive {
         /// The quantity, in words.
@@ -49,7 +50,7 @@ pub enum Error {
         /// The given value.
         value: f64,
     },
-    /// A quantity that must be zero or positive, and finite, is not.
+    /// A quantity that must be zero or positive, and finite, is negative or not finite.
     #[error("{quantity} must be non-negative and finite, got {value:?}")]
     NegativeOrNotFinite {
         /// The quantity, in words.
@@ -57,7 +58,7 @@ pub enum Error {
         /// The given value.
         value: f64,
     },
-    /// A quantity that must be finite is not.
+    /// A quantity that must be finite is not finite.
     #[error("{quantity} must be finite, got {value:?}")]
     NotFinite {
         /// The quantity, in words.
@@ -65,7 +66,7 @@ pub enum Error {
         /// The given value.
         value: f64,
     },
-    /// A number is so small or so large that its squares over- or underflow, so that no error could be certified.
+    /// A number is so small or so large that its squares overflow or underflow, so that no error could be certified.
     #[error(
         "{quantity} must lie between {least:e} and {most:e} so that its squares do not overflow or underflow, got {value:e}: {remedy}"
     )]
@@ -119,7 +120,7 @@ pub enum Error {
         remedy: &'static str,
     },
     /// A pair that represents a [`Kernel`](crate::Kernel) was given without the kernel, or the table of the kernel
-    /// lacks a coefficient, or its operators lack a direction.
+    /// lacks a coefficient, or the operators of the kernel lack a direction.
     #[error("the kernel is missing or incomplete: {0}")]
     IncompleteKernel(&'static str),
     /// The smallest eigenvalue of the compliance of coated bodies, or of a [`Kernel`](crate::Kernel), is not positive
@@ -161,8 +162,8 @@ pub enum Error {
         "the materials couple pressure and traction (Dundurs' beta = {beta:?}), which this model neglects: use a coupled problem or a history with full coupling, or accept the error of one-way or neglected coupling"
     )]
     CoupledMaterials {
-        /// Dundurs' second parameter of the pair; for coated bodies its equivalent for the waves with the strongest
-        /// coupling.
+        /// Dundurs' second parameter of the pair; for coated bodies the equivalent parameter for the waves with the
+        /// strongest coupling.
         beta: f64,
     },
     /// The cells are so much longer than wide that round-off dominates the smallest eigenvalue of the compliance. No
@@ -325,7 +326,8 @@ pub enum Error {
         quantity: &'static str,
         /// The given value.
         value: f64,
-        /// The options that add it to the model, in words, or a statement that there is no such option.
+        /// The options that add the load or property to the model, in words, or a statement that there is no such
+        /// option.
         remedy: &'static str,
     },
     /// A solution or a saved history belongs to bodies of different materials.
@@ -363,7 +365,7 @@ pub enum Error {
         /// The first row at which the factorisation fails.
         row: usize,
     },
-    /// The known points do not determine the unknowns.
+    /// The known points do not determine an unknown quantity.
     #[error(
         "{known} known points do not determine the {unknowns} unknowns of the {quantity}: provide more known points"
     )]
@@ -383,7 +385,7 @@ pub enum Error {
         /// Largest degree.
         limit: usize,
     },
-    /// A range of rows or columns is empty or extends beyond the grid.
+    /// A range of rows or columns is empty, or it extends beyond the grid.
     #[error(
         "the range {start}..{end} of {quantity} is empty or extends beyond the {count} {quantity} of the grid"
     )]

@@ -4,7 +4,7 @@
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum RankFailure {
-    /// The quantity is not available on ranks; bodies that are not [distributed](crate::HalfSpace::distributed) support
+    /// The quantity is not available on ranks. Bodies that are not [distributed](crate::HalfSpace::distributed) support
     /// it.
     #[error(
         "{0} is not available on a grid that is distributed over ranks: use bodies that are not distributed"
@@ -46,7 +46,7 @@ pub enum RankFailure {
         "MPI was already initialised in this process, which is possible only once: do all work with MPI ranks in one call"
     )]
     MpiAlreadyInitialised,
-    /// The MPI library can be called only by the thread that initialised it: it provides less than
+    /// The MPI library can be called only by the thread that initialised it, because the library provides less than
     /// `MPI_THREAD_SERIALIZED`.
     #[error(
         "the MPI library allows calls from one thread only: use a library that provides at least MPI_THREAD_SERIALIZED"

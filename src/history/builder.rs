@@ -54,7 +54,7 @@ impl HistoryBuilder<'_> {
     settings_methods!();
 
     /// Sets the axis of tangential load and tractions in the scalar model (default [`Axis::X`]). The vector model
-    /// ignores it.
+    /// ignores the axis.
     pub fn axis(mut self, axis: Axis) -> Self {
         self.axis = axis;
         self
@@ -89,9 +89,9 @@ impl HistoryBuilder<'_> {
         self
     }
 
-    /// Sets the model of the coupling between pressure and traction for bodies of different materials (default
-    /// [`Coupling::Full`]: a coupled solve with both components of the traction in either model). One-way coupling in
-    /// the scalar model acts along its axis.
+    /// Sets the model of the coupling between pressure and traction for bodies of different materials. The default,
+    /// [`Coupling::Full`], is a coupled solve with both components of the traction, in the scalar and in the vector
+    /// model. One-way coupling in the scalar model acts along the axis of this model.
     pub fn coupling(mut self, coupling: Coupling) -> Self {
         self.coupling = coupling;
         self
@@ -104,7 +104,7 @@ impl HistoryBuilder<'_> {
     }
 
     /// Sets a displacement of body 1 relative to body 2 that the contact does not cause (default: none). Each step
-    /// prescribes or holds [an amount](crate::LoadStep::relative_displacement) of it.
+    /// prescribes or holds [an amount](crate::LoadStep::relative_displacement) of this displacement.
     ///
     /// The work of a change of the displacement is part of the [balance](crate::history::EnergyBalance). A cell that
     /// comes into contact within a step follows the whole change of the displacement.
@@ -143,8 +143,9 @@ impl HistoryBuilder<'_> {
     }
 
     /// Sets whether the plastic overlap under the [hardness](Self::hardness) is permanent (default: not permanent). If
-    /// it is permanent, the overlap of a step is added to the gap of all following steps and to [`State::yielded`]. The
-    /// next contact under the same load, or less, is elastic. This option has no effect without a hardness.
+    /// the overlap is permanent, the overlap of a step is added to the gap of all following steps and to
+    /// [`State::yielded`]. The next contact under the same load, or a smaller load, is elastic. This option has no
+    /// effect without a hardness.
     ///
     /// ```
     /// use stickslip::{*, normal::Hardness};

@@ -20,11 +20,11 @@ use crate::parallel::ranks::WireFormat;
 /// ```
 ///
 /// holds for any two states, because the operator is symmetric. In the plane the products are scalar products of
-/// vectors. The motion of a cell is then $`\delta + \varphi\,(-y, x)`$, and the moment adds the work
+/// vectors. If body 2 turns, the motion of a cell is $`\delta + \varphi\,(-y, x)`$, and the moment adds the work
 /// $`\tfrac12 (M_n + M_{n+1})\,\Delta\varphi`$.
 ///
 /// A cell that comes into contact within the step follows only a part of the motion
-/// ([`EntryRule`](crate::history::EntryRule)), which replaces $`\Delta\delta`$ on both sides. If a [relative
+/// ([`EntryRule`](crate::history::EntryRule)). This part replaces $`\Delta\delta`$ on both sides. If a [relative
 /// displacement](crate::tangential::RelativeDisplacement) w changes, $`\Delta\delta - \Delta w`$ replaces
 /// $`\Delta\delta`$.
 ///
@@ -35,7 +35,7 @@ use crate::parallel::ranks::WireFormat;
 /// - [`residual`](Self::residual), the work on the residual motion of stick cells, which the tolerance of the solve
 ///   allows.
 ///
-/// The energy $`F^2 / 2k`$ of a spring is not included; work is the work of the spring on body 2.
+/// The energy $`F^2 / 2k`$ of a spring is not included; the work in the balance is the work of the spring on body 2.
 ///
 /// In a step that [rolls](crate::history#rolling), $`q_n`$ and $`u_n`$ belong to the particle that is in the cell after
 /// the step. $`\Delta\delta`$ is the motion of body 2 along the path of the particle.
@@ -50,8 +50,8 @@ use crate::parallel::ranks::WireFormat;
 #[non_exhaustive]
 pub struct EnergyBalance {
     /// Work of the tangential load: mean force times change of the shift, plus mean moment times change of the twist.
-    /// In cells that come into contact only the part of the motion that they follow counts. The work of a changing
-    /// relative displacement is included, and for coupled bodies the work of the normal load.
+    /// For cells that come into contact, the work includes only the part of the motion that they follow. The work of a
+    /// changing relative displacement is included, and for coupled bodies also the work of the normal load.
     pub work: f64,
     /// Elastic energy of shear before the step; for coupled bodies the energy of pressure and traction.
     pub elastic_before: f64,
@@ -59,14 +59,14 @@ pub struct EnergyBalance {
     pub elastic_after: f64,
     /// Dissipated energy, computed from the tractions at the end of the step: $`-A \sum q_{n+1} s \ge 0`$. Under an
     /// unchanged pressure and a load that does not turn within the step, cells slip only at the friction limit. The
-    /// value is then exact for any length of the step.
+    /// energy is then exact for any length of the step.
     pub dissipated_energy: f64,
-    /// Dissipated energy, computed from the mean tractions: $`-A \sum \bar q s`$, which closes the balance. It is
+    /// Dissipated energy, computed from the mean tractions: $`-A \sum \bar q s`$. This energy closes the balance. It is
     /// non-negative under an unchanged pressure and friction (in the plane up to the tolerance).
     pub dissipated_energy_midpoint: f64,
     /// Energy of the tractions that cells lose when they leave the contact, computed from the mean tractions.
     pub released: f64,
-    /// Work on the residual motion of stick cells, which the tolerance allows.
+    /// Work on the residual motion of stick cells, which the tolerance of the solve allows.
     pub residual: f64,
 }
 
@@ -103,7 +103,7 @@ impl EnergyBalance {
         }
     }
 
-    /// Returns the sum with the balance of other cells.
+    /// Returns the sum of this balance and the balance of other cells.
     pub(super) fn plus(&self, other: &Self) -> Self {
         Self {
             work: self.work + other.work,

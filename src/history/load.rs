@@ -29,7 +29,7 @@ pub struct LoadStep {
     twist: Option<f64>,
     /// Amount of the relative displacement; `None` holds the amount.
     relative_displacement: Option<f64>,
-    /// Rolling of the step; `None` does not roll.
+    /// Rolling of the step; `None` for a step that does not roll.
     rolling: Option<Rolling>,
 }
 
@@ -64,9 +64,9 @@ impl LoadStep {
         Self::both(shift.map(TangentialControl::Shift))
     }
 
-    /// Prescribes springs of one stiffness (a force over a length) along both axes and holds the other quantities, see
-    /// [`TangentialControl::Spring`]. The far ends are at `[x, y]` at the end of the step, since the start of the
-    /// history (lengths). In the scalar model the position across the axis must be zero.
+    /// Prescribes springs of one stiffness (a force over a length) along both axes and holds the other quantities; see
+    /// [`TangentialControl::Spring`]. The far ends are at `[x, y]` at the end of the step (lengths since the start of
+    /// the history). In the scalar model the position across the axis must be zero.
     ///
     /// After a change of the gap, prescribe the normal load in every step, as with [`shift`](Self::shift).
     ///
@@ -116,8 +116,9 @@ impl LoadStep {
     }
 
     /// Sets the rotation $`\varphi`$ of body 2 relative to body 1 at the end of the step, about the origin of the grid
-    /// (radians since the start of the history, positive from x to y). In addition to the shift it moves body 2 by
-    /// $`(-\varphi y, \varphi x)`$. A non-zero twist needs the vector model and a grid that is not periodic.
+    /// (radians since the start of the history, positive from x to y). In addition to the shift, the rotation moves
+    /// body 2 by $`(-\varphi y, \varphi x)`$. A non-zero twist requires the vector model and a grid that is not
+    /// periodic.
     pub fn twist(mut self, twist: f64) -> Self {
         self.twist = Some(twist);
         self
@@ -225,7 +226,8 @@ impl LoadStep {
     }
 }
 
-/// Converts a tangential load to a step that holds the pressure. The twist is the twist of the load, zero by default.
+/// Converts a tangential load to a step that holds the pressure. The twist of the step is the twist of the load, zero
+/// by default.
 impl From<TangentialLoad> for LoadStep {
     fn from(load: TangentialLoad) -> Self {
         let demand = load.demand();

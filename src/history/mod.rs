@@ -24,16 +24,16 @@
 //! A load prescribes the force, the shift, or the far end of a spring
 //! ([`TangentialControl`](crate::TangentialControl)). A force beyond the friction capacity is an error
 //! ([`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity)). A force at the limit slides the contact,
-//! with the least shift at which all of it slips.
+//! with the least shift at which the whole contact slips.
 //!
-//! Steps may be long as long as the load increases in one direction: under an unchanged pressure, the state after a
-//! monotonic load does not depend on the steps. This is the transient shift of CONTACT (Kalker, *Three-Dimensional
-//! Elastic Bodies in Rolling Contact*, 1990, <https://doi.org/10.1007/978-94-015-7889-9>). On the sphere it agrees with
+//! Steps may be long if the load increases in one direction: under an unchanged pressure, the state after a monotonic
+//! load does not depend on the steps. This is the transient shift of CONTACT (Kalker, *Three-Dimensional Elastic Bodies
+//! in Rolling Contact*, 1990, <https://doi.org/10.1007/978-94-015-7889-9>). On the sphere the solution agrees with
 //! Mindlin & Deresiewicz, J. Appl. Mech. 20 (1953) 327, <https://doi.org/10.1115/1.4010702>.
 //!
-//! If the load turns in the plane, the error of a step is proportional to its length. Around a circle of force at 0.8
-//! of the sliding force, cycles of 32, 64 and 128 steps dissipate 14, 7 and 3.5 % too little. Extrapolations from the
-//! first two and from the last two of these results agree to 0.2 %.
+//! If the load turns in the plane, the error of a step is proportional to its length. For a force that moves around a
+//! circle at 0.8 of the sliding force, cycles of 32, 64 and 128 steps dissipate 14, 7 and 3.5 % too little.
+//! Extrapolations from the first two and from the last two of these results agree to 0.2 %.
 //!
 //! By default the tractions act along one axis, and tractions across it are neglected, as in the paper.
 //! [`HistoryBuilder::model`] selects both components. Each component of the load is then prescribed separately, as a
@@ -54,8 +54,7 @@
 //! of the contact radius are the most accurate. [`History::press`](crate::History::press) takes such steps, as many as
 //! a tolerance requires. Approach and peak pressure hardly depend on the number of steps.
 //!
-//! # Rolling
-//! In a step with [`LoadStep::roll`] the bodies roll by a length d, a whole number of cells, and the particles of both
+//! In a step with [`LoadStep::roll`] the bodies roll by a length d, a whole number of cells. The particles of both
 //! surfaces move through the contact from its [leading edge](LeadingEdge). Let $`T f(x) = f(x + d)`$ be the value at
 //! the position of a particle before the step, and $`u_n`$ the previous displacement, inside and outside the contact.
 //! Then
@@ -71,19 +70,19 @@
 //! does. Shift and twist of the history grow by $`d\,(\xi, \eta)`$ and $`d\,\varphi`$. If a step prescribes the force
 //! along an axis, the creepage along this axis follows ([`StepResult::creepage`]).
 //!
-//! The sums of the [`State`] move with the particles: slip, accumulated slip and dissipated energy. They leave the grid
-//! behind the contact, and particles that enter the grid have zero sums. The fields of a [`StepResult`] belong to the
-//! cells at the end of the step, and so do distances and energies of a [`Cycle`]. Slip amplitude and residual of a
-//! cycle compare states of cells, through which other particles have passed. They have no meaning after rolled steps,
-//! and a [`FrettingLoop`] does not detect a steady state.
+//! The fields of the [`State`] that sum over steps move with the particles: slip, accumulated slip and dissipated
+//! energy. The sums leave the grid behind the contact, and particles that enter the grid have zero sums. The fields of
+//! a [`StepResult`] belong to the cells at the end of the step, and so do the distances and energies of a [`Cycle`].
+//! The slip amplitude and the residual of a cycle compare states of cells, through which other particles have passed.
+//! These two results have no meaning after rolled steps, and a [`FrettingLoop`] does not detect a steady state.
 //!
 //! The gap of a step is given in the frame of the contact. A macroscopic form stays in place, but a texture moves with
 //! the particles, so a rough surface needs a new gap in every step ([`History::set_gap`]). A cell that enters the
 //! contact has closed the gap under load that its particle had in the previous step.
 //!
-//! In the [`EnergyBalance`] traction, displacement and elastic energy before the step belong to the particles; the
-//! balance closes to round-off. The [stiffness](History::stiffness) of the vector model after such a step uses the
-//! entry compliance B averaged over all directions.
+//! In the [`EnergyBalance`] of a rolled step, traction, displacement and elastic energy before the step belong to the
+//! particles; the balance closes to round-off. The [stiffness](History::stiffness) of the vector model after a rolled
+//! step uses the entry compliance B averaged over all directions.
 //!
 //! Rolling is not supported in the following cases:
 //!
@@ -98,14 +97,14 @@
 //! Rolled steps with [one-way coupling](crate::Coupling::OneWay) have the warning
 //! [`StepLift`](crate::Warning::NeglectedLift).
 //!
-//! For Carter's cylinder at 0.8 of the creepage of sliding, the force is within 2.1e-5 of $`\mu P`$ on 128 cells after
-//! 30 half-widths; without the entry compliance it is within 3e-3. The tractions on the cells of CONTACT, computed
-//! without the entry compliance, agree with the tractions of CONTACT to 2e-10 of the largest limit.
+//! For Carter's cylinder at 0.8 of the creepage of sliding, the error of the force is within 2.1e-5 of $`\mu P`$ on 128
+//! cells after 30 half-widths. Without the entry compliance it is within 3e-3. The tractions on the cells of CONTACT,
+//! computed without the entry compliance, agree with the tractions of CONTACT to 2e-10 of the largest limit.
 //!
-//! The next table lists the products per step for the tractions of a sphere, on 32, 64 and 128 cells over the contact.
-//! They are means over the steps 11 to 30 after pressing. The creepage is relative to the creepage at which the linear
-//! theory reaches the friction limit. The last column refers to a step without rolling in which the shift grows by the
-//! same amount.
+//! The next table lists the numbers of products per step for the tractions of a sphere, on 32, 64 and 128 cells over
+//! the contact. The numbers are means over the steps 11 to 30 after pressing. The creepage is relative to the creepage
+//! at which the linear theory reaches the friction limit. The last column refers to a step without rolling in which the
+//! shift grows by the same amount.
 //!
 //! | creepage | normal load | rolled step | step without rolling |
 //! |---|---|---|---|
@@ -115,7 +114,7 @@
 //! | 0.3 | grows by 1 % per step | 18, 22, 24 | 15, 17, 19 |
 //! | 0.3 | grows by 1 % per step, steps 51 to 70 of another run | 19, 21, 21 | 15, 18, 19 |
 //!
-//! At 0.3 under the growing load the first of these steps take the most products.
+//! At the creepage 0.3 under the growing load, the first of these steps take the most products.
 //!
 //! # Failed steps
 //! A step that is rejected, is cancelled or does not converge leaves the [`State`] of the history bitwise unchanged,
@@ -125,7 +124,6 @@
 //! A history on distributed bodies ([`ranks`](crate::ranks)) copies its state before it commits a step, and allocates
 //! in every step.
 //!
-//! # Cycles
 //! A [`FrettingLoop`] repeats a [`LoadPath`] until the loop is steady or for a given number of cycles, and its observer
 //! may apply wear to the gap between steps. A [`Cycle`] accumulates the results of its steps: slip, energy, loop of
 //! force and shift, and [`Regime`]. A simulator with its own loop over cycles calls [`FrettingLoop::cycle`]; a

@@ -8,7 +8,7 @@ use crate::error::{Error, Result, all_finite, finite, memory};
 ///
 /// The values are forces or shifts: [`LoadStep::force`](crate::history::LoadStep::force) and
 /// [`LoadStep::shift`](crate::history::LoadStep::shift) turn a value into a step. Each cycle starts where the previous
-/// cycle ends. If `n` steps follow from a formula, the k-th step ends at $`t = k/n`$, so [`sine`](Self::sine) and
+/// cycle ends. If a formula defines the `n` steps, the k-th step ends at $`t = k/n`$, so [`sine`](Self::sine) and
 /// [`triangle`](Self::triangle) start and end without load.
 ///
 /// ```
@@ -74,8 +74,8 @@ impl LoadPath {
         })
     }
 
-    /// Creates a cycle around an ellipse, $`A_x\sin 2\pi t`$ along x and $`A_y\sin(2\pi t+\varphi)`$ along y, with the
-    /// phase $`\varphi`$ in radians.
+    /// Creates a cycle around an ellipse, with $`A_x\sin 2\pi t`$ along x and $`A_y\sin(2\pi t+\varphi)`$ along y. The
+    /// phase $`\varphi`$ is in radians.
     ///
     /// A phase of $`\pi/2`$ with equal amplitudes gives a circle. No value exceeds its amplitude. The cycle starts and
     /// ends at $`[0, A_y\sin\varphi]`$, so the first step from an unloaded contact is longer by this load. The error of
@@ -124,7 +124,7 @@ impl LoadPath {
         (0..count).flat_map(|_| self.steps.iter().copied())
     }
 
-    /// Creates a cycle of `steps` values, the amplitudes times the values of `shape`.
+    /// Creates a cycle of `steps` values, which are the amplitudes times the values of `shape`.
     fn wave(
         amplitudes: [f64; 2],
         steps: usize,
@@ -151,7 +151,7 @@ impl LoadPath {
 struct Quarter {
     /// Number of earlier quarters.
     number: usize,
-    /// Steps since the start of the quarter, out of `steps` per quarter.
+    /// Number of steps since the start of the quarter, out of `steps` per quarter.
     step: usize,
     steps: usize,
 }

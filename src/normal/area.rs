@@ -16,8 +16,8 @@ impl NormalSolution {
         self.contact_map().cells()
     }
 
-    /// Returns the contact area from the number of contact cells. Its relative error is about 0.3 times the ratio of
-    /// the cell side to the contact radius; the area is too large.
+    /// Returns the contact area from the number of contact cells. This area is too large; its relative error is about
+    /// 0.3 times the ratio of the cell side to the contact radius.
     #[must_use]
     pub fn contact_area(&self) -> f64 {
         self.contact_map().area()
@@ -31,11 +31,12 @@ impl NormalSolution {
         self.contact_map().corrected_area()
     }
 
-    /// Returns the width of the whole contact along x and along y (lengths), between the outer edges of its outermost
-    /// cells; `None` without contact.
+    /// Returns the width of the whole contact along x and along y (lengths), measured between the outer edges of its
+    /// outermost cells. Returns `None` without contact.
     ///
-    /// On a periodic grid it is the least width that contains the whole contact, including parts across the edges of
-    /// the grid. It equals the side of the grid minus the longest stretch of columns or rows without contact.
+    /// On a periodic grid the width along an axis is the least width that contains the whole contact, including parts
+    /// across the edges of the grid. It equals the side of the grid minus the longest stretch of columns or rows
+    /// without contact.
     ///
     /// ```
     /// use stickslip::*;
@@ -84,7 +85,8 @@ impl NormalSolution {
         Ok(warnings)
     }
 
-    /// Returns the number of cells whose pressure exceeds the hardness of the softer body, if its material has one.
+    /// Returns the number of cells whose pressure exceeds the hardness of the softer body; zero if its material has no
+    /// hardness.
     pub(crate) fn overloaded_cells(&self) -> usize {
         if let Some(whole) = &self.whole {
             return whole.overloaded;

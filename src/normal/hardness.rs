@@ -16,8 +16,8 @@ const ROOM: f64 = 1.01;
 
 /// Largest pressure H that the softer body can carry, uniform or per cell: $`0 \le p \le H`$.
 ///
-/// Cells at the limit yield. They overlap by as much as the elastic surfaces would interpenetrate, while all other
-/// cells are in elastic contact or separated,
+/// Cells at the limit yield. The elastically deformed surfaces overlap there, while all other cells are in elastic
+/// contact or separated,
 ///
 /// ```math
 /// p = 0:\ g \ge 0, \qquad 0 < p < H:\ g = 0, \qquad p = H:\ g \le 0 .

@@ -1,4 +1,4 @@
-//! Counts and sums over all ranks, stored with the slab of each rank.
+//! Counts and sums of the pressure over all ranks, stored with the slab of each rank.
 
 use std::sync::Arc;
 

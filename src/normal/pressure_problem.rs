@@ -13,8 +13,9 @@ use crate::half_space::{HalfSpace, Region};
 use crate::memory::fallible;
 use crate::parallel::layout::Layout;
 
-/// Least ratio of the number of cells of the grid to the number of cells of a coarse window at which the window is
-/// used. Operators of the whole grid are cached, whereas operators of such windows are created for one solve.
+/// Least ratio of the number of cells of the grid to the number of cells of a coarse window at which a nested start
+/// uses the window. Operators of the whole grid are cached, whereas operators of such windows are created for one
+/// solve.
 const FEW: usize = 4;
 
 /// Relative change of a load below which it counts as round-off.
@@ -24,7 +25,7 @@ const NO_CHANGE: f64 = 1e-12;
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PressureProblem<C> {
     pub(super) gap: C,
-    /// Datum of the gap: its least value, or the approach if the approach is prescribed.
+    /// Datum of the gap: the least gap under a prescribed force, or the prescribed approach.
     pub(super) datum: f64,
     /// Largest pressure that each cell can carry.
     pub(super) limits: PerCell<C>,

@@ -77,7 +77,8 @@ pub(crate) struct PressureSolver {
     is_start: bool,
     /// Approach that belongs to the pressure.
     approach: f64,
-    /// Largest sum and largest approach that [`Self::discard_if_window_too_small`] has recorded for these windows.
+    /// Largest sum of the pressures and largest approach that [`Self::discard_if_window_too_small`] has recorded for
+    /// these windows.
     held: LoadPoint,
     report: Report,
 }
@@ -155,7 +156,7 @@ impl PressureSolver {
     }
 
     /// Discards the last solution if the contact will grow beyond its window. In this case, a start on coarser cells
-    /// takes a quarter of the products of a start from the last solution.
+    /// takes a quarter of the operator products that a start from the last solution takes.
     ///
     /// The widest closed gap is assumed to grow in proportion to the depth of penetration, and the window is too small
     /// if a gap outside it would close. Loads up to the largest load that the window has contained are accepted without
@@ -217,7 +218,7 @@ impl PressureSolver {
         }
     }
 
-    /// Creates the solution from this pressure and drops everything else.
+    /// Creates the solution from this pressure and drops all other state.
     pub(super) fn into_solution(
         self,
         of: &NormalInput<'_>,
@@ -270,7 +271,7 @@ impl PressureSolver {
                 .is_none_or(|hardness| hardness.holds(of.bodies, window, scene.total))
         };
         let has_start = std::mem::take(&mut self.is_start) && self.window().is_some_and(holds);
-        // Without cells at the limit the solve starts without limits, so that a limit which no cell reaches does not
+        // If no cell is at its limit, the solve starts without limits. A limit that no cell reaches then does not
         // change any iterate.
         if !has_start || of.yielded(pressure) == 0 {
             scene.limits = UNLIMITED;
@@ -307,9 +308,9 @@ impl PressureSolver {
         outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
     }
 
-    /// Solves again from scratch if a pressure that was found without the hardness exceeds it, because the contact is
-    /// wider. If the solve has reached its limits or was cancelled, the pressure is only projected onto the limits and
-    /// no step is taken.
+    /// Solves again from scratch if a pressure that was found without the hardness exceeds it, because the contact with
+    /// the hardness is wider. If the solve has reached its limits or was cancelled, the pressure is only projected onto
+    /// the limits and no step is taken.
     fn bring_within_limits(
         &mut self,
         bodies: &HalfSpace,
@@ -343,7 +344,7 @@ impl PressureSolver {
         outcome
     }
 
-    /// Solves on the window of the contact, and on wider windows if it was too small.
+    /// Solves on the window of the contact, and on wider windows if the first window was too small.
     fn solve_on_window(
         &mut self,
         bodies: &HalfSpace,
@@ -392,7 +393,7 @@ impl PressureSolver {
     }
 }
 
-/// Starts from the last solution: unchanged under the same load, extrapolated if the load has changed.
+/// Starts from the last solution, which is unchanged under the same load and extrapolated if the load has changed.
 fn set_out(
     engine: &mut NormalEngine,
     scene: PressureProblem<&[f64]>,

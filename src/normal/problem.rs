@@ -23,10 +23,10 @@ pub enum NormalControl {
     /// Normal force W >= 0; the approach follows. The bodies just touch at zero force.
     Force(f64),
     /// Approach delta of the bodies from the datum of the gap (a length, positive for bodies that move together); the
-    /// force follows. At or below the least gap the bodies do not touch.
+    /// force follows. At an approach at or below the least gap, the bodies do not touch.
     ///
-    /// On a periodic grid the approach must be less than the mean gap; at the mean gap, the whole gap would be closed.
-    /// On such a grid the certified error is measured against the exact contact under the computed force.
+    /// On a periodic grid the approach must be less than the mean gap, because the whole gap would be closed at the
+    /// mean gap. On such a grid the certified error is measured against the exact contact under the computed force.
     Approach(f64),
     /// Unchanged pressure, whatever the gap; no pressure is solved for. A [`NormalProblem`] has no earlier pressure and
     /// returns an error.
@@ -34,8 +34,8 @@ pub enum NormalControl {
 }
 
 impl NormalControl {
-    /// Returns the datum of the gap and the prescribed total of the pressures. If the gaps are measured from a datum
-    /// near the contact, their sums lose no digits.
+    /// Returns the datum of the gap and the prescribed total of the pressures. Sums of gaps that are measured from a
+    /// datum near the contact lose no digits.
     pub(crate) fn to_datum_and_total(
         self,
         bodies: &HalfSpace,
@@ -83,8 +83,7 @@ impl NormalControl {
     }
 }
 
-/// Returns an error if a load is not zero and the squares of the resulting pressures or displacements overflow or
-/// underflow.
+/// Returns an error if a non-zero load causes pressures or displacements whose squares overflow or underflow.
 fn check_size(load: f64, [pressure, displacement]: [f64; 2]) -> Result<()> {
     if load == 0.0 {
         return Ok(());
@@ -223,7 +222,7 @@ impl NormalProblemBuilder<'_> {
         })
     }
 
-    /// Returns an error if the input is invalid, as far as a rank can check without the others.
+    /// Returns an error if the part of the input that a rank can check without the others is invalid.
     fn check(&self) -> Result<()> {
         self.bodies.check_directions([Direction::Z], false)?;
         check_gap(self.bodies, &self.gap)?;

@@ -17,7 +17,7 @@ pub(crate) struct Scale {
     slope_per_mille: usize,
 }
 
-/// Largest values without a warning.
+/// Largest value of each quantity for which no warning is given.
 const LARGEST_APPROACH: usize = 10;
 const LARGEST_RADIUS: usize = 300;
 const LARGEST_SLOPE: usize = 500;

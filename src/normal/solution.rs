@@ -35,7 +35,7 @@ pub struct NormalSolution {
     yielded_cells: usize,
     /// Whether tractions of a coupled solve have changed the pressure.
     is_coupled: bool,
-    /// Approach, radius and slopes for warnings.
+    /// Approach, contact radius and slope, stored for warnings.
     scale: Scale,
     report: Report,
     /// Counts and sums over all ranks, if the fields are a slab.
@@ -180,7 +180,7 @@ impl NormalSolution {
         self.whole = PressureSums::of(bodies, self.pressure.as_slice());
     }
 
-    /// Computes approach, radius and slopes from the initial gap.
+    /// Computes approach, contact radius and slope from the initial gap.
     pub(crate) fn measure_scale(&mut self, bodies: &HalfSpace, initial: &Field) {
         let pressure = self.pressure.as_slice();
         self.scale = Scale::of(bodies, initial.as_slice(), pressure, self.approach);
@@ -273,8 +273,9 @@ impl NormalSolution {
         &self.gap
     }
 
-    /// Returns the approach delta of the bodies from the datum of the initial gap (a length): the prescribed approach
-    /// or the multiplier of the force. On a periodic grid it is the mean initial gap minus the mean gap under load.
+    /// Returns the approach delta of the bodies from the datum of the initial gap (a length), which is the prescribed
+    /// approach or the multiplier of the force. On a periodic grid the approach is the mean initial gap minus the mean
+    /// gap under load.
     #[doc(alias = "indentation")]
     #[doc(alias = "penetration")]
     #[must_use]
@@ -282,9 +283,9 @@ impl NormalSolution {
         self.approach
     }
 
-    /// Returns the normal force W, the integral of the pressure. It is the sum over the cells times their area for any
-    /// [`CellValue`]. The `force` of a tangential solution, a step or a history is the tangential force; the normal
-    /// force of a step is [`normal_force`](crate::history::StepResult::normal_force).
+    /// Returns the normal force W, the integral of the pressure. For any [`CellValue`] it is the sum of the cell values
+    /// times the area of a cell. The `force` of a tangential solution, a step or a history is the tangential force; the
+    /// normal force of a step is [`normal_force`](crate::history::StepResult::normal_force).
     #[must_use]
     pub fn force(&self) -> f64 {
         match &self.whole {
@@ -322,7 +323,7 @@ impl NormalSolution {
         sums.map(|sum| sum * grid.cell_area())
     }
 
-    /// Computes the normal displacement $`u_z`$ of all cells under the pressure, the sum for bodies 1 and 2 (lengths,
+    /// Computes the normal displacement $`u_z`$ of all cells under the pressure, summed over bodies 1 and 2 (lengths,
     /// positive into the bodies). This takes one product with the operator of the bodies.
     ///
     /// # Errors
@@ -383,8 +384,8 @@ impl NormalSolution {
         &self.pair
     }
 
-    /// Returns the number of cells whose pressure is at the [`Hardness`](crate::normal::Hardness) of the problem, where
-    /// the gap is negative.
+    /// Returns the number of cells whose pressure is at the [`Hardness`](crate::normal::Hardness) of the problem. The
+    /// gap of these cells is negative.
     #[must_use]
     pub fn yielded_cells(&self) -> usize {
         self.yielded_cells
@@ -406,9 +407,9 @@ impl NormalSolution {
 }
 
 impl NormalSolution {
-    /// Estimates the discretisation error of the pressure: the sum of the absolute differences from the means of the
-    /// exact pressure over the cells, relative to the sum of the pressure. Returns `None` without contact and on a slab
-    /// of a distributed grid.
+    /// Estimates the discretisation error of the pressure. The error is the sum of the absolute differences from the
+    /// means of the exact pressure over the cells, relative to the sum of the pressure. Returns `None` without contact
+    /// and on a slab of a distributed grid.
     ///
     /// ```math
     /// \frac{\sum |p - \bar p|}{\sum p} \approx f\,\frac{\sum |\Delta_h p|}{24 \sum p}, \qquad

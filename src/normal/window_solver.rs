@@ -26,7 +26,7 @@ pub(super) struct NormalEngine {
     trend: LoadTrend<1>,
     /// Whether the trend holds the pressure before the extrapolation, until [`Self::note`] stores the change.
     is_extrapolated: bool,
-    /// Operator and fields needed if the window is a part of the grid; `None` if it is the whole grid.
+    /// Operator and fields for a window that is a part of the grid; `None` if the window is the whole grid.
     part: Option<NormalPart>,
 }
 
@@ -155,7 +155,7 @@ impl NormalEngine {
         }
     }
 
-    /// Returns the displacement of the whole grid and drops everything else.
+    /// Returns the displacement of the whole grid and drops all other buffers.
     pub(super) fn into_displacement(self) -> Vec<f64> {
         if let Some(part) = self.part {
             let fields = part.fields.into_piece();
@@ -203,7 +203,7 @@ impl NormalEngine {
     }
 
     /// Examines the pressure on the whole grid. Returns the certificate and the origin of the bound on the least
-    /// eigenvalue, or `None` if the window is the grid.
+    /// eigenvalue, or `None` if the window is the whole grid.
     pub(super) fn examine(
         &mut self,
         scene: PressureProblem<&[f64]>,
@@ -290,7 +290,7 @@ impl NormalEngine {
     }
 }
 
-/// Extrapolates pressures by `parts` times their changes. `change` then holds the previous pressures.
+/// Extrapolates pressures by `parts` times their changes. `change` then contains the previous pressures.
 fn go_on(parts: f64, pressure: &mut [f64], change: &mut [f64]) {
     let data = (parallel::blocks(pressure), parallel::blocks(change));
     let tasks = data.0.items.len().div_ceil(parallel::CHUNK);

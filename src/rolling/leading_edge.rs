@@ -6,7 +6,7 @@ use crate::tangential::Axis;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum LeadingEdge {
-    /// The side of the largest x: particles move along -x (the default).
+    /// The side of the largest x (default): particles move along -x.
     #[default]
     PlusX,
     /// The side of the smallest x.

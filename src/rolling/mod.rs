@@ -1,4 +1,5 @@
-//! Steady rolling: traction, slip and creepage of two bodies that roll over each other, in a frame that moves with the contact.
+//! Steady rolling: traction, slip and creepage of two bodies that roll over each other, in a frame that moves with the
+//! contact.
 //!
 //! The contact is fixed in this frame. The particles of both surfaces enter it at the [leading edge](LeadingEdge) and move
 //! through it by $`d`$ per step, a whole number of cells. With $`T f(x) = f(x + d)`$, the value at the position of a particle
@@ -20,12 +21,12 @@
 //!
 //! # Entering cells
 //!
-//! A particle ahead of the contact moves with the free surface. Its displacement is smaller than the displacement of a sticking
-//! particle by B q, with $`B = \kappa\,g/p`$, the gap g at the previous position of the particle and the pressure p of the cell
-//! that it enters. The factor $`\kappa`$ varies from 1 across the edge of the contact to $`1/(1 - \nu)`$ along the edge (for
-//! bodies of the same material). This is the entry rule of [growing contacts](crate::guide::load_steps). With this law the
-//! error of the force decreases with the square of the cell size. Without it ([`EntryRule::WholeStep`], as in CONTACT) the error
-//! decreases in proportion to the cell size.
+//! A particle ahead of the contact moves with the free surface. Its displacement is smaller than the displacement of a
+//! sticking particle by B q, with $`B = \kappa\,g/p`$. Here g is the gap at the previous position of the particle, and
+//! p is the pressure of the cell that the particle enters. The factor $`\kappa`$ varies from 1 across the edge of the
+//! contact to $`1/(1 - \nu)`$ along the edge (for bodies of the same material). This is the entry rule of [growing
+//! contacts](crate::guide::load_steps). With this rule the error of the force decreases with the square of the cell
+//! size. Without it ([`EntryRule::WholeStep`], as in CONTACT) the error decreases in proportion to the cell size.
 //!
 //! # Loads
 //!
@@ -50,7 +51,8 @@
 //! | 0.5 | 0.3 | 0.13 | 15 | 741 |
 //! | 0.5 | 1 | 0.22 | 21 | 802 |
 //!
-//! [`CoupledRollingReport`] contains a rigorous bound for each half, the residual of the coupling, and an estimate for the whole.
+//! [`CoupledRollingReport`] contains a rigorous bound for each half, the residual of the coupling, and an estimate for
+//! the coupled contact as a whole.
 //! [`CoupledRollingSolver::stiffness`] includes the pressure that follows the tractions.
 //!
 //! # Uniqueness and error
@@ -62,16 +64,16 @@
 //! e' (1 - T)\,C e = \tfrac12 |e - T e|_C^2 \ge \lambda \left(1 - \cos\frac{\pi}{m + 1}\right) |e|^2 ,
 //! ```
 //!
-//! where $`\lambda`$ is a lower bound of the eigenvalues of C on a window one step longer than the contact, and m is the largest
-//! number of cells in a chain of cells that are one step apart. Therefore the traction is unique for each creepage, and for each
-//! force below $`\mu P`$. The [certificate](crate::cgm#the-certified-error) of the solver bounds
+//! where $`\lambda`$ is a lower bound on the eigenvalues of C on a window one step longer than the contact, and m is
+//! the largest number of cells in a chain of cells that are one step apart. Therefore the traction is unique for each
+//! creepage, and for each force below $`\mu P`$. The [certificate](crate::cgm#the-certified-error) of the solver bounds
 //! $`(q - q^*)' ((1 - T)\,C + B)\,(q - q^*)`$, relative to the same form of q.
 //!
 //! # Accuracy and cost
 //!
-//! The table is for a sphere, $`\nu = 0.25`$, friction 0.3, and the longitudinal creepage at which Kalker's linear theory reaches
-//! $`\mu P`$. The solves are cold (they start from zero tractions), with a tolerance of 1e-8; the columns are the numbers of
-//! cells across the contact:
+//! The table is for a sphere with $`\nu = 0.25`$, friction 0.3, and the longitudinal creepage at which Kalker's linear
+//! theory reaches $`\mu P`$. The solves are cold (they start from zero tractions), with a tolerance of 1e-8. The
+//! columns are the numbers of cells across the contact:
 //!
 //! | cells | 16 | 32 | 64 | 128 |
 //! |---|---|---|---|---|
@@ -83,9 +85,10 @@
 //! precision, and each product includes one application of the preconditioner in single precision. On 32, 64 and 128 cells, a
 //! cold solve therefore takes as much time as 1.0, 1.4 and 1.6 times the listed number of products.
 //!
-//! For Carter's cylinder at 0.64 of the sliding force, the error of the force is 9e-5, 4e-5, 8e-6, 3e-6 and 4e-7 of $`\mu P`$ on
-//! 32, 64, 128, 256 and 512 cells. Without the entry rule it is 9e-3, 4e-3, 2e-3, 1e-3 and 6e-4. The law requires the slope of the
-//! gap two cells ahead of the contact, so the grid must extend at least this far.
+//! For Carter's cylinder at 0.64 of the sliding force, the error of the force is 9e-5, 4e-5, 8e-6, 3e-6 and 4e-7 of
+//! $`\mu P`$ on 32, 64, 128, 256 and 512 cells. Without the entry rule the error is 9e-3, 4e-3, 2e-3, 1e-3 and 6e-4.
+//! The entry rule requires the slope of the gap two cells ahead of the contact, so the grid must extend at least this
+//! far.
 //!
 //! ```
 //! use stickslip::rolling::RollingProblem;
@@ -106,11 +109,11 @@
 //!
 //! # Slip that turns
 //!
-//! The traction at the end of a step opposes the mean slip of the step. Under spin, or under oblique creepage with $`\nu > 0`$,
-//! the slip turns within the contact. The direction of the traction then lags by half a step, and the forces converge with first
-//! order. [`slip_corrections`](RollingProblemBuilder::slip_corrections) extrapolates the slip to the end of the step, and the
-//! order becomes 1.5 to 2. The table is for a sphere, R = 1, G = 1, $`\nu = 0`$, W = 1.2, friction 0.3, without creepage. It
-//! lists $`F_y/\mu W`$ by the number of cells across the contact:
+//! The traction at the end of a step opposes the mean slip of the step. Under spin, or under oblique creepage with
+//! $`\nu > 0`$, the slip turns within the contact. The direction of the traction then lags by half a step, and the
+//! forces converge with first order. [`slip_corrections`](RollingProblemBuilder::slip_corrections) extrapolates the
+//! slip to the end of the step, and the order becomes 1.5 to 2. The table is for a sphere without creepage, with R = 1,
+//! G = 1, $`\nu = 0`$, W = 1.2 and friction 0.3. It lists $`F_y/\mu W`$ by the number of cells across the contact:
 //!
 //! | spin, corrections | 12 | 24 | 48 | 96 | 192 |
 //! |---|---|---|---|---|---|
@@ -122,8 +125,8 @@
 //! No correction is necessary without spin if the creepage is along or across the rolling direction. Rolling steps of a
 //! [`History`](crate::History) have no correction.
 //!
-//! Sources: J. J. Kalker, Three-dimensional elastic bodies in rolling contact (1990),
-//! <https://doi.org/10.1007/978-94-015-7889-9>; the entry rule and the bound are derived here.
+//! The formulation follows J. J. Kalker, Three-dimensional elastic bodies in rolling contact (1990),
+//! <https://doi.org/10.1007/978-94-015-7889-9>. The entry rule and the bound are derived here.
 
 #[cfg(all(feature = "history", feature = "rolling"))]
 mod coupled;

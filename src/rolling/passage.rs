@@ -95,7 +95,7 @@ impl WindowShift {
         }
     }
 
-    /// Returns a cell at the end of the path of its particle.
+    /// Returns a cell at the trailing end of the path of its particle.
     pub(crate) fn trailing_cell(&self) -> usize {
         if self.edge.is_positive() {
             0

@@ -16,9 +16,9 @@ use crate::tangential::{Axis, TangentialIncrement, at};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum EntryRule {
-    /// The cell follows the motion from the moment of touch, through the growth of its pressure. It lags behind the
-    /// motion by $`\kappa\,(g/p)\,q`$, with the gap g at the start of the step and the pressure p and traction q at its
-    /// end.
+    /// The cell follows the motion from the moment of touch, while its pressure grows. It lags behind the motion by
+    /// $`\kappa\,(g/p)\,q`$, where g is the gap at the start of the step, and p and q are the pressure and the traction
+    /// at its end.
     #[default]
     SinceTouch,
     /// The cell follows the motion of the whole step, including the part before it touches. Codes that use only the

@@ -98,8 +98,8 @@ impl Friction {
         Ok(self)
     }
 
-    /// Returns the owned field of coefficients; `None` if the coefficient is uniform. A loop that changes the friction
-    /// from step to step can thus reuse one array for all steps.
+    /// Returns the owned field of coefficients, or `None` if the coefficient is uniform. A loop that changes the
+    /// friction from step to step can thus reuse one array for all steps.
     ///
     /// ```
     /// use stickslip::{Field, Friction, Grid};
@@ -180,7 +180,7 @@ impl Friction {
         self.max_shear_stress.unwrap_or(f64::INFINITY)
     }
 
-    /// Returns the derivative of the limit of a cell with respect to its pressure.
+    /// Returns the derivative of the friction limit of a cell with respect to its pressure.
     pub(crate) fn slope(&self, index: usize, pressure: f64) -> f64 {
         let coefficient = self.coefficient_at(index);
         if coefficient * pressure < self.cap() {
@@ -216,7 +216,8 @@ impl Friction {
 #[derive(Debug)]
 pub(crate) struct FrictionWithin<'a> {
     friction: Cow<'a, Friction>,
-    /// Window of the region in the cells of the friction; `None` if the friction covers exactly the region.
+    /// Window of the region in the cells of the friction; `None` if the friction has coefficients for exactly the
+    /// region.
     window: Option<Window>,
 }
 

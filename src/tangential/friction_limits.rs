@@ -11,7 +11,7 @@ use crate::parallel;
 use crate::parallel::layout::Layout;
 use crate::tangential::Friction;
 
-/// Relative distance from the friction limit within which a force slides the contact and a cell slips.
+/// Relative distance from the friction limit within which a force slides the contact, or a cell slips.
 pub(crate) const SLIDING: f64 = 1e-12;
 
 /// Range of the largest limit in which the squares of tractions neither overflow nor underflow.
@@ -20,7 +20,8 @@ const ORDINARY: RangeInclusive<f64> = 1e-100..=1e100;
 /// Fraction of the largest limit below which a limit counts as zero.
 const NOTHING: f64 = 1e-30;
 
-/// Normal contact as the tangential solver needs it: a window around the contact, with pressure and friction limits.
+/// Normal contact in the form that the tangential solver uses: a window around the contact, with pressure and friction
+/// limits.
 #[derive(Debug, Clone)]
 pub(crate) struct PressureOnWindow {
     pub(crate) region: Region,

@@ -13,7 +13,7 @@ use crate::numerics::cell_vector::{at, norm, slices, slices_mut};
 use crate::parallel::layout::Layout;
 use crate::tangential::friction_limits::is_at_limit;
 
-/// Input of a tangential solve: friction limits, entry compliances if any, the negative prescribed motion, and the
+/// Input of a tangential solve: friction limits, entry compliances if any, the negated prescribed motion, and the
 /// prescribed sums of the tractions along `directions`.
 pub(super) struct FrictionProblem<'a, const N: usize> {
     pub(super) directions: [Direction; N],
@@ -70,7 +70,8 @@ where
         Ok(coarse)
     }
 
-    /// Distributes the sums in proportion to the limits. This start is feasible, and accurate near sliding.
+    /// Distributes the sums in proportion to the friction limits. This start is feasible, and it is accurate near
+    /// sliding.
     fn plain_start(&self, layout: &Layout) -> Result<[Vec<f64>; N]> {
         let capacity = self.capacity(layout);
         try_each(|n| {
@@ -80,10 +81,10 @@ where
         })
     }
 
-    /// Interpolates the tractions in the stick zone and sets them to the limit in the slip zone. The reserve of a cell
-    /// is its limit minus its traction. It falls to zero at the edge of the stick zone as a pressure does at the edge
-    /// of the contact, so the stick zone is prolongated like a contact. A cell with zero interpolated traction receives
-    /// the direction of the total.
+    /// Interpolates the tractions in the stick zone and sets the tractions in the slip zone to the limit. The reserve
+    /// of a cell is its limit minus its traction. The reserve falls to zero at the edge of the stick zone as a pressure
+    /// does at the edge of the contact, so the stick zone is prolongated like a contact. A cell with zero interpolated
+    /// traction receives the direction of the total.
     fn refined_start(
         &self,
         levels: GridTransfer<'_>,

@@ -23,8 +23,9 @@ use crate::tangential::{Axis, PressureOnWindow};
 /// Tangential contact on a window: pressure, limits and tractions of its cells, and the solver of a step.
 ///
 /// A step finds tractions $`q`$ and a motion $`\delta`$ of body 2; the slip of the step is $`s = C q - S - \delta`$.
-/// The offset $`S`$ is the value of $`u - \delta`$ in a cell while it sticks, zero from rest. A history sets the
-/// offset. It also sets the diagonal $`B`$ of entry compliances, with which $`s = C q + B q - S - \delta`$.
+/// The offset $`S`$ is the value of $`u - \delta`$ in a cell while it sticks; it is zero if the step starts from rest.
+/// A history sets the offset. It also sets the diagonal $`B`$ of entry compliances; the slip is then
+/// $`s = C q + B q - S - \delta`$.
 #[derive(Debug, Clone)]
 pub(crate) struct TangentialIncrement {
     pub(super) bodies: HalfSpace,
@@ -39,8 +40,8 @@ pub(crate) struct TangentialIncrement {
     pub(super) linear: TangentialVector,
     /// Entry compliance of the cells that come into contact in this step; empty if no cell does.
     pub(super) diagonal: Vec<f64>,
-    /// Deviators `[a, b]` of the entry compliances in the plane, with the rows `[a, b]` and `[b, -a]`; empty if the
-    /// compliance is the same in all directions.
+    /// Deviators of the entry compliances in the plane. `[a, b]` is the matrix with the rows `[a, b]` and `[b, -a]`.
+    /// The vector is empty if the compliances are the same in all directions.
     pub(super) deviator: Vec<[f64; 2]>,
     /// Whether a cell of any rank comes into contact in this step.
     pub(super) has_entered: bool,
@@ -155,7 +156,7 @@ impl TangentialIncrement {
         self.engine.rest();
     }
 
-    /// Recomputes the displacement under the present tractions and returns it for the local cells of the grid.
+    /// Recomputes the displacement under the present tractions and returns its values in the local cells of the grid.
     pub(crate) fn fresh_displacement(&mut self) -> Result<[Cow<'_, [f64]>; 2]> {
         // The linear term can serve as a buffer, since a solve writes it first.
         self.engine.apply(&self.traction, &mut self.linear)?;
@@ -251,8 +252,8 @@ impl TangentialIncrement {
         demand.compute_totals(self.axes, sums, measured, &mut self.motion)
     }
 
-    /// Returns an error if the squares of the tractions or displacements that the load causes overflow or underflow.
-    /// Tractions that are measured in a unit are compared with that unit.
+    /// Returns an error if the squares of the tractions or displacements that the load causes overflow or underflow. If
+    /// the tractions are measured in a unit, the test applies to their values in that unit.
     fn check_size(&self, demand: &TangentialTarget, totals: [Total; 2]) -> Result<()> {
         let PressureOnWindow { region, limits, .. } = &self.pressed;
         if limits.sum <= 0.0 {

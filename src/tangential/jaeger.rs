@@ -18,10 +18,10 @@ use crate::tangential::Zone;
 ///
 /// The stick zone is the contact area under the smaller load. The superposition is exact if the tangential compliance
 /// is proportional to the normal compliance: on any surface for Poisson's ratio zero, and on spheres for any Poisson's
-/// ratio. On ellipsoids the traction is exact, but the ratio of the shift is not `kappa`. On rough surfaces the error
-/// of the traction is 4 to 6 % for Poisson's ratio 0.29, and the error of the shift 0.7 %. Jaeger, J. Tribology 120
-/// (1998) 677, <https://doi.org/10.1115/1.2833765>; Ciavarella, Int. J. Solids Struct. 35 (1998) 2349,
-/// <https://doi.org/10.1016/S0020-7683(97)00154-6>.
+/// ratio. On ellipsoids the traction is exact, but the ratio of the shift is not `kappa`. On rough surfaces, for
+/// Poisson's ratio 0.29, the error of the traction is 4 to 6 % and the error of the shift is 0.7 %. See Jaeger, J.
+/// Tribology 120 (1998) 677, <https://doi.org/10.1115/1.2833765>, and Ciavarella, Int. J. Solids Struct. 35 (1998)
+/// 2349, <https://doi.org/10.1016/S0020-7683(97)00154-6>.
 #[derive(Clone, PartialEq)]
 pub struct JaegerSuperposition {
     traction: Field,
@@ -33,15 +33,15 @@ pub struct JaegerSuperposition {
 shown!(JaegerSuperposition: traction, shift, force);
 
 impl JaegerSuperposition {
-    /// Creates the superposition from the contact `full` under the load W, the contact `stick` under the load
-    /// `W - F/mu` (a prescribed force, zero at sliding), the pair and the coefficient of friction. The coupling between
-    /// pressure and traction of dissimilar bodies is neglected.
+    /// Creates the superposition from two contacts, the pair and the coefficient of friction. The contact `full`
+    /// carries the load W. The contact `stick` carries the load `W - F/mu` (a prescribed force, zero at sliding). The
+    /// coupling between pressure and traction of dissimilar bodies is neglected.
     ///
     /// # Errors
     /// - [`Error::UnsupportedForCoatings`] if a body is coated.
     /// - [`Error::NegativeOrNotFinite`] if the coefficient is negative or `stick` carries more load than `full`.
     /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::CellValueMismatch`] if the two contacts
-    ///   differ in these.
+    ///   differ in these properties.
     /// - [`Error::MaterialMismatch`] if a contact belongs to a different pair.
     /// - [`Error::NotConverged`] with its report if a contact has not converged.
     /// - [`Error::EmptyContact`] if `full` carries no pressure.
@@ -112,7 +112,7 @@ impl JaegerSuperposition {
         })
     }
 
-    /// Returns the shear traction q on body 1 along the load (a pressure).
+    /// Returns the shear traction q on body 1 along the direction of the load (a pressure).
     #[must_use]
     pub fn traction(&self) -> &Field {
         &self.traction

@@ -25,10 +25,10 @@ pub enum TangentialControl {
     /// Spring through which a machine drags body 2. The force is $`F = k\,(X - \delta)`$, and the shift $`\delta`$
     /// follows.
     ///
-    /// A spring a million times softer than the contact in effect prescribes the force. Prescribe the force directly in
-    /// this case, because the slip is lost in the round-off of the stretch. Residuals are relative to the largest
-    /// displacement of the bodies or to the stretch that the stiffest spring would have if all tractions had the same
-    /// direction, whichever is larger.
+    /// A spring a million times softer than the contact effectively prescribes the force. Prescribe the force directly
+    /// in this case, because the slip is lost in the round-off of the stretch. Residuals are relative to the largest
+    /// displacement of the bodies or to a reference stretch, whichever is larger. The reference is the stretch that the
+    /// stiffest spring would have if all tractions had the same direction.
     Spring {
         /// Position X of the far end of the spring (a length, either sign) since the unloaded state.
         position: f64,

@@ -9,19 +9,19 @@
 //! (eqs 13-16 of Wang et al. 2021). Here `q` is the traction on body 1 along one axis, `C` is `C_xx` or `C_yy`, `delta`
 //! the shift of the bodies and `s` the slip. `m = min(mu p, tau_max)` is the friction limit of each cell, and `Delta`
 //! the area of a cell. Consider one monotonic load step with a pressure that shear does not change. If the force is
-//! prescribed, the traction minimises `1/2 q'Cq` over `|q| <= m` with `Delta sum q = F`. If the shift is prescribed, it
-//! minimises `1/2 q'Cq - delta sum q`.
+//! prescribed, the traction minimises `1/2 q'Cq` over `|q| <= m` with `Delta sum q = F`. If the shift is prescribed,
+//! the traction minimises `1/2 q'Cq - delta sum q` over `|q| <= m`.
 //!
-//! The traction across the load is neglected, as in the paper, except in [`TangentialModel::Vector`], which solves for
-//! both components:
+//! The traction across the load is neglected, as in the paper, except in [`TangentialModel::Vector`]. This model solves
+//! for both components:
 //!
 //! ```math
 //! s = \begin{pmatrix} C_{xx} & C_{xy} \\ C_{xy} & C_{yy} \end{pmatrix} q - \delta, \qquad |q| \le m, \qquad
 //! s = 0 \text{ where } |q| < m, \qquad s = -|s|\,q/m \text{ where } |q| = m .
 //! ```
 //!
-//! The next table lists the effect of this neglect on a sphere under the same shift, at 0.1, 0.4 and 0.9 of the sliding
-//! force:
+//! The next table lists the effect of neglecting the traction across the load. The contact is a sphere under the same
+//! shift in both models, at 0.1, 0.4 and 0.9 of the sliding force:
 //!
 //! | Poisson's ratio | traction across / largest limit | its largest angle | relative change of the force | changed zones |
 //! |---|---|---|---|---|
@@ -29,9 +29,9 @@
 //! | 0.29 | 1.3, 2.7, 3.7 % | 7.2 degrees | 6e-5, 2.4e-4, 4.7e-4 | 8 of 3200 cells at 0.9 |
 //! | 0.5 | 2.5, 5.4, 7.4 % | 14.6 degrees | 2.4e-4, 9e-4, 1.8e-3 | 20 of 3200 cells at 0.9 |
 //!
-//! [`TangentialProblem`] validates and stores the input, [`TangentialSolver`] owns the buffers and starts each solve
-//! from its last solution, and [`TangentialSolution`] is the result with one [`Zone`] per cell. [`JaegerSuperposition`]
-//! is the exact solution if the two compliances are proportional.
+//! [`TangentialProblem`] validates and stores the input. [`TangentialSolver`] owns the buffers and starts each solve
+//! from its last solution. [`TangentialSolution`] is the result, with one [`Zone`] per cell. [`JaegerSuperposition`] is
+//! the exact solution if the tangential compliance is proportional to the normal compliance.
 //!
 //! The example `sphere` plots:
 #![cfg_attr(doc, doc = include_str!("../pictures/sphere.html"))]

@@ -39,8 +39,8 @@ impl TangentialIncrement {
         }
     }
 
-    /// Sets the offsets of bodies that were apart: the negated sum of the displacement due to the pressure and the
-    /// displacement `relative`.
+    /// Sets the offsets of bodies that were apart before the step. The offset is the negated sum of the displacement
+    /// due to the pressure and the displacement `relative`.
     pub(crate) fn draw(&mut self, relative: Option<&RelativeDisplacement>) {
         for offset in self.offset.iter_mut().flatten() {
             *offset = 0.0;
@@ -54,13 +54,13 @@ impl TangentialIncrement {
         }
     }
 
-    /// Subtracts the change of a relative displacement along each axis from the offsets. `change` takes an axis and a
-    /// local cell.
+    /// Subtracts the change of a relative displacement along each axis from the offsets. `change` is a function of an
+    /// axis and a local cell.
     pub(crate) fn displace(&mut self, change: impl Fn(usize, usize) -> f64) {
         self.subtract(|region, axis, buffer| region.collect(|cell| change(axis, cell), buffer));
     }
 
-    /// Subtracts the field that `write` writes for each axis from the offsets.
+    /// Subtracts the field that `write` computes for each axis from the offsets.
     fn subtract(&mut self, write: impl Fn(&Region, usize, &mut [f64])) {
         for axis in self.axes.iter().map(|axis| axis.index()) {
             let (offset, buffer) = (&mut self.offset[axis], &mut self.linear[axis]);

@@ -1,4 +1,4 @@
-//! Counts and sums over all ranks, stored with the slab of each rank.
+//! Counts and sums of the tractions over all ranks, stored with the slab of each rank.
 
 use crate::cgm::reduce;
 use crate::contact::contact_counts::ContactCounts;

@@ -138,8 +138,8 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
         self
     }
 
-    /// Sets whether the pressure moves the surfaces of bodies of different materials tangentially. By default
-    /// ([`Coupling::OneWay`]) it does, and the tractions are computed for this pressure.
+    /// Sets whether the pressure moves the surfaces of bodies of different materials tangentially. The default
+    /// ([`Coupling::OneWay`]) includes this displacement and computes the tractions for this pressure.
     ///
     /// For the pressure of a normal problem, which is frictionless, this is Goodman's assumption; its errors are listed
     /// at [`Coupling`]. [`Coupling::Full`] is an error for such bodies, because the pressure then depends on the
@@ -147,7 +147,7 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
     ///
     /// In this problem, such bodies are pressed together in one step. This is exact for a contact that does not grow,
     /// such as the contact of a flat punch. For other contacts the stick zone differs from the stick zone under a
-    /// growing load; use [`History::press`](crate::History::press) to press in several steps. The solution has the
+    /// growing load; use [`History::press`](crate::History::press) to press in several steps. The solution then has the
     /// warning [`SingleLoadStep`](crate::Warning::SingleLoadStep).
     ///
     /// ```
@@ -225,7 +225,8 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
         })
     }
 
-    /// Checks the input as far as a rank can without the others, and returns the pressure of the local cells.
+    /// Checks the part of the input that a rank can check without the others, and returns the pressure of the local
+    /// cells.
     fn check(&self) -> Result<&'p [f64]> {
         let grid = self.bodies.grid();
         self.friction.check(grid)?;

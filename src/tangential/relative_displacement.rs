@@ -12,7 +12,7 @@ use crate::tangential::{Axis, TangentialModel};
 /// contact.
 ///
 /// The slip is then $`s = u + w - \delta`$. Where the bodies stick, tractions balance w. A uniform w acts like a shift
-/// of the opposite sign. Source: Nowell & Hills, Int. J. Mech. Sci. 29 (1987) 355.
+/// of the opposite sign. See Nowell & Hills, Int. J. Mech. Sci. 29 (1987) 355.
 ///
 /// ```
 /// use stickslip::tangential::RelativeDisplacement;
@@ -35,7 +35,7 @@ use crate::tangential::{Axis, TangentialModel};
 )]
 pub struct RelativeDisplacement {
     fields: [Field; 2],
-    /// Uniform strain behind the displacements; zero if they do not follow from a uniform strain.
+    /// Uniform strain from which the displacements were created; zero if they were created from fields.
     strain: [[f64; 2]; 2],
 }
 
@@ -133,8 +133,8 @@ impl RelativeDisplacement {
         self.fields.each_mut()
     }
 
-    /// Returns an error if the displacement is on a different grid, has a strain along a periodic axis, or is not zero
-    /// along an axis without tractions.
+    /// Returns an error if the displacement is on a different grid, has a strain along a periodic axis, or has a
+    /// non-zero component along an axis without tractions.
     pub(crate) fn check(&self, bodies: &HalfSpace, axes: &[Axis]) -> Result<()> {
         let grid = bodies.grid();
         grid.expect("relative displacement", self.fields[0].grid())?;

@@ -36,7 +36,7 @@ pub struct TangentialSolution {
     axis: Option<Axis>,
     shift: [f64; 2],
     twist: f64,
-    /// Dundurs' beta of the bodies, if this is part of a coupled solution.
+    /// Dundurs' beta of the bodies if the solution is part of a coupled solution.
     coupled: Option<f64>,
     /// Whether a contact of dissimilar bodies with friction was pressed to its size in one step.
     is_pressed_at_once: bool,
@@ -249,13 +249,13 @@ impl TangentialSolution {
         self.axis
     }
 
-    /// Returns the shift delta, the rigid motion of body 2 relative to body 1 (lengths, of the sign of the force): the
-    /// prescribed shift or the multiplier of the force. On a periodic grid it is measured from the mean plane of the
-    /// surface.
+    /// Returns the shift delta, the rigid motion of body 2 relative to body 1 (lengths, with the sign of the force). It
+    /// is the prescribed shift or the multiplier of the force. On a periodic grid the shift is measured from the mean
+    /// plane of the surface.
     ///
-    /// Under a force that slides the whole contact it is the shift at which the last cell starts to slip. In the vector
-    /// model it is then the displacement of that cell, and the slip of the other cells is not yet parallel to the
-    /// traction.
+    /// Under a force that slides the whole contact, the shift is the value at which the last cell starts to slip. In
+    /// the vector model it is then the displacement of that cell, and the slip of the other cells is not yet parallel
+    /// to their traction.
     #[must_use]
     pub fn shift(&self) -> [f64; 2] {
         self.shift
@@ -419,10 +419,10 @@ impl TangentialSolution {
 }
 
 impl TangentialSolution {
-    /// Estimates the discretisation error of the tractions in the same way as that of the pressure
-    /// ([`NormalSolution::discretisation_estimate`](crate::NormalSolution::discretisation_estimate)). It is the sum of
-    /// the magnitudes of the errors over the sum of the magnitudes of the tractions, with both components together.
-    /// Returns `None` without traction and on a slab of a distributed grid.
+    /// Estimates the discretisation error of the tractions in the same way as the error of the pressure
+    /// ([`NormalSolution::discretisation_estimate`](crate::NormalSolution::discretisation_estimate)). The estimate is
+    /// the sum of the magnitudes of the errors over the sum of the magnitudes of the tractions, with both components
+    /// together. Returns `None` without traction and on a slab of a distributed grid.
     ///
     /// The table lists the ratio of the estimate to the error of the means in partial slip, on N x N cells over three
     /// contact radii. The contacts are a sphere, a gap r^4 and an ellipse 2 : 1, each at six positions between the

@@ -17,9 +17,9 @@ use crate::tangential::{
 
 /// Solver of a sequence of tangential contacts; each solve starts from the last solution.
 ///
-/// The solver owns plans, buffers and the last traction, all of the size of the contact's bounding box. Load, friction
-/// and pressure may change between calls. Each solve is one monotonic step from the unsheared state and does not depend
-/// on earlier slip.
+/// The solver owns plans, buffers and the last traction, all of the size of the bounding box of the contact. Load,
+/// friction and pressure may change between calls. Each solve is one monotonic step from the unsheared state and does
+/// not depend on earlier slip.
 ///
 /// ```
 /// use stickslip::*;
@@ -67,8 +67,8 @@ impl TangentialSolver {
         })
     }
 
-    /// Changes the load of the next solve. A load along the other axis needs the operator of that axis; no other change
-    /// of load allocates.
+    /// Changes the load of the next solve. A load along the other axis requires the operator of that axis; no other
+    /// change of the load allocates memory.
     ///
     /// # Errors
     /// - [`Error::NotFinite`] or [`Error::NotPositive`] if a number of the load is invalid.
@@ -124,9 +124,9 @@ impl TangentialSolver {
         Ok(())
     }
 
-    /// Changes the pressure of the next solve, for instance after wear or a change of the normal load. The pressure
-    /// comes from a solved normal contact or a field. The function allocates only if the contact has left its bounding
-    /// box.
+    /// Changes the pressure of the next solve, for instance after wear or a change of the normal load. The source of
+    /// the pressure is a solved normal contact or a field. The function allocates memory only if the contact has left
+    /// its bounding box.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::MaterialMismatch`] if the pressure belongs to
@@ -151,7 +151,7 @@ impl TangentialSolver {
             self.increment.draw(self.problem.relative.as_ref());
             return Ok(());
         }
-        // The window is a little wider than the contact, so that the contact can grow.
+        // The window is slightly wider than the contact, so that the contact can grow.
         let mut pressed = PressureOnWindow::new(bodies, contact.widened(bodies.grid()))?;
         pressed.set(samples, &self.problem.friction);
         self.check_load(&pressed)?;
@@ -163,8 +163,8 @@ impl TangentialSolver {
         Ok(())
     }
 
-    /// Changes, for the next solve, the relative displacement of the bodies that the contact does not cause. The
-    /// function allocates only if no such displacement was set earlier.
+    /// Sets the relative displacement of the bodies that the contact does not cause, for the next solve. The function
+    /// allocates memory only if no such displacement was set earlier.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.

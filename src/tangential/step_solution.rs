@@ -7,7 +7,7 @@ use crate::tangential::traction_solver::at;
 use crate::tangential::{Axis, PressureOnWindow, RigidMotion, Zone};
 
 /// Pressure, limits, tractions and displacements at the end of a step, on the window of a contact. A component that the
-/// model omits has no cells.
+/// model omits is an empty slice.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct StepSolution<'a> {
     pub(crate) region: &'a Region,
@@ -16,7 +16,7 @@ pub(crate) struct StepSolution<'a> {
     pub(crate) limits: &'a [f64],
     pub(crate) traction: [&'a [f64]; 2],
     pub(crate) displacement: [&'a [f64]; 2],
-    /// Displacement minus motion of a cell while it sticks.
+    /// Displacement minus motion of each cell while it sticks.
     pub(crate) offset: [&'a [f64]; 2],
     /// Motion of body 2 at the end of the step.
     pub(crate) motion: RigidMotion,
@@ -42,7 +42,7 @@ impl<'a> StepSolution<'a> {
         }
     }
 
-    /// Calls `work` with the solution in the local cells of the grid.
+    /// Calls `work` with the part of the solution in the local cells of the grid.
     pub(crate) fn with_held<T>(&self, work: impl FnOnce(&StepSolution<'_>) -> T) -> T {
         let region = self.region;
         let give = |parts: [&[f64]; 2]| {

@@ -43,7 +43,7 @@ pub(super) struct TangentialRequest<'a> {
     pub(super) own: CellCompliance<'a>,
     pub(super) linear: &'a TangentialVector,
     pub(super) totals: [Total; 2],
-    /// Multipliers for which the start was a solution, if it was one.
+    /// Multipliers at which the start was a solution; `None` if the start was not a solution.
     pub(super) known: Option<[f64; 2]>,
     /// Unit of the tractions if their squares would otherwise overflow or underflow. The operator is linear, so
     /// displacements scale with the unit.
@@ -174,7 +174,7 @@ where
         Ok(Self { axes, solver })
     }
 
-    /// Returns `[x, y]` of these components, with the default value for a component that the model omits.
+    /// Returns `[x, y]` from these components, with the default value for a component that the model omits.
     fn both<T: Default>(&self, values: [T; N]) -> [T; 2] {
         let mut both = <[T; 2]>::default();
         for (axis, value) in self.axes.iter().zip(values) {
@@ -206,7 +206,7 @@ fn scene<const N: usize>(
     })
 }
 
-/// Returns a field in a unit; the field itself without a unit.
+/// Returns a field in a unit, or the unchanged field without a unit.
 fn measured(field: &[f64], unit: Option<f64>) -> Result<Cow<'_, [f64]>> {
     let Some(unit) = unit else {
         return Ok(field.into());

@@ -64,7 +64,7 @@ pub enum TangentialModel {
     Scalar,
     /// Both components, with `hypot(q_x, q_y) <= m`. Slip is opposite to the traction, and loads may have any
     /// direction. A solve takes about three times as long as a scalar solve. The coupling of pressure and traction of
-    /// dissimilar bodies is separate from this choice, see [`coupled`](crate::coupled).
+    /// dissimilar bodies is a separate choice, see [`coupled`](crate::coupled).
     Vector,
 }
 

@@ -45,7 +45,7 @@ pub struct FrettingLoop<F> {
 }
 
 impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
-    /// Creates a loop along this path, with the step that `load` returns for each value `[x, y]`.
+    /// Creates a loop along this path. The step for each value `[x, y]` of the path is the result of `load`.
     pub fn new(path: LoadPath, load: F) -> Self {
         Self {
             path,
@@ -54,8 +54,9 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
         }
     }
 
-    /// Stops after the first cycle whose [closure](Cycle::cyclic_residual) is at most `tolerance`, in `(0, 1)`
-    /// (default: never). The closure is the largest value over all cells; energies become steady cycles earlier.
+    /// Stops after the first cycle whose [residual](Cycle::cyclic_residual) is at most `tolerance`, in `(0, 1)`
+    /// (default: never). The residual includes the largest change of traction over all cells; energies become steady
+    /// cycles earlier.
     pub fn until_steady(mut self, tolerance: f64) -> Self {
         self.tolerance = Some(tolerance);
         self
@@ -166,7 +167,7 @@ pub struct FrettingResult {
     pub cycles: usize,
     /// Reason for the end of the loop.
     pub ending: StopReason,
-    /// Last cycle, with the [warnings](Cycle::warnings) of its steps. It is incomplete if the observer stopped the
-    /// loop, and empty if no cycles were requested.
+    /// Last cycle, with the [warnings](Cycle::warnings) of its steps. The cycle is incomplete if the observer stopped
+    /// the loop, and empty if no cycles were requested.
     pub last: Cycle,
 }

@@ -13,7 +13,7 @@ pub struct LoopPoint {
     pub force: [f64; 2],
     /// Shift of body 2 relative to body 1 since the start of the history (lengths).
     pub shift: [f64; 2],
-    /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1.
+    /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1 (force times length).
     pub moment: f64,
     /// Rotation of body 2 relative to body 1 since the start of the history (radians).
     pub twist: f64,
@@ -36,10 +36,10 @@ impl Cycle {
     /// $`\sum \tfrac12 (F_n + F_{n+1})\,\Delta\delta + \tfrac12 (M_n + M_{n+1})\,\Delta\varphi`$ (a force times a
     /// length). For a closed loop it is the area that the [points](Cycle::points) enclose.
     ///
-    /// Around a closed loop slip dissipates the [`work`](crate::history::EnergyBalance::work) of the balance. That work
-    /// also includes the work of a changing [relative displacement](crate::tangential::RelativeDisplacement), such as
-    /// that of a bulk stress, and for coupled bodies the work of the pressure. If the contact grows, it excludes the
-    /// motion that new cells have not followed.
+    /// Around a closed loop, slip dissipates the [`work`](crate::history::EnergyBalance::work) of the balance. This
+    /// work also includes the work of a changing [relative displacement](crate::tangential::RelativeDisplacement), such
+    /// as the displacement due to a bulk stress. For coupled bodies it includes the work of the pressure. If the
+    /// contact grows, it excludes the motion that new cells have not followed.
     ///
     /// ```
     /// use stickslip::history::{Cycle, FrettingLoop, LoadPath};
@@ -75,12 +75,12 @@ impl Cycle {
     /// tractions at the end of each step, to the energy of a rectangle around the loop. It is zero without dissipation,
     /// and infinite if energy was dissipated while the force or the shift was constant.
     ///
-    /// $`Q^*`$ is half the longest chord of the path of the force in the plane, and $`\delta^*`$ half the range of the
-    /// shift along this chord. If body 2 turns, the product of the half ranges of moment and twist is added to
+    /// $`Q^*`$ is half the longest chord of the path of the force in the plane, and $`\delta^*`$ is half the range of
+    /// the shift along this chord. If body 2 turns, the product of the half ranges of moment and twist is added to
     /// $`Q^*\delta^*`$. On a sphere under a constant normal force the ratio grows to 1/5 at the limit of sliding
-    /// (Mindlin & Deresiewicz); when the contact slides, it approaches one. Fouvry, Kapsa & Vincent, Wear 185 (1995)
-    /// 35, <https://doi.org/10.1016/0043-1648(94)06582-9>, use 1/5 for the transition from partial to gross slip. The
-    /// ratio of loops around an ellipse may exceed one.
+    /// (Mindlin & Deresiewicz). When the contact slides, the ratio approaches one. Fouvry, Kapsa & Vincent, Wear 185
+    /// (1995) 35, <https://doi.org/10.1016/0043-1648(94)06582-9>, use 1/5 for the transition from partial to gross
+    /// slip. The ratio of loops around an ellipse may exceed one.
     #[must_use]
     pub fn energy_ratio(&self) -> f64 {
         part_of(self.energy().dissipated_energy, total_energy(self.points()))
@@ -121,10 +121,10 @@ impl Cycle {
     pub const SUMMARY_NAMES: &str = "steps,force_amplitude_x,force_amplitude_y,shift_amplitude_x,shift_amplitude_y,\
          dissipated_energy,energy_ratio,cyclic_residual,least_stick_ratio,largest_stick_ratio";
 
-    /// Returns the cycle as a line of CSV without a line ending, for a table of cycles. The columns are the number of
-    /// steps, half the ranges of force and shift, and the dissipated energy, computed from the tractions at the ends of
-    /// the steps. They are followed by the [energy ratio](Cycle::energy_ratio), the [residual](Cycle::cyclic_residual)
-    /// and the [stick ratios](Cycle::stick_ratios).
+    /// Returns the cycle as a line of CSV without a line ending, for a table of cycles. The first columns are the
+    /// number of steps, half the ranges of force and shift, and the dissipated energy, computed from the tractions at
+    /// the ends of the steps. The last columns are the [energy ratio](Cycle::energy_ratio), the
+    /// [residual](Cycle::cyclic_residual) and the [stick ratios](Cycle::stick_ratios).
     ///
     /// ```
     /// use stickslip::history::{Cycle, FrettingLoop, LoadPath};
@@ -201,7 +201,7 @@ fn longest_chord(points: &[LoopPoint]) -> [f64; 2] {
     longest
 }
 
-/// Returns the ratio of a part to the whole: zero if the part is zero, and infinite if only the whole is zero.
+/// Returns the ratio of a part to the whole, which is zero if the part is zero and infinite if only the whole is zero.
 pub(in crate::history) fn part_of(part: f64, whole: f64) -> f64 {
     if part > 0.0 { part / whole } else { 0.0 }
 }

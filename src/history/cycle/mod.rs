@@ -21,15 +21,16 @@ pub(super) mod hysteresis;
 /// Slip, energy and the loop of force and shift, accumulated over the steps of a cycle.
 ///
 /// A cycle starts at the present state of a history. Call [`add`](Self::add) once after each step; a
-/// [`FrettingLoop`](crate::history::FrettingLoop) does so itself.
+/// [`FrettingLoop`](crate::history::FrettingLoop) makes these calls itself.
 ///
 /// # Memory
-/// A cycle stores nine numbers per cell. It does not allocate in a cycle with at most as many steps as an earlier
-/// cycle.
+/// A cycle stores nine numbers per cell. It does not allocate memory in a cycle with at most as many steps as an
+/// earlier cycle.
 ///
 /// # Distributed bodies
 /// On [distributed](crate::HalfSpace::distributed) bodies [begin](Self::begin) and [add](Self::add) are collective.
-/// Each rank then has the numbers of the whole cycle, without further messages, and the fields of its local cells.
+/// Each rank then has the scalar results of the whole contact, without further messages, and the fields of its local
+/// cells.
 ///
 /// # Examples
 ///
@@ -66,7 +67,7 @@ pub struct Cycle {
     sums: CycleSums,
     /// Largest magnitude of a traction in the cycle.
     largest_traction: f64,
-    /// Largest magnitude of a change of traction since the start.
+    /// Largest magnitude of a change of traction since the start of the cycle.
     traction_change: f64,
     energy: EnergyBalance,
     points: Vec<LoopPoint>,
@@ -289,7 +290,8 @@ impl Cycle {
         });
     }
 
-    /// Returns the largest traction, including the start for the first step, and the largest change since the start.
+    /// Returns the largest traction, which includes the start for the first step, and the largest change since the
+    /// start.
     fn compare_traction(&self, history: &History) -> [f64; 2] {
         let [x, y] = history.traction().map(Field::as_slice);
         let [first_x, first_y] = self.sums.first_traction.each_ref().map(Field::as_slice);
@@ -317,8 +319,8 @@ impl Cycle {
     /// Returns the slip pressure of each cell, the mean over its slip path $`\sum p\,|s| / \sum |s|`$; zero in cells
     /// without slip.
     ///
-    /// [`wear::archard`](crate::history::wear::archard) with this pressure and [`slip_distance`](Self::slip_distance)
-    /// equals the sum over the steps for any variation of the pressure.
+    /// With this pressure and [`slip_distance`](Self::slip_distance), [`wear::archard`](crate::history::wear::archard)
+    /// adds the sum of the depths over the steps for any variation of the pressure.
     #[must_use]
     pub fn slip_pressure(&self) -> &Field {
         &self.sums.slip_pressure
@@ -379,9 +381,9 @@ impl Cycle {
         self.regime
     }
 
-    /// Returns the deviation of the cycle from a closed loop. It is the larger of two ratios: the largest change of a
-    /// traction from start to end over the largest traction in the cycle, and the change of the shift over its half
-    /// range.
+    /// Returns the deviation of the cycle from a closed loop. The deviation is the larger of two ratios. The first is
+    /// the largest change of a traction from start to end over the largest traction in the cycle. The second is the
+    /// change of the shift over its half range.
     ///
     /// A closed cycle repeats itself under the same loads.
     #[must_use]

@@ -1,4 +1,4 @@
-//! Primitives of the format; each of them writes a value and reads it back.
+//! Primitives of the format. Each primitive writes a value and reads it back.
 
 use std::fmt::Debug;
 use std::ops::RangeBounds;
@@ -18,10 +18,10 @@ pub(super) const NOT_NEGATIVE: NumberRule = ("must be non-negative and finite", 
 pub(super) const POSITIVE: NumberRule = ("must be positive and finite", |value| {
     value > 0.0 && value.is_finite()
 });
-/// The value is infinite for an error that was not measured.
+/// Rule for an error, which is infinite if it was not measured.
 pub(super) const NOT_NEGATIVE_OR_INFINITE: NumberRule =
     ("must be non-negative", |value| value >= 0.0);
-/// The modulus of a rigid body is infinite.
+/// Rule for a modulus, which is infinite for a rigid body.
 pub(super) const POSITIVE_OR_INFINITE: NumberRule = ("must be positive", |value| value > 0.0);
 pub(super) const TOLERANCE: NumberRule = ("must lie strictly between 0 and 1", |value| {
     value > 0.0 && value < 1.0
@@ -100,7 +100,7 @@ pub(super) trait Codec {
         })
     }
 
-    /// Visits whether an optional value is present. If it is present in the bytes only, `make` creates it first.
+    /// Visits whether an optional value is present. If only the bytes contain a value, `make` creates it first.
     fn option<T>(
         &mut self,
         what: &str,

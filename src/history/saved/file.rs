@@ -32,12 +32,12 @@ const BEGINNING: u64 = 256;
 
 impl History {
     /// Saves the [state](History::state) in a file, which is replaced as a whole or not at all. If the program is
-    /// interrupted or the disk is full, the previous file is kept. The bytes are on the disk when the call returns.
+    /// interrupted or the disk is full, the previous file is kept. The bytes are on the disk when the function returns.
     ///
     /// For distributed bodies the call is collective, and all ranks pass the path of the same file. Each rank writes
     /// its slab, and the file receives its name when every rank has finished. Until then the data are in
-    /// `NAME.PID.NUMBER.part` next to it, as with [`HalfSpace::write_npy`]. [`History::load`] continues from the file
-    /// on any number of ranks, or on bodies that are not distributed.
+    /// `NAME.PID.NUMBER.part` in the same directory, as with [`HalfSpace::write_npy`]. [`History::load`] continues from
+    /// the file on any number of ranks, or on bodies that are not distributed.
     ///
     /// ```
     /// use std::sync::Arc;
@@ -87,10 +87,10 @@ impl History {
         })
     }
 
-    /// Creates a history from the file of [`History::save`], on the bodies it belongs to; it continues with bitwise
-    /// identical results. The number of ranks may differ from the number that [saved](History::save) the file, and a
-    /// single process without ranks may save or load the file. The call is collective: each rank reads the slabs that
-    /// contain its local rows.
+    /// Creates a history from the file of [`History::save`], on the bodies that the file belongs to. The history
+    /// continues with bitwise identical results. The number of ranks may differ from the number that
+    /// [saved](History::save) the file, and a single process without ranks may save or load the file. The call is
+    /// collective: each rank reads the slabs that contain its local rows.
     ///
     /// # Errors
     /// - [`Error::File`](crate::Error::File) if the file cannot be read.
@@ -190,7 +190,7 @@ fn rows_in(path: &Path, part: &Range<u64>) -> Result<Range<usize>> {
     rows().map_err(|error| in_file(path, error))
 }
 
-/// Reads bytes of a file, or fewer bytes if the file ends earlier.
+/// Reads a range of bytes of a file, or fewer bytes if the file ends earlier.
 fn bytes_in(path: &Path, part: &Range<u64>) -> Result<Vec<u8>> {
     let read = || -> IoResult<Vec<u8>> {
         let mut bytes = Vec::new();

@@ -49,10 +49,10 @@ impl State {
     /// | each cell of the grid, for a permanent set | 8 | 8 |
     /// | each cell of the grid, for a relative displacement | 32 | 32 |
     ///
-    /// A contact that fills the grid takes 89 to 121 bytes per cell in the scalar model and 145 to 177 in the vector
-    /// model, without a relative displacement. Coupled pressure and traction take 129 bytes per cell of the grid. The
-    /// remaining data take less than a kilobyte. The call temporarily needs the same amount of memory again for a copy
-    /// of the state.
+    /// A contact that fills the grid requires 89 to 121 bytes per cell in the scalar model and 145 to 177 in the vector
+    /// model, without a relative displacement. A state with coupled pressure and traction requires 129 bytes per cell
+    /// of the grid. The remaining data require less than a kilobyte. The call temporarily needs the same amount of
+    /// memory again for a copy of the state.
     ///
     /// # Content
     /// All numbers are stored exactly. The wall time and the convergence history of the report of the pressure
@@ -91,8 +91,9 @@ impl State {
 
     /// Restores a state saved by [`State::to_bytes`].
     ///
-    /// For a slab, force, contact area and similar sums of the [normal contact](State::normal) cover its rows only.
-    /// They cover the whole grid as soon as [`State::from_slabs`] or a history takes the slab on distributed bodies.
+    /// For a slab, the force, the contact area and similar sums of the [normal contact](State::normal) cover the rows
+    /// of the slab only. The sums cover the whole grid as soon as [`State::from_slabs`] or a history receives the slab
+    /// on distributed bodies.
     ///
     /// # Errors
     /// - [`Error::Format`](crate::Error::Format), with the byte, if the bytes are not a saved state, have a different
@@ -131,7 +132,7 @@ impl TryFrom<Vec<u8>> for State {
 }
 
 impl History {
-    /// Returns the bytes of the [state](History::state), which contain everything that the next step needs except for
+    /// Returns the bytes of the [state](History::state). They contain everything that the next step requires except for
     /// the bodies. Grid, boundary, meaning of the values and elastic constants identify the bodies. See
     /// [`State::to_bytes`].
     #[doc(alias = "checkpoint")]
@@ -140,8 +141,8 @@ impl History {
         self.state().to_bytes()
     }
 
-    /// Creates a history from the bytes of [`History::to_bytes`], on the bodies it belongs to; it continues with
-    /// bitwise identical results. Its [last step](History::last_step) is empty.
+    /// Creates a history from the bytes of [`History::to_bytes`], on the bodies that the bytes belong to. The history
+    /// continues with bitwise identical results. Its [last step](History::last_step) is empty.
     ///
     /// # Errors
     /// Errors of [`State::from_bytes`] and [`History::from_state`].

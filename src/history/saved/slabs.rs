@@ -98,13 +98,13 @@ impl State {
         copy_rows(whole, (grid, &mut self.zones), (from, &slab.zones));
     }
 
-    /// Returns a checksum of all data outside the cells, which slabs of one state have in common; zero if the bodies
-    /// are not distributed.
+    /// Returns a checksum of all data outside the cells, which the slabs of one state have in common. Returns zero if
+    /// the bodies are not distributed.
     pub(in crate::history) fn digest_on(&self, bodies: &HalfSpace) -> u64 {
         if bodies.is_shared() { self.digest() } else { 0 }
     }
 
-    /// Returns a checksum of the numbers that distinguish the states of one history; zero if the bodies are not
+    /// Returns a checksum of the numbers that distinguish the states of one history. Returns zero if the bodies are not
     /// distributed.
     pub(in crate::history) fn numbers_on(&self, bodies: &HalfSpace) -> u64 {
         if !bodies.is_shared() {

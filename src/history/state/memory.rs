@@ -17,8 +17,8 @@ pub(crate) struct Memory {
     pub(crate) window: Window,
     /// Displacement u after the last step.
     pub(in crate::history) displacement: TangentialVector,
-    /// Value of u minus the motion in a cell while it sticks. In the contact it results from the last slip of the cell.
-    /// Outside the contact it is the value that the cell would have if it touched now.
+    /// Value of u minus the motion in a cell while it sticks. In the contact, the offset results from the last slip of
+    /// the cell. Outside the contact, the offset is the value that the cell would have if it touched now.
     pub(in crate::history) offset: TangentialVector,
     /// Change of the tractions in the last step, together with the changes of force and shift; empty for coupled
     /// bodies.
@@ -27,7 +27,7 @@ pub(crate) struct Memory {
     pub(crate) slip: TangentialVector,
     /// Entry compliance of the cells that came into contact in the last step; empty if no cell did.
     pub(crate) entered: Vec<f64>,
-    /// Whether a cell of any rank came into contact.
+    /// Whether a cell of any rank came into contact in the last step.
     pub(in crate::history) has_entered: bool,
 }
 
@@ -151,8 +151,8 @@ impl Memory {
         parts.chain(self.has_entered.then_some(&mut self.entered))
     }
 
-    /// Returns the remaining change of the load relative to the last step; `None` if the load does not continue in the
-    /// same direction, or turns without rolling.
+    /// Returns the ratio of the remaining change of the load to the change in the last step. Returns `None` if the load
+    /// does not continue in the same direction, or turns without rolling.
     pub(in crate::history) fn parts_ahead(
         &self,
         state: &State,

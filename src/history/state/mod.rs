@@ -28,10 +28,10 @@ use crate::support::debug::shown;
 use crate::tangential::EntryRule;
 use crate::tangential::{Axis, Friction, RigidMotion, Zone, check_axes};
 
-/// State of a [`History`](crate::History): everything that its next step starts from, except for the bodies and the
-/// buffers.
+/// State of a [`History`](crate::History). It contains everything that the next step starts from, except for the bodies
+/// and the buffers.
 ///
-/// [`History::state`](crate::History::state) returns a reference to it. A clone saves it, and
+/// [`History::state`](crate::History::state) returns a reference to the state. A clone saves it, and
 /// [`History::set_state`](crate::History::set_state) restores it; `clone_from` and `set_state` copy into existing
 /// memory. Vectors are `[x, y]`; in the scalar model the component across its axis is zero.
 ///
@@ -76,7 +76,7 @@ pub struct State {
     pub(super) gap: Field,
     /// Hardness that limits the pressure of all steps.
     pub(crate) hardness: Option<Hardness>,
-    /// Accumulated plastic depth if it is permanent.
+    /// Accumulated plastic depth; `None` unless the depth is permanent.
     pub(super) yielded: Option<Field>,
     /// Relative displacement that the contact does not cause.
     pub(super) relative: Option<RelativeDisplacementState>,
@@ -216,7 +216,7 @@ impl State {
         press.resume(bodies, self.approach(), window, &self.trend)
     }
 
-    /// Restores the memory to this window after a later widening; `None` if there was no memory.
+    /// Restores the memory to this window after a later widening, or removes the memory if `window` is `None`.
     pub(super) fn crop_memory(&mut self, window: Option<Window>) {
         let grid = self.grid();
         match (&mut self.contact, window) {
@@ -236,7 +236,7 @@ impl State {
         check_axes(bodies, self.axes, self.coupling)
     }
 
-    /// Returns an error if the state does not belong to these bodies or to some rows of them.
+    /// Returns an error if the state does not belong to these bodies or to some of their rows.
     pub(super) fn check_origin(&self, bodies: &HalfSpace) -> Result<()> {
         let whole = bodies.grid().whole();
         whole.expect(QUANTITY, self.grid().whole())?;
@@ -302,14 +302,14 @@ impl State {
         relative.map(|relative| relative.reached.fields())
     }
 
-    /// Returns the accumulated plastic depth since the start (lengths, non-negative); `None` unless it is
-    /// [permanent](crate::history::HistoryBuilder::permanent_set).
+    /// Returns the accumulated plastic depth since the start (lengths, non-negative). Returns `None` unless the depth
+    /// is [permanent](crate::history::HistoryBuilder::permanent_set).
     #[must_use]
     pub fn yielded(&self) -> Option<&Field> {
         self.yielded.as_ref()
     }
 
-    /// Returns the gap before loading (lengths): the last gap set, plus the [plastic depth](Self::yielded).
+    /// Returns the gap before loading (lengths), which is the last gap set plus the [plastic depth](Self::yielded).
     #[must_use]
     pub fn gap(&self) -> &Field {
         &self.gap
@@ -359,14 +359,14 @@ impl State {
         self.traction.each_ref()
     }
 
-    /// Returns the sum of the signed slips of all steps (lengths). In rolling it belongs to the particles.
+    /// Returns the sum of the signed slips of all steps (lengths). After rolling, the sums belong to the particles.
     #[must_use]
     pub fn slip(&self) -> [&Field; 2] {
         self.slip.each_ref()
     }
 
-    /// Returns the accumulated slip, the length of the slip path in all steps (lengths, non-negative). In rolling it
-    /// belongs to the particles.
+    /// Returns the accumulated slip, the length of the slip path in all steps (lengths, non-negative). After rolling,
+    /// this length belongs to the particles.
     #[must_use]
     pub fn accumulated_slip(&self) -> &Field {
         &self.accumulated_slip

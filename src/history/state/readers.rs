@@ -46,7 +46,8 @@ impl History {
         self.state.axis()
     }
 
-    /// Returns the gap before loading (lengths): the last gap set, plus the [plastic depth](crate::history::State::yielded).
+    /// Returns the gap before loading (lengths), which is the last gap set plus the [plastic
+    /// depth](crate::history::State::yielded).
     #[must_use]
     pub fn gap(&self) -> &Field {
         self.state.gap()
@@ -104,7 +105,7 @@ impl History {
         self.state.slip()
     }
 
-    /// Returns the length of the slip path in all steps (lengths, non-negative).
+    /// Returns the accumulated slip, the length of the slip path in all steps (lengths, non-negative).
     #[must_use]
     pub fn accumulated_slip(&self) -> &Field {
         self.state.accumulated_slip()

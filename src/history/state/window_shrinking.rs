@@ -5,8 +5,8 @@ use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
 
-/// Ratio of the number of cells of a window to the number of cells needed, at which a smaller window replaces it. A
-/// later return to the larger window costs no more than a few steps on the smaller window have saved.
+/// Ratio of the number of cells of a window to the number of cells needed, at which a smaller window replaces the
+/// present window. A later return to the larger window costs no more than a few steps on the smaller window have saved.
 const WASTE: f64 = 2.0;
 /// Ratio for a window that the last step had to widen, because its size was estimated from a solution on too few cells.
 const OVERSHOOT: f64 = 1.5;

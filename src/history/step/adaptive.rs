@@ -13,7 +13,7 @@ const SHORTEST: f64 = 1.0 / 4096.0;
 /// Difference between one step and two half steps of the same load.
 ///
 /// If the error is of second order in the length of the step, the error of the two halves is a third of this
-/// difference. If the error is of first order, it equals the difference.
+/// difference. If the error is of first order, it is equal to the difference.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -33,16 +33,16 @@ pub struct StepErrorEstimate {
 /// step.
 ///
 /// The state after a step belongs to a load that varied linearly from start to end, up to an error whose order is given
-/// in [growing contacts](crate::guide::load_steps). Each step is compared with two half steps of the same load,
-/// and the result of the halves is used. The halves are accepted if [`StepErrorEstimate::traction`] is at most the tolerance
-/// times the square root of the step's fraction of the load; otherwise the step is shortened. This is an estimate and
-/// not a bound. For a ball whose shift turned while the contact grew, the error after the load was up to 2.5 times the
-/// tolerance.
+/// in [growing contacts](crate::guide::load_steps). Each step is compared with two half steps of the same load, and the
+/// result of the halves is used. The halves are accepted if [`StepErrorEstimate::traction`] is at most the tolerance
+/// times the square root of the fraction of the load that the step covers. Otherwise the step is shortened. This
+/// criterion is an estimate and not a bound. For a ball whose shift turned while the contact grew, the error after the
+/// load was up to 2.5 times the tolerance.
 ///
-/// For dissimilar bodies that are pressed from zero load use [`History::press`]. The error of their first step is large
-/// compared with its friction limits, for any length of the step, and this type would return [`Error::StepTooLong`].
-/// The error of the whole load depends less on the first step, because the contact grows far beyond its size in that
-/// step.
+/// For dissimilar bodies that are pressed from zero load, use [`History::press`]. The error of their first step is
+/// large compared with the friction limits in this step, for any length of the step, and this type would return
+/// [`Error::StepTooLong`]. The error of the whole load depends less on the first step, because the contact grows far
+/// beyond its size in that step.
 ///
 /// The tolerance applies to the tractions. If cells slip while the contact grows, their dissipated energy converges
 /// more slowly. Compare [`StepErrorEstimate::dissipated_energy`] with the energy of the step.
@@ -50,8 +50,8 @@ pub struct StepErrorEstimate {
 /// All prescribed quantities change proportionally from their previous values to those of the load.
 ///
 /// # Memory
-/// The buffers take the memory of four states. A step allocates if the contact outgrows its bounding box, in each
-/// attempt of the step.
+/// The buffers need the memory of four states. A step allocates memory if the contact outgrows its bounding box, in
+/// each attempt of the step.
 ///
 /// # Examples
 ///
@@ -85,7 +85,7 @@ pub struct AdaptiveSteps {
     kept: State,
     /// State and result after the first half of the step.
     middle: (State, StepResult),
-    /// Tractions after the step in one piece.
+    /// Tractions after a single step over both halves.
     whole: [Field; 2],
 }
 
@@ -95,8 +95,8 @@ impl AdaptiveSteps {
     /// Creates the step control for histories on the grid of `history`. `tolerance` is the limit of
     /// [`StepErrorEstimate::traction`] for a whole load, in `(0, 1)`.
     ///
-    /// A tolerance below about a hundred times the tolerance of the history's [settings](History::settings) cannot be
-    /// met, because the error of the solves then dominates for any length of the steps.
+    /// A tolerance below about a hundred times the tolerance of the [settings](History::settings) of the history cannot
+    /// be met, because the error of the solves then dominates for any length of the steps.
     ///
     /// # Errors
     /// - [`Error::Tolerance`] if the tolerance is not in `(0, 1)`.
@@ -141,9 +141,9 @@ impl AdaptiveSteps {
         self.step_observed(history, load, |_| Ok(()))
     }
 
-    /// Takes a load as [`AdaptiveSteps::step`] does and calls an observer with the history after every accepted step,
-    /// for example to [add](crate::history::Cycle::add) it to a cycle. If the call returns an error, the steps observed
-    /// so far have been undone.
+    /// Takes a load as [`AdaptiveSteps::step`] does and calls an observer with the history after every accepted step.
+    /// The observer can, for example, [add](crate::history::Cycle::add) the step to a cycle. If the call returns an
+    /// error, the steps observed so far have been undone.
     ///
     /// # Errors
     /// - Errors of [`AdaptiveSteps::step`].
@@ -215,8 +215,8 @@ impl AdaptiveSteps {
         Ok(steps)
     }
 
-    /// Takes the step between two fractions of the load in one piece, then again in two halves. The history remains at
-    /// the result of the halves.
+    /// Takes the step between two fractions of the load as a single step, then again as two half steps. The history
+    /// remains at the result of the half steps.
     fn compare(
         &mut self,
         history: &mut History,

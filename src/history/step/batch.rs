@@ -12,7 +12,7 @@ impl History {
     /// and the other contacts take their steps. Contacts of at most [`SERIAL_CELL_LIMIT`](crate::SERIAL_CELL_LIMIT)
     /// cells are solved on one thread each; larger contacts share the threads. The time limit of a larger contact may
     /// therefore run while its thread works on another contact. Distributed contacts are solved one after the other. A
-    /// call allocates the memory of its steps, and a list if there are failures.
+    /// call allocates the memory for its steps and, if steps fail, for the list of failures.
     ///
     /// # Errors
     /// - [`Error::Length`] before any step if the number of loads differs from the number of contacts.

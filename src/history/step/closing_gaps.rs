@@ -9,7 +9,7 @@ use crate::report::Status;
 use crate::tangential::EntryRule;
 
 impl State {
-    /// Returns the gap that a cell closes when it comes into contact in a step under this load; zero for a cell in
+    /// Returns the gap that a cell closes when it comes into contact in a step under this load, zero for a cell in
     /// contact. Returns `None` if cells follow the motion of the whole step. In a rolled step the new gap belongs to
     /// other particles, so a change of the gap counts only before the first step.
     pub(crate) fn closing(

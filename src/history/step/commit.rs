@@ -43,7 +43,7 @@ pub(in crate::history) fn commit(
     (step.stick_cells, step.slip_cells) = (0, 0);
     step.energy = EnergyBalance::default();
     state.motion = motion;
-    // The memory is taken out of the state so that both can be written.
+    // The memory is moved out of the state so that both can be written.
     let mut contact = state.contact.take();
     if let Some((answer, memory)) = answer.zip(contact.as_mut()) {
         answer.with_held(|answer| enter(answer, (before, back), memory, state, step));
@@ -164,7 +164,7 @@ type RowParts<'a> = (
     (Blocks<'a, Zone>, [[Blocks<'a, f64>; 2]; 3]),
 );
 
-/// Data of a committed step that the results of its cells depend on.
+/// Data of a committed step on which the results of its cells depend.
 struct CommittedStep<'a> {
     answer: &'a StepSolution<'a>,
     grid: Grid,

@@ -39,7 +39,7 @@ pub(in crate::history) struct StepDiagnostics {
 const LARGEST_LOSS: usize = 50;
 
 impl StepDiagnostics {
-    /// Combines the diagnostics with those of another step.
+    /// Combines the diagnostics with the diagnostics of another step.
     pub(in crate::history) fn and(self, other: Self) -> Self {
         Self {
             is_pressure_stale: self.is_pressure_stale || other.is_pressure_stale,

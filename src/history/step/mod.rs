@@ -47,17 +47,17 @@ use crate::warning::Resolution;
 /// Vectors are `[x, y]`; in the scalar model the component across its axis is zero.
 ///
 /// # Memory
-/// In addition to its bodies a history takes 168 bytes per cell of the grid and 350 per cell of the contact's bounding
-/// box, including operators. In the vector model ([`HistoryBuilder::model`]) it takes 590 per cell of the box. Most of
-/// this memory is borrowed for the duration of a step. Further histories of the same bodies with boxes of the same size
-/// take 121 bytes per cell of the grid and 51 per cell of the box (91 in the vector model), if they are not stepped
-/// concurrently. A relative displacement adds 32 bytes per cell of the grid. Histories of bodies of different materials
-/// take several times as much memory.
+/// In addition to its bodies, a history needs 168 bytes per cell of the grid and 350 bytes per cell of the bounding box
+/// of the contact, including operators. In the vector model ([`HistoryBuilder::model`]) it needs 590 bytes per cell of
+/// the box. Most of this memory is borrowed for the duration of a step. Further histories of the same bodies with boxes
+/// of the same size need 121 bytes per cell of the grid and 51 bytes per cell of the box (91 in the vector model), if
+/// they are not stepped concurrently. A relative displacement adds 32 bytes per cell of the grid. Histories of bodies
+/// of different materials need several times as much memory.
 ///
 /// A contact that outgrows its box moves to a wider box. A contact that needs at most half of the cells of its box,
-/// before and after a step, moves to a smaller box. Data for other boxes are kept for 256 steps, as long as they cover
-/// at most twice the cells of the largest box. A contact that alternates between such boxes allocates nothing after the
-/// first cycles. Its state keeps memory for the largest box, but a clone of the state does not.
+/// before and after a step, moves to a smaller box. Data for other boxes are kept for 256 steps, as long as these boxes
+/// cover at most twice the cells of the largest box. A contact that alternates between such boxes allocates no memory
+/// after the first cycles. Its state keeps memory for the largest box, but a clone of the state does not.
 ///
 /// # State and threads
 /// The [`state`](Self::state) is a value. A clone of it can be restored ([`set_state`](Self::set_state)) or continued
@@ -102,7 +102,7 @@ pub struct History {
     pub(super) increments: IncrementPool,
     /// Tangential contact of the present step.
     pub(super) increment: Option<TangentialIncrement>,
-    /// Solver of coupled pressure and traction, which replaces the two contacts above; `None` for bodies without
+    /// Solver of coupled pressure and traction, which replaces `candidate` and `increment`; `None` for bodies without
     /// coupling.
     pub(super) joint: Option<Box<CoupledIncrement>>,
     pub(super) step: StepResult,
@@ -114,7 +114,7 @@ pub struct History {
 
 shown!(History: bodies, state);
 
-/// Name in error messages of the parts of a state that slabs have in common.
+/// Name for error messages of the parts of a state that slabs have in common.
 const ALL_BUT_FIELDS: &str = "state (except for its fields)";
 
 const _: () = {
@@ -134,8 +134,8 @@ impl History {
         HistoryBuilder::new(bodies, gap.into(), friction)
     }
 
-    /// Creates a history from a state, on the bodies the state belongs to. It continues with results bitwise identical
-    /// to those of the original history. Its [last step](Self::last_step) is empty.
+    /// Creates a history from a state, on the bodies that the state belongs to. The history continues with results
+    /// bitwise identical to the results of the original history. Its [last step](Self::last_step) is empty.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::MaterialMismatch`] if the state belongs to
@@ -172,8 +172,8 @@ impl History {
     }
 
     /// Restores a state of this history, or of another history on equal bodies, including its gap, friction and
-    /// settings. The state is copied into the existing buffers. The call allocates only if the contact has moved to a
-    /// different box since, or if only one of the two states has a relative displacement.
+    /// settings. The state is copied into the existing buffers. The function allocates memory only if the contact has
+    /// moved to a different box since, or if only one of the two states has a relative displacement.
     /// [`last_step`](Self::last_step) remains the last step taken.
     ///
     /// # Errors
@@ -395,10 +395,10 @@ impl History {
         narrow(&self.bodies, state, before, press_window, margins);
     }
 
-    /// Changes the gap before loading, for instance after wear. Everything else is kept; the pressure is kept until the
-    /// first step that does not hold it. Prescribe the normal load again in the next step. A step that holds the
-    /// pressure has the warning [`StalePressure`](crate::Warning::StalePressure). The [plastic depth](State::yielded)
-    /// is added to the gap.
+    /// Changes the gap before loading, for instance after wear. All other quantities are kept; the pressure is kept
+    /// until the first step that does not hold it. Prescribe the normal load again in the next step. A step that holds
+    /// the pressure has the warning [`StalePressure`](crate::Warning::StalePressure). The [plastic
+    /// depth](State::yielded) is added to the gap.
     ///
     /// Before a step that [rolls](crate::history#rolling), pass the gap of that step, in which the texture has moved
     /// with the particles. The gap is copied without allocation.
@@ -427,7 +427,7 @@ impl History {
         Ok(())
     }
 
-    /// Changes the friction of the following steps; everything else is kept.
+    /// Changes the friction of the following steps. All other quantities are kept.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.
@@ -487,8 +487,8 @@ impl TryClone for History {
     }
 }
 
-/// Returns the fraction of the tangential force that a step lost, in per cent; zero for a force that is round-off of
-/// the normal force.
+/// Returns the fraction of the tangential force that a step lost, in per cent. Returns zero for a force that is within
+/// round-off of the normal force.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,
@@ -505,7 +505,8 @@ fn lost_per_cent(before: f64, step: &StepResult) -> usize {
     }
 }
 
-/// Makes the solvers of the pressure continue from a state. Existing buffers are reused if they belong to its window.
+/// Makes the solvers of the pressure continue from a state. Existing buffers are reused if they belong to the window of
+/// the state.
 fn resume(
     bodies: &HalfSpace,
     state: &State,

@@ -14,7 +14,7 @@ pub(in crate::history) struct StepLift {
     size: [usize; 2],
     lifting: Lifting,
     lift: Vec<f64>,
-    /// The lift in millionths of the normal displacement, if it exceeds the tolerance.
+    /// Lift in millionths of the normal displacement, if the lift exceeds the tolerance.
     pub(super) found: Option<usize>,
 }
 

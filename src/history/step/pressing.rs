@@ -22,12 +22,12 @@ impl History {
     /// Use this method to press dissimilar bodies, because their stick and slip zones depend on how the contact grows
     /// ([dissimilar bodies](crate::guide::dissimilar_bodies#load-steps)). The history takes the load in 1, 2, 4, 8, ...
     /// steps, each time from its present state. It stops at the first number of steps whose tractions differ from the
-    /// tractions of half as many steps by at most the tolerance. The difference is
-    /// [`StepErrorEstimate::traction`](crate::history::StepErrorEstimate::traction). The tolerance lies in `(0, 1)`; 0.01 is a good
-    /// choice.
+    /// tractions of half as many steps by at most the tolerance.
+    /// [`StepErrorEstimate::traction`](crate::history::StepErrorEstimate::traction) defines this difference. The
+    /// tolerance lies in `(0, 1)`; 0.01 is a good choice.
     ///
-    /// The error of tractions decreases with an order between 1 and 1.5, so the error of the steps taken is at most
-    /// about half of the tolerance. This is an estimate, not a bound. The stick ratio has a first-order error
+    /// The error of the tractions decreases with an order between 1 and 1.5, so the error of the steps taken is at most
+    /// about half of the tolerance. This value is an estimate, not a bound. The stick ratio has a first-order error
     /// ([table](crate::guide::dissimilar_bodies#load-steps)).
     ///
     /// Between its initial and final values, a normal force grows as the cube of a length that increases in equal
@@ -35,8 +35,9 @@ impl History {
     /// contact radius. All other prescribed quantities change in proportion to the normal load, as in
     /// [`AdaptiveSteps`](crate::history::AdaptiveSteps).
     ///
-    /// For n steps the history solves 2n - 1 steps. The call ends at two steps for bodies without coupling, for a
-    /// contact that does not grow (a flat punch) and for a contact without friction, because one step is exact.
+    /// For a load of n steps the history solves 2n - 1 steps. The call ends at two steps for bodies without coupling,
+    /// for a contact that does not grow (a flat punch) and for a contact without friction, because one step is exact in
+    /// these cases.
     ///
     /// A tolerance below about a hundred times the tolerance of the [settings](History::settings) cannot be met. The
     /// call allocates the memory of one state.
@@ -110,12 +111,13 @@ struct LoadRamp<'a> {
     load: &'a LoadStep,
     course: NormalLoadRange,
     start: State,
-    /// Tractions after half as many steps.
+    /// Tractions after the load in half as many steps.
     coarse: [Field; 2],
 }
 
 impl LoadRamp<'_> {
-    /// Takes the load in twice as many steps each time, until the tractions differ by at most the tolerance.
+    /// Takes the load in twice as many steps each time, until the tractions of two attempts differ by at most the
+    /// tolerance.
     fn refine(
         &mut self,
         history: &mut History,
@@ -162,7 +164,7 @@ impl LoadRamp<'_> {
     }
 }
 
-/// Variation of the normal load between its ends.
+/// Variation of the normal load between its initial and final values.
 #[derive(Debug, Clone, Copy)]
 enum NormalLoadRange {
     /// Load proportional to the number of the step.

@@ -139,8 +139,8 @@ impl StepResult {
         }
     }
 
-    /// Returns the slip of the step, the change of `u - delta` (lengths). It is opposite to the traction, and exactly
-    /// zero in stick cells and outside the contact.
+    /// Returns the slip of the step, the change of `u - delta` (lengths). The slip is opposite to the traction, and
+    /// exactly zero in stick cells and outside the contact.
     #[must_use]
     pub fn slip(&self) -> [&Field; 2] {
         self.slip.each_ref()
@@ -152,15 +152,16 @@ impl StepResult {
         &self.slip_distance
     }
 
-    /// Returns the energy that each cell dissipates in the step, computed from its traction at the end, `-A q s >= 0`.
+    /// Returns the energy that each cell dissipates in the step, `-A q s >= 0`, computed from the traction of the cell
+    /// at the end of the step.
     #[doc(alias = "dissipated energy")]
     #[must_use]
     pub fn dissipated_energy(&self) -> &Field {
         &self.dissipated_energy
     }
 
-    /// Returns the energy that each cell dissipates in the step, computed from the mean of its tractions before and
-    /// after, `-A (q_n + q_{n+1})/2 s`. This energy closes the [`EnergyBalance`].
+    /// Returns the energy that each cell dissipates in the step, `-A (q_n + q_{n+1})/2 s`, computed from the mean of
+    /// its tractions before and after the step. This energy closes the [`EnergyBalance`].
     #[must_use]
     pub fn dissipated_energy_midpoint(&self) -> &Field {
         &self.dissipated_energy_midpoint
@@ -210,8 +211,8 @@ impl StepResult {
         self.twist
     }
 
-    /// Returns the creepages $`[\xi, \eta]`$ of a rolled step, the motion of body 2 over body 1 per length rolled,
-    /// prescribed or caused by the force (dimensionless). Returns `None` if the step did not roll.
+    /// Returns the creepages $`[\xi, \eta]`$ of a rolled step, the motion of body 2 over body 1 per length rolled
+    /// (dimensionless). A creepage is prescribed or follows from the force. Returns `None` if the step did not roll.
     #[must_use]
     pub fn creepage(&self) -> Option<[f64; 2]> {
         self.creepage
@@ -230,8 +231,9 @@ impl StepResult {
         self.stick_cells == 0 && self.slip_cells > 0
     }
 
-    /// Returns the report of the normal contact; `None` if the pressure was held. If load and gap are those of the
-    /// previous step, the pressure is reused. The report then contains the earlier error bounds and no work.
+    /// Returns the report of the normal contact, or `None` if the pressure was held. If load and gap are equal to the
+    /// load and the gap of the previous step, the pressure is reused. The report then contains the earlier error bounds
+    /// and no work.
     #[must_use]
     pub fn normal_report(&self) -> Option<&Report> {
         solved(&self.normal_report)
@@ -245,8 +247,8 @@ impl StepResult {
 
     /// Returns the warnings of the step:
     ///
-    /// - [`Warning::StalePressure`] if it held the pressure although [`set_gap`](crate::History::set_gap) had changed
-    ///   the gap,
+    /// - [`Warning::StalePressure`] if the step held the pressure although [`set_gap`](crate::History::set_gap) had
+    ///   changed the gap,
     /// - [`Warning::ContactAtEdge`],
     /// - the warnings about contacts and zones of too few cells, such as [`Warning::UnderresolvedSlipZone`],
     /// - the warnings about large approaches and slopes,

@@ -99,8 +99,8 @@ impl Rolling {
         RollingShift::new(bodies.grid(), self.leading_edge, self.cells)
     }
 
-    /// Returns the creepages of a step: the prescribed creepage, or the motion of body 2 over the length along an axis
-    /// with a prescribed force.
+    /// Returns the creepages of a step. Each is the prescribed creepage or, along an axis with a prescribed force, the
+    /// motion of body 2 over the length rolled.
     pub(in crate::history) fn reached(
         &self,
         load: &LoadStep,

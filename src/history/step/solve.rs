@@ -19,9 +19,9 @@ use crate::tangential::{
 };
 
 impl History {
-    /// Solves the normal and the tangential contact of a step and returns the motion of body 2 at its end. In the state
-    /// it changes only the window of the memory, which may become wider. If it fails or the observer panics, the
-    /// history is restored.
+    /// Solves the normal and the tangential contact of a step and returns the motion of body 2 at its end. The only
+    /// part of the state that changes is the window of the memory, which may become wider. If the solve fails or the
+    /// observer panics, the history is restored.
     pub(in crate::history) fn attempt(
         &mut self,
         load: &LoadStep,
@@ -273,9 +273,9 @@ fn roll(
     })
 }
 
-/// Returns the window for the tractions under a pressure: the present window, or a wider window if the contact has left
-/// it, with a margin for further growth. Returns the present window if there is no contact; `None` before the first
-/// contact.
+/// Returns the window for the tractions under a pressure. It is the present window, or a wider window with a margin for
+/// further growth if the contact has left the present window. Returns the present window if there is no contact, and
+/// `None` before the first contact.
 fn window_of(bodies: &HalfSpace, pressure: &Field, present: Option<Window>) -> Option<Window> {
     let (grid, samples) = (bodies.grid(), pressure.as_slice());
     let Some(contact) = bodies.around(|i| samples[i] > 0.0) else {

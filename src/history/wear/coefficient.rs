@@ -5,7 +5,7 @@ use crate::grid::Grid;
 use crate::grid::field::Field;
 use crate::history::wear::check;
 
-/// Wear coefficient, uniform or per cell. The wear laws accept a number or a field for it.
+/// Wear coefficient, uniform or per cell. The wear laws accept a number or a field as the coefficient.
 ///
 /// ```
 /// use stickslip::history::wear;

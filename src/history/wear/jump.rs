@@ -10,7 +10,7 @@ use crate::history::wear::{Coefficient, check};
 use crate::operator::Operator;
 
 /// Returns the largest number of cycles whose wear can be applied at once with a stable pressure. Explicit wear by
-/// Archard's law is stable below this number; the number is infinite if no cell slips.
+/// Archard's law is stable below this number. The number is infinite if no cell slips.
 ///
 /// Removing the depth $`N k s\,p`$ changes a pressure mode with the compliance $`\lambda`$, an eigenvalue of
 /// $`C_{zz}`$, by the factor $`1 - N k s / \lambda`$. All modes decay if
@@ -57,8 +57,8 @@ pub fn max_stable_cycles<'a>(
     Ok(2.0 * cycles_without_overshoot(bodies, rate)?)
 }
 
-/// Number of cycles to jump over, such that the wear of these cycles can be applied at once without an oscillation of
-/// the pressure.
+/// Number of cycles to jump over. The wear of these cycles can be applied at once without an oscillation of the
+/// pressure.
 ///
 /// Let $`h`$ be the depth that a cycle removes by any law that is proportional to the slip pressure $`p`$. This depth
 /// changes by $`h/p`$ per unit of pressure. If $`N h / p < \lambda_{min}`$ in every cell, no pressure mode changes
@@ -107,13 +107,14 @@ pub struct CycleJump {
     cycles_left: Option<f64>,
 }
 
-/// Default residual up to which a cycle is representative of the following cycles. Wear and jumps cause smaller
-/// residuals in a steady cycle.
+/// Default residual up to which a cycle is representative of the following cycles. The residuals that wear and jumps
+/// cause in a steady cycle are smaller.
 const CLOSED: f64 = 0.25;
 
 impl CycleJump {
-    /// Creates a jump over cycles like `cycle`, which removed `depth` (lengths) from both bodies together. A cell that
-    /// did not slip under pressure sets no limit, for example next to the contact after the depth was smoothed.
+    /// Creates a jump over cycles like `cycle`, in which `depth` (lengths) was removed from both bodies together. A
+    /// cell that did not slip under pressure sets no limit, for example next to the contact after the depth was
+    /// smoothed.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grids differ.
@@ -167,7 +168,7 @@ impl CycleJump {
         self
     }
 
-    /// Returns the number of cycles, not rounded: the smallest of the limits, infinite without a limit.
+    /// Returns the number of cycles, not rounded: the smallest of the limits, or infinity without a limit.
     ///
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`] if a limit is negative or not finite.

@@ -8,11 +8,11 @@ use crate::parallel;
 
 /// Adds the depth that Archard's law removes, `k p |s|` (lengths).
 ///
-/// `coefficient` is k = K/H, Archard's dimensionless coefficient over the hardness, for one body or the sum of both. It
-/// is the volume removed per normal force and sliding distance (one over a pressure; 1 mm3/(N m) is 1e-9 1/Pa).
-/// `slip_distance` is the slip distance of a [step](crate::history::StepResult::slip_distance), or of a
+/// `coefficient` is k = K/H, Archard's dimensionless coefficient over the hardness, for one body or the sum for both
+/// bodies. It is the volume removed per normal force and sliding distance (one over a pressure; 1 mm3/(N m) is 1e-9
+/// 1/Pa). `slip_distance` is the slip distance of a [step](crate::history::StepResult::slip_distance), or of a
 /// [cycle](crate::history::Cycle::slip_distance) together with its [slip
-/// pressure](crate::history::Cycle::slip_pressure). Archard, J. Appl. Phys. 24 (1953) 981,
+/// pressure](crate::history::Cycle::slip_pressure). See Archard, J. Appl. Phys. 24 (1953) 981,
 /// <https://doi.org/10.1063/1.1721448>.
 ///
 /// # Errors
@@ -42,10 +42,10 @@ pub fn archard<'a>(
 
 /// Adds the depth that the energy law removes, `alpha E / A` with the area A of a cell (lengths).
 ///
-/// `coefficient` alpha belongs to one body, or is the sum of both. It is the volume removed per dissipated energy (one
-/// over a pressure). In gross slip it equals Archard's k over the coefficient of friction. `energy` is the energy that
-/// each cell dissipates in a [step](crate::history::StepResult::dissipated_energy) or a
-/// [cycle](crate::history::Cycle::dissipated_energy). Fouvry, Kapsa & Vincent, Wear 200 (1996) 186,
+/// `coefficient` is alpha for one body, or the sum for both bodies. It is the volume removed per dissipated energy (one
+/// over a pressure). In gross slip alpha equals Archard's k over the coefficient of friction. `energy` is the energy
+/// that each cell dissipates in a [step](crate::history::StepResult::dissipated_energy) or a
+/// [cycle](crate::history::Cycle::dissipated_energy). See Fouvry, Kapsa & Vincent, Wear 200 (1996) 186,
 /// <https://doi.org/10.1016/S0043-1648(96)07306-1>.
 ///
 /// # Errors
@@ -132,7 +132,7 @@ pub fn threshold_energy<'a>(
     Ok(())
 }
 
-/// Adds `of` to the depth of every cell.
+/// Adds the value of `of` to the depth of each cell.
 fn remove(depth: &mut Field, of: impl Fn(usize) -> f64 + Sync) {
     parallel::update(depth.as_mut_slice(), |first, chunk| {
         for (i, depth) in (first..).zip(chunk) {

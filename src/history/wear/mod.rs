@@ -1,11 +1,11 @@
 //! Wear depth, and the number of cycles that a simulation may jump over.
 //!
-//! The laws add to a field of the caller, which may be the depth of one body, the depth of a cycle, or the gap itself:
-//! removal from either body opens the gap. Their [`Coefficient`] is a number or a field. A user-defined law needs only
-//! slip, pressure or energy of a [step](crate::history::StepResult) or a [cycle](crate::history::Cycle). [`CycleJump`]
-//! computes the number of cycles whose wear may be applied at once.
+//! The laws add to a field of the caller. The field may be the depth of one body, the depth of a cycle, or the gap
+//! itself, because removal from either body opens the gap. The [`Coefficient`] of a law is a number or a field. A
+//! user-defined law needs only slip, pressure or energy of a [step](crate::history::StepResult) or a
+//! [cycle](crate::history::Cycle). [`CycleJump`] computes the number of cycles whose wear may be applied at once.
 //!
-//! In this example the gap is worn after every step:
+//! In this example wear is applied to the gap after every step:
 //!
 //! ```
 //! use std::ops::ControlFlow;

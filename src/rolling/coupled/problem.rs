@@ -77,8 +77,8 @@ pub struct CoupledRollingProblemBuilder {
 
 impl CoupledRollingProblem {
     /// Creates a builder from the bodies, the gap before loading (lengths, on the grid of the bodies), the friction and
-    /// the normal load. Without options both creepages and the spin are zero. The gap is copied from a reference. A gap
-    /// given by value, or in an [`Arc`], is not copied.
+    /// the normal load. Without options both creepages and the spin are zero. A gap passed by reference is copied; a
+    /// gap passed by value or in an [`Arc`] is not.
     pub fn builder(
         bodies: &HalfSpace,
         gap: impl Into<Arc<Field>>,
@@ -106,7 +106,8 @@ impl CoupledRollingProblem {
     /// Solves the problem once. Each call allocates its own buffers.
     ///
     /// # Errors
-    /// - [`Error::NotConverged`] with the report. [`CoupledRollingSolver::solve_into`] keeps the last iterate.
+    /// - [`Error::NotConverged`] with the report if the solve does not converge. [`CoupledRollingSolver::solve_into`] keeps the
+    ///   last iterate.
     /// - [`Error::EmptyContact`] if no cell carries pressure.
     /// - [`Error::GridTooShort`] if the grid ends less than a step ahead of the contact.
     /// - [`Error::BeyondFrictionCapacity`] or [`Error::BeyondFrictionMoment`] if the loads exceed the capacity of
@@ -168,7 +169,7 @@ impl CoupledRollingProblemBuilder {
         self
     }
 
-    /// Sets the [spin](SpinControl::Spin) (one over a length, default zero), or the moment that causes it.
+    /// Sets the [spin](SpinControl::Spin) (one over a length, default zero) or the moment from which the spin follows.
     pub fn spin(mut self, spin: impl Into<SpinControl>) -> Self {
         self.problem.spin = spin.into();
         self
@@ -196,7 +197,8 @@ impl CoupledRollingProblemBuilder {
     ///   invalid normal load.
     /// - [`Error::NotFinite`] if a creepage, a force, the spin or the moment is not finite, [`Error::NotPositive`] for a
     ///   step of zero cells.
-    /// - [`Error::UnsupportedByModel`] for rolling along an axis on which the grid is periodic, or spin on such a grid.
+    /// - [`Error::UnsupportedByModel`] for rolling along an axis on which the grid is periodic, or for spin on such a
+    ///   grid.
     /// - [`Error::UnsupportedForCoatings`] for user-defined operators.
     /// - [`Error::Tolerance`], [`Error::IterationLimit`] or [`Error::Method`] for invalid settings.
     /// - [`Error::Ranks`] if the bodies are distributed over ranks.

@@ -16,9 +16,9 @@ pub struct CoupledRollingReport {
     /// Report of the coupled solve: status, iterations and products of all passes, and the larger residual of the two
     /// halves. The duality gap is infinite for coupled bodies.
     pub work: Report,
-    /// Iterations and products for the pressure, with the certificate of the last pass.
+    /// Report of the normal half: iterations and products for the pressure, with the certificate of the last pass.
     pub normal: Report,
-    /// Iterations and products for the tractions, with the certificate of the last pass.
+    /// Report of the rolling half: iterations and products for the tractions, with the certificate of the last pass.
     pub rolling: Report,
     /// Number of passes. Each pass solves for the pressure and then for the tractions.
     pub passes: usize,
@@ -27,20 +27,20 @@ pub struct CoupledRollingReport {
     /// replaces half its range.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub coupling_residual: f64,
-    /// Change of the pressure in the last pass divided by the pressure (root mean squares). It is zero if a single pass is
-    /// exact.
+    /// Change of the pressure in the last pass divided by the pressure (root mean squares). The change is zero if a
+    /// single pass is exact.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub pressure_change: f64,
-    /// Bound of the relative error of the pressure in the energy norm for the tractions of the solution.
+    /// Bound on the relative error of the pressure in the energy norm, for the tractions of the solution.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub pressure_error_bound: f64,
-    /// Bound of the relative error of the tractions in the norm of [rolling](crate::rolling#uniqueness-and-error) for the
-    /// pressure of the solution.
+    /// Bound on the relative error of the tractions in the norm of [rolling](crate::rolling#uniqueness-and-error), for
+    /// the pressure of the solution.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub traction_error_bound: f64,
-    /// Estimate of the relative error of the pressure in the energy norm for the coupled contact as a whole. It is not a
-    /// bound. It assumes the slopes of [`ErrorEstimate`](crate::coupled::ErrorEstimate); `None` if their product is one or
-    /// more.
+    /// Estimate of the relative error of the pressure in the energy norm for the coupled contact as a whole. It is not
+    /// a bound. The estimate assumes the sensitivities of [`ErrorEstimate`](crate::coupled::ErrorEstimate). It is
+    /// `None` if the product of these sensitivities is one or more.
     pub error_estimate: Option<f64>,
 }
 

@@ -59,14 +59,14 @@ impl<'de> serde::Deserialize<'de> for CoupledRollingSolution {
 
 impl CoupledRollingSolution {
     /// Returns the normal half: pressure, gap under load, approach, contact area. The gap includes the lift by the
-    /// tractions. For coupled bodies its report is the report of the coupled solve.
+    /// tractions. For coupled bodies the report of this half is the report of the coupled solve.
     #[must_use]
     pub fn normal(&self) -> &NormalSolution {
         &self.normal
     }
 
-    /// Returns the rolling half: tractions, slip, zones, creepages, force and moment. For coupled bodies its report is the
-    /// report of the coupled solve.
+    /// Returns the rolling half: tractions, slip, zones, creepages, force and moment. For coupled bodies the report of
+    /// this half is the report of the coupled solve.
     #[must_use]
     pub fn rolling(&self) -> &RollingSolution {
         &self.rolling

@@ -60,11 +60,12 @@ const TYPICAL: f64 = 0.7;
 pub struct CoupledRollingSolver {
     pub(super) problem: CoupledRollingProblem,
     pub(super) normal: NormalSolver,
-    /// Solver of the last pass; `None` before the first.
+    /// Rolling solver of the last pass; `None` before the first pass.
     pub(super) rolling: Option<RollingSolver>,
     /// Operator of the lift on the whole grid; `None` for bodies that are not coupled.
     pub(super) lifting: Option<Lifting>,
-    /// Bound of the coupling between the energy norms times the square root of the largest tangential eigenvalue.
+    /// Bound on the coupling between the energy norms, multiplied by the square root of the largest tangential
+    /// eigenvalue.
     reach: f64,
     /// Tractions whose lift the gap contains.
     traction: [Vec<f64>; 2],
@@ -78,9 +79,9 @@ pub struct CoupledRollingSolver {
 
 shown!(CoupledRollingSolver: problem);
 
-/// Outcome of a pass.
+/// Outcome of a pass over both halves.
 struct Pass {
-    /// Status of a half that did not reach its tolerance.
+    /// Status of a half that did not reach its tolerance; `None` if neither half failed.
     failure: Option<Status>,
     /// Error for a force beyond the friction capacity, if the pass reduced a force.
     held: Option<Error>,
@@ -124,7 +125,8 @@ impl CoupledRollingSolver {
     /// Sets the loads or creepages along x and y, and the spin or moment, for the next solve.
     ///
     /// # Errors
-    /// - [`Error::NotFinite`] or [`Error::UnsupportedByModel`]. All loads are then unchanged.
+    /// - [`Error::NotFinite`] or [`Error::UnsupportedByModel`] if a load is not finite or not supported. All loads are
+    ///   then unchanged.
     pub fn set_control(
         &mut self,
         controls: [RollingControl; 2],
@@ -299,7 +301,7 @@ impl CoupledRollingSolver {
         }
     }
 
-    /// Returns the new tractions minus the tractions whose lift is in the gap.
+    /// Returns the new tractions minus the tractions whose lift the gap contains.
     fn residual_of(&self, rolling: &RollingSolution) -> Result<[Vec<f64>; 2]> {
         fallible::try_each(|axis| {
             let found = rolling.traction()[axis].as_slice();
@@ -389,7 +391,7 @@ impl CoupledRollingSolver {
         self.normal.set_gap(&gap)
     }
 
-    /// Builds the rolling problem for a pressure. Reduces the forces if they exceed the friction capacity under this
+    /// Creates the rolling problem for a pressure. Reduces the forces if they exceed the friction capacity under this
     /// pressure, because the pressure of a later pass may carry them.
     fn pose(
         &self,
@@ -427,7 +429,8 @@ impl CoupledRollingSolver {
         }
     }
 
-    /// Computes the error of each half for the current state of the other half. Returns the error of their coupling.
+    /// Computes the error of each half for the current state of the other half. Returns the error of the coupling
+    /// between the halves.
     fn examine(&mut self, before: &mut [f64], solution: &CoupledRollingSolution) -> Result<f64> {
         let (normal, rolling) = (&solution.normal, &solution.rolling);
         let layout = normal.grid().layout();
@@ -464,8 +467,8 @@ impl CoupledRollingSolver {
         Ok(reduce::larger(coupling, energy))
     }
 
-    /// Returns the residual of the normal law and a bound of the relative change of the pressure in the energy norm, both
-    /// caused by the tractions whose lift is not in the gap.
+    /// Returns the residual of the normal law and a bound on the relative change of the pressure in the energy norm.
+    /// Both are caused by the tractions whose lift the gap does not contain.
     fn coupling_errors(
         &mut self,
         layout: &Layout,
@@ -545,7 +548,7 @@ fn ratio(part: f64, whole: f64) -> f64 {
 
 impl RollingProblem {
     /// Returns the ratio of the norm of rolling to the energy norm for the smoothest tractions. The tolerance of the
-    /// tractions is smaller by this factor, because the lift follows the energy norm.
+    /// tractions is multiplied by this ratio, because the lift follows the energy norm.
     fn noise(&self) -> f64 {
         let angle = std::f64::consts::PI / (self.chain as f64 + 1.0);
         std::f64::consts::SQRT_2 * (0.5 * angle).sin()

@@ -1,7 +1,8 @@
 //! Derivatives of forces and moment with respect to creepages and spin, including the pressure that follows the tractions.
 //!
 //! With fixed zones the equations of both halves are linear. The solver computes the change of the pressure for a given
-//! change of the tractions, then the change of the tractions for this pressure, and repeats both.
+//! change of the tractions, then the change of the tractions for the new change of the pressure. It repeats both solves
+//! until the tractions no longer change.
 
 use std::ops::ControlFlow;
 
@@ -224,7 +225,7 @@ impl RollingSolver {
     }
 
     /// Returns the displacements that the change of the entry compliance causes under the current tractions. The
-    /// derivative is a central difference.
+    /// derivative is computed as a central difference.
     fn entry_change(&self, normal: &NormalSolution, change: &Change) -> Result<Vec<[f64; 2]>> {
         let problem = &self.problem;
         let (pressed, window) = (&problem.pressed, problem.pressed.window());

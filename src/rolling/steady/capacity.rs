@@ -8,13 +8,14 @@ use crate::parallel::reduce;
 use crate::rolling::{RollingControl, RollingProblem};
 use crate::tangential::{SLIDING, centre};
 
-/// Maximum number of Newton steps, and of halvings of each step. The result is a bound after any number of steps.
+/// Maximum number of Newton steps, and maximum number of halvings of each step. The result is a bound after any number
+/// of steps.
 const STEPS: usize = 60;
 /// Successive rounding lengths for the kinks of the bound, as fractions of the mean lever of the limits.
 const ROUNDINGS: [f64; 6] = [1e-1, 1e-3, 1e-5, 1e-7, 1e-9, 1e-11];
 /// Sum of the tractions, relative to the sum of the limits, that counts as zero.
 const BALANCED: f64 = 1e-13;
-/// Fraction of the expected decrease that a step must achieve.
+/// Fraction of the expected decrease that a Newton step must achieve.
 const DECREASE: f64 = 1e-4;
 /// Motion of a path per unit rotation, relative to the shorter side of a cell, that counts as rest.
 const AT_REST: f64 = 1e-9;
@@ -23,8 +24,8 @@ const AT_REST: f64 = 1e-9;
 /// narrower range round-off would dominate.
 const NARROW: f64 = 1e-8;
 
-/// Tractions with magnitudes equal to their limits m along $`v = t + c`$, the motion by a rotation t and by a shift c.
-/// The length of v is rounded to $`\sqrt{v^2 + \epsilon^2}`$.
+/// Tractions with magnitudes equal to their limits m along $`v = t + c`$, where t is the motion due to a rotation and c
+/// the motion due to a shift. The length of v is rounded to $`\sqrt{v^2 + \epsilon^2}`$.
 #[derive(Debug, Default)]
 pub(in crate::rolling) struct Sliding {
     /// Sum of m times the rounded length.
@@ -125,8 +126,8 @@ impl RollingProblem {
         Ok(())
     }
 
-    /// Returns the integral of the limits times the sum of the distance from the origin and half a path. It bounds
-    /// moments.
+    /// Returns the integral of the limits times the sum of the distance from the origin and half a path. This integral
+    /// bounds all moments.
     fn moment_scale(&self) -> f64 {
         let (window, limits) = (self.pressed.window(), &self.pressed.limits.cells);
         let sum = reduce::sum(self.pressed.region.layout(), |cell| {
@@ -167,7 +168,8 @@ impl RollingProblem {
         }
     }
 
-    /// Returns a motion shifted along the axes with prescribed sums, such that tractions along it have these sums.
+    /// Returns a motion shifted along the axes with prescribed sums, such that tractions along the shifted motion have
+    /// these sums.
     pub(in crate::rolling) fn shifted(
         &self,
         motion: SlidingMotion,

@@ -29,11 +29,10 @@ impl RollingControl {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum SpinControl {
-    /// The spin $`\varphi`$, the rotation of body 2 relative to body 1 per length rolled (one over a length, positive
-    /// from x to y), about the origin of the grid.
+    /// Spin $`\varphi`$, the rotation of body 2 relative to body 1 per length rolled (one over a length, positive from
+    /// x to y), about the origin of the grid.
     Spin(f64),
-    /// The moment on body 1 about the origin of the grid (a force times a length, positive from x to y). The spin
-    /// follows.
+    /// Moment on body 1 about the origin of the grid (a force times a length, positive from x to y). The spin follows.
     ///
     /// The moment must be between the moments that large spins of both signs cause under the prescribed creepages and
     /// forces. [`Error::BeyondFrictionMoment`](crate::Error::BeyondFrictionMoment) reports both limits. If no forces

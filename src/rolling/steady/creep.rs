@@ -25,9 +25,9 @@ pub struct CreepForce {
 }
 
 impl RollingSolver {
-    /// Returns the loads at each of the given points $`[\xi, \eta, \varphi]`$. Each solve starts from the solution of the
-    /// previous point. The points form a creep curve or, row by row, a creep surface. Consecutive points should be close
-    /// to each other. The last solved point remains prescribed.
+    /// Returns the loads at each of the given points $`[\xi, \eta, \varphi]`$. Each solve starts from the solution of
+    /// the previous point. The points form a creep curve or, row by row, a creep surface. Consecutive points should be
+    /// close to each other. After the call, the last solved point remains prescribed.
     ///
     /// ```
     /// # use stickslip::{rolling::RollingProblem, *};

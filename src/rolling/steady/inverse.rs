@@ -9,10 +9,10 @@ use crate::rolling::WindowShift;
 
 /// Preconditioner of steady rolling: the sum from the leading edge, followed by the circulant inverse of C.
 ///
-/// The sum assumes that the displacement vanishes ahead of the window. On a grid that is periodic along y, and in rows of
-/// long cells, this displacement is large, and the slip does not depend on it. The inverse of C therefore acts on
-/// displacements up to a constant. With an inverse that includes the mean of C, a prescribed force was spread over the cells
-/// with a sum near zero, and the linear problem did not converge.
+/// The sum assumes that the displacement vanishes ahead of the window. On a grid that is periodic along y, and in rows
+/// of long cells, this displacement is large, but the slip does not depend on it. The inverse of C therefore acts on
+/// displacements up to a constant. An inverse that includes the mean of C spread a prescribed force over the cells with
+/// a sum near zero, and the linear problem did not converge.
 #[derive(Debug, Clone)]
 pub(in crate::rolling) struct SteadyPreconditioner {
     inverse: ElasticPreconditioner<2>,
@@ -25,7 +25,7 @@ impl SteadyPreconditioner {
     }
 }
 
-/// Scratch of the inverse, and the sums.
+/// Scratch of the inverse operator, and the sums of both components from the leading edge.
 type Buffers = (Scratch, [Vec<f64>; 2]);
 
 impl Operator<2> for SteadyPreconditioner {

@@ -44,8 +44,8 @@ impl SteadyLift {
             .apply([&pressed.pressure], displacement, &mut self.scratch);
     }
 
-    /// Returns the residual that the lift causes in the contact, relative to the normal displacement, for tractions in
-    /// this unit.
+    /// Returns the residual that the lift by tractions in this unit causes in the contact, relative to the normal
+    /// displacement.
     pub(super) fn residual(
         &mut self,
         pressed: &PressureOnWindow,

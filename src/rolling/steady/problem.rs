@@ -85,7 +85,7 @@ impl RollingProblem {
     /// Solves the problem once. Each call allocates its own buffers.
     ///
     /// # Errors
-    /// - [`Error::NotConverged`] with the report.
+    /// - [`Error::NotConverged`] with the report if the solve does not converge.
     /// - The errors of [`HalfSpace::operator`].
     /// - [`Error::Memory`] if memory runs out.
     pub fn solve(&self) -> Result<RollingSolution> {
@@ -185,7 +185,7 @@ impl RollingProblemBuilder<'_> {
         self
     }
 
-    /// Sets the [spin](SpinControl::Spin) (one over a length, default zero), or the moment that causes it.
+    /// Sets the [spin](SpinControl::Spin) (one over a length, default zero) or the moment from which the spin follows.
     pub fn spin(mut self, spin: impl Into<SpinControl>) -> Self {
         self.spin = spin.into();
         self
@@ -195,8 +195,9 @@ impl RollingProblemBuilder<'_> {
     ///
     /// If the slip turns within the contact, as under spin or oblique creepage, the forces converge with first order in
     /// the step. With two corrections the order is 1.5 to 2, as measured on the page of the
-    /// [module](crate::rolling#slip-that-turns), at the cost of two more solves, each from the last tractions. The slip of
-    /// the solution remains the mean over the step, to which corrected tractions are not exactly opposite.
+    /// [module](crate::rolling#slip-that-turns). The corrections cost two more solves, each of which starts from the
+    /// last tractions. The slip of the solution remains the mean over the step, to which corrected tractions are not
+    /// exactly opposite.
     pub fn slip_corrections(mut self, corrections: usize) -> Self {
         self.slip_corrections = corrections;
         self
@@ -269,7 +270,7 @@ impl RollingProblemBuilder<'_> {
     }
 }
 
-/// Checks that the motion is valid for steps of this length, independent of the pressure.
+/// Checks that the prescribed motion is valid for steps of this length, independently of the pressure.
 pub(in crate::rolling) fn check_motion(
     bodies: &HalfSpace,
     length: f64,

@@ -21,7 +21,7 @@ use crate::tangential::{
 /// Additional cells on each side of a widened window, reserved for later loads.
 const ROOM: [usize; 2] = [2; 2];
 
-/// Normal solver with its solutions.
+/// Normal solver with its accepted and candidate solutions.
 #[derive(Clone)]
 pub(in crate::rolling) struct Press {
     solver: NormalSolver,
@@ -95,8 +95,9 @@ impl RollingSolver {
         Ok(())
     }
 
-    /// Sets the normal load of the next solve and computes its pressure, starting from the last pressure. Requires a
-    /// [normal solver](Self::set_normal_solver). Once the window covers the largest contact, no memory is allocated.
+    /// Sets the normal load of the next solve and computes the pressure under this load, starting from the last
+    /// pressure. This function requires a [normal solver](Self::set_normal_solver). Once the window covers the largest
+    /// contact, no memory is allocated.
     ///
     /// # Errors
     /// - [`Error::UnsupportedByModel`] without a normal solver.
@@ -220,7 +221,7 @@ impl RollingProblem {
         RollingShift::new(self.bodies.grid(), self.step.edge, self.step.cells)
     }
 
-    /// Returns an error if the entry rule is active, because the law requires a gap.
+    /// Returns an error if the entry rule is active, because the rule requires a gap.
     fn check_needs_no_gap(&self, pressure: &Field) -> Result<()> {
         if self.entry_rule == EntryRule::WholeStep {
             return Ok(());

@@ -11,7 +11,7 @@ use crate::rolling::steady::capacity::{Prescribed, SlidingMotion};
 /// Number of bisections for the stiffness that keeps a traction within its limit.
 const HALVINGS: usize = 100;
 
-/// Cell and sliding motion in which the middle of its path is at rest.
+/// Cell whose path has its middle at rest, with the sliding motion in which this happens.
 #[derive(Debug)]
 pub(in crate::rolling) struct RestingCell {
     pub(in crate::rolling) cell: usize,
@@ -101,8 +101,8 @@ impl RollingProblem {
     }
 }
 
-/// Returns the traction of a cell that sticks, or that slips against its traction. `given` is its slip without traction,
-/// and `known` has the components that the sums prescribe.
+/// Returns the traction of a cell that sticks, or that slips against its traction. `given` is the slip of the cell
+/// without traction, and `known` contains the components that the sums prescribe.
 fn stick_or_slip(
     compliance: Small<2>,
     given: [f64; 2],

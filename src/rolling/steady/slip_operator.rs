@@ -11,7 +11,7 @@ use crate::rolling::WindowShift;
 pub(in crate::rolling) struct SteadyOperator {
     compliance: ElasticOperator<2>,
     step: WindowShift,
-    /// Lower bound of the eigenvalues of C.
+    /// Lower bound on the eigenvalues of C.
     bound: f64,
     lower_bound: f64,
     eigenvalue_bound: EigenvalueBound,
@@ -39,7 +39,7 @@ impl SteadyOperator {
         }
     }
 
-    /// Bounds the eigenvalues for chains of at most `chain` cells that are one step apart.
+    /// Sets the bound on the eigenvalues for chains of at most `chain` cells that are one step apart.
     pub(in crate::rolling) fn set_chain(&mut self, chain: usize) {
         self.lower_bound = least(chain) * self.bound;
     }

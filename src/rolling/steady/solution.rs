@@ -26,8 +26,8 @@ pub struct RollingSolution {
     zones: Vec<Zone>,
     creepage: [f64; 2],
     spin: f64,
-    /// Lift by the tractions that the pressure ignores, in millionths of the normal displacement; `None` if it needs no
-    /// warning.
+    /// Lift by the tractions that the pressure ignores, in millionths of the normal displacement; `None` if the lift
+    /// needs no warning.
     neglected_lift: Option<usize>,
     boundary: Boundary,
     /// Vector from the position of a particle after a step to the middle of its path.
@@ -154,9 +154,10 @@ impl RollingSolution {
         self.traction.each_ref()
     }
 
-    /// Returns the slip of the surface of body 1 over the surface of body 2 per length rolled (dimensionless), over the step
-    /// that brought the particles to their current positions. In slip cells it is opposite to the traction, up to the
-    /// tolerance. It is zero in all other cells, and in cells at their limit whose residual motion is along the traction.
+    /// Returns the slip of the surface of body 1 over the surface of body 2 per length rolled (dimensionless), over the
+    /// step that brought the particles to their current positions. In slip cells the slip is opposite to the traction,
+    /// up to the tolerance. It is zero in all other cells, and in cells at their limit whose residual motion is along
+    /// the traction.
     #[must_use]
     pub fn slip(&self) -> [&Field; 2] {
         self.slip.each_ref()
@@ -221,9 +222,10 @@ impl RollingSolution {
         xi * x + eta * y + self.spin * about_middles
     }
 
-    /// Returns the energy that slip dissipates in each cell per length rolled, $`-q \cdot s`$ (a pressure). Wear laws use
-    /// this quantity. It is evaluated with the tractions at the end of a step. Between bodies of the same material its
-    /// integral is therefore less than the [work](Self::work); the difference decreases with the cell size.
+    /// Returns the energy that slip dissipates in each cell per length rolled, $`-q \cdot s`$ (a pressure). Wear laws
+    /// use this energy. It is evaluated with the tractions at the end of a step. Between bodies of the same material
+    /// the integral of this energy is therefore less than the [work](Self::work); the difference decreases with the
+    /// cell size.
     ///
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.

@@ -32,9 +32,9 @@ use crate::warning::Warning;
 
 /// Maximum number of solves at given spins in the search for the spin of a moment.
 const SPINS: usize = 60;
-/// Ratio of the tolerance of the solves in this search to the tolerance of the moment.
+/// Ratio of the tolerance of the solves in the search for a spin to the tolerance of the moment.
 const SHARPER: f64 = 0.1;
-/// Smallest ratio of these tolerances, used if the error of the moment is too large with `SHARPER`.
+/// Smallest ratio of these two tolerances, used if the error of the moment is too large with the ratio `SHARPER`.
 const SHARPEST: f64 = 2e-4;
 
 /// Solver for a sequence of creepages, forces or spins. Each solve starts from the last solution. The normal load can change
@@ -67,7 +67,7 @@ pub struct RollingSolver {
     /// Coupling operators for the tangential displacement by the pressure of bodies of different materials; `None` before the
     /// first change of the pressure.
     pub(in crate::rolling) drawing: Option<CouplingDisplacement>,
-    /// Normal solver for new loads, if the caller has set it.
+    /// Normal solver for new loads; `None` until the caller has set it.
     pub(in crate::rolling) press: Option<Box<Press>>,
     pub(in crate::rolling) operator: Arc<SteadyOperator>,
     pub(in crate::rolling) inverse: Arc<SteadyPreconditioner>,
@@ -93,7 +93,7 @@ pub struct RollingSolver {
     pub(in crate::rolling) trend: CreepTrend,
     /// Initial guess of the next solve.
     known: InitialGuess<2>,
-    /// Whether the pressure has changed after the last solution.
+    /// Whether the pressure has changed since the last solution.
     pub(in crate::rolling) has_new_pressure: bool,
     pub(in crate::rolling) follow: Option<RollingSensitivity>,
     /// Operators of the neglected lift, for bodies of different materials with one-way coupling.
@@ -168,8 +168,8 @@ impl RollingSolver {
         let follows = std::mem::take(&mut self.has_new_pressure);
         for (cell, limit) in limits.cells.iter().enumerate() {
             let before = ratio * self.limits[cell];
-            // Tractions scaled with the pressure are close to the next solution. In the time loop of a wheel they reduce the
-            // number of products from 30.4 to 19.4.
+            // Tractions scaled with the pressure are close to the next solution. In the time loop of a wheel this start
+            // reduces the number of products from 30.4 to 19.4.
             if follows && before > 0.0 {
                 for traction in self.traction.iter_mut().chain(&mut self.trend.change) {
                     traction[cell] *= limit / unit / before;
@@ -206,8 +206,8 @@ impl RollingSolver {
         Ok(())
     }
 
-    /// Sets the friction of the next solve. Until that solve, [`stiffness`](Self::stiffness) refers to the last solution, if
-    /// there is a solution.
+    /// Sets the friction of the next solve. Until that solve, [`stiffness`](Self::stiffness) refers to the last
+    /// solution, if there is one.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.
@@ -268,9 +268,10 @@ impl RollingSolver {
         RollingSolution::empty(self.problem.bodies.grid())
     }
 
-    /// Solves into `solution` and overwrites its previous content. Several solves determine the spin of a prescribed moment. Each
-    /// solve has at most a tenth of the tolerance. The report contains the sum of their work, and the limits apply to all of them
-    /// together. The load error of a moment is relative to half the range of the moments that spins cause.
+    /// Solves into `solution` and overwrites its previous content. For a prescribed moment, several solves determine
+    /// the spin. The tolerance of each of these solves is at most a tenth of the tolerance of the settings. The report
+    /// contains the sum of their work, and the limits apply to all of them together. The load error of a moment is
+    /// relative to half the range of the moments that spins cause.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the solution has a different grid. Nothing is then changed.
@@ -282,9 +283,9 @@ impl RollingSolver {
         self.solve_observed(solution, |_| ControlFlow::Continue(()))
     }
 
-    /// Solves as [`Self::solve_into`] does, with an observer that receives every iteration and may cancel. Once it has
-    /// cancelled, the solve returns [`Error::NotConverged`] with [`Status::Cancelled`], even if the iterate is within the
-    /// tolerance.
+    /// Solves as [`Self::solve_into`] does, with an observer that receives every iteration and may cancel. Once the
+    /// observer has cancelled, the solve returns [`Error::NotConverged`] with [`Status::Cancelled`], even if the
+    /// iterate is within the tolerance.
     ///
     /// # Errors
     /// The errors of [`Self::solve_into`].
@@ -388,8 +389,8 @@ impl RollingSolver {
         CellCompliance::new(&self.own_mean, &self.own_deviator)
     }
 
-    /// Returns the slip that is opposite to the traction of a cell in the last solution: over the step, or at its end if
-    /// directions are corrected.
+    /// Returns the slip that is opposite to the traction of a cell in the last solution. It is the slip over the step,
+    /// or the slip at the end of the step if directions are corrected.
     pub(in crate::rolling) fn slip(&self, cell: usize) -> [f64; 2] {
         let product = self.workspace.product();
         let moved = plus(at(&product, cell), 1.0, at(&slices(&self.linear), cell));

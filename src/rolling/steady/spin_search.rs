@@ -1,6 +1,6 @@
 //! The search for the spin of a moment.
 
-/// Position of the search, and the deficit of the moment at its spin.
+/// Position of the search for a spin, and the deficit of the moment at this spin.
 #[derive(Debug, Clone, Copy)]
 struct SearchPoint {
     at: f64,
@@ -10,9 +10,10 @@ struct SearchPoint {
 /// Search by inverse quadratic interpolation between bounds, or by bisection if interpolation is not safe (T. R. Chandrupatla,
 /// Advances in Engineering Software 28 (1997) 145, <https://doi.org/10.1016/S0965-9978(96)00051-8>).
 ///
-/// The moment does not always increase with the spin. Its limits for spins of plus and minus infinity are available. The search
-/// starts with one of these limits as a bound, and the moment always crosses its target between the bounds. The positions are
-/// $`v = \varphi/(s + |\varphi|)`$, from minus one to one, where s is a spin at which most of the contact slides.
+/// The moment does not always increase with the spin. Its limits for spins of plus and minus infinity are known. The
+/// search starts with one of these limits as a bound, and the moment always crosses its target between the bounds. The
+/// positions are $`v = \varphi/(s + |\varphi|)`$, from minus one to one, where s is a spin at which most of the contact
+/// slides.
 #[derive(Debug)]
 pub(in crate::rolling) struct SpinSearch {
     scale: f64,

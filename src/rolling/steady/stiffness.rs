@@ -1,8 +1,8 @@
 //! Derivatives of forces and moment of rolling bodies with respect to creepages and spin, with fixed zones.
 //!
-//! Let P be the projection onto the admissible changes of the tractions, K the rotational stiffness of slipping cells, and
-//! $`w_a`$ the motion of a step by a unit of a creepage or of spin. The additional tractions solve
-//! $`P\,((1 - T)\,C + B)\,y_a + K y_a = P\,w_a`$.
+//! Let P be the projection onto the admissible changes of the tractions and K the rotational stiffness of slipping
+//! cells. Let $`w_a`$ be the motion of a step by a unit of a creepage or of the spin. The additional tractions $`y_a`$
+//! satisfy $`P\,((1 - T)\,C + B)\,y_a + K y_a = P\,w_a`$.
 
 use std::ops::ControlFlow;
 
@@ -40,10 +40,11 @@ impl RollingSolver {
     ///
     /// with one row per load. The entries for spin have an additional factor of length, and so do the entries in the row of
     /// the moment. Sticking cells follow the motion. The tractions of slipping cells rotate with their slip and remain at
-    /// their limits, whether the motion or the load is prescribed. Before the first solve all cells stick, and the entries
-    /// are Kalker's coefficients times $`G a b`$ and lengths. The matrix is not symmetric. If the whole contact slides in
-    /// one direction, a part of the matrix is zero. On 64 cells across a sphere the three columns take 90 to 140 products
-    /// in double precision. A solve after an increase of the creepage by one per cent takes a third to half as many.
+    /// their limits, whether the motion or the load is prescribed. Before the first solve all cells stick, and the
+    /// entries are Kalker's coefficients times $`G a b`$ and lengths. The matrix is not symmetric. If the whole contact
+    /// slides in one direction, a part of the matrix is zero. On 64 cells across a sphere the three columns take 90 to
+    /// 140 products in double precision. A solve after an increase of the creepage by one per cent takes a third to
+    /// half as many products.
     ///
     /// ```
     /// # use stickslip::{rolling::RollingProblem, *};
@@ -84,7 +85,7 @@ impl RollingSolver {
         Ok(Small(found?).transposed().0)
     }
 
-    /// Takes the existing linear problem, or creates it.
+    /// Returns the existing linear problem, or creates it if there is none.
     pub(in crate::rolling) fn take_follow(&mut self) -> Result<RollingSensitivity> {
         Ok(match self.follow.take() {
             Some(follow) => follow,

@@ -4,7 +4,7 @@ use crate::error::Result;
 use crate::memory::fallible::{try_each, zeros};
 use crate::numerics::cell_vector::dot;
 
-/// Largest extrapolation of a start, as a multiple of the last change.
+/// Largest extrapolation of a start, as a multiple of the change in the last solve.
 const FARTHEST: f64 = 1.5;
 
 /// Change of the tractions in the last solve, and change of the motion that caused it.
@@ -13,7 +13,8 @@ const FARTHEST: f64 = 1.5;
 /// with steps of 1 ms, the extrapolation saves a fifth of the products.
 #[derive(Debug, Clone)]
 pub(in crate::rolling) struct CreepTrend {
-    /// Change of the tractions; during a solve the tractions at its start, before extrapolation.
+    /// Change of the tractions. During a solve, this field contains the tractions at the start of the solve, before the
+    /// extrapolation.
     pub(in crate::rolling) change: [Vec<f64>; 2],
     /// Creepages, and spin times a length, of the last solve.
     motion: [f64; 3],
