@@ -7,8 +7,8 @@ use crate::error::{Result, finite, non_negative};
 /// contact: the root of $`\arcsin t + t\sqrt{1-t^2} = \pi/4`$.
 const MIDDLE: f64 = 0.403_972_753_299_517_2;
 
-/// Cylinders of different materials that roll freely, without a tangential force, and with little friction: the limit
-/// $`\mu \ll |\beta|`$ of Bentall and Johnson's solution.
+/// Cylinders of different materials that roll freely, without a tangential force and with little friction. The solution
+/// is the limit $`\mu \ll |\beta|`$ of Bentall and Johnson's solution.
 ///
 /// The pressure stretches the surfaces in the contact by different amounts, so that they slip. If friction is too weak
 /// to prevent this slip, the slip of body 1 over body 2 per rolled length is, with
@@ -99,8 +99,8 @@ impl BentallJohnson {
         }
     }
 
-    /// Returns the traction q on body 1 along x (a pressure) at `x`: of magnitude $`\mu p`$ and opposite to the slip;
-    /// zero outside the contact.
+    /// Returns the traction q on body 1 along x (a pressure) at `x`. Its magnitude is $`\mu p`$ and its sign is
+    /// opposite to the slip; it is zero outside the contact.
     #[must_use]
     pub fn traction(&self, x: f64) -> f64 {
         let slip = self.slip(x);

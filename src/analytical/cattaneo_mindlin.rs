@@ -19,10 +19,9 @@ use crate::error::{Result, finite};
 /// \qquad \delta_x = \frac{3\mu W}{16a}\,\frac{2-\nu}{G}\left[1-(1-f)^{2/3}\right]
 /// ```
 ///
-/// A negative force reverses the signs of traction, displacement and slip. This is the solution of
-/// the scalar model, with traction along x only, for every $`\nu`$; with lateral traction allowed it
-/// is exact for $`\nu = 0`$. The paper's equations 27-31; Cattaneo (1938); Mindlin (1949);
-/// Johnson (1985), 7.41-7.44.
+/// A negative force reverses the signs of traction, displacement and slip. This is the solution of the scalar model,
+/// with traction along x only, for every $`\nu`$. If lateral traction is allowed, the solution is exact for $`\nu =
+/// 0`$. See equations 27-31 of the paper; Cattaneo (1938); Mindlin (1949); Johnson (1985), 7.41-7.44.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{CattaneoMindlin, HertzSphere}};
@@ -51,8 +50,9 @@ impl CattaneoMindlin {
     /// Creates the contact `hertz` with the coefficient of friction `friction`, under the tangential force `force` on
     /// body 1 along x (a force, of either sign).
     ///
-    /// A force equal to $`\mu W`$ to within rounding counts as the onset of gross sliding: the stick radius is zero. It
-    /// is also zero without friction. The coupling between pressure and traction of dissimilar bodies is neglected.
+    /// A force equal to $`\mu W`$ to within rounding counts as the onset of gross sliding: the stick radius is zero.
+    /// Without friction the stick radius is also zero. The coupling between pressure and traction of dissimilar bodies
+    /// is neglected.
     ///
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.
@@ -83,13 +83,13 @@ impl CattaneoMindlin {
         self.slip.held.force
     }
 
-    /// Returns the radius of the stick disc $`c = a(1-f)^{1/3}`$ (a length). The paper's equation 27.
+    /// Returns the radius of the stick disc $`c = a(1-f)^{1/3}`$ (a length). See equation 27 of the paper.
     #[must_use]
     pub fn stick_radius(&self) -> f64 {
         self.slip.stick * self.hertz.contact_radius()
     }
 
-    /// Returns the fraction of the contact area that sticks, $`c^2/a^2 = (1-f)^{2/3}`$. The paper's equation 28.
+    /// Returns the fraction of the contact area that sticks, $`c^2/a^2 = (1-f)^{2/3}`$. See equation 28 of the paper.
     #[must_use]
     pub fn stick_ratio(&self) -> f64 {
         self.slip.stick * self.slip.stick
@@ -102,7 +102,7 @@ impl CattaneoMindlin {
     /// \frac{(2-\nu_2)(1+\nu_2)}{E_2}\right]\left[1-(1-f)^{2/3}\right]
     /// ```
     ///
-    /// The paper's equation 30; Johnson (1985), 7.41-7.44.
+    /// See equation 30 of the paper; Johnson (1985), 7.41-7.44.
     #[must_use]
     pub fn shift(&self) -> f64 {
         self.gross_shift * self.slip.shift_fraction()
@@ -115,8 +115,8 @@ impl CattaneoMindlin {
         self.gross_shift
     }
 
-    /// Returns the traction $`q`$ on body 1 along x (a pressure, with the sign of the force) at the distance $`r`$ from the
-    /// centre; zero outside the contact. The paper's equation 31.
+    /// Returns the traction $`q`$ on body 1 along x (a pressure, with the sign of the force) at the distance $`r`$ from
+    /// the centre; zero outside the contact. See equation 31 of the paper.
     ///
     /// In the stick disc the traction is evaluated as $`\mu p_0 (a^2-c^2)/a\,(\sqrt{a^2-r^2}+\sqrt{c^2-r^2})^{-1}`$,
     /// which avoids cancellation.
@@ -252,7 +252,8 @@ impl CattaneoMindlinEllipse {
     /// body 1 along x (a force, of either sign).
     ///
     /// A force equal to $`\mu W`$ to within rounding counts as the onset of gross sliding: the stick ellipse vanishes.
-    /// It also vanishes without friction. The coupling between pressure and traction of dissimilar bodies is neglected.
+    /// Without friction the stick ellipse also vanishes. The coupling between pressure and traction of dissimilar
+    /// bodies is neglected.
     ///
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.
@@ -293,7 +294,7 @@ impl CattaneoMindlinEllipse {
         self.hertz.semi_axes().map(|axis| self.slip.stick * axis)
     }
 
-    /// Returns the fraction of the contact area that sticks, $`(1-f)^{2/3}`$. The paper's equation 28.
+    /// Returns the fraction of the contact area that sticks, $`(1-f)^{2/3}`$. See equation 28 of the paper.
     #[must_use]
     pub fn stick_ratio(&self) -> f64 {
         self.slip.stick * self.slip.stick
@@ -321,8 +322,8 @@ impl CattaneoMindlinEllipse {
         self.slip.held.friction * self.hertz.max_pressure() * self.slip.traction_fraction(rho)
     }
 
-    /// Returns the energy dissipated in the first quarter of a cycle, while the force grows from zero to $`F`$ (a force times a
-    /// length, not negative). Its formula is given at [`CattaneoMindlin::energy_of_first_quarter`].
+    /// Returns the energy dissipated in the first quarter of a cycle, while the force grows from zero to $`F`$ (a force
+    /// times a length, not negative). For the formula see [`CattaneoMindlin::energy_of_first_quarter`].
     #[must_use]
     pub fn energy_of_first_quarter(&self) -> f64 {
         self.slip.held.limit * self.gross_shift * self.slip.dissipated_fraction()

@@ -191,8 +191,9 @@ impl ConePartialSlip {
     /// Creates the contact `cone` with the coefficient of friction `friction`, under the tangential force `force` on
     /// body 1 along x (a force, of either sign).
     ///
-    /// A force equal to $`\mu W`$ to within rounding counts as the onset of gross sliding: the stick radius is zero. It
-    /// is also zero without friction. The coupling between pressure and traction of dissimilar bodies is neglected.
+    /// A force equal to $`\mu W`$ to within rounding counts as the onset of gross sliding: the stick radius is zero.
+    /// Without friction the stick radius is also zero. The coupling between pressure and traction of dissimilar bodies
+    /// is neglected.
     ///
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.

@@ -17,10 +17,10 @@ impl Integrals {
     /// Computes the integrals at the complementary modulus $`\kappa = \sqrt{1-m}`$, the axis ratio of an ellipse, in
     /// `(0, 1]`.
     ///
-    /// With $`a_0 = 1`$, $`b_0 = \kappa`$, $`c_0^2 = m`$ and the means $`a_{n+1} = (a_n+b_n)/2`$,
-    /// $`b_{n+1} = \sqrt{a_n b_n}`$, $`c_{n+1} = c_n^2/(4a_{n+1})`$: $`K = \pi/(2a_\infty)`$ and
-    /// $`D = K \sum_n 2^{n-1} c_n^2/m`$ (Abramowitz and Stegun, 17.6). All terms of the sum are positive and the first
-    /// is 1/2, so there is no cancellation, not even at $`m = 0`$, where $`D = \pi/4`$.
+    /// With $`a_0 = 1`$, $`b_0 = \kappa`$, $`c_0^2 = m`$ and the means $`a_{n+1} = (a_n+b_n)/2`$, $`b_{n+1} = \sqrt{a_n
+    /// b_n}`$, $`c_{n+1} = c_n^2/(4a_{n+1})`$: $`K = \pi/(2a_\infty)`$ and $`D = K \sum_n 2^{n-1} c_n^2/m`$ (Abramowitz
+    /// and Stegun, 17.6). All terms of the sum are positive and the first is 1/2. There is therefore no cancellation,
+    /// not even at $`m = 0`$, where $`D = \pi/4`$.
     pub(crate) fn of_axis_ratio(kappa: f64) -> Self {
         let m = (1.0 - kappa) * (1.0 + kappa);
         let (mut a, mut b) = (f64::midpoint(1.0, kappa), kappa.sqrt());
@@ -28,7 +28,7 @@ impl Integrals {
         let mut c = 0.25 * m / a;
         let mut term = 0.25 * c / a;
         let mut sum = 0.5 + term;
-        // The means agree to rounding after 4 steps for a near-circle, after 14 at kappa = 1e-300.
+        // The means agree to rounding after 4 steps for a near-circle, and after 14 steps at kappa = 1e-300.
         for _ in 0..24 {
             if term <= sum * f64::EPSILON && c.abs() <= a * f64::EPSILON {
                 break;

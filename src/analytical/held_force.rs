@@ -12,7 +12,7 @@ pub(super) struct HeldForce {
     pub(super) limit: f64,
     /// Sign of the force.
     pub(super) direction: f64,
-    /// $`f = |F|/\mu W`$; one at sliding and if there is no friction.
+    /// Ratio $`f = |F|/\mu W`$; one at sliding and without friction.
     pub(super) fraction: f64,
     /// $`1-f`$, computed without cancellation near sliding.
     pub(super) reserve: f64,

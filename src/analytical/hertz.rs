@@ -15,8 +15,8 @@ use crate::error::{Result, positive};
 /// a^3 = \frac{3WR}{4E^*}, \qquad p_0 = \frac{3W}{2\pi a^2}, \qquad \delta = \frac{a^2}{R}
 /// ```
 ///
-/// The solution is exact for a paraboloid and elastic half-spaces. For a sphere it is valid if $`a \ll R`$. The paper's
-/// equation 29; Johnson (1985), 4.22-4.24.
+/// The solution is exact for a paraboloid and elastic half-spaces. For a sphere it is valid if $`a \ll R`$. See
+/// equation 29 of the paper; Johnson (1985), 4.22-4.24.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::HertzSphere};
@@ -278,8 +278,8 @@ impl HertzEllipse {
     }
 }
 
-/// Computes the axis ratio $`b/a`$ of the contact of a body with the ratio of radii $`R''/R' \le 1`$, and its
-/// integrals.
+/// Computes the axis ratio $`b/a`$ of the contact for the ratio of radii $`R''/R' \le 1`$, and the elliptic integrals
+/// for this axis ratio.
 fn axis_ratio(radius_ratio: f64) -> (f64, Integrals) {
     // Locally R''/R' = kappa^s, with an exponent s that grows from 3/2 for the circle to 2 for a line. A step with the
     // exponent 7/4 leaves at most 1/6 of the error in ln(kappa), and 24 steps reduce the error to round-off.

@@ -15,12 +15,12 @@ use crate::error::{Error, Result, at_least, positive};
 /// M = G c^3\,(C_{32}\,\eta + c\,C_{33}\,\varphi), \qquad C_{32} = -C_{23} ,
 /// ```
 ///
-/// with positive $`C_{11}, C_{22}, C_{23}, C_{33}`$ and the signs of [`rolling`](crate::rolling) with the leading edge at +x.
-/// They depend neither on the pressure nor on the friction.
+/// with positive $`C_{11}, C_{22}, C_{23}, C_{33}`$ and the signs of [`rolling`](crate::rolling) with the leading edge
+/// at +x. The coefficients depend neither on the pressure nor on the friction.
 ///
-/// The values were computed with this crate, by [steady rolling](crate::rolling::RollingProblem) on 24 grids of 32 to 128 cells
-/// across each axis, for $`a/b`$ from 1/16 to 16. They are extrapolated to zero cell size and to reciprocity, and are accurate to
-/// about 0.1 % ($`C_{33}`$ to 0.3 %).
+/// The values were computed with this crate, by [steady rolling](crate::rolling::RollingProblem) on 24 grids of 32 to
+/// 128 cells across each axis, for $`a/b`$ from 1/16 to 16. The values are extrapolated to zero cell size and to
+/// reciprocity. They are accurate to about 0.1 % ($`C_{33}`$ to 0.3 %).
 ///
 /// Between the tabulated values, logarithms are interpolated in $`\ln(a/b)`$. The compliances $`1/C_{11}, 1/C_{22}, 1/C_{23}`$
 /// and the spin per moment without lateral force are interpolated as parabolas in $`\nu`$. The interpolation adds an error of at
@@ -55,10 +55,10 @@ pub struct KalkerCoefficients {
 }
 
 impl KalkerCoefficients {
-    /// Returns the coefficients of an ellipse with the ratio `ratio` $`= a/b`$ (1/16 to 16) of its semi-axes along and across the
-    /// rolling direction, for bodies of Poisson's ratio `poisson_ratio` (0 to 1/2). For different bodies with a
-    /// [`dundurs_beta`](crate::ElasticPair::dundurs_beta) of zero, use the [equivalent Poisson's
-    /// ratio](crate::ElasticPair::equivalent_poisson_ratio), and for G twice the [equivalent shear
+    /// Returns the coefficients of an ellipse with the ratio `ratio` $`= a/b`$ (1/16 to 16) of its semi-axes along and
+    /// across the rolling direction, for bodies of Poisson's ratio `poisson_ratio` (0 to 1/2). For different bodies
+    /// with a [`dundurs_beta`](crate::ElasticPair::dundurs_beta) of zero, use the [equivalent Poisson's
+    /// ratio](crate::ElasticPair::equivalent_poisson_ratio). The modulus G is then twice the [equivalent shear
     /// modulus](crate::ElasticPair::equivalent_shear_modulus).
     ///
     /// # Errors
@@ -140,8 +140,8 @@ fn parabola([none, quarter, half]: [f64; 3], poisson_ratio: f64) -> f64 {
     0.5 * (t - 1.0) * (t - 2.0) * none - t * (t - 2.0) * quarter + 0.5 * t * (t - 1.0) * half
 }
 
-/// Interpolates a value between two rows of the table. Its logarithm is the cubic Hermite interpolant of the two rows; the slopes
-/// are differences of the neighbouring rows.
+/// Interpolates a value between two rows of the table. The logarithm of the value is the cubic Hermite interpolant of
+/// the two rows. The slopes are differences of the neighbouring rows.
 fn between_rows(at: f64, value: impl Fn(usize) -> f64) -> f64 {
     let last = TABLE.len() - 1;
     #[expect(

@@ -1,7 +1,7 @@
 //! Kalker's coefficients without slip, computed with this crate.
 
-/// Coefficients C11, C22, C23 and C33 for the ratios $`a/b = 2^{-4}, 2^{-7/2}, \dots, 2^4`$, each for Poisson's ratios
-/// 0, 0.25 and 0.5. The example `kalker_table` of `stickslip-testkit` prints this table.
+/// Coefficients C11, C22, C23 and C33 for the ratios $`a/b = 2^{-4}, 2^{-7/2}, \dots, 2^4`$ and, at each ratio, for
+/// Poisson's ratios 0, 0.25 and 0.5. The example `kalker_table` of `stickslip-testkit` prints this table.
 pub(super) const TABLE: [[[f64; 3]; 4]; 17] = [
     [
         [2.4895, 3.3018, 4.8922],

@@ -128,9 +128,9 @@ impl HertzLine {
         -self.pressure(x)
     }
 
-    /// Returns the stresses `[xx, zz, xz]` of body 1 at `x` and at the depth `depth` below its surface, a length of
-    /// zero or more (pressures, positive in tension). The stresses of body 2 at the same depth differ by the sign of
-    /// `xz`. With $`m^2 - n^2 = a^2 - x^2 + z^2`$ and $`mn = xz`$, $`m \ge 0`$:
+    /// Returns the stresses `[xx, zz, xz]` of body 1 (pressures, positive in tension) at `x` and at the depth `depth`
+    /// below its surface (a length, zero or more). The stresses of body 2 at the same depth differ by the sign of `xz`.
+    /// With $`m^2 - n^2 = a^2 - x^2 + z^2`$ and $`mn = xz`$, $`m \ge 0`$:
     ///
     /// ```math
     /// \sigma_{xx} = -\frac{p_0}{a}\left[m\left(1 + \frac{z^2+n^2}{m^2+n^2}\right) - 2z\right], \quad

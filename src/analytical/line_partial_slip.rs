@@ -1,4 +1,4 @@
-//! A cylinder on a plane in partial slip, in plane strain, also with bulk stress.
+//! A cylinder on a plane in partial slip, in plane strain, with or without bulk stress.
 
 use super::held_force::HeldForce;
 use super::hertz::dome;
@@ -7,7 +7,7 @@ use super::line_stress;
 use crate::error::{Error, Result, all_finite, at_least, finite, positive};
 
 /// A cylinder in partial slip in plane strain: a constant normal load, then a tangential force along x that increases
-/// monotonically, with a bulk strain that increases in proportion to it.
+/// monotonically, with a bulk strain that increases in proportion to the force.
 ///
 /// With $`f = |Q|/\mu P`$, a strip of half-width c around x = e sticks; the rest slips, opposite to the traction:
 ///
@@ -70,9 +70,9 @@ impl CattaneoMindlinLine {
         })
     }
 
-    /// Sets the bulk stresses along x in bodies 1 and 2 (pressures, positive in tension; default zero), which grow in proportion
-    /// to the force. In plane strain they stretch body 1 by $`\sigma_1 (1 - \nu_1^2)/E_1 - \sigma_2 (1 - \nu_2^2)/E_2`$ more than
-    /// body 2.
+    /// Sets the bulk stresses along x in bodies 1 and 2 (pressures, positive in tension; default zero). The stresses
+    /// grow in proportion to the force. In plane strain they stretch body 1 by $`\sigma_1 (1 - \nu_1^2)/E_1 - \sigma_2
+    /// (1 - \nu_2^2)/E_2`$ more than body 2.
     ///
     /// # Errors
     /// - [`Error::Sample`] if a stress is not finite.
@@ -86,9 +86,9 @@ impl CattaneoMindlinLine {
         Ok(strained)
     }
 
-    /// Sets the strain of body 1 along x minus the strain of body 2 (positive in tension; default zero), which grows in
-    /// proportion to the force. The strain is not caused by a stress along x, for example thermal expansion. If a stress causes
-    /// it, use [`with_bulk_stress`](Self::with_bulk_stress).
+    /// Sets the strain of body 1 along x minus the strain of body 2 (positive in tension; default zero). The strain
+    /// grows in proportion to the force. Its cause is not a stress along x but, for example, thermal expansion. If a
+    /// stress causes the strain, use [`with_bulk_stress`](Self::with_bulk_stress).
     ///
     /// If $`|e| > fa/2`$, the first small loads reverse the slip at one end. Under the growing load this region then slips back;
     /// the remaining effect is less than 1e-4 of the energy.
@@ -194,9 +194,10 @@ impl CattaneoMindlinLine {
     /// \Delta E = \frac{(\mu P)^2}{\pi E^*}\left[4(1-f)\ln(1-f) + 4f - 2f^2 + 8f\,\frac{e^2}{a^2}\right] .
     /// ```
     ///
-    /// Each half of a cycle slips twice as far as the first loading, whose energy is $`-\mu\int p\,s\,dx`$; by Betti's theorem
-    /// $`\int p\,u = \int q\,w`$ with the displacement w of the pressure, a parabola where q acts. Without strain the energy is
-    /// the area of the loop of force and [shift](Self::shift); with strain the bulk stress does part of the work.
+    /// In each half of a cycle the contact slips twice as far as in the first loading, which dissipates the energy
+    /// $`-\mu\int p\,s\,dx`$. By Betti's theorem $`\int p\,u = \int q\,w`$, where w is the displacement due to the
+    /// pressure, a parabola where q acts. Without strain the energy is the area of the loop of force and
+    /// [shift](Self::shift). With strain the bulk stress does part of the work.
     #[must_use]
     pub fn energy_per_cycle(&self) -> f64 {
         let HeldForce {
@@ -243,9 +244,10 @@ impl CattaneoMindlinLine {
         self.stress(x, 0.0).map(|[along, ..]| along)
     }
 
-    /// Returns the stresses `[xx, zz, xz]` of body 1 and of body 2 at `x` and at the depth `depth` below their surfaces, a length
-    /// of zero or more (pressures, positive in tension), the [bulk stress](Self::with_bulk_stress) included. With m and n of
-    /// [`HertzLine::stress`], the traction $`q_0 \sqrt{1 - x^2/a^2}`$ on body 1 adds
+    /// Returns the stresses `[xx, zz, xz]` of body 1 and of body 2 (pressures, positive in tension) at `x` and at the
+    /// depth `depth` below their surfaces (a length, zero or more). The stresses include the [bulk
+    /// stress](Self::with_bulk_stress). With m and n as defined in [`HertzLine::stress`], the traction $`q_0 \sqrt{1 -
+    /// x^2/a^2}`$ on body 1 adds
     ///
     /// ```math
     /// \sigma_{xx} = \frac{q_0}{a}\left[n\left(2 - \frac{z^2-m^2}{m^2+n^2}\right) - 2x\right], \quad

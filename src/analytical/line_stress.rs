@@ -16,7 +16,8 @@ pub(super) fn of_pressure(x: f64, z: f64) -> [f64; 3] {
 pub(super) fn of_traction(x: f64, z: f64) -> [f64; 3] {
     let Roots { m, n, size } = Roots::new(x, z);
     let [along, _, across] = of_pressure(x, z);
-    // Next to the contact, n - x is computed from n^2 - x^2 = m^2 - z^2 - 1, because the difference cancels far away.
+    // Next to the contact, n - x is computed from n^2 - x^2 = m^2 - z^2 - 1, because the difference n - x cancels far
+    // from the contact.
     let beside = x * x > 1.0 + z * z;
     let excess = if beside {
         (m * m - z * z - 1.0) / (n + x)
@@ -54,7 +55,8 @@ impl Roots {
     }
 }
 
-/// Returns `part / whole`, or zero if `whole` is zero; both are then zero, and so is the factor of the ratio.
+/// Returns `part / whole`, or zero if `whole` is zero. In this case `part` is also zero, and so is the factor by which
+/// the caller multiplies the ratio.
 fn over(part: f64, whole: f64) -> f64 {
     if whole == 0.0 { 0.0 } else { part / whole }
 }

@@ -52,8 +52,8 @@ pub struct LubkinTorsion {
 
 impl LubkinTorsion {
     /// Creates the contact `hertz` with the coefficient of friction `friction`, twisted by the angle `twist` (radians,
-    /// of either sign): the rotation of body 2 relative to body 1 about the normal, far from the contact, positive from
-    /// x to y. The coupling between pressure and traction of dissimilar bodies is neglected.
+    /// of either sign). The twist is the rotation of body 2 relative to body 1 about the normal, far from the contact,
+    /// positive from x to y. The coupling between pressure and traction of dissimilar bodies is neglected.
     ///
     /// # Errors
     /// - [`Error::NotPositive`](crate::Error::NotPositive) if the coefficient of friction is not positive and finite,
@@ -108,7 +108,7 @@ impl LubkinTorsion {
     }
 
     /// Returns the moment $`M`$ about the normal on body 1 (a force times a length), with the sign of the twist. For
-    /// small twists it is $`\frac{16}{3}Ga^3\beta`$. The formula is given on the [type](Self); Lubkin (1951).
+    /// small twists the moment is $`\frac{16}{3}Ga^3\beta`$. The formula is given on the [type](Self); Lubkin (1951).
     #[must_use]
     pub fn moment(&self) -> f64 {
         self.moment
@@ -122,8 +122,8 @@ impl LubkinTorsion {
     }
 
     /// Returns the traction $`q`$ on body 1 (a pressure, with the sign of the twist) at the distance $`r`$ from the
-    /// centre, along the circle of that radius from x to y: $`q_x = -qy/r`$, $`q_y = qx/r`$. Zero outside the contact.
-    /// The formula is given on the [type](Self); Lubkin (1951).
+    /// centre, along the circle of that radius from x to y: $`q_x = -qy/r`$, $`q_y = qx/r`$. The traction is zero
+    /// outside the contact. The formula is given on the [type](Self); Lubkin (1951).
     ///
     /// The integral is evaluated with the substitution $`s = c\cosh x + \sqrt{c^2-r^2}\sinh x`$, which
     /// removes the root from the integrand.

@@ -8,7 +8,8 @@ use crate::error::Result;
 /// A sphere in partial slip: a constant normal load, and a tangential force along x with any history.
 ///
 /// From zero to $`F_1`$ the solution is [`CattaneoMindlin`]. When the force reverses at $`F_1`$, reverse slip spreads
-/// from the edge; it adds twice the solution for half the change of force. Every later reversal adds another such term:
+/// from the edge, which adds twice the solution for half the change of force. Every later reversal adds another such
+/// term:
 ///
 /// ```math
 /// q = q^{CM}(F_1) + 2\,q^{CM}\!\left(\tfrac{F_2-F_1}{2}\right) + \dots +
@@ -183,7 +184,7 @@ impl MindlinDeresiewicz {
 struct Closed {
     /// Half the range of forces of the loop.
     half_range: f64,
-    /// Energy of the loop divided by the energy of a first loading to half the range.
+    /// Ratio of the energy of the loop to the energy of a first loading to half the range.
     times: f64,
 }
 

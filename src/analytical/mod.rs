@@ -22,11 +22,11 @@
 //! | cone in partial slip under a tangential load | [`ConePartialSlip`] | Ciavarella (1998), Jaeger (1998) |
 //! | waves along x, in partial and in full contact | [`Westergaard`] | Westergaard (1939); Johnson (1985), section 13.2 |
 //! | waves in partial slip | [`WestergaardPartialSlip`] | Ciavarella (1998), Jaeger (1998) |
-//! | contact area of a rough sphere | [`RoughSphere`] | the paper's equation 32, after Müser (2016) |
+//! | contact area of a rough sphere | [`RoughSphere`] | equation 32 of the paper, after Müser (2016) |
 //! | contact area and stick ratio of a nominally flat rough surface | [`Persson`], [`linear_stick_ratio`] | Persson (2001), Paggi et al. (2014) |
 //!
 //! # Conventions
-//! - Units form any consistent set: `m, N, Pa` or `mm, N, MPa`.
+//! - The units can be any consistent set, for example `m, N, Pa` or `mm, N, MPa`.
 //! - The contact, or a crest of waves, is centred on the origin of the plane `z = 0`; z points into
 //!   body 1.
 //! - Pressure is positive in compression. Traction acts on body 1 and is positive along +x; body 2 receives the

@@ -9,7 +9,7 @@ use crate::error::{Result, positive};
 /// Upper limit of the integration; the remaining part of the integral is below round-off.
 const LENGTH: f64 = 20.0;
 
-/// A flat-ended round punch pressed without any slip: the limit of infinite friction.
+/// A flat-ended round punch pressed on a half-space without any slip: the limit of infinite friction.
 ///
 /// If pressure and traction are coupled, sticking makes the contact stiffer:
 ///
@@ -72,7 +72,7 @@ impl NoSlipPunch {
     }
 }
 
-/// A sphere pressed by a growing load without any slip: points stick as soon as they come into contact.
+/// A sphere pressed on a half-space by a growing load without any slip: points stick as soon as they come into contact.
 ///
 /// ```math
 /// \delta = \frac{a^2}{2RI}, \qquad W = \frac{4E^*a^3}{3R}\,\frac{f}{2I}, \qquad

@@ -15,10 +15,10 @@ use crate::error::{Result, non_negative, positive};
 /// P = \frac{\bar p}{E^*g}
 /// ```
 ///
-/// For light loads $`A/A_0 \to \kappa P`$: the area is proportional to the load. Persson's theory gives
-/// $`\kappa = \sqrt{8/\pi}`$, the [`AREA_COEFFICIENT`](Self::AREA_COEFFICIENT). The theory of Bush, Gibson and Thomas,
-/// for light loads, gives $`\sqrt{2\pi}`$; simulations give 2.0 to 2.2. The slope $`g`$ is the areal slope
-/// $`\langle z_x^2+z_y^2\rangle^{1/2}`$ (Sdq), $`\sqrt2`$ times the slope of a profile of an isotropic surface.
+/// For light loads $`A/A_0 \to \kappa P`$: the area is proportional to the load. Persson's theory gives $`\kappa =
+/// \sqrt{8/\pi}`$, the [`AREA_COEFFICIENT`](Self::AREA_COEFFICIENT). The theory of Bush, Gibson and Thomas, for light
+/// loads, gives $`\sqrt{2\pi}`$; simulations give values of 2.0 to 2.2. The slope $`g`$ is the areal slope $`\langle
+/// z_x^2+z_y^2\rangle^{1/2}`$ (Sdq), $`\sqrt2`$ times the slope of a profile of an isotropic surface.
 ///
 /// The fraction is a mean over infinite surfaces whose shortest waves are resolved. A single sample on a coarse mesh
 /// can have far more cells in contact. Persson (2001); Bush, Gibson and Thomas (1975).
@@ -166,14 +166,14 @@ fn argument(reduced_pressure: f64, area_coefficient: f64) -> f64 {
 }
 
 /// Computes the fraction $`A_{stick}/A = 1-F/\mu W`$ of the contact area of a rough surface that sticks under the
-/// normal load `load` and the tangential force `force` (forces, the second of either sign), with the coefficient of
+/// normal load `load` (a force) and the tangential force `force` (a force of either sign), with the coefficient of
 /// friction `friction`.
 ///
 /// The stick area is the contact area under the load $`W-F/\mu`$, and the real area of a rough surface is proportional
-/// to the load as long as it is a small fraction of the nominal area. This is the straight line of the paper's figures
-/// 25 and 26. The line is exact for a [`Cone`](super::Cone); for a smooth sphere the ratio is $`(1-F/\mu W)^{2/3}`$
-/// ([`CattaneoMindlin`](super::CattaneoMindlin)). Without friction the function returns zero. On single surfaces the
-/// computed ratio is within about 0.05 of the line. Paggi, Pohrt and Popov (2014); Ciavarella (1998).
+/// to the load as long as it is a small fraction of the nominal area. This ratio is the straight line in figures 25 and
+/// 26 of the paper. The line is exact for a [`Cone`](super::Cone); for a smooth sphere the ratio is $`(1-F/\mu
+/// W)^{2/3}`$ ([`CattaneoMindlin`](super::CattaneoMindlin)). Without friction the function returns zero. The ratio
+/// computed for a single surface is within about 0.05 of the line. Paggi, Pohrt and Popov (2014); Ciavarella (1998).
 ///
 /// # Errors
 /// - [`Error::NotPositive`](crate::Error::NotPositive) if the load is not positive and finite.

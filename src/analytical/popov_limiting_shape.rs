@@ -19,12 +19,13 @@ use crate::error::{Result, at_least, non_negative, positive};
 /// \qquad (c < r < b)
 /// ```
 ///
-/// and is unchanged elsewhere; the two profiles meet at $`b`$. The wear law determines how fast the shape is reached,
-/// but not the shape itself. Under a shift that oscillates between $`\pm\delta_x`$, $`c^2/a^2 = 1-\delta_x/\delta_0`$,
-/// so c is the [`stick_radius`](super::CattaneoMindlin::stick_radius) of the unworn contact. The solution is exact if
-/// [`dundurs_beta`](ElasticPair::dundurs_beta) is zero and the stick disc remains round during wear. If Poisson's ratio
-/// is above zero, slip does not spread uniformly in all directions, and wear extends slightly into the disc (at 0.29
-/// the remaining load is 1.6 % smaller). Popov (2014).
+/// and is unchanged elsewhere. The worn and the unworn profile meet at $`b`$. The wear law determines how fast the
+/// shape is reached, but not the shape itself. Under a shift that oscillates between $`\pm\delta_x`$, $`c^2/a^2 =
+/// 1-\delta_x/\delta_0`$, so c is the [`stick_radius`](super::CattaneoMindlin::stick_radius) of the unworn contact. The
+/// solution is exact if [`dundurs_beta`](ElasticPair::dundurs_beta) is zero and the stick disc remains round during
+/// wear. If Poisson's ratio is above zero, slip does not spread uniformly in all directions, and wear extends slightly
+/// into the disc. At a Poisson's ratio of 0.29 the remaining load is 1.6 % smaller than the load of this solution.
+/// Popov (2014).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::PopovLimitingShape};
@@ -111,8 +112,8 @@ impl PopovLimitingShape {
         self.stick_radius
     }
 
-    /// Returns the radius $`b`$ within which the surfaces are worn (a length), where the profile meets $`r^2/2R`$. It
-    /// is larger than the radius $`a = \sqrt{Rd}`$ of the first contact.
+    /// Returns the radius $`b`$ within which the surfaces are worn (a length), where the profile meets $`r^2/2R`$. The
+    /// radius $`b`$ is larger than the radius $`a = \sqrt{Rd}`$ of the contact before wear.
     ///
     /// With $`t = 2\arccos(c/b)`$,
     ///
@@ -201,8 +202,8 @@ fn meeting_angle(stick: f64, ring: f64) -> f64 {
         }
     };
     let (mut low, mut high) = (0.0, PI);
-    // The smallest angle, for a ring of one rounding error, is 2.6e-8: 80 bisections resolve it to its last bit, the
-    // 79th.
+    // The smallest angle, for a ring of one rounding error, is 2.6e-8. Its last bit is the 79th, so 80 bisections
+    // resolve it.
     for _ in 0..80 {
         let middle = f64::midpoint(low, high);
         if lies_beyond(middle) {

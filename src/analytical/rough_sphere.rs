@@ -21,10 +21,10 @@ use crate::error::{Result, non_negative, positive};
 /// the paper, is the initial slope of this law. The slope $`g`$ is the areal slope $`\langle z_x^2+z_y^2\rangle^{1/2}`$
 /// (Sdq), $`\sqrt2`$ times the slope of a profile of an isotropic surface.
 ///
-/// The law is valid if the roughness is small and fine: its height is well below the approach $`a^2/R`$ of the smooth
-/// sphere, and there are many asperities within the circle. At lighter loads contact spreads beyond the Hertz circle
-/// and the area is less certain. The paper's equations 32, 33 and 37, after Müser (2016), without the mean-field
-/// approximation of Pastewka and Robbins (2016).
+/// The law is valid if the roughness is small and fine: the height of the roughness is well below the approach
+/// $`a^2/R`$ of the smooth sphere, and there are many asperities within the circle. If the load is too light for this,
+/// contact spreads beyond the Hertz circle and the area is less certain. The law is given by equations 32, 33 and 37 of
+/// the paper, after Müser (2016), without the mean-field approximation of Pastewka and Robbins (2016).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{HertzSphere, RoughSphere}};
@@ -69,7 +69,8 @@ impl RoughSphere {
     }
 
     /// Sets the coefficient $`\kappa`$ of the area (dimensionless; default
-    /// [`AREA_COEFFICIENT`](Self::AREA_COEFFICIENT)). [`Persson`](super::Persson) lists values of other theories.
+    /// [`AREA_COEFFICIENT`](Self::AREA_COEFFICIENT)). The page of [`Persson`](super::Persson) lists values of other
+    /// theories.
     ///
     /// # Errors
     /// - [`Error::NotPositive`](crate::Error::NotPositive) if the coefficient is not positive and finite.
@@ -99,14 +100,14 @@ impl RoughSphere {
     }
 
     /// Returns the reduced pressure $`P = W/\pi a^2E^*g`$ (dimensionless): the mean pressure of the smooth sphere
-    /// divided by $`E^*g`$. The paper's equation 37.
+    /// divided by $`E^*g`$. See equation 37 of the paper.
     #[must_use]
     pub fn reduced_pressure(&self) -> f64 {
         self.reduced_pressure
     }
 
-    /// Returns the area of real contact divided by the area of the Hertz circle, $`A_r`$, between 0 and 1. The paper's
-    /// equation 32.
+    /// Returns the area of real contact divided by the area of the Hertz circle, $`A_r`$, between 0 and 1. See equation
+    /// 32 of the paper.
     #[must_use]
     pub fn relative_contact_area(&self) -> f64 {
         mean_erf(argument(self.reduced_pressure, self.area_coefficient))
@@ -172,7 +173,7 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    /// Argument and integral, computed with 60 digits.
+    /// Pairs of argument and integral, computed with 60 digits.
     #[expect(clippy::approx_constant, reason = "it is an argument like the others")]
     const VALUES: [[f64; 2]; 20] = [
         [1e-300, 7.52252778063675e-301],

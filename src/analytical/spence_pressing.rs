@@ -15,10 +15,11 @@ use crate::error::{Result, non_negative};
 /// \frac{K(k)}{K'(k)} = \frac{\mu}{|\beta|} \quad\text{(plane)},
 /// ```
 ///
-/// with the complete elliptic integral $`K`$ of modulus $`k`$ and $`K'(k) = K(\sqrt{1-k^2})`$. The equations are valid for a flat
-/// punch, and for a sphere, a cone or any other power of the distance, because their contacts grow self-similarly. A computation
-/// needs one load step for the punch and many steps for the other shapes. With full coupling, the friction that leads to the same
-/// $`k`$ is larger: at $`k = 0.5`$ by 0.5 % for $`\beta = 0.1`$, 5 % for 2/7 and 17 % for 1/2.
+/// with the complete elliptic integral $`K`$ of modulus $`k`$ and $`K'(k) = K(\sqrt{1-k^2})`$. The equations are valid
+/// for a flat punch, and for a sphere, a cone or any other power of the distance, because their contacts grow
+/// self-similarly. A numerical solution needs one load step for the punch and many steps for the other shapes. With
+/// full coupling, a larger coefficient of friction leads to the same $`k`$. At $`k = 0.5`$ it is larger by 0.5 % for
+/// $`\beta = 0.1`$, by 5 % for $`\beta = 2/7`$ and by 17 % for $`\beta = 1/2`$.
 ///
 /// D. A. Spence, *J. Elasticity* 5 (1975) 297-319, [doi:10.1007/BF00126993](https://doi.org/10.1007/BF00126993); Johnson
 /// (1985), section 5.4.
@@ -37,7 +38,7 @@ pub struct SpencePressing {
 }
 
 impl SpencePressing {
-    /// Creates the contact of a body of revolution with the coefficient of friction `friction` (dimensionless).
+    /// Creates the solution for a body of revolution with the coefficient of friction `friction` (dimensionless).
     ///
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient is negative or not finite.
@@ -45,7 +46,8 @@ impl SpencePressing {
         Self::where_equal(pair, friction, |k, moduli| k.atanh() / k / moduli.prime)
     }
 
-    /// Creates the contact of a cylinder or strip in plane strain with the coefficient of friction `friction` (dimensionless).
+    /// Creates the solution for a cylinder or strip in plane strain with the coefficient of friction `friction`
+    /// (dimensionless).
     ///
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient is negative or not finite.
@@ -53,8 +55,8 @@ impl SpencePressing {
         Self::where_equal(pair, friction, |_, moduli| moduli.whole / moduli.prime)
     }
 
-    /// Returns the ratio $`k`$ in `[0, 1]` of the radius or half-width of the stick zone to that of the contact: one without
-    /// coupling, otherwise zero without friction.
+    /// Returns the ratio $`k`$ in `[0, 1]` of the radius or half-width of the stick zone to the radius or half-width of
+    /// the contact. The ratio is one without coupling. With coupling it is zero without friction.
     #[must_use]
     pub fn stick_radius(&self) -> f64 {
         self.stick_radius

@@ -9,9 +9,9 @@ use crate::error::{Result, finite, positive};
 
 /// A surface with waves along x, pressed on a half-space in plane strain.
 ///
-/// The initial gap is $`\Delta(1-\cos(2\pi x/\lambda))`$, of amplitude $`\Delta`$ and wavelength
-/// $`\lambda`$. Contact forms strips of half-width $`a`$ about every crest. With the pressure of full
-/// contact $`p^*`$ and the mean pressure $`\bar p`$, the load per nominal area,
+/// The initial gap is $`\Delta(1-\cos(2\pi x/\lambda))`$, of amplitude $`\Delta`$ and wavelength $`\lambda`$. The
+/// contact consists of strips of half-width $`a`$, one at every crest. With the pressure of full contact $`p^*`$ and
+/// the mean pressure $`\bar p`$, the load per nominal area,
 ///
 /// ```math
 /// p^* = \frac{\pi E^*\Delta}{\lambda}, \qquad \sin^2\frac{\pi a}{\lambda} = \frac{\bar p}{p^*},
@@ -160,7 +160,7 @@ impl Westergaard {
         self.amplitude * self.load_ratio * hyperbolic_sine_minus_arc(w)
     }
 
-    /// Returns the approach of the mean planes of the two surfaces since first touch (a length):
+    /// Returns the approach of the mean planes of the two surfaces from first touch (a length):
     ///
     /// ```math
     /// \delta = \Delta\,\frac{\bar p}{p^*}\left(1-\ln\frac{\bar p}{p^*}\right)
@@ -242,8 +242,8 @@ impl WestergaardPartialSlip {
     /// `mean_traction` on body 1 along x: a tangential force divided by the nominal area, of either sign.
     ///
     /// A mean traction equal to $`\mu\bar p`$ to within rounding counts as the onset of gross sliding: the stick strips
-    /// vanish. They also vanish without friction. The coupling between pressure and traction of dissimilar bodies is
-    /// neglected.
+    /// vanish. Without friction the stick strips also vanish. The coupling between pressure and traction of dissimilar
+    /// bodies is neglected.
     ///
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.

@@ -4,30 +4,32 @@ use crate::edges::stencil::{
     FOURTH, FitStencil, LANES, POWERS, PRODUCT_OF, PRODUCTS, SECOND, SIDE, Square, dot, product,
 };
 
-/// Number of unknowns: the coefficients of the quadratic, and of the squared distance outside.
+/// Number of unknowns: the coefficients of the quadratic and the coefficient of the squared distance outside.
 const UNKNOWNS: usize = POWERS + 1;
 
-/// Number of rounds that determine the slope at the edge.
+/// Number of rounds in which the slope at the edge is determined.
 const ROUNDS: usize = 3;
 
-/// Distances from the edge, in cells, within which values are not trusted: inside and outside.
+/// Distance from the edge, in cells, within which values inside are not trusted.
 const BLURRED_INSIDE: f64 = 0.8;
+/// Distance from the edge, in cells, within which values outside are not trusted.
 const BLURRED_OUTSIDE: f64 = 0.5;
 
-/// Distance outside, in cells, beyond which the edge is in a different cell.
+/// Distance of a cell centre outside the edge, in cells, beyond which the edge is in a different cell.
 const FAR_OUTSIDE: f64 = 1.2;
 
 /// Weight of values that are not trusted, relative to trusted values.
 const DISTRUSTED: f64 = 2e-3;
 
-/// Distance from the edge, in cells, beyond which weights decrease, and length scale of the decrease.
+/// Distance from the edge, in cells, beyond which weights decrease.
 const NEAR: f64 = 2.5;
+/// Length scale of the decrease of the weights, in cells.
 const FADE: f64 = 1.5;
 
 /// Distance beyond `NEAR`, in units of `FADE`, at which the weight becomes zero.
 const NOTHING: f64 = 5.5;
 
-/// Regularisation of the second-degree terms: without evidence the edge is straight.
+/// Regularisation of the second-degree terms. It makes the edge straight if the values do not determine its curvature.
 const STRAIGHT: f64 = 1e-3;
 
 /// Number of subdivisions of a cell along each axis for averages over the cell.
@@ -45,8 +47,8 @@ pub(super) struct FitValues {
     pub(super) weights: Square<f64>,
 }
 
-/// Data of a round at each position: weights, weights of trusted values only, signed distances from the edge (positive
-/// inside), and squared distances of the cells outside.
+/// Data of a round at each position of the stencil: weights, weights of trusted values only, signed distances from the
+/// edge (positive inside), and squared distances of the cells outside.
 struct Sample {
     weights: Square<f64>,
     trusted: Square<f64>,
@@ -220,7 +222,7 @@ fn length([x, y]: [f64; 2]) -> f64 {
     x.hypot(y)
 }
 
-/// Returns the slope of the squared pressure from a plane fitted to the cells inside.
+/// Returns the slope of the squared pressure, taken from a plane fitted to the cells inside.
 fn first_gradient(stencil: &FitStencil, values: &FitValues) -> Option<[f64; 2]> {
     let mut weights = values.weights;
     for (weight, is_inside) in weights

@@ -20,14 +20,15 @@ impl History {
     /// Returns the edges of the contact and of the stick zone inside the cells after the last step, under the current
     /// friction. The page of [`edges`](crate::edges) describes the method.
     ///
-    /// The value in the stick zone is the friction reserve in the direction in which a cell would slip,
-    /// $`\mu p - q \cdot t`$, where t is the unit vector of the traction in the nearest slipping cell. After a reversal
-    /// this value falls to zero at the new edge like $`2 (\mu p - |q|)`$ at the edge of a first loading. Slipping cells
-    /// contribute to the fit if they stuck until the last step and this step did not change the normal load. After small
-    /// steps there might be no such cells. After [`set_state`](Self::set_state), after a restart and after a rolling step
-    /// they cannot be identified. The edge then follows only from the values in the stick zone. The tables are for forces
-    /// along one axis. Cells that continue to slip while their traction turns by a few degrees cannot be distinguished from
-    /// cells that stuck. After a change of the friction the zones still belong to the previous friction.
+    /// The value in the stick zone is the friction reserve in the direction in which a cell would slip, $`\mu p - q
+    /// \cdot t`$, where t is the unit vector of the traction in the nearest slipping cell. After a reversal this value
+    /// falls to zero at the new edge like $`2 (\mu p - |q|)`$ at the edge of a first loading. Slipping cells contribute
+    /// to the fit if they stuck until the last step and this step did not change the normal load. After small steps
+    /// there might be no such cells. After [`set_state`](Self::set_state), after a restart and after a rolling step
+    /// they cannot be identified. The edge then follows only from the values in the stick zone. The table below is for
+    /// forces along one axis. Cells that continue to slip while their traction turns by a few degrees cannot be
+    /// distinguished from cells that stuck. After a change of the friction the zones still belong to the previous
+    /// friction.
     ///
     /// The table is for a sphere, mu = 0.5, centre values, and 128 x 128 cells on three contact radii. It lists the error
     /// of the stick area (mean and worst of 8 positions) and of the traction (L1, mean), for the raw cells and for the fit:
@@ -40,7 +41,7 @@ impl History {
     /// | 0.7 to 0 in twenty | 9.3e-3, 1.2e-2 | 4.8e-4, 7.5e-4 | 7.5e-3 | 3.2e-3 |
     /// | 0.7 to -0.5, the old edge 3 cells from the new one | 1.1e-2, 1.3e-2 | 8.4e-4, 2.7e-3 | 3.8e-3 | 2.8e-3 |
     ///
-    /// The traction also has a kink at the old edge. There it is the traction of the raw cells.
+    /// The traction also has a kink at the old edge. There the returned traction is the traction of the raw cells.
     ///
     /// ```
     /// use stickslip::*;

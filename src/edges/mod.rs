@@ -24,30 +24,31 @@
 //!
 //! A fit is rejected in the following cases:
 //!
-//! - The root mean square of its residual exceeds 0.05 cells (0.02 for the stick zone of a history, 0.01 without any value
-//!   outside).
+//! - The root mean square of the residual of the fit exceeds 0.05 cells (0.02 cells for the stick zone of a history,
+//!   0.01 cells without any value outside).
 //! - The fit contradicts the state of the cell.
-//! - It has fewer than ten values.
+//! - The fit has fewer than ten values.
 //! - No cell within reach has all its neighbours in the set.
 //!
-//! Such a cell keeps its raw pressure. Its covered area is reduced by a fraction c of its area for each side at the edge: 0.088
-//! with [`CellValue::Uniform`], 0.129 with [`CellValue::Centre`], 0.102 on grids with [`Boundary::Periodic`], measured on circles
-//! and rotated ellipses. A sharp punch therefore keeps its raw cells, as do nearly all cells of a rough contact whose shortest
-//! waves are less than sixteen cells long. The corrected area of such a rough contact still has an error of at most 2.5 % if
-//! hundreds of cells touch (mean over seeds: 1 %), while the counted area is 4 to 16 % too large. With fifty cells the error can
-//! reach 7 %.
+//! A cell whose fit is rejected keeps its raw pressure. Its covered area is reduced by a fraction c of the cell area
+//! for each side at the edge. The fraction was measured on circles and rotated ellipses: c is 0.088 with
+//! [`CellValue::Uniform`], 0.129 with [`CellValue::Centre`], and 0.102 on grids with [`Boundary::Periodic`]. A sharp
+//! punch therefore keeps its raw cells, as do nearly all cells of a rough contact whose shortest waves are less than
+//! sixteen cells long. The corrected area of such a rough contact still has an error of at most 2.5 % if hundreds of
+//! cells touch (mean over seeds: 1 %), while the counted area is 4 to 16 % too large. If fifty cells touch, the error
+//! of the corrected area can reach 7 %.
 //!
 //! In 600 tests with ellipses of any shape, angle and position, the fit had a larger pressure error than the raw cells for two
 //! ellipses. Both were three cells across, with 20 and 29 cells in total. The median ratio of the error of the fit to the error
 //! of the raw cells was 0.36.
 //!
-//! For dissimilar bodies the edge of the contact has the same accuracy, 1e-3 of the area. The edge of the stick zone is accurate
-//! to 0.6 % for Dundurs' beta up to 0.29, to 2 % up to 0.5, and only to 14 % for larger values. For beta of 0.5 or more, between
-//! a third and nearly all of its fits are rejected.
+//! For dissimilar bodies the edge of the contact has the same accuracy, 1e-3 of the area. The edge of the stick zone is
+//! accurate to 0.6 % for Dundurs' beta up to 0.29, to 2 % for beta up to 0.5, and only to 14 % for larger values. For
+//! beta of 0.5 or more, between a third and nearly all of the fits of the stick zone are rejected.
 //!
-//! A test with 200 random cases on 60 x 60 cells (ellipses, quartics, rough spheres and rough planes, free and periodic) gave 360
-//! solutions. In seven of them the area, or the pressure at the centres or in the mean, had an error that exceeded the error of
-//! the raw cells by more than a tenth. These were:
+//! A test with 200 random cases on 60 x 60 cells (ellipses, quartics, rough spheres and rough planes, free and
+//! periodic) gave 360 solutions. In seven of them the area, or the pressure at the centres or in the mean, had an error
+//! that exceeded the error of the raw cells by more than a tenth. These seven solutions were:
 //!
 //! - two quartics 13 cells across, each with both cell values, with two thirds of their fits rejected (pressure at the centres up
 //!   to 17 % worse);
@@ -56,12 +57,12 @@
 //!
 //! # Narrow slip rings
 //!
-//! A slip ring of less than two cells provides no values of the slip, because its cells are also at the edge of the contact. The
-//! fit is then extrapolated from the stick zone, and is rejected if its residual exceeds 0.01 cells. Under spheres and ellipses
-//! the squared value is a quadratic, and the fit finds the edge. Under a gap r^4 the cells keep their raw values.
-//! [`unfitted_fraction`](Edges::unfitted_fraction) of [`TangentialEdges::stick`] reports this. The table lists errors on 32 x 32
-//! cells over three contact radii, averaged over four positions. The first value is the error of the raw cells, the second the
-//! error of the fit:
+//! A slip ring of less than two cells provides no values of the slip, because its cells are also at the edge of the
+//! contact. The fit is then extrapolated from the stick zone. It is rejected if its residual exceeds 0.01 cells. Under
+//! spheres and ellipses the squared value is a quadratic, and the fit finds the edge. Under a gap r^4 the cells keep
+//! their raw values; [`unfitted_fraction`](Edges::unfitted_fraction) of [`TangentialEdges::stick`] reports the fraction
+//! of these cells. The table lists errors on 32 x 32 cells over three contact radii, averaged over four positions. The
+//! first value is the error of the raw cells, the second the error of the fit:
 //!
 //! | contact, force over mu W | slip ring, cells | traction | largest traction | stick area | refused |
 //! |---|---|---|---|---|---|
@@ -78,9 +79,9 @@
 //!
 //! Away from the edge, the means over cells are $`p + \Delta_h p/24`$.
 //!
-//! The largest traction belongs to the cell nearest the edge of the stick zone, where $`\mu p`$ decreases by up to a fifteenth
-//! from one cell to the next. On a sphere at 40 % of the sliding force, with 128 x 128 cells, its error is 3e-4 in the mean of
-//! eight positions and at most 9e-4.
+//! The largest traction belongs to the cell nearest the edge of the stick zone, where $`\mu p`$ decreases by up to a
+//! fifteenth from one cell to the next. On a sphere at 40 % of the sliding force, with 128 x 128 cells, the error of
+//! the largest traction is 3e-4 in the mean of eight positions and at most 9e-4.
 //!
 //! ```
 //! use stickslip::*;
@@ -146,7 +147,8 @@ pub struct Edges {
 
 shown!(Edges: grid(), area(), unfitted_fraction());
 
-/// Cell at the edge: a cell of the set with a neighbour outside, or a cell outside that touches the set at a side or a corner.
+/// Cell at the edge of the set: a cell of the set with a neighbour outside, or a cell outside that touches the set at a
+/// side or a corner.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
 pub struct EdgeCell {
@@ -209,7 +211,8 @@ impl Edges {
     }
 }
 
-/// Returns the fraction of a cell by which counting overestimates its area, for each of its sides at the edge.
+/// Returns the fraction of the area of a cell by which counting overestimates the covered area, for each side of the
+/// cell at the edge.
 fn excess(boundary: Boundary, cell_value: CellValue) -> f64 {
     match (boundary, cell_value) {
         (Boundary::Periodic, _) => 0.102,
@@ -245,8 +248,8 @@ impl NormalSolution {
     }
 }
 
-/// Smallest thickness of the outermost layer in cells. On such a layer the pressure falls to zero as on a half-space of the same
-/// material.
+/// Smallest thickness of the outermost layer, in cells. On a layer of at least this thickness the pressure falls to
+/// zero as on a half-space of the same material.
 const THINNEST: f64 = 4.0;
 
 /// Returns an error if the outermost layers are too thin to determine the edges of a contact.

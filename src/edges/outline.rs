@@ -26,7 +26,8 @@ pub(super) fn outline(
     for (cell, corners) in cells {
         if corners.is_some() {
             means.add_pieces(*cell, &contains, &mut pieces)?;
-            // The edge can also cut a corner of a cell whose neighbours are all on its own side of the edge.
+            // The edge can also cut off a corner of a cell whose neighbours are all on the same side of the edge as the
+            // cell.
             let is_new =
                 |next: &usize| cells.binary_search_by_key(next, |(cell, _)| *cell).is_err();
             let around = neighbours(*cell, size, repeats).into_iter().flatten();
@@ -60,7 +61,7 @@ struct Means {
     sums: HashMap<usize, [f64; 2]>,
 }
 
-/// Largest distance that is used, in cells. Beyond it only the sign is reliable.
+/// Largest distance that is used, in cells. Only the sign of larger distances is reliable.
 const FAR: f64 = 2.0;
 
 impl Means {
@@ -136,7 +137,7 @@ impl Means {
 
 /// Returns the pieces in a cell with these corners: none, one, or two if opposite corners have the same sign.
 fn pieces_within(ends: &[([f64; 2], f64); 4]) -> [Option<[[f64; 2]; 2]>; 2] {
-    // The points at which the edge crosses the sides, in order.
+    // The array holds the points at which the edge crosses the sides, in order.
     let mut crossings = [None; 4];
     let mut count = 0;
     for side in 0..4 {

@@ -19,10 +19,11 @@ pub(super) const LARGEST_MISS: f64 = 0.05;
 const LARGEST_MISS_INSIDE: f64 = 0.01;
 /// Smallest number of values in a fit.
 const FEWEST: usize = 10;
-/// Limits for the signed distance of a cell centre from the edge (positive inside), in cells. A cell of the set must reach the
-/// first, a cell outside must not exceed the second, and beyond the third a cell keeps its raw value.
+/// Smallest signed distance of the centre of a cell in the set from the edge (positive inside), in cells.
 const LEAST_INSIDE: f64 = -0.45;
+/// Largest signed distance of the centre of a cell outside the set from the edge (positive inside), in cells.
 const MOST_OUTSIDE: f64 = 0.15;
+/// Signed distance of a cell centre from the edge, in cells, beyond which a cell keeps its raw value.
 const UNDISTURBED: f64 = 1.2;
 
 /// Number of cells per task.
@@ -40,7 +41,7 @@ pub(super) struct Search<'a> {
     pub(super) is_outside_known: &'a (dyn Fn(usize) -> bool + Sync),
     /// Modulus at a cell for a normal of the edge.
     pub(super) modulus: &'a (dyn Fn(usize, [f64; 2]) -> f64 + Sync),
-    /// Fraction of a cell by which counting overestimates its area, for each side at the edge.
+    /// Fraction of the area of a cell by which counting overestimates the covered area, for each side at the edge.
     pub(super) excess: f64,
     /// Largest residual of a fit (root mean square, in cells).
     pub(super) largest_miss: f64,

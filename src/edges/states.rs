@@ -5,8 +5,10 @@ use crate::grid::Grid;
 use crate::memory::fallible;
 use crate::parallel;
 
-/// State of a cell: the number of true statements among the following. The cell or one of the eight cells around it is in
-/// the set. The cell itself is in the set. The cell and its four neighbours are in the set.
+/// State of a cell: the number of the following conditions that hold.
+/// - The cell or one of the eight cells around it is in the set.
+/// - The cell itself is in the set.
+/// - The cell and its four neighbours are in the set.
 type State = u8;
 
 /// State of a cell outside the set that touches the set at a side or a corner.

@@ -10,7 +10,7 @@ const REACH: usize = 3;
 pub(super) const SIDE: usize = 2 * REACH + 1;
 /// Length of a padded row. The additional positions have zero weight and let sums over rows use vector registers.
 pub(super) const LANES: usize = 8;
-/// A value for each position, row by row.
+/// Values at all positions of the square, row by row.
 pub(super) type Square<T> = [[T; LANES]; SIDE];
 /// Number of terms of a quadratic: 1, x, y, x^2, x y, y^2.
 pub(super) const POWERS: usize = 6;

@@ -42,8 +42,8 @@ impl TangentialEdges {
         &self.stick
     }
 
-    /// Returns the magnitude of the traction at the centres of the cells (a pressure). It is the friction limit at the
-    /// corrected pressure minus the friction reserve.
+    /// Returns the magnitude of the traction at the centres of the cells (a pressure). The magnitude is the friction
+    /// limit at the corrected pressure minus the friction reserve.
     #[must_use]
     pub fn traction(&self) -> &Field {
         &self.traction
@@ -55,8 +55,9 @@ impl TangentialEdges {
         &self.mean_traction
     }
 
-    /// Returns the largest traction at the centre of a cell (a pressure), usually in a cell next to the edge of the stick
-    /// zone. After a reversal it might be at the old edge, where the tractions are the tractions of the raw cells.
+    /// Returns the largest traction at the centre of a cell (a pressure), usually in a cell next to the edge of the
+    /// stick zone. After a reversal the largest traction might be at the old edge, where the values are the tractions
+    /// of the raw cells.
     #[must_use]
     pub fn peak_traction(&self) -> f64 {
         self.traction.max()
@@ -146,7 +147,7 @@ pub(super) struct PartialSlipContact<'a> {
     pub(super) traction: [&'a [f64]; 2],
     /// Component of the traction of a cell in the direction of its next slip, and magnitude of the remaining component.
     pub(super) parts: &'a (dyn Fn(usize) -> [f64; 2] + Sync),
-    /// Distance that a slipping cell has slipped since it last stuck; `None` if it is unknown.
+    /// Slip distance of a slipping cell since it last stuck; `None` if it is unknown.
     pub(super) slip: &'a (dyn Fn(usize) -> Option<f64> + Sync),
     /// Largest residual of a fit of the stick zone, as in [`Search`].
     pub(super) largest_miss: f64,

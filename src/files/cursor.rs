@@ -3,7 +3,7 @@
 use crate::error::Result;
 use crate::files::Format;
 
-/// Bytes of a file and the current position in them.
+/// Bytes of a file and the current reading position.
 #[derive(Debug)]
 pub(crate) struct Cursor<'a> {
     format: Format,
@@ -124,7 +124,7 @@ impl NumberFormat {
     }
 }
 
-/// Decodes every `N` bytes as a number; `number` receives them with the least significant byte first.
+/// Decodes every `N` bytes as a number; `number` receives the bytes with the least significant byte first.
 fn map<const N: usize>(
     order: ByteOrder,
     bytes: &[u8],

@@ -1,4 +1,4 @@
-//! Files that receive their names when they are complete, written by one process or by ranks together.
+//! Files that are written by one process or by ranks together and receive their names when they are complete.
 
 use std::fs::{File, OpenOptions};
 use std::io::{ErrorKind, Result as IoResult, Write};
@@ -14,7 +14,7 @@ use crate::parallel::ranks::RankGroup;
 pub(crate) struct PartialFile<'a> {
     target: &'a Path,
     path: PathBuf,
-    /// Process and number.
+    /// Identifier composed of the process and a number.
     id: u64,
 }
 
@@ -75,8 +75,8 @@ impl<'a> PartialFile<'a> {
 
 impl Drop for PartialFile<'_> {
     fn drop(&mut self) {
-        // After the renaming there is no file to remove. The remains of a failed write are useless, so an error here is
-        // ignored.
+        // After the renaming there is no file to remove. After a failed write the file is useless, so an error of the
+        // removal is ignored.
         drop(std::fs::remove_file(&self.path));
     }
 }
@@ -87,7 +87,7 @@ pub(crate) fn replace_bytes(path: &Path, bytes: &[u8]) -> Result<()> {
     replace(path, None, |file| file.write_all(bytes))
 }
 
-/// Like [`replace_bytes`], for a file to which every rank writes its part.
+/// Replaces a file like [`replace_bytes`], with every rank writing its part of the file.
 pub(crate) fn replace(
     path: &Path,
     team: Option<&RankGroup>,

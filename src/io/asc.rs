@@ -1,4 +1,5 @@
-//! ASC, the text export of SPIP and Gwyddion: a matrix in text after a header of `# key = value` or of `# Width: 10 um`.
+//! ASC, the text export of SPIP and Gwyddion: a matrix in text after a header with lines such as `# key = value` (SPIP)
+//! or `# Width: 10 um` (Gwyddion).
 //!
 //! Heights and cell sides are in metres. Rows are ordered towards larger y.
 
@@ -38,14 +39,15 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 
 /// Reads the surface in the bytes of a file (metres).
 ///
-/// The first line is `# File Format = ASCII`. `x-pixels` and `y-pixels` are the numbers of columns and rows, `x-length` and
-/// `y-length` the sides of the whole surface in nanometres. Heights are in the unit given by `z-unit`, or in multiples of
-/// `Bit2nm` nanometres. Numbers are separated as in [`csv`](super::csv::parse); line breaks have no meaning.
+/// The first line is `# File Format = ASCII`. The keys `x-pixels` and `y-pixels` give the numbers of columns and rows.
+/// The keys `x-length` and `y-length` give the sides of the whole surface in nanometres. Heights are in the unit given
+/// by `z-unit`, or in multiples of `Bit2nm` nanometres. Numbers are separated as in [`csv`](super::csv::parse); line
+/// breaks have no meaning.
 ///
-/// Missing points become NaN. If `voidpixels` is not zero, a mask of equal size follows the heights: nonzero for each missing
-/// point, zero for the others. Some programs write the value of missing heights as `voidpixels`. It is interpreted in this way if
-/// no mask follows and if it cannot be a number of points. A comment with the value of missing points, as in
-/// [`csv`](super::csv::parse), is also respected.
+/// Missing points become NaN. If `voidpixels` is not zero, a mask of equal size follows the heights. The mask is
+/// nonzero for each missing point and zero for the other points. Some programs write the value of missing heights as
+/// `voidpixels`. The key is interpreted in this way if no mask follows and if its value cannot be a number of points. A
+/// comment with the value of missing points, as in [`csv`](super::csv::parse), is also respected.
 ///
 /// The function also reads the text export of Gwyddion. Its comments `# Width: 10.0 um` and `# Height: 4.0 um` are the sides of
 /// the whole surface, and `# Value units: nm` is the unit of the heights. The matrix follows as in [`csv`](super::csv::parse).

@@ -83,8 +83,8 @@ impl Options {
         self
     }
 
-    /// Reads the field in a file. [`Sides`] (lengths) are those of a cell, `[dx, dy]`, or those of the whole grid. See
-    /// [`parse`].
+    /// Reads the field in a file. The [`Sides`] (lengths) are the sides of a cell, `[dx, dy]`, or the sides of the
+    /// whole grid. See [`parse`].
     ///
     /// # Errors
     /// - [`Error::File`] if the file cannot be read.
@@ -94,8 +94,8 @@ impl Options {
         parse_file(path.as_ref(), |bytes| self.parse(bytes, sides))
     }
 
-    /// Reads the field in the bytes of a file. [`Sides`] (lengths) are those of a cell, `[dx, dy]`, or those of the
-    /// whole grid. See [`parse`].
+    /// Reads the field in the bytes of a file. The [`Sides`] (lengths) are the sides of a cell, `[dx, dy]`, or the
+    /// sides of the whole grid. See [`parse`].
     ///
     /// # Errors
     /// See [`parse`].
@@ -219,9 +219,9 @@ fn named(
 #[derive(Debug)]
 struct Spelling {
     corner: Corner,
-    /// Whether all cells of the first line are digits, apart from the corner.
+    /// Whether all cells of the first line, apart from the corner, consist of digits only.
     is_line_whole: bool,
-    /// Whether all cells of the first column are digits, apart from the corner.
+    /// Whether all cells of the first column, apart from the corner, consist of digits only.
     is_column_whole: bool,
     /// Number of cells outside the first line and column.
     others: usize,
@@ -335,8 +335,8 @@ pub(super) fn missing_value(comment: &str) -> Option<f64> {
     MISSING.contains(&name.as_str()).then_some(value)
 }
 
-/// Reads the field in a file. [`Sides`] (lengths) are those of a cell, `[dx, dy]`, or those of the whole grid. See
-/// [`parse`].
+/// Reads the field in a file. The [`Sides`] (lengths) are the sides of a cell, `[dx, dy]`, or the sides of the whole
+/// grid. See [`parse`].
 ///
 /// # Errors
 /// - [`Error::File`] if the file cannot be read.
@@ -345,11 +345,11 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
     Options::default().read(path, sides)
 }
 
-/// Reads the field in the bytes of a file. [`Sides`] (lengths) are those of a cell, `[dx, dy]`, or those of the whole
-/// grid.
+/// Reads the field in the bytes of a file. The [`Sides`] (lengths) are the sides of a cell, `[dx, dy]`, or the sides of
+/// the whole grid.
 ///
-/// - Cells are separated by semicolons, tabs, commas or white space: the first of these, in this order, that occurs in
-///   the first line. Commas within numbers in white space (`1,5 2,5`) are decimal commas.
+/// - Cells are separated by semicolons, tabs, commas or white space. The separator of the file is the first of these,
+///   in this order, that occurs in the first line. Commas within numbers in white space (`1,5 2,5`) are decimal commas.
 /// - A decimal comma counts as a point unless commas separate the cells.
 /// - Blank lines and lines that begin with `#` or `%` are skipped. A comment such as `# missing value = -32768` or
 ///   `# NODATA_value: -9999` sets the value of missing points. It consists of `missing value`, `no data`,
@@ -362,12 +362,12 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 /// - Names of columns and rows are rejected; [`Options::skip_rows`] and [`Options::skip_columns`] skip them.
 /// - Numbers that may be labels are also rejected: a first line or column of whole numbers that counts 0, 1, 2 or 1, 2,
 ///   3 while the other numbers do not count or have decimals. After an empty first cell, evenly spaced coordinates on
-///   both axes are also labels. [`Options::without_labels`] reads all of them as heights.
+///   both axes are also labels. With [`Options::without_labels`] all of these numbers are read as heights.
 ///
 /// # Errors
 /// - [`Error::NotPositive`] if a cell side is not positive and finite.
-/// - [`Error::Format`], with the line, if a cell is not a number, if the width of a line differs from the first, or if
-///   the first line or column may be labels.
+/// - [`Error::Format`], with the line, if a cell is not a number, if the width of a line differs from the width of the
+///   first line, or if the first line or column may be labels.
 /// - [`Error::Format`] if the text is in UTF-16, if the file contains no numbers, or if it is a file of
 ///   [`asc`](super::asc).
 ///

@@ -13,26 +13,27 @@
 //! | PVD, a series of VTI files in time | [`pvd`] | | yes | | |
 //! | PVTI, one VTI file per rank of a distributed grid | [`HalfSpace::write_pvti`](crate::HalfSpace::write_pvti) | | yes | yes | the field's |
 //!
-//! `read` takes a path, and `parse` takes the bytes of a file; `write` and `to_bytes` are their inverses.
-//! [`read`](fn@read) of this module identifies the format of a file among the formats with cell sides. On a distributed
-//! grid, all ranks read and write a single NPY file, each its own rows, with
-//! [`HalfSpace::read_npy`](crate::HalfSpace::read_npy) and [`HalfSpace::write_npy`](crate::HalfSpace::write_npy).
+//! The argument of `read` is a path, and the argument of `parse` contains the bytes of a file. The functions `write`
+//! and `to_bytes` are the inverses of `read` and `parse`. [`read`](fn@read) of this module identifies the format of a
+//! file among the formats with cell sides. On a distributed grid, all ranks read and write a single NPY file, each its
+//! own rows, with [`HalfSpace::read_npy`](crate::HalfSpace::read_npy) and
+//! [`HalfSpace::write_npy`](crate::HalfSpace::write_npy).
 //!
 //! # Conventions
 //! - A height is returned as stored in the file: a surface that points up has large values at its peaks. The gap of a
 //!   contact has the opposite sign.
 //! - Samples keep the order of the file. The first sample belongs to cell `(0, 0)`, at the smallest x and y, and the
-//!   next sample to its neighbour along x. Rows are ordered towards larger y, so a file whose rows are counted from the
-//!   top is read mirrored. XYZ files give the position of each point.
+//!   next sample belongs to the neighbour of this cell along x. Rows are ordered towards larger y, so a file whose rows
+//!   are counted from the top is read mirrored. XYZ files give the position of each point.
 //! - A point that was not measured is NaN. Solvers do not accept NaN, so fill such points first.
 //! - A [`Grid`](crate::Grid) is centred on the origin; the origin given in the file is ignored.
-//! - A row of n points at a distance d covers n cells of side d, not n - 1.
+//! - A row of n points at a distance d from each other covers n cells of side d, not n - 1 cells.
 //!
 //! # Damaged files
 //! A truncated, damaged or inconsistent file causes an [`Error::Format`](crate::Error::Format) with the problem and its
 //! [place](Place). Sizes are checked against the number of bytes before memory is allocated. Reading therefore needs
-//! less than fifty times the size of the file. For X3P, which is compressed, it needs less than eight times the largest
-//! permitted size of an expanded entry.
+//! less memory than fifty times the size of the file. For X3P, which is compressed, it needs less memory than eight
+//! times the largest permitted size of an expanded entry.
 
 mod slabs;
 

@@ -28,8 +28,8 @@ const HEADER_LENGTH: u16 = 118;
 /// First byte of the samples in a written file.
 const FIRST_SAMPLE: u64 = 128;
 
-/// Reads the field in a file. [`Sides`] (lengths) are those of a cell, `[dx, dy]`, or those of the whole grid. See
-/// [`parse`].
+/// Reads the field in a file. The [`Sides`] (lengths) are the sides of a cell, `[dx, dy]`, or the sides of the whole
+/// grid. See [`parse`].
 ///
 /// # Errors
 /// - [`Error::File`](crate::Error::File) if the file cannot be read.
@@ -39,8 +39,8 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
     parse_file(path.as_ref(), |bytes| parse(bytes, sides))
 }
 
-/// Reads the field in the bytes of a file. [`Sides`] (lengths) are those of a cell, `[dx, dy]`, or those of the whole
-/// grid.
+/// Reads the field in the bytes of a file. The [`Sides`] (lengths) are the sides of a cell, `[dx, dy]`, or the sides of
+/// the whole grid.
 ///
 /// The function supports versions 1 to 3 of the format, floats of 32 and 64 bits and integers of 8 to 64 bits in either
 /// byte order, and C and Fortran order of the axes. Integers of 64 bits are rounded to the nearest double.
@@ -63,8 +63,8 @@ pub fn parse(bytes: &[u8], sides: impl Into<Sides>) -> Result<Field> {
     Field::from_vec(array.grid(sides)?, samples)
 }
 
-/// Reads the grid of the array in a file without reading the samples. [`Sides`] (lengths) are those of a cell,
-/// `[dx, dy]`, or those of the whole grid.
+/// Reads the grid of the array in a file without reading the samples. The [`Sides`] (lengths) are the sides of a cell,
+/// `[dx, dy]`, or the sides of the whole grid.
 ///
 /// # Errors
 /// See [`read`].
@@ -134,8 +134,8 @@ pub fn write(path: impl AsRef<Path>, field: &Field) -> Result<()> {
     write_bytes(path.as_ref(), &to_bytes(field))
 }
 
-/// Writes a distributed field to a single file in the form of [`to_bytes`]. Either the whole file is written or
-/// nothing.
+/// Writes a distributed field to a single file in the form of [`to_bytes`]. Either the whole file is written or no file
+/// at all.
 pub(crate) fn write_slab(path: &Path, field: &Field, team: Option<&RankGroup>) -> Result<()> {
     let grid = field.grid();
     let is_first = team.is_none_or(|team| team.rank() == 0);
@@ -235,7 +235,7 @@ impl ArrayHeader {
         )
     }
 
-    /// Reads the bytes of a range of rows: row by row in C order, column by column in Fortran order.
+    /// Reads the bytes of a range of rows, row by row in C order and column by column in Fortran order.
     fn rows(&self, file: &mut File, rows: Range<usize>) -> IoResult<Vec<u8>> {
         let ([ny, nx], size) = (self.shape, self.number.size());
         let (run, first, step) = if self.is_fortran {

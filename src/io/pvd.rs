@@ -57,7 +57,8 @@ impl PvdWriter {
         Ok(series)
     }
 
-    /// Writes fields and vectors and adds them to the list with the given time, which may be a number of cycles.
+    /// Writes fields and vectors to the next file and adds this file to the list with the given time, which may be a
+    /// number of cycles.
     ///
     /// # Errors
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if the time is not finite.

@@ -33,15 +33,15 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 
 /// Reads the surface in the bytes of a file (metres).
 ///
-/// The function supports version 1.0, `bISO-1.0` or `aISO-1.0`, without compression or checksum. It also supports the
-/// text form of version 2.0, `aISO-2.0`, and the earlier BCR format, `bBCR-1.0` and `aBCR-1.0`, which have the same
+/// The function supports version 1.0 (`bISO-1.0` or `aISO-1.0`) without compression or checksum. It also supports the
+/// text form of version 2.0 (`aISO-2.0`) and the earlier BCR format (`bBCR-1.0` and `aBCR-1.0`), which have the same
 /// layout. Binary samples are integers of 16 or 32 bits or floats of 32 or 64 bits (data types 5, 6, 3 and 7). Missing
-/// points become NaN. In a binary file they are stored as the smallest number of the type or as NaN, in a text file as
-/// `BAD`. The record after the samples is ignored.
+/// points become NaN. A binary file stores them as the smallest number of the type or as NaN, and a text file stores
+/// them as `BAD`. The record after the samples is ignored.
 ///
 /// # Errors
-/// - [`Error::Format`](crate::Error::Format) if the bytes are not an SDF file, or if there are fewer bytes than its
-///   sizes require.
+/// - [`Error::Format`](crate::Error::Format) if the bytes are not an SDF file, or if there are fewer bytes than the
+///   sizes in the file require.
 ///
 /// ```
 /// use stickslip::io::sdf;

@@ -9,9 +9,9 @@ use crate::io::vti::{self, Array};
 use crate::io::{npy, pvti};
 
 impl HalfSpace {
-    /// Reads the local rows of a field from an NPY file of the shape of the whole grid, `(ny, nx)`. The call is collective; each
-    /// rank reads only its own rows. The supported files are those of [`io::npy::read`](npy::read); [`io::npy::grid`](npy::grid)
-    /// reads the grid of a file.
+    /// Reads the local rows of a field from an NPY file of the shape of the whole grid, `(ny, nx)`. The call is
+    /// collective; each rank reads only its own rows. The function supports the same files as
+    /// [`io::npy::read`](npy::read). To read the grid of a file, use [`io::npy::grid`](npy::grid).
     ///
     /// # Errors
     /// - [`Error::File`](crate::Error::File) if the file cannot be read.
@@ -25,10 +25,10 @@ impl HalfSpace {
     /// Writes a field to a single NPY file of the whole grid. The call is collective; each rank writes only its own rows. The
     /// file is identical to the file of [`io::npy::write`](npy::write) for any number of ranks.
     ///
-    /// The rows are first written to `NAME.PID.NUMBER.part` in the same folder. When every rank has written its rows to the disk,
-    /// this file replaces the target, so that the target is replaced completely or not at all. The temporary file is removed
-    /// after a failure; it remains only if the process is killed. A rank that loses the connection to the others at the very end
-    /// returns an error although the file is complete.
+    /// The rows are first written to `NAME.PID.NUMBER.part` in the same folder. When every rank has written its rows to
+    /// the disk, this temporary file replaces the target. The target is therefore replaced completely or not at all.
+    /// The temporary file is removed after a failure; it remains only if the process is killed. A rank that loses the
+    /// connection to the other ranks at the very end returns an error although the file is complete.
     ///
     /// ```
     /// use std::sync::Arc;
@@ -63,8 +63,9 @@ impl HalfSpace {
     /// Writes named fields and vectors for ParaView. The call is collective: each rank writes the image of its own rows, and the
     /// first rank writes the list of the images, which represents the whole grid.
     ///
-    /// The list has the given path, `run.pvti`. The images are in the same folder, `run_0.vti`, `run_1.vti`, ..., in the form of
-    /// [`io::vti::write`](vti::write). A rank without rows writes no image. Without ranks there is a single image.
+    /// The list has the given path, for example `run.pvti`. The images `run_0.vti`, `run_1.vti` and so on are in the
+    /// same folder, in the form of [`io::vti::write`](vti::write). A rank without rows writes no image. Without ranks
+    /// there is a single image.
     ///
     /// A failure before all images are on the disk leaves existing files unchanged. Once all images are on the disk, an earlier
     /// list is removed, the images are renamed, and finally the new list is written. A list therefore never refers to both old

@@ -3,8 +3,8 @@
 //! Heights and cell sides are returned in metres; the file stores them in single precision and in its own units. Lines
 //! are ordered towards larger y.
 //!
-//! Gwyddion, `SurfaceTopography`, surfalize and `RosettaSciIO` read the same layout; they differ in a constant added to
-//! all heights, which does not affect contact. This module adds the offset in the file.
+//! Gwyddion, `SurfaceTopography`, surfalize and `RosettaSciIO` read the same layout. Their results differ in a constant
+//! added to all heights, which does not affect the contact. This module adds the offset given in the file.
 
 use std::path::Path;
 
@@ -34,8 +34,8 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// mirrored. Units range from the picometre to the metre. Points marked in the file as not measured are NaN.
 ///
 /// # Errors
-/// - [`Error::Format`](crate::Error::Format) if the bytes are not a SUR file, if there are fewer bytes than its sizes
-///   require, or if the file is compressed (`DSCOMPRESSED`). Save such a file uncompressed.
+/// - [`Error::Format`](crate::Error::Format) if the bytes are not a SUR file, if there are fewer bytes than the sizes
+///   in the file require, or if the file is compressed (`DSCOMPRESSED`). Save such a file uncompressed.
 pub fn parse(bytes: &[u8]) -> Result<Field> {
     let mut bytes = Cursor::new(FORMAT, bytes);
     let magic = bytes.take("the magic string", MAGIC.len())?;
@@ -150,8 +150,8 @@ fn metres(bytes: &mut Cursor<'_>) -> Result<f64> {
         b"dm" => Ok(1e-1),
         b"cm" => Ok(1e-2),
         b"mm" => Ok(1e-3),
-        // Spellings of the micrometre: the micro sign in Latin-1 and in UTF-8, the letter mu, an old DOS code page, and
-        // u.
+        // The micrometre is spelled with the micro sign in Latin-1 or in UTF-8, with the letter mu, in an old DOS code
+        // page, or with u.
         b"\xb5m" | b"\xc2\xb5m" | b"\xce\xbcm" | b"\xe6m" | b"um" => Ok(1e-6),
         b"nm" => Ok(1e-9),
         b"pm" => Ok(1e-12),

@@ -78,9 +78,9 @@ pub(super) enum Separator {
 }
 
 impl Separator {
-    /// Determines the separator of a line. It is a semicolon, or else a tab, if the line contains one. Otherwise it is
-    /// a comma, unless every comma could be the decimal comma of one of several numbers (`1,5 2,5`). Otherwise it is
-    /// white space.
+    /// Determines the separator of a line. The separator is a semicolon if the line contains a semicolon, or else a tab
+    /// if the line contains a tab. Otherwise it is a comma, unless every comma could be the decimal comma of one of
+    /// several numbers (`1,5 2,5`). In all other cases it is white space.
     pub(super) fn of(line: &str) -> Self {
         if line.contains(';') {
             Self::Semicolon
@@ -105,8 +105,8 @@ impl Separator {
         cells.filter(move |cell| self != Self::Space || !cell.is_empty())
     }
 
-    /// Parses the number in a cell. It is NaN if the cell is empty or consists of stars, or is `nan` or a word of
-    /// [`MISSING`]. A decimal comma counts as a point unless commas separate the cells.
+    /// Parses the number in a cell. The result is NaN if the cell is empty or consists of stars, or is `nan` or a word
+    /// of [`MISSING`]. A decimal comma counts as a point unless commas separate the cells.
     pub(super) fn number(self, format: Format, line: usize, cell: &str) -> Result<f64> {
         let is_stars = cell.bytes().all(|byte| byte == b'*');
         if is_stars || MISSING.iter().any(|word| word.eq_ignore_ascii_case(cell)) {

@@ -25,7 +25,8 @@ pub(crate) struct VolumeShape {
     pub(crate) planes: usize,
 }
 
-/// Array of a volume: its name and the names of its components. An array without named components is a scalar.
+/// Description of an array of a volume: the name of the array and the names of its components. An array without named
+/// components is a scalar.
 pub(crate) type Array = (&'static str, &'static [&'static str]);
 
 /// Writer of the planes of a volume.
@@ -33,7 +34,7 @@ pub(crate) type Array = (&'static str, &'static [&'static str]);
 pub(crate) struct PlaneValues<'a> {
     file: BufWriter<File>,
     path: &'a Path,
-    /// First byte of each array and its number of values per plane.
+    /// Position of the first byte of each array, and number of values of the array per plane.
     places: Vec<(u64, u64)>,
 }
 

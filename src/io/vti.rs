@@ -17,7 +17,7 @@ const FORMAT: Format = Format("VTI");
 
 /// Array to be written under a name: a field, or a vector of two fields along x and y.
 ///
-/// ParaView can draw vectors as arrows; their third component is zero.
+/// ParaView can draw vectors as arrows. The third component of a vector is zero.
 #[derive(Debug, Clone, Copy)]
 pub enum Array<'a> {
     /// One value per cell.

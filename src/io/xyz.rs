@@ -16,9 +16,9 @@ const FORMAT: Format = Format("XYZ");
 const CELLS_PER_POINT: usize = 10;
 /// Largest permitted distance of a point from its grid position, in spacings.
 const TOLERANCE: f64 = 0.05;
-/// Fraction of the widest step between neighbours below which two coordinates count as equal.
+/// Fraction of the widest step between neighbouring coordinates below which two coordinates count as equal.
 const NOISE: f64 = 1e-3;
-/// Smallest ratio of a step between places to a step between points of the same place.
+/// Smallest ratio of a step between two places to a step between points of the same place.
 const JUMP: f64 = 4.0;
 
 /// Options for reading points.
@@ -96,8 +96,8 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// Grid positions without a point, or with a missing height, are set to NaN. Separators, decimal commas, comments and
 /// words for missing heights are as in [`csv`](super::csv::parse).
 ///
-/// Lines of names before the first point are skipped; [`Options::skip_rows`] skips lines with numbers. Cells after the
-/// third are ignored, but every line must have the same number of cells.
+/// Lines of names before the first point are skipped; lines with numbers are skipped with [`Options::skip_rows`]. Cells
+/// after the third cell of a line are ignored, but every line must have the same number of cells.
 ///
 /// Scattered points are rejected. Every point must be within 5 % of a spacing of its grid position, at least a tenth of
 /// the positions must have a point, and fewer than a thousand successive columns or rows may be empty. If the points of
@@ -105,7 +105,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 ///
 /// # Errors
 /// - [`Error::Format`], with the line, if a line does not have three numbers, or has a different number of cells from
-///   the first.
+///   the first line.
 /// - [`Error::Format`], with the line, if a point is off the grid, or if a place has two points.
 /// - [`Error::Format`] if the text is in UTF-16, if there are fewer than two places, or if there are too few points for
 ///   the grid that they span.
@@ -169,7 +169,7 @@ fn gridded(points: &[SamplePoint]) -> Result<Field> {
     Err(refused.unwrap_or_else(|| FORMAT.on_line(1, "the file contains no points")))
 }
 
-/// Returns the field on the grid of two axes. The error includes whether a point is off the grid.
+/// Returns the field on the grid of two axes. The error states whether a point is off the grid.
 fn on_grid(
     points: &[SamplePoint],
     x: PlaceAxis,
@@ -322,8 +322,8 @@ struct PlaceAxis {
 }
 
 impl PlaceAxis {
-    /// Returns candidate grids through the coordinates of points, the finest first. They differ in the threshold for a
-    /// step to a new place.
+    /// Returns candidate grids through the coordinates of points, the finest first. The candidates differ in the
+    /// threshold for a step to a new place.
     ///
     /// The threshold of the finest grid is [`NOISE`] times the widest step. If points scatter about their places, there
     /// are also short steps; a jump in the sorted steps separates them from the steps between places.
@@ -353,7 +353,7 @@ impl PlaceAxis {
     }
 
     /// Returns the grid through sorted coordinates; some of its places may have no points. A step that is not shorter
-    /// than the threshold leads to a new place. It counts as a multiple of the shortest step.
+    /// than the threshold leads to a new place. Such a step counts as a multiple of the shortest step.
     fn through(sorted: &[f64], threshold: f64) -> Self {
         let (least, greatest) = (sorted[0], sorted[sorted.len() - 1]);
         let steps = || {

@@ -6,10 +6,10 @@ use crate::subsurface::kernel::{FieldComponent, Load};
 
 /// One of the two bodies of a contact.
 ///
-/// Depths are measured from the surface into the body, in both bodies, and are never negative: the depth `d` is the
-/// plane `z = d` of body 1 and `z = -d` of body 2. Components refer to the common axes x, y and z in both bodies, with
-/// z into body 1. Body 1 receives the pressure along +z and the tractions along +x and +y, and body 2 the opposite
-/// tractions. Therefore both bodies have `szz = -p`, `sxz = -qx` and `syz = -qy` on their surfaces.
+/// In both bodies, depths are measured from the surface into the body and are never negative. The depth `d` is the
+/// plane `z = d` in body 1 and the plane `z = -d` in body 2. Components refer to the common axes x, y and z in both
+/// bodies, with z into body 1. Body 1 receives the pressure along +z and the tractions along +x and +y, and body 2 the
+/// opposite tractions. Therefore both bodies have `szz = -p`, `sxz = -qx` and `syz = -qy` on their surfaces.
 ///
 /// ```
 /// use stickslip::subsurface::{Body, Tractions, at_points};

@@ -1,4 +1,4 @@
-//! Distances of a point from the cells along an axis of the surface, and its depth.
+//! Depth of a point, and its distances from the cells along an axis of the surface.
 
 use crate::grid::Grid;
 
@@ -8,7 +8,7 @@ const SURFACE: f64 = 1e-150;
 /// Largest distance of a point from the middle of the grid, in shorter sides of a cell. Its fifth power does not
 /// overflow.
 const REACH: f64 = 1e60;
-/// Error text for points farther away.
+/// Error text for points farther away than [`REACH`].
 pub(super) const TOO_FAR: &str = "must lie within 1e60 cells of the grid";
 
 /// Returns the depth at which the integrals are evaluated.

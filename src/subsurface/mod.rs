@@ -32,18 +32,18 @@
 //! # Units and signs
 //!
 //! Stresses are pressures, positive in tension; displacements are lengths. Depths are measured into the body and are
-//! positive in both bodies. The axes x, y and z are common to both bodies, with z into body 1. Under the load both bodies
-//! have `szz = -p`, `sxz = -qx` and `syz = -qy`. Displacements are displacements of the body itself, not relative to the
-//! other body, and vanish at infinity (for periodic grids see [`Planes`]). Under a pressure `uz` is positive in body 1 and
-//! negative in body 2.
+//! positive in both bodies. The axes x, y and z are common to both bodies, with z into body 1. Under the load both
+//! bodies have `szz = -p`, `sxz = -qx` and `syz = -qy`. Displacements refer to the body itself, not to the motion
+//! relative to the other body. They vanish at infinity; for periodic grids see [`Planes`]. Under a pressure `uz` is
+//! positive in body 1 and negative in body 2.
 //!
 //! # On the surface
 //!
-//! Depth zero is the limit from inside the body. `szz`, `sxz` and `syz` are then the tractions, and on the edge between
-//! cells the mean of the tractions on both sides. `sxx`, `syy` and `sxy` jump or are logarithmically infinite on an edge
-//! between cells of different tractions. There the value is the mean of both sides without the infinite part: the longer
-//! half side of a cell replaces the distance to the edge. Planes are computed at cell centres, where these singularities do
-//! not occur.
+//! The values at depth zero are the limits from inside the body. There `szz`, `sxz` and `syz` follow from the
+//! tractions, and on an edge between cells from the mean of the tractions on both sides. `sxx`, `syy` and `sxy` jump or
+//! are logarithmically infinite on an edge between cells of different tractions. There the value is the mean of both
+//! sides without the infinite part, for which the longer half side of a cell replaces the distance to the edge. Planes
+//! are computed at cell centres, where these singularities do not occur.
 //!
 //! # Sources
 //!

@@ -28,15 +28,15 @@ use crate::support::debug::shown;
 ///
 /// # Memory
 ///
-/// The kernels of a depth are computed at its first solve and kept. They take 112 bytes per cell and depth, or 152 with
-/// displacements (170 during their computation), and a tenth more if the padded length is not twice the number of cells. The
-/// kernels of homogeneous bodies do not depend on the materials and are used for both bodies; clones share them. On a grid that
-/// is periodic along both axes they take a quarter of this memory. [`through`](Self::through) keeps no kernels, so its memory
-/// does not grow with the number of depths. The transforms take 96 bytes per cell. A [`Plane`] takes 48 bytes per cell, or 72
-/// with displacements.
+/// The kernels of a depth are computed at its first solve and kept. They take 112 bytes per cell and depth, or 152
+/// bytes with displacements (170 bytes during the computation). They take a tenth more if the padded length is not
+/// twice the number of cells. On a grid that is periodic along both axes they take a quarter of this memory. The
+/// kernels of homogeneous bodies do not depend on the materials and are used for both bodies. Clones share the kernels.
+/// [`through`](Self::through) keeps no kernels, so its memory does not grow with the number of depths. The transforms
+/// take 96 bytes per cell. A [`Plane`] takes 48 bytes per cell, or 72 bytes with displacements.
 ///
-/// In [coated](crate::layers) bodies the kernels depend on the body. They take 144 bytes per cell and depth, or 216 with
-/// displacements, for each coated body that is computed.
+/// In [coated](crate::layers) bodies the kernels depend on the body. They take 144 bytes per cell and depth, or 216
+/// bytes with displacements, for each coated body that is computed.
 ///
 /// # Cost
 ///
@@ -46,13 +46,13 @@ use crate::support::debug::shown;
 ///
 /// # Boundaries
 ///
-/// - Free surroundings: exact, equal to the sum over cells.
-/// - [`Periodic`](crate::Boundary::Periodic): every wave of traction decays as `exp(-kz)` times a linear function of z, and has
-///   the surface displacements of the operators. The tractions consist of the waves that fit the grid. The mean has `szz = -p`,
-///   `sxz = -qx`, `syz = -qy` at every depth, `sxx = syy = -p nu/(1 - nu)` (no lateral strain), and no displacement.
-///   Displacements have zero mean at every depth.
-/// - [`PeriodicAlongY`](crate::Boundary::PeriodicAlongY): the sum over all images along y. Displacements are relative to the
-///   datum, a point of the surface. One row of cells is in plane strain.
+/// - Free surroundings: the result is exact, equal to the sum over cells.
+/// - [`Periodic`](crate::Boundary::Periodic): every wave of traction decays as `exp(-kz)` times a linear function of z,
+///   and has the surface displacements of the operators. The tractions consist of the waves that fit the grid. The mean
+///   traction causes `szz = -p`, `sxz = -qx`, `syz = -qy` at every depth, `sxx = syy = -p nu/(1 - nu)` (no lateral
+///   strain), and no displacement. Displacements have zero mean at every depth.
+/// - [`PeriodicAlongY`](crate::Boundary::PeriodicAlongY): the result is the sum over all images along y. Displacements
+///   are relative to the datum, a point of the surface. One row of cells is in plane strain.
 ///
 /// # Coated bodies
 ///

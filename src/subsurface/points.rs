@@ -39,8 +39,8 @@ const PORTION: usize = 100_000;
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct PointResult {
-    /// Displacement along x, y and z (lengths) of the body itself, not relative to the other body. It is zero at infinity, or
-    /// relative to the datum if the grid is periodic along y.
+    /// Displacement along x, y and z (lengths) of the body itself, not relative to the other body. The displacement is
+    /// zero at infinity. If the grid is periodic along y, it is measured relative to the datum.
     pub displacement: [f64; 3],
     /// Stress (pressures, tensile positive).
     pub stress: Stress,
@@ -51,10 +51,10 @@ pub struct PointResult {
 /// the largest component at the point, at any position and depth up to 1e60 cells away. A depth of less than 1e-150 of the longer
 /// side of a cell counts as the surface.
 ///
-/// The coordinates x and y are coordinates of the grid, and the depth is measured from the surface into the [`Body`]. Depth zero
-/// is the limit from inside the body. There sxx, syy and sxy are logarithmically infinite or jump between cells of different
-/// tractions. On a common edge the mean of their finite parts on both sides is returned ([the page of the
-/// module](crate::subsurface#on-the-surface)).
+/// The coordinates x and y are coordinates of the grid, and the depth is measured from the surface into the [`Body`].
+/// The values at depth zero are the limits from inside the body. There sxx, syy and sxy are logarithmically infinite or
+/// jump between cells of different tractions. On a common edge the function returns the mean of their finite parts on
+/// both sides (see [the page of the module](crate::subsurface#on-the-surface)).
 ///
 /// If the grid is periodic along y, the sum includes all images of the cells, and displacements are relative to the datum.
 ///

@@ -40,10 +40,10 @@ enum SpectrumValues {
     Layered([Vec<f64>; StressEntry::COUNT], f64),
 }
 
-/// Memory of the integrals during their computation, per sampled distance: all integrals, and the rows and the spectrum
-/// of one integral.
+/// Memory of the integrals during their computation, in bytes per sampled distance: all integrals, and the rows and the
+/// spectrum of one integral.
 const BYTES: usize = (PotentialIntegral::COUNT + 2) * size_of::<f64>();
-/// Memory of the components of a coated body during their computation, per sampled distance.
+/// Memory of the components of a coated body during their computation, in bytes per sampled distance.
 const LAYERED_BYTES: usize = (StressEntry::COUNT + 2) * size_of::<f64>();
 
 impl Spectra {
@@ -146,7 +146,7 @@ impl Spectra {
     }
 }
 
-/// Transforms the samples of all kernels that are kept. On a periodic grid the values are transforms already.
+/// Transforms the samples of all kernels that are kept. On a periodic grid the values are already transforms.
 fn transform<const N: usize>(
     values: &mut [Vec<f64>; N],
     boundary: Boundary,
@@ -269,7 +269,7 @@ fn symbols([x, y]: [f64; 2], z: f64) -> [f64; PotentialIntegral::COUNT] {
     PotentialIntegral::ALL.map(|integral| decay * of(integral))
 }
 
-/// Kernels of three components under each traction; for a homogeneous body they are sums of the integrals.
+/// Kernels of three components under each traction. For a homogeneous body the kernels are sums of the integrals.
 #[derive(Debug)]
 pub(super) struct ComposedSpectra<'a> {
     spectra: &'a Spectra,

@@ -94,7 +94,7 @@ impl Stress {
     }
 
     /// Returns the mean of the three normal stresses, `(xx + yy + zz)/3` (a pressure): positive in tension, negative
-    /// under compression. Its negative is the hydrostatic pressure.
+    /// under compression. The negative of the mean is the hydrostatic pressure.
     #[must_use]
     pub fn hydrostatic(&self) -> f64 {
         (self.xx + self.yy + self.zz) / 3.0
@@ -108,8 +108,8 @@ impl Stress {
         0.5 * (largest - smallest)
     }
 
-    /// Returns the principal stresses and their directions. The errors are of the order of round-off; the errors of the
-    /// values are relative to the largest stress.
+    /// Returns the principal stresses and their directions. The errors are of the order of round-off, in the values
+    /// relative to the largest stress.
     #[must_use]
     pub fn principal(&self) -> Principal {
         let Self {

@@ -7,7 +7,7 @@ use crate::grid::boundary::Boundary;
 use crate::influence::periodic_images::{FAR, pieces};
 use crate::subsurface::kernel::{LoadedRectangle, PotentialIntegral};
 
-/// Rows of cells that are periodic along y. The cells near the point are summed individually, the others as a
+/// Rows of cells that are periodic along y. The cells near the point are summed individually, and the other cells as a
 /// uniform strip (see [`periodic_images`](crate::influence::periodic_images)).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Strips {
@@ -16,7 +16,7 @@ pub(super) struct Strips {
     b: f64,
     period: f64,
     datum: f64,
-    /// Length that replaces a zero distance inside a logarithm, as in the pieces that correct the strip.
+    /// Length that replaces a zero distance inside a logarithm. The pieces that correct the strip use the same length.
     edge: f64,
 }
 

@@ -24,8 +24,8 @@ use crate::tangential::TangentialSolution;
 /// [`State`].
 ///
 /// On bodies with [`CellValue::Centre`] the fields contain values at the cell centres. The sum uses uniform cells that
-/// carry $`p - \Delta_h p/24`$. Both cause the same displacements of the surface if the outermost cells of a free grid
-/// carry no traction.
+/// carry $`p - \Delta_h p/24`$. The values at the centres and the uniform cells cause the same displacements of the
+/// surface if the outermost cells of a free grid carry no traction.
 ///
 /// The sign convention is that of the whole crate: a positive pressure is compression, and the tractions act on body 1
 /// along x and y.
@@ -74,9 +74,9 @@ impl<'a> Tractions<'a> {
         }
     }
 
-    /// Sets a uniform stress (pressures, tensile positive), such as a bulk stress. It is added everywhere, including the
-    /// surface, to the stress that the tractions cause in the computed body. It replaces a previous uniform stress.
-    /// Displacements are unaffected.
+    /// Sets a uniform stress (pressures, tensile positive), such as a bulk stress. The uniform stress is added
+    /// everywhere, including the surface, to the stress that the tractions cause in the computed body. It replaces a
+    /// uniform stress set earlier. Displacements are unaffected.
     ///
     /// ```
     /// use stickslip::subsurface::{Body, Planes, Stress, Tractions};
@@ -105,7 +105,7 @@ impl<'a> Tractions<'a> {
         }
     }
 
-    /// Returns the properties that must be equal on all ranks.
+    /// Returns the properties of the tractions that must be equal on all ranks.
     pub(super) fn shown(&self) -> impl Debug {
         (self.traction.is_some(), self.uniform)
     }

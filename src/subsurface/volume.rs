@@ -17,7 +17,7 @@ const STRESS: Array = ("stress", &["XX", "YY", "ZZ", "XY", "YZ", "XZ"]);
 const VON_MISES: Array = ("von_mises", &[]);
 const DISPLACEMENT: Array = ("displacement", &["X", "Y", "Z"]);
 
-/// Relative difference below which steps count as equal.
+/// Relative difference below which the steps between depths count as equal.
 const EQUAL: f64 = 1e-9;
 
 impl Planes {
@@ -26,9 +26,9 @@ impl Planes {
     /// `displacement` if it was [requested](Self::with_displacements). All values are written as doubles, without loss of
     /// precision. The z axis is common to both bodies: body 2 is at `z <= 0`.
     ///
-    /// The values are point data at the cell centres, where they are computed. The origin of the image is the first cell centre;
-    /// in a [flat image](crate::io::vti) of the surface, cells surround these points. Depths are computed and written
-    /// sequentially, so the memory does not grow with their number.
+    /// The values are point data at the cell centres, where they are computed. The origin of the image is the first
+    /// cell centre. In a [flat image](crate::io::vti) of the surface these points are the centres of the cells. Depths
+    /// are computed and written sequentially, so the memory does not grow with the number of depths.
     ///
     /// ```
     /// use stickslip::subsurface::{Body, Planes, Tractions};

@@ -27,8 +27,8 @@ pub(crate) fn of_bytes(bytes: &[u8]) -> u64 {
     Digest::START.with(bytes).0
 }
 
-/// Returns the checksum of the `Debug` output of a value, which contains every bit of its numbers except those of NaN.
-/// Parts that the `Debug` output of a type omits are not compared.
+/// Returns the checksum of the `Debug` output of a value, which contains every bit of its numbers except the bits of
+/// NaN. Parts that the `Debug` output of a type omits are not compared.
 pub(crate) fn of_shown(value: &dyn Debug) -> u64 {
     let mut digest = Digest::START;
     // `Digest::write_str` returns no error, and derived `Debug` adds none.
@@ -42,7 +42,7 @@ mod tests {
 
     #[test]
     fn every_bit_of_a_number_is_in_it() {
-        // Test vector of RFC 9923.
+        // The expected value is a test vector of RFC 9923.
         assert_eq!(of_bytes(b"foobar"), 0x8594_4171_f739_67e8);
         let numbers = [
             0.0,

@@ -1,6 +1,6 @@
-//! `Debug` output of types with a number in every cell, by a few global numbers.
+//! `Debug` output, limited to a few global numbers, for types with a number in every cell.
 
-/// Implements `Debug` by selected fields and methods of a type. The numbers of all cells would make the output
+/// Implements `Debug` with selected fields and methods of a type. The numbers of all cells would make the output
 /// unreadable.
 macro_rules! shown {
     ($type:ident $(<const $n:ident: usize>)?: $($part:ident $(($($none:tt)?))?),+ $(,)?) => {

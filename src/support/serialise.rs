@@ -1,5 +1,5 @@
-//! Serialisation in addition to the derived code: checks of deserialised values, and numbers that may be infinite or
-//! NaN.
+//! Serialisation code that is not derived: checks of deserialised values, and serialisation of numbers that may be
+//! infinite or NaN.
 //!
 //! JSON supports finite numbers only. In human-readable formats NaN and the infinities are therefore written as the
 //! strings `NaN`, `Infinity` and `-Infinity`; in all other formats every number is written as a number.

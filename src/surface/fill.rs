@@ -54,13 +54,14 @@ impl Filled {
 /// \frac{z_{i+1,j} - 2 z_{ij} + z_{i-1,j}}{\Delta x^2} + \frac{z_{i,j+1} - 2 z_{ij} + z_{i,j-1}}{\Delta y^2} = 0 ,
 /// ```
 ///
-/// They therefore lie between the lowest and the highest height of the rim, and a plane continues through a hole. At
-/// the edge of the grid the slope normal to the edge is zero, so level a tilted surface before filling holes there.
+/// The filled heights therefore lie between the lowest and the highest height of the rim, and a hole in a plane is
+/// filled with the same plane. At the edge of the grid the slope normal to the edge is zero. A tilted surface should
+/// therefore be levelled before holes at the edge are filled.
 ///
 /// The solver is the conjugate gradient method with a modified incomplete factorisation (Gustafsson 1978). The initial
-/// guess is the mean height; the iteration ends when the error, in the norm of the mean-square slope, has fallen to
-/// 1e-15 of its initial value. Planes are then continued through holes of up to 1000 cells across with an error of
-/// 1e-14 of their range. If the sides of the cells differ, the square of their ratio multiplies the round-off.
+/// guess is the mean height. The iteration ends when the error, in the norm of the mean-square slope, has fallen to
+/// 1e-15 of its initial value. Holes of up to 1000 cells across in a plane are then filled with an error of 1e-14 of
+/// the range of the plane. If the sides of the cells differ, the square of their ratio multiplies the round-off.
 ///
 /// # Errors
 /// - [`Error::Sample`] with the first infinite height.

@@ -12,7 +12,7 @@ use crate::grid::Grid;
 use crate::grid::field::Field;
 use crate::parallel;
 
-/// Bytes per cell of the torus: a field, its waves and their transform, and the weights of the points.
+/// Memory in bytes per cell of the torus, for a field, its waves, their transform, and the weights of the points.
 const BYTES: usize = 32;
 
 /// Distance in nesting indices beyond which the weight of the Gaussian is below round-off.
@@ -20,9 +20,10 @@ const REACH: f64 = 1.7;
 
 /// Gaussian filter of heights: areal filters after ISO 16610-61, profile filters after ISO 16610-21.
 ///
-/// An *S filter* removes the waves that are short compared with its nesting index $`\lambda_s`$, such as the noise of the
-/// instrument. An *L filter* removes the waves that are long compared with its index $`\lambda_c`$, the waviness. Both together
-/// leave the S-L surface. Nesting indices are cut-off wavelengths (lengths, in the unit of the cell sides). The weighted mean
+/// An *S filter* removes the waves that are short compared with its nesting index $`\lambda_s`$, such as the noise of
+/// the instrument. An *L filter* removes the waves that are long compared with its index $`\lambda_c`$, the waviness.
+/// Both filters together leave the S-L surface. Nesting indices are cut-off wavelengths (lengths, in the unit of the
+/// cell sides). The weighted mean
 ///
 /// ```math
 /// \bar z(x, y) = \int s(\xi)\, s(\eta)\, z(x - \xi, y - \eta)\, \mathrm d\xi\, \mathrm d\eta , \qquad
@@ -31,10 +32,10 @@ const REACH: f64 = 1.7;
 /// ```
 ///
 /// transmits the fraction $`2^{-(\lambda_c/\lambda)^2}`$ of a wave of length $`\lambda`$, that is, half of it at
-/// $`\lambda = \lambda_c`$. An S filter returns $`\bar z`$, an L filter $`z - \bar z`$. The discrete weights have exactly this
-/// transmission for every wave of the grid. For an index of eight cells or more they equal samples of $`s`$ to 3e-6 of the
-/// largest weight. For an index of two cells they alternate in sign far from the middle, because such wide cells do not resolve a
-/// Gaussian.
+/// $`\lambda = \lambda_c`$. An S filter returns $`\bar z`$, an L filter $`z - \bar z`$. The discrete weights have
+/// exactly this transmission for every wave of the grid. For an index of eight cells or more the weights equal samples
+/// of $`s`$ to 3e-6 of the largest weight. For an index of two cells the weights alternate in sign far from the middle,
+/// because such wide cells do not resolve a Gaussian.
 ///
 /// | option | default |
 /// |---|---|
@@ -46,9 +47,10 @@ const REACH: f64 = 1.7;
 /// the sum of their weights (zero-order regression). A constant is then exact up to the edge, but a tilt or a curvature is not,
 /// so [`level`](super::level()) the surface first.
 ///
-/// For a line, 0.4 % of the weight lies beyond half a nesting index on either side, and 5e-8 beyond a whole index. Heights closer
-/// to an edge or a hole than half an index (of the L filter if both are set) are affected. [`valid_range`](Self::valid_range)
-/// returns the remaining columns and rows, for use with [`crop`](super::crop()).
+/// For a line, 0.4 % of the weight lies beyond half a nesting index on either side, and 5e-8 of it lies beyond a whole
+/// index. Heights closer to an edge or a hole than half a nesting index (the index of the L filter if both filters are
+/// set) are affected. [`valid_range`](Self::valid_range) returns the remaining columns and rows, for use with
+/// [`crop`](super::crop()).
 ///
 /// Missing heights (NaN) have no weight and stay missing, so filter before [`fill_missing`](super::fill_missing).
 ///
@@ -107,8 +109,8 @@ impl Filtered {
         self.short_waves.as_ref()
     }
 
-    /// Returns the long waves that the L filter has removed (lengths): the waviness, without the short waves if there is also an
-    /// S filter. `None` without an L filter.
+    /// Returns the long waves that the L filter has removed (lengths): the waviness, without the short waves if there
+    /// is also an S filter. Returns `None` without an L filter.
     #[must_use]
     pub fn long_waves(&self) -> Option<&Field> {
         self.long_waves.as_ref()
@@ -171,8 +173,8 @@ impl GaussianFilter {
         self
     }
 
-    /// Returns the columns and rows farther than half a nesting index from every edge, which no edge affects. The ranges can be
-    /// passed to [`crop`](super::crop()).
+    /// Returns the columns and rows farther than half a nesting index from every edge, where no edge affects the
+    /// result. The ranges can be passed to [`crop`](super::crop()).
     ///
     /// If both filters are set, the index of the L filter is used. A range is empty if the surface is shorter than the
     /// index.

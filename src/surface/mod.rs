@@ -1,7 +1,7 @@
 //! Initial gaps and surfaces of the bodies before they deform.
 //!
-//! A gap is the distance `h(x, y)` (a length) between the two undeformed surfaces when they first touch. Its datum is arbitrary,
-//! because it only shifts the approach.
+//! A gap is the distance `h(x, y)` (a length) between the two undeformed surfaces when they first touch. The datum of
+//! the gap is arbitrary, because it only shifts the approach.
 //!
 //! # Shapes and generated surfaces
 //! Shapes such as [`sphere`] are gaps. [`SelfAffine`] generates heights of a rough surface, which [`gap_from_heights`] turns into

@@ -25,13 +25,12 @@ use crate::support::serialise::checked;
 /// ```
 ///
 /// where the average is over the $`n`$ waves of a ring $`(k - \tfrac12)\Delta q \le |q| < (k + \tfrac12)\Delta q`$ and
-/// $`\Delta q`$ is $`2\pi`$ divided by the longer side of the grid. In the limit,
-/// $`\int C\,\mathrm{d}^2q = 2\pi \int C\, q\,\mathrm{d}q = S_q^2`$. Under the convention
-/// $`S_q^2 = \frac{1}{2\pi}\int C\,q\,\mathrm{d}q`$, as in Jacobs, Junge and Pastewka (2017), the values are $`4\pi^2`$
-/// times those given here.
+/// $`\Delta q`$ is $`2\pi`$ divided by the longer side of the grid. In the limit, $`\int C\,\mathrm{d}^2q = 2\pi \int
+/// C\, q\,\mathrm{d}q = S_q^2`$. Under the convention $`S_q^2 = \frac{1}{2\pi}\int C\,q\,\mathrm{d}q`$, as in Jacobs,
+/// Junge and Pastewka (2017), the values are $`4\pi^2`$ times the values of this type.
 ///
 /// # Spectral moments
-/// The moments are the moments of a profile, averaged over all its directions $`\theta`$:
+/// The spectral moments are the moments of a profile, averaged over all directions $`\theta`$ of the profile:
 ///
 /// ```math
 /// m_n = \langle \cos^n\theta \rangle \sum |a_q|^2\, |q|^n, \qquad
@@ -39,9 +38,9 @@ use crate::support::serialise::checked;
 /// m_4 = \tfrac38 \langle (\nabla^2 z)^2 \rangle .
 /// ```
 ///
-/// On an isotropic surface they are the moments of any profile, as in Longuet-Higgins (1957) and Nayak (1971). The sums
-/// include all waves of the grid without tapering; waves of two cells per period contribute their full mean square.
-/// Heights that are not periodic have a step at the edge of the grid, which increases $`m_2`$ and $`m_4`$.
+/// On an isotropic surface the averages are the moments of any profile, as in Longuet-Higgins (1957) and Nayak (1971).
+/// The sums include all waves of the grid without tapering; waves of two cells per period contribute their full mean
+/// square. If the heights are not periodic, the step at the edge of the grid increases $`m_2`$ and $`m_4`$.
 ///
 /// # References
 /// - T. D. B. Jacobs, T. Junge, L. Pastewka, *Surf. Topogr.: Metrol. Prop.* 5 (2017) 013001,
@@ -212,7 +211,7 @@ fn rings(waves: &Waves, slab: &Slab) -> Vec<Ring> {
     let ring = |mode: Mode| (mode.wave_number() / width).round() as usize;
     // Rounding can move a wave by at most one ring.
     let count = ring(waves.shortest()).saturating_add(2);
-    // If the cells are much longer than wide, most rings are empty; only the rings that contain a wave are then
+    // If the cells are much longer than wide, most rings are empty. Only the rings that contain a wave are then
     // numbered.
     let held = (count > slab.whole().cells() + 2).then(|| {
         let mut held: Vec<usize> = Mode::all(slab.whole()).map(ring).collect();

@@ -14,13 +14,14 @@ const SLACK: f64 = 1e-9;
 
 /// Interpolates a surface at the cell centres of a different grid.
 ///
-/// The interpolation is bicubic: along each axis it uses the cubic through the four nearest samples, or through fewer
-/// if the axis has fewer. It is exact for polynomials of degree three in x and in y; for a smooth surface the error
-/// falls with the fourth power of the cell sides of the source, `heights`. Interpolated heights can lie slightly above
-/// or below the two neighbouring samples. Both grids are centred on the origin.
+/// The interpolation is bicubic: along each axis it uses the cubic through the four nearest samples, or a polynomial
+/// through all samples if the axis has fewer than four. The interpolation is exact for polynomials of degree three in x
+/// and in y. For a smooth surface the error falls with the fourth power of the cell sides of the source, `heights`.
+/// Interpolated heights can lie slightly above or below the two neighbouring samples. Both grids are centred on the
+/// origin.
 ///
-/// On a coarser grid the function evaluates heights at points and does not average them. Waves shorter than two of its
-/// cells are therefore aliased to longer waves.
+/// On a coarser grid the function evaluates heights at points and does not average them. Waves shorter than two cells
+/// of this grid are therefore aliased to longer waves.
 ///
 /// # Errors
 /// - [`Error::Sample`] with the first height that is missing or infinite, or that overflows.

@@ -9,8 +9,8 @@ use crate::grid::field::Field;
 /// Returns the gap `h = (x^2 + y^2) / (2 R)` of a sphere that touches a plane at the origin; for two spheres
 /// `1/R = 1/R_1 + 1/R_2`.
 ///
-/// This is the osculating paraboloid, the gap of Hertz's theory, because half-space theory is of first order in the slopes.
-/// `radius` and `h` are lengths.
+/// The gap is that of the osculating paraboloid, as in Hertz's theory, because half-space theory is of first order in
+/// the slopes. `radius` and `h` are lengths.
 ///
 /// # Errors
 /// - [`Error::NotPositive`] if the radius is not positive and finite.
@@ -107,8 +107,8 @@ pub fn cone(grid: Grid, slope: f64) -> Result<Field> {
     sampled(grid, |x, y| slope * x.hypot(y))
 }
 
-/// Returns the gap of a flat-ended cylindrical punch centred on the origin. It is zero in the cells whose centre is within
-/// `radius` of the origin and `recess` in the other cells (lengths).
+/// Returns the gap of a flat-ended cylindrical punch centred on the origin. The gap is zero in the cells whose centre
+/// is within `radius` of the origin and `recess` in the other cells (lengths).
 ///
 /// The recess must exceed the displacements, so that the body around the punch does not come into contact.
 ///
@@ -165,8 +165,8 @@ fn sampled(grid: Grid, height: impl FnMut(f64, f64) -> f64) -> Result<Field> {
     Ok(heights)
 }
 
-/// Adds fields cell by cell. For example, a rough ball is a ball plus roughness, and the gap between two bodies is the sum of
-/// both shapes.
+/// Adds fields cell by cell. For example, the gap of a rough ball is the sum of the gap of a ball and the roughness,
+/// and the gap between two bodies is the sum of the gaps of both shapes.
 ///
 /// # Errors
 /// - [`Error::Length`] if there is no field.

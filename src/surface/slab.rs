@@ -20,7 +20,7 @@ pub(crate) struct Slab {
 }
 
 impl Slab {
-    /// Creates the local slab of a grid; `share` is the distribution of its rows, if they are distributed.
+    /// Creates the local slab of a grid; `share` is the distribution of the rows, if they are distributed.
     pub(crate) fn new(whole: Grid, share: Option<Arc<RowPartition>>) -> Self {
         let (first_row, layout) = match &share {
             Some(share) => (share.local_rows().start, Layout::shared(Arc::clone(share))),

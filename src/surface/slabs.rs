@@ -5,8 +5,9 @@ use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::surface::{Form, Levelled, PowerSpectrum, Slab, Statistics, level_slab};
 
-/// These calls are collective: each rank passes its slab, and all ranks receive the same result, bitwise identical to the result
-/// of a single process. Without ranks they are equivalent to [`Statistics::of`], [`PowerSpectrum::of`] and
+/// Statistics, spectrum and levelling of a surface on the grid of the bodies. The calls are collective: each rank
+/// passes its slab, and all ranks receive the same result, bitwise identical to the result of a single process. Without
+/// ranks the methods are equivalent to [`Statistics::of`], [`PowerSpectrum::of`] and
 /// [`surface::level`](crate::surface::level()).
 impl HalfSpace {
     /// Computes the statistics of a surface on the whole grid. See [`Statistics::of`].

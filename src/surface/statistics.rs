@@ -26,10 +26,10 @@ use crate::parallel::reduce;
 /// The kurtosis is not the excess kurtosis: its value is 3 for a Gaussian surface.
 ///
 /// # Slopes
-/// On a grid the slope depends on the method of differentiation, more strongly for shorter waves, so each method has
-/// its own name. A wave of wave number $`q`$ along x has the finite-difference slope
-/// $`\sin(q\,\Delta x/2)/(q\,\Delta x/2)`$ times the spectral slope: 0.97 times at eight cells per period, $`2/\pi`$
-/// times at two.
+/// On a grid the slope depends on the method of differentiation, more strongly for shorter waves. The slope of each
+/// method is therefore returned by a function of a different name. A wave of wave number $`q`$ along x has the
+/// finite-difference slope $`\sin(q\,\Delta x/2)/(q\,\Delta x/2)`$ times the spectral slope. The factor is 0.97 at
+/// eight cells per period and $`2/\pi`$ at two cells per period.
 ///
 /// ```
 /// use std::f64::consts::TAU;
@@ -142,16 +142,16 @@ impl Statistics {
         self.rms_height
     }
 
-    /// Returns the skewness Ssk $`= \langle z^3 \rangle/S_q^3`$: negative if the valleys are deeper than the peaks are
-    /// high. NaN for a flat surface.
+    /// Returns the skewness Ssk $`= \langle z^3 \rangle/S_q^3`$. It is negative if the valleys are deeper than the
+    /// peaks are high, and NaN for a flat surface.
     #[doc(alias = "Ssk")]
     #[must_use]
     pub fn skewness(&self) -> f64 {
         self.skewness
     }
 
-    /// Returns the kurtosis Sku $`= \langle z^4 \rangle/S_q^4`$, at least $`S_{sk}^2 + 1`$; 3 for a Gaussian surface.
-    /// NaN for a flat surface.
+    /// Returns the kurtosis Sku $`= \langle z^4 \rangle/S_q^4`$, at least $`S_{sk}^2 + 1`$. It is 3 for a Gaussian
+    /// surface and NaN for a flat surface.
     #[doc(alias = "Sku")]
     #[must_use]
     pub fn kurtosis(&self) -> f64 {
@@ -170,7 +170,7 @@ impl Statistics {
         self.deepest_valley
     }
 
-    /// Returns the height from the deepest valley to the highest peak Sz (a length).
+    /// Returns the height Sz from the deepest valley to the highest peak (a length).
     #[doc(alias = "Sz")]
     #[must_use]
     pub fn height_range(&self) -> f64 {
@@ -198,8 +198,8 @@ impl Statistics {
     /// $`\langle |\nabla z|^2 \rangle = \sum |q|^2 |a_q|^2 = 2 m_2`$.
     ///
     /// A wave of two cells per period contributes the full mean square of its samples, although the samples do not
-    /// determine its phase, and hence its slope. Heights that are not periodic have a step at the edge of the grid,
-    /// which is included. See [`PowerSpectrum`](super::PowerSpectrum).
+    /// determine its phase, and hence its slope. If the heights are not periodic, the step at the edge of the grid is
+    /// included. See [`PowerSpectrum`](super::PowerSpectrum).
     #[doc(alias = "rms slope")]
     #[must_use]
     pub fn spectral_rms_slope(&self) -> f64 {
@@ -207,7 +207,7 @@ impl Statistics {
     }
 
     /// Returns the root-mean-square slopes of the profiles along x and of the profiles along y, the two terms of
-    /// [`finite_difference_rms_slope`](Self::finite_difference_rms_slope): the paper's equation 34.
+    /// [`finite_difference_rms_slope`](Self::finite_difference_rms_slope). See equation 34 of the paper.
     ///
     /// On an isotropic surface each is $`1/\sqrt2`$ times the slope of the surface.
     #[must_use]
@@ -218,8 +218,8 @@ impl Statistics {
     /// Returns the developed interfacial area ratio Sdr, the excess of the area of the surface over its projection,
     /// relative to the projection (a fraction, not a percentage).
     ///
-    /// Every four neighbouring heights span two triangles, separated by either of the diagonals; the result is the mean
-    /// over both diagonals. For small slopes the ratio is half the square of the slope.
+    /// Every four neighbouring heights span two triangles, which are separated by one of the two diagonals. The result
+    /// is the mean over both diagonals. For small slopes the ratio is half the square of the slope.
     #[must_use]
     pub fn developed_area_ratio(&self) -> f64 {
         self.developed_area_ratio

@@ -23,7 +23,7 @@ use crate::parallel::reduce::{self, Reduction};
 /// z(x_m, y_n) = \sum_{i, j} a_{ij}\, e^{2 \pi \mathrm{i} (i m / n_x + j n / n_y)} ,
 /// ```
 ///
-/// Only amplitudes with `i >= 0` are stored; the others are their conjugates.
+/// Only amplitudes with `i >= 0` are stored; the other amplitudes are their conjugates.
 #[derive(Debug, Clone)]
 pub(super) struct Waves {
     grid: Grid,
@@ -118,7 +118,7 @@ impl Waves {
     }
 
     /// Returns the sum of the waves as a field. In a column that is its own mirror image the amplitudes of opposite
-    /// rows should be conjugates; only their Hermitian part contributes.
+    /// rows should be conjugates. Only the Hermitian part of the amplitudes contributes.
     pub(super) fn into_field(self) -> Field {
         let (grid, ny) = (self.grid, self.grid.ny());
         let amplitudes = self.summed_along_y();

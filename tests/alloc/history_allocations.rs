@@ -32,7 +32,7 @@ fn assert_no_allocations(gap: &Field, load: f64, lateral: TangentialModel) {
         stiffness: 0.2 * load,
     };
     let dragged = LoadStep::hold().tangential(Axis::X, spring);
-    // Loads that only one of the models supports.
+    // The last load is supported by only one of the models.
     let last = match lateral {
         TangentialModel::Scalar => dragged,
         _ => dragged
@@ -74,7 +74,8 @@ fn assert_no_allocations(gap: &Field, load: f64, lateral: TangentialModel) {
         worn.as_mut_slice().copy_from_slice(gap.as_slice());
         history.set_gap(&worn).unwrap();
     };
-    // All buffers have their final size after three cycles; in the vector model one of them grows in the third.
+    // All buffers have their final size after three cycles. In the vector model one of the buffers still grows in the
+    // third cycle.
     for _ in 0..3 {
         cycle();
     }
@@ -152,8 +153,8 @@ fn assert_coupling_allocates_nothing(coupling: Coupling) {
     assert_eq!(allocations(&mut cycle), 0);
 }
 
-/// The first cycle finds the largest window; the next one grows and shrinks within it. A batch of contacts is covered
-/// as well.
+/// The first cycle finds the largest window, and the contact of the next cycle grows and shrinks within this window. A
+/// batch of contacts is covered as well.
 #[test]
 fn contact_growing_within_cycle_allocates_nothing() {
     let grid = Grid::square(64, 100.0).unwrap();
@@ -175,7 +176,7 @@ fn contact_growing_within_cycle_allocates_nothing() {
     assert_eq!(allocations(&mut cycle), 0);
 }
 
-/// The contact alternates between two sizes, one of which is at least twice the other, and the buffers of both are
+/// The contact alternates between two sizes, one of which is at least twice the other. The buffers of both sizes are
 /// kept.
 #[test]
 fn contact_shrinking_and_growing_allocates_nothing() {

@@ -51,7 +51,8 @@ fn measured(bodies: &HalfSpace, lateral: TangentialModel, contact_radius: f64) -
 fn history_uses_documented_bytes_per_cell() {
     let grid = Grid::square(512, 512.0).unwrap();
     let bodies = unit_bodies(grid, 0.3);
-    // Bytes per cell of the grid and per cell of the contact: the first history, a second one, a state.
+    // The numbers are bytes per cell of the grid and per cell of the contact, for the first history, a second history
+    // and a state.
     let models = [
         (
             TangentialModel::Vector,

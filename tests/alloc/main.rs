@@ -1,4 +1,4 @@
-//! Tests of memory use, in a separate program whose allocator counts.
+//! Tests of memory use, in a separate program whose allocator counts the allocations.
 
 #![allow(
     clippy::unwrap_used,

@@ -8,8 +8,8 @@ use stickslip::influence::Component;
 use stickslip::ranks::Threads;
 use stickslip::{Boundary, Field, Grid, HalfSpace, Operator};
 
-/// Returns the largest number of bytes that a rank stores after products in both precisions: bodies, operator, buffers
-/// and fields.
+/// Returns the largest number of bytes that a rank stores after products in both precisions, for bodies, operator,
+/// buffers and fields.
 fn max_bytes(size: usize, grid: Grid, boundary: Boundary) -> f64 {
     let hold = |rank: Threads| {
         let mut kept = None;

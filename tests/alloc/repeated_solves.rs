@@ -72,7 +72,7 @@ fn assert_no_allocations(gap: &Field, load: f64, lateral: TangentialModel) {
     assert_eq!(allocations(&mut cycle), 0);
 }
 
-/// A contact that outgrows its window gets a larger one, and then fits into it.
+/// A contact that outgrows its window receives a larger window, into which it then fits.
 #[test]
 fn solve_after_contact_growth_allocates_nothing() {
     let grid = Grid::square(64, 100.0).unwrap();

@@ -1,4 +1,5 @@
-//! A state is stored and restored in existing buffers, and bytes that claim many cells allocate no memory for them.
+//! A state is stored and restored in existing buffers, and bytes that claim to contain many cells cause no allocation
+//! for these cells.
 
 use kit::unit_bodies;
 use stickslip::history::State;

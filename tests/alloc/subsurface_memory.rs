@@ -52,7 +52,8 @@ fn reused_plane_is_solved_without_allocation() {
     }
 }
 
-/// The kernels of a depth use 112 bytes per cell, and 170 during their computation. The kernels of a slab use no more.
+/// The kernels of a depth use 112 bytes per cell, and 170 bytes during their computation. The kernels of a slab use no
+/// more.
 #[test]
 fn slab_memory_is_independent_of_number_of_depths() {
     let (bodies, pressure) = bodies(kit::thorough(128, 256), Boundary::NonPeriodic);

@@ -1,5 +1,6 @@
-//! Displacement of one body relative to the other outside the contact. Bulk strain shifts the stick zone and, if it is
-//! large, reverses slip; its work is part of the energy balance.
+//! Tests of a displacement of one body relative to the other that the contact does not cause, such as bulk strain. Bulk
+//! strain shifts the stick zone and, if it is large, reverses slip. The work of the bulk stress is part of the energy
+//! balance.
 
 use kit::{boundaries, max_difference, unit_bodies, unit_pair};
 use stickslip::analytical::{CattaneoMindlinLine, HertzLine};
@@ -63,8 +64,8 @@ fn stick_zone(shear: &TangentialSolution) -> [f64; 2] {
     ]
 }
 
-/// Nowell and Hills: the stick zone is shifted, and the traction agrees with the closed form within the discretisation
-/// error.
+/// As in the solution of Nowell and Hills, the stick zone is shifted, and the traction agrees with the closed form
+/// within the discretisation error.
 #[test]
 fn moderate_strain_shifts_the_stick_zone() {
     let limit = FRICTION * LOAD;
@@ -232,7 +233,7 @@ fn uniform_displacement_is_equivalent_to_a_shift() {
     }
 }
 
-/// Force and bulk stress in phase, out of phase, and with a strain field that changes: every step satisfies the energy
+/// Force and bulk stress in phase, out of phase, and with a strain field that changes. Every step satisfies the energy
 /// balance, and closed cycles dissipate their work.
 #[test]
 fn work_of_bulk_stress_is_in_energy_balance() {
@@ -277,7 +278,7 @@ fn work_of_bulk_stress_is_in_energy_balance() {
             }
         }
         assert!(total > 1e-6);
-        // A constant strain stays in place; a different field replaces the previous displacement.
+        // A constant strain remains until a different field replaces the previous displacement.
         let reached = history
             .state()
             .relative_displacement()
@@ -322,7 +323,7 @@ fn loop_of_force_and_shift_encloses_work_of_force() {
         let amount = bulk_stress * force[0] / (part * FRICTION * LOAD);
         LoadStep::force(force).relative_displacement(amount)
     };
-    // The first quarter, then a cycle between the extremes, in steps of equal force.
+    // The load consists of the first quarter and then a cycle between the extremes, in steps of equal force.
     let first = *history.step(&load([force, 0.0])).unwrap().energy();
     let quarter = first.dissipated_energy / exact.energy_of_first_quarter();
     assert!((quarter - 1.0).abs() < 1e-4, "{quarter}");

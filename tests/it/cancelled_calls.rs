@@ -17,8 +17,8 @@ use stickslip::{
 
 type Observer<'a> = &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send);
 
-/// Cancels at the first call of the observer, at one in the middle and at the last. Checks that a complete run has the
-/// same result before and after the cancelled runs.
+/// Cancels at the first call of the observer, at a call in the middle and at the last call. Checks that a complete run
+/// has the same result before and after the cancelled runs.
 fn assert_stops_when_cancelled<T: Debug + PartialEq>(
     mut call: impl FnMut(Observer<'_>) -> Result<T, Error>,
 ) {

@@ -100,7 +100,7 @@ fn coupled_bodies(grid: Grid) -> HalfSpace {
     HalfSpace::new(grid, ElasticPair::new(soft, Material::rigid()).unwrap()).unwrap()
 }
 
-/// Returns a sphere on a grid that can be too large for a start without coarser grids.
+/// Returns a sphere on a grid. The grid can be so large that the solve starts on coarser grids.
 fn sphere_gap(cells: usize) -> (Grid, Field) {
     let grid = Grid::square(cells, 3.0).unwrap();
     (grid, surface::sphere(grid, 2.0).unwrap())

@@ -1,5 +1,5 @@
-//! Values at the centres of cells. Away from the edge of the contact the pressure is more accurate than on uniform
-//! cells, at the same cost and with the same certificate. The two kinds of values cannot be mixed.
+//! Tests of values at the centres of cells. Away from the edge of the contact the pressure is more accurate than on
+//! uniform cells, at the same cost and with the same certificate. The two kinds of values cannot be mixed.
 
 use std::sync::Arc;
 
@@ -56,7 +56,7 @@ fn product(bodies: &HalfSpace, component: Component, traction: &Field) -> Vec<f6
     out
 }
 
-/// The displacement equals that of uniform cells under the traction minus 1/24 of its second difference.
+/// The displacement equals the displacement of uniform cells under the traction minus 1/24 of its second difference.
 #[test]
 fn centre_products_match_uniform_cells_minus_second_difference() {
     for (nx, ny, dx, dy) in [
@@ -298,8 +298,8 @@ fn centre_tractions_are_closer_to_closed_forms() {
     assert!(centres[1] < 0.85 * uniform[1], "{centres:?} {uniform:?}");
 }
 
-/// Covers windows, coarser grids and ranks. Results on ranks are bitwise identical to those of one process, and cells
-/// of the same size have the same coefficients on any grid.
+/// Covers windows, coarser grids and ranks. Results on ranks are bitwise identical to the results of one process, and
+/// cells of the same size have the same coefficients on any grid.
 #[test]
 fn ranks_with_centre_values_match_one_process() {
     // The grid has more than one chunk of cells, so that each rank has local cells.

@@ -1,4 +1,5 @@
-//! The values of a report equal the formulas documented on its fields; they are not merely bounded by them.
+//! The values of a report equal the formulas documented on its fields; the values are not merely bounded by these
+//! formulas.
 
 use std::ops::ControlFlow;
 
@@ -100,7 +101,7 @@ fn report_of_unchanged_iterate_matches_formulas() {
                 let g = product[i] + linear[i];
                 let is_allowed = (x[i] <= lower[i] && g > 0.0) || (x[i] >= upper[i] && g < 0.0);
                 let r = if is_allowed { 0.0 } else { g };
-                // Largest decrease of g x within the bounds.
+                // The difference is the largest decrease of g x within the bounds.
                 let least = (g * lower[i]).min(g * upper[i]);
                 let [by_gap, by_eigenvalue] = [g * x[i] - least, r * r / lower_bound];
                 if r != 0.0 && by_gap <= by_eigenvalue {
@@ -129,7 +130,8 @@ fn report_of_unchanged_iterate_matches_formulas() {
     }
 }
 
-/// If all entries use the eigenvalue bound, `E = |r| / sqrt(lambda)`; if all use the gap, `E^2` is the sum of the gaps.
+/// If all entries use the eigenvalue bound, `E = |r| / sqrt(lambda)`. If all entries use the gap, `E^2` is the sum of
+/// the gaps.
 #[test]
 fn report_of_single_entry_matches_formulas() {
     let interval = Bounds {
@@ -141,7 +143,7 @@ fn report_of_single_entry_matches_formulas() {
         (5.0, -9.0, 2.0, 0.5),
         // g = 1, an eighth from the bound: g (x - 1) = 1/8 is less than 1/2.
         (1.125, -1.25, 2.0, 0.125),
-        // The first case without an eigenvalue bound.
+        // This is the first case without an eigenvalue bound.
         (5.0, -9.0, 0.0, 4.0),
         // g = -1, a quarter from the other bound: g (x - 11) = 1/4.
         (10.75, -22.5, 2.0, 0.25),
@@ -257,7 +259,7 @@ fn certificate_with_stiff_spring_bounds_error() {
             let unit = energy(&chain, &x).max(lower_bound * squares);
             let error = energy(&stiffened, &difference).max(0.0).sqrt();
             let bound = (report.duality_gap * unit).sqrt();
-            // The dense minimum has the round-off of its factorisation, which a stiff spring amplifies.
+            // The dense minimum contains the round-off of the factorisation, which a stiff spring amplifies.
             let round_off = 1e-15 * max_abs(&exact) / compliance.sqrt() + 1e-13;
             assert!(
                 error <= bound + round_off,

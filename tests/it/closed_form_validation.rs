@@ -125,7 +125,7 @@ fn rolling_contacts_reject_invalid_parameters() {
     });
     assert_checked("creepage", Finite, |value| creep(0.3, [value, 1e-3]));
     assert_checked("creepage", Finite, |value| creep(0.3, [0.0, value]));
-    // Neither form is valid for bodies whose pressure displaces them tangentially.
+    // Neither closed form is valid for bodies that the pressure displaces tangentially.
     let refused = Carter::new(hertz, 0.3, 1e-3);
     assert!(matches!(refused, Err(Error::CoupledMaterials { .. })));
     let ellipse = HertzEllipse::new(&soft, 2.0, 1.0, 1e-3).unwrap();

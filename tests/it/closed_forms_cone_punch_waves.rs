@@ -1,7 +1,7 @@
 //! Contacts of a cone, a flat punch and a wavy surface converge to their closed forms with the expected orders.
 //!
-//! The constants and orders bound the largest error over offsets of the body within a cell. They are functions of a/h,
-//! the contact radius over the side of a cell.
+//! The constants and orders bound the largest error over offsets of the body within a cell. The errors are functions of
+//! a/h, the contact radius over the side of a cell.
 
 use std::f64::consts::PI;
 

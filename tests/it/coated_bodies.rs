@@ -1,5 +1,5 @@
-//! Coated bodies are layers on a base. Their coefficients agree with an independent evaluation, and their contacts
-//! agree with the limits of thin and thick layers.
+//! Tests of coated bodies, which are layers on a base. Their coefficients agree with an independent evaluation, and
+//! their contacts agree with the limits of thin and thick layers.
 
 mod grids;
 #[cfg(feature = "dense")]
@@ -24,8 +24,8 @@ use stickslip::{
 const CELLS: &str = include_str!("../data/layers/cells.csv");
 const RESPONSES: &str = include_str!("../data/layers/responses.csv");
 const STACKS: &str = include_str!("../data/layers/stacks.csv");
-/// Axisymmetric contacts, from a Fredholm equation of the second kind for the pressure. Columns: contact radius,
-/// largest pressure and approach, relative to the values without a coating.
+/// Axisymmetric contacts, computed from a Fredholm equation of the second kind for the pressure. The columns are
+/// contact radius, largest pressure and approach, relative to the values without a coating.
 const SPHERES: &str = include_str!("../data/layers/coated_sphere.csv");
 
 fn parse_number(text: &str) -> f64 {
@@ -274,7 +274,7 @@ fn sphere_on_coating_matches_axisymmetric_solution() {
         for (quantity, most) in [6e-5, 3.5e-4].into_iter().enumerate() {
             let [coarse, fine] = [coarse[quantity], fine[quantity]].map(f64::abs);
             let order = 0.5 * (coarse / fine).log2();
-            // Measured: errors of 8e-6 to 4.8e-5 and 4e-5 to 2.9e-4; orders of 1.76 to 1.97.
+            // The measured errors are 8e-6 to 4.8e-5 and 4e-5 to 2.9e-4, and the measured orders are 1.76 to 1.97.
             assert!(fine < most && order > 1.7, "{m} {thickness}: {errors:?}");
         }
     }
@@ -303,8 +303,8 @@ fn paraboloid_on_bonded_layer_matches_published_series() {
         contact.force() / (4.0 / 3.0 * 4.0 * radius.sqrt() * approach.powf(1.5))
     };
     // The first coefficient is 2/pi times the integral of one minus the ratio of the response to the response of the
-    // half-space. The authors took the integral from a fit, 1.7795 instead of 1.77022. The second coefficient is 7/6 of
-    // the square of the first.
+    // half-space. The authors took the value 1.7795 of the integral from a fit, instead of 1.77022. The second
+    // coefficient is 7/6 of the square of the first coefficient.
     let first = 2.0 / std::f64::consts::PI * 1.770_216_773_4;
     for x in [0.05, 0.1, 0.2, 0.4] {
         let found = force_over_hertz(x);
@@ -312,7 +312,8 @@ fn paraboloid_on_bonded_layer_matches_published_series() {
             |first: f64, second: f64| 1.0 + x * (first + x * (second + x * (1.469 + x * 0.755)));
         let exact = found - series(first, 7.0 / 6.0 * first * first);
         let [published, earlier] = [1.497, 1.283].map(|second| found - series(1.133, second));
-        // Measured: 3e-7, 2.7e-5; for larger `x` the rounding of the later coefficients dominates.
+        // The measured differences are 3e-7 and 2.7e-5. For larger `x` the rounding of the later coefficients
+        // dominates.
         assert!(x > 0.1 || exact.abs() < 5e-5, "{x}: {exact:e}");
         assert!(published.abs() < 0.013 * x, "{x}: {published:e}");
         assert!(x < 0.1 || earlier > published.abs(), "{x}: {earlier:e}");
@@ -483,7 +484,7 @@ fn layers_that_are_invalid_are_rejected() {
     assert!((response.normal - 0.4).abs() < 1e-15 && (response.across - 0.5).abs() < 1e-15);
 }
 
-/// Two bodies with the same material at the surface are dissimilar if only one of them has it as a coating.
+/// Two bodies with the same material at the surface are dissimilar if this material is a coating on only one of them.
 #[test]
 fn coating_on_one_body_couples_pair() {
     let top = parse_material("4/0.3");

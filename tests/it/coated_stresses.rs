@@ -1,5 +1,5 @@
-//! Planes in and below layers: equal to a homogeneous body if the layer has its material, continuous at interfaces, in
-//! equilibrium, and equal to an independent quadrature.
+//! Stresses on planes in and below layers are continuous at interfaces, in equilibrium, and equal to an independent
+//! quadrature. If the layer has the material of the body, they equal the stresses of a homogeneous body.
 
 use std::f64::consts::TAU;
 
@@ -11,8 +11,9 @@ use stickslip::{
     Boundary, CellValue, ElasticPair, Error, Field, Grid, HalfSpace, Material, Operator,
 };
 
-/// A pressure (1 - r^2)^3 on one layer, G = 3, nu = 0.35, h = 0.4, on a body with G = 1, nu = 0.25. Stresses from Hankel
-/// integrals of Love's strain function, to 40 digits. A plus after a depth denotes the lower side of the interface.
+/// Stresses under a pressure (1 - r^2)^3 on one layer (G = 3, nu = 0.35, h = 0.4) on a body with G = 1 and nu = 0.25.
+/// They were computed from Hankel integrals of Love's strain function to 40 digits. A plus after a depth denotes the
+/// lower side of the interface.
 const BELOW: &str = include_str!("../data/layers/below.csv");
 
 const BOUNDARIES: [Boundary; 3] = [
@@ -247,7 +248,7 @@ fn coated_stresses_are_in_equilibrium() {
         sum * 4.0 / grid.cells() as f64
     };
     let step = 0.01;
-    // Weights of a central difference of eighth order.
+    // The weights are the weights of a central difference of eighth order.
     let weights = [0.8, -0.2, 4.0 / 105.0, -1.0 / 280.0].map(|weight| weight / step);
     for middle in [0.25, 0.65, 0.9, 1.3] {
         let depths: Vec<f64> = (-4..=4).map(|n| middle + step * f64::from(n)).collect();
@@ -258,7 +259,8 @@ fn coated_stresses_are_in_equilibrium() {
             } else {
                 Tractions::new(&wave)
             };
-            // Parities for a pressure; a traction along x inverts the first. The sign is that of d cos = -k sin.
+            // The parities are given for a pressure; a traction along x inverts the parity along x. The sign is the
+            // sign of d cos = -k sin.
             let odd = |x: bool, y: bool| [x != shear, y];
             let sign = if shear { 1.0 } else { -1.0 };
             let found: Vec<[f64; 6]> = (0..9)

@@ -7,7 +7,7 @@ use stickslip::{
     NormalSolution, TangentialLoad, TangentialProblem, TangentialSolution, Zone,
 };
 
-/// Parameters of a random contact: odd, even and slender grids, smooth and noisy gaps, any load.
+/// Parameters of a random contact. They cover odd, even and slender grids, smooth and noisy gaps, and any load.
 #[derive(Debug, Clone)]
 struct RandomContact {
     size: [usize; 2],

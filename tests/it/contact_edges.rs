@@ -24,8 +24,8 @@ fn press(bodies: &HalfSpace, gap: &Field, load: NormalControl) -> NormalSolution
     problem.build().unwrap().solve().unwrap()
 }
 
-/// Returns mean relative errors over the offsets: cell and fitted pressure, cell and fitted area, force of the cell
-/// averages.
+/// Returns relative errors, averaged over the offsets, of the cell and fitted pressures, of the cell and fitted areas,
+/// and of the force of the cell averages.
 fn mean_errors(shape: &Smooth, grid: Grid, cell_value: CellValue) -> [f64; 5] {
     let bodies = bodies_with(grid, 0.0, cell_value);
     let mut sums = [0.0; 5];
@@ -138,7 +138,7 @@ fn edges_of_stick_zones_depend_on_traction_direction() {
     assert!((raw / fine - 1.0).abs() > 2e-3, "{raw} {fine}");
 }
 
-/// The outline is closed, lies on the circle and has its length.
+/// The outline is closed, lies on the circle and has the length of the circle.
 #[test]
 fn outline_of_sphere_contact_is_a_circle() {
     let grid = Grid::square(64, 3.0).unwrap();
@@ -299,8 +299,8 @@ fn edges_for_mismatched_bodies_and_slabs_are_rejected() {
     assert!(outcomes.iter().all(|outcome| *outcome == (true, None)));
 }
 
-/// Returns relative errors of the cells and of the edges, averaged over the offsets: traction, largest traction and
-/// stick area. The force is the given fraction of the sliding force.
+/// Returns the relative errors of the traction, the largest traction and the stick area, for the cells and for the
+/// fitted edges, averaged over the offsets. The force is the given fraction of the sliding force.
 fn shear_errors(shape: &Smooth, cells: usize, part: f64) -> [[f64; 2]; 3] {
     let grid = Grid::square(cells, 3.0).unwrap();
     let (bodies, coefficient) = (bodies_with(grid, 0.0, CellValue::Centre), 0.5);

@@ -10,7 +10,7 @@ use stickslip::{
 
 const TOLERANCE: f64 = 1e-10;
 
-/// Tolerance relative to the largest pressure, and to each scalar.
+/// Tolerance relative to the largest pressure for fields, and relative to the value for each scalar.
 const AGREED: f64 = 1e-6;
 
 fn load_step(step: &ReferenceStep, shift: [f64; 2]) -> LoadStep {

@@ -10,10 +10,11 @@ use stickslip::{
 
 const TOLERANCE: f64 = 1e-10;
 
-/// Tolerance relative to the largest pressure, and to each scalar.
+/// Tolerance relative to the largest pressure for fields, and relative to the value for each scalar.
 const AGREED: f64 = 1e-6;
 
-/// All these cases are symmetric about the x axis, so zero shift along y implies zero force along y.
+/// Returns the tangential load of a step. All cases are symmetric about the x axis, so zero shift along y implies zero
+/// force along y.
 fn tangential_load(step: &ReferenceStep) -> TangentialLoad {
     match step.tangential {
         [Tangential::Force(x), Tangential::Force(y)] => TangentialLoad::force([x, y]),

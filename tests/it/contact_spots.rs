@@ -20,8 +20,8 @@ fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     problem.build().unwrap().solve().unwrap()
 }
 
-/// Two balls are so far apart that each displaces the other nearly uniformly. Under the load of its spot, each ball has
-/// the contact area of Hertz, whereas counting cells is wrong by several per cent.
+/// Two balls are so far apart that each ball displaces the surface under the other ball nearly uniformly. Under the
+/// load of its spot, each ball has the contact area of Hertz, whereas counting cells is wrong by several per cent.
 #[test]
 fn spot_areas_from_fitted_edges_match_hertz() {
     let grid = Grid::new(128, 40, 0.1, 0.1).unwrap();
@@ -112,7 +112,7 @@ fn spots_of_rough_contact_partition_area_and_load() {
     }
 }
 
-/// A ball at the corner of a periodic grid makes a single spot.
+/// The contact of a ball at the corner of a periodic grid is a single spot.
 #[test]
 fn spot_across_periodic_edges_is_single() {
     let grid = Grid::new(40, 32, 0.5, 0.5).unwrap();

@@ -122,8 +122,8 @@ fn normal_stiffness_matches_difference_of_forces() {
     }
 }
 
-/// Hertz: 2 E* a; Mindlin: the same times the ratio of the compliances. Averaged over several loads, the error due to
-/// the staircase-shaped edge decreases with the cell size.
+/// The stiffness of Hertz is 2 E* a, and the stiffness of Mindlin is the same value times the ratio of the compliances.
+/// Averaged over several loads, the error due to the staircase-shaped edge decreases with the cell size.
 #[test]
 fn stiffness_converges_to_hertz_and_mindlin() {
     let poisson = 0.3;
@@ -329,7 +329,7 @@ fn sliding_contact_has_no_stiffness_along_slip() {
 }
 
 /// If all cells slip in the same oblique direction, their tractions rotate in the same way. Two motions then have a
-/// single response, and the twist of a single cell has none.
+/// single response, and the twist of a single cell has no response.
 #[test]
 fn dependent_motions_of_sliding_cells_are_handled() {
     let scene = StiffnessCase::ball(32, 0.0, TangentialModel::Vector);
@@ -420,7 +420,7 @@ fn parts_of_coupled_solution_are_rejected() {
     assert_eq!(both, Err(refused.clone()));
     assert_eq!(normal.stiffness(&bodies), Err(refused.clone()));
     assert_eq!(shear.stiffness(&bodies), Err(refused.clone()));
-    // Replacing one part by a solution without coupling is rejected as well.
+    // A coupled solution with one part replaced by a solution without coupling is rejected as well.
     let alone = NormalProblem::builder(&bodies, &gap, press);
     let alone = alone.build().unwrap().solve().unwrap();
     assert!(alone.stiffness(&bodies).is_ok());

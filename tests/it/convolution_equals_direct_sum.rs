@@ -7,7 +7,7 @@ use stickslip::influence::Component;
 use stickslip::influence::Direction::{self, X, Y, Z};
 use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Material, Operator, Scratch};
 
-/// Generates grids: odd and even, square and not, with one row, one column or one cell.
+/// Generates odd and even grids, square and oblong grids, and grids with one row, one column or one cell.
 fn any_grid() -> impl Strategy<Value = Grid> {
     let side = prop_oneof![Just(1_usize), 2..12_usize, 12..24_usize];
     (side.clone(), side, -9.0..3.0_f64, -1.0..1.0_f64).prop_map(|(nx, ny, size, aspect)| {
@@ -247,7 +247,7 @@ proptest! {
             let own = dense.get(0, 0).unwrap();
             let entry = |n: usize| dense.get(n / cells, n % cells).unwrap() + own;
             let raised = DenseOperator::from_rows(cells, (0..cells * cells).map(entry).collect()).unwrap();
-            // The mean now has the largest eigenvalue, which determines the round-off.
+            // After raising, the mean has the largest eigenvalue, which determines the round-off.
             let round_off = 1e-13 * own * cells as f64;
             prop_assert!((bound - raised.lower_bound()).abs() <= round_off + 1e-9 * bound);
         }

@@ -1,5 +1,5 @@
-//! Coupled pressure and traction of dissimilar bodies: comparison with closed forms and a different code, and error
-//! bounds.
+//! Tests of the coupled pressure and traction of dissimilar bodies: comparisons with closed forms and with a different
+//! code, and error bounds.
 
 use kit::contact::{Case, Normal};
 use kit::{Random, l2_difference, max_difference, rough, unit_bodies};
@@ -11,10 +11,11 @@ use stickslip::{
     TangentialLoad, TangentialModel, TangentialProblem, Zone, cgm, surface,
 };
 
-/// Friction coefficients for which a punch pressed in one step has the given stick ratio (of radii), for each value of
-/// Dundurs' beta. They were computed from ring elements with elliptic integrals, to 3e-5. By self-similarity (Spence,
-/// Proc. R. Soc. A 305 (1968) 55) they are also valid for a sphere pressed in many steps.
+/// Stick ratios (ratios of the radii) to which the coefficients of [`FRICTION`] lead.
 const STICK_RADII: [f64; 6] = [0.1, 0.3, 0.5, 0.7, 0.8, 0.9];
+/// Dundurs' beta, and friction coefficients for which a punch pressed in one step has the stick ratios of
+/// [`STICK_RADII`]. The coefficients were computed from ring elements with elliptic integrals, to 3e-5. By
+/// self-similarity (Spence, Proc. R. Soc. A 305 (1968) 55) they are also valid for a sphere pressed in many steps.
 const FRICTION: [(f64, [f64; 6]); 3] = [
     (0.5, [0.15508, 0.22659, 0.29872, 0.40124, 0.48584, 0.64746]),
     (
@@ -194,7 +195,7 @@ fn uncoupled_bodies_match_separate_solves() {
     let grid = Grid::square(32, 2.6).unwrap();
     let other = Material::from_shear_modulus(3.0, 0.2).unwrap();
     let cancelling = {
-        // (1 - 2 nu) / G equals the value of the other body.
+        // The ratio (1 - 2 nu) / G equals the ratio of the other body.
         let nu = 0.35;
         let modulus = 3.0 * (1.0 - 2.0 * nu) / (1.0 - 0.4);
         ElasticPair::new(Material::from_shear_modulus(modulus, nu).unwrap(), other).unwrap()
@@ -237,7 +238,8 @@ fn uncoupled_bodies_match_separate_solves() {
     }
 }
 
-/// Shift, force and spring that describe the same state lead to the same state; so do approach and force.
+/// Shift, force and spring controls that describe the same state lead to this state, and so do approach and force
+/// controls.
 #[test]
 fn controls_of_the_same_state_are_equivalent() {
     let grid = Grid::square(28, 2.6).unwrap();
@@ -276,7 +278,7 @@ fn controls_of_the_same_state_are_equivalent() {
     }
 }
 
-/// If each half is solved again accurately with the other half fixed, its change is within its bound.
+/// If one half is solved again accurately with the other half fixed, the change of this half is within its bound.
 #[test]
 fn halves_are_within_their_error_bounds() {
     let grid = Grid::new(24, 20, 0.1, 0.12).unwrap();

@@ -1,4 +1,5 @@
-//! Histories of dissimilar bodies: comparison with CONTACT step by step, loops, wear, and steps of any length.
+//! Tests of histories of dissimilar bodies: comparisons with CONTACT step by step, loops, wear, and steps of any
+//! length.
 
 use kit::contact::{Case, Normal};
 use kit::{Random, max_difference};
@@ -15,8 +16,8 @@ use stickslip::{
 const AGREED: f64 = 1e-7;
 
 /// Compares every step of a case of CONTACT, including its zones, at the default tolerance; the bodies are only
-/// pressed. The number of examinations is limited: one before each semismooth Newton step, one at the end, and one for
-/// a start that is too poor for Newton steps.
+/// pressed. The number of examinations is limited. One examination is allowed before each semismooth Newton step, one
+/// at the end, and one for a start that is too poor for Newton steps.
 fn assert_every_step_agrees(text: &str, steps: usize, examinations: usize) {
     let case = Case::parse(text);
     assert_eq!(case.steps.len(), steps);
@@ -153,8 +154,8 @@ fn loop_area_equals_dissipation() {
     );
 }
 
-/// The coupled algorithm gives the same solution as the uncoupled one if the coupling is negligible. Dundurs' constant
-/// is just above the threshold below which bodies count as uncoupled.
+/// If the coupling is negligible, the coupled algorithm gives the same solution as the uncoupled algorithm. Dundurs'
+/// constant is just above the threshold below which bodies count as uncoupled.
 #[test]
 fn weak_coupling_matches_uncoupled_solution() {
     let grid = Grid::square(27, 2.6).unwrap();

@@ -47,11 +47,11 @@ fn zone_cells(rolling: &CoupledRollingSolution) -> [usize; 2] {
     [Zone::Stick, Zone::Slip].map(|zone| zones.iter().filter(|z| **z == zone).count())
 }
 
-/// Compares with the example `bentall` of CONTACT (E. A. H. Vollebregt, Apache-2.0), cases 3 to 6: an aluminium roller
-/// on a steel roller. The printed creepages and forces have four digits. CONTACT alternates between pressure and
-/// traction until they no longer change. Without the change of the pressure its creepages are 3.628e-4, 4.281e-4,
-/// 2.094e-4 and 5.388e-4, and no case has 201 cells in contact. CONTACT's creepage is the motion of body 1, so it has
-/// the opposite sign.
+/// Compares with the example `bentall` of CONTACT (E. A. H. Vollebregt, Apache-2.0), cases 3 to 6, with an aluminium
+/// roller on a steel roller. The printed creepages and forces have four digits. CONTACT alternates between pressure and
+/// traction until both no longer change. Without the change of the pressure the creepages of CONTACT are 3.628e-4,
+/// 4.281e-4, 2.094e-4 and 5.388e-4, and no case has 201 cells in contact. CONTACT's creepage is the motion of body 1,
+/// so it has the opposite sign.
 #[test]
 fn coupled_rollers_match_printed_digits_of_contact() {
     let grid = Grid::new(216, 1, 0.001, 1000.0).unwrap();
@@ -91,8 +91,8 @@ fn coupled_rollers_match_printed_digits_of_contact() {
     }
 }
 
-/// Computes two residuals with the operator of all three directions: the residual of the gap relative to the largest
-/// normal displacement, and the residual of the slip relative to the friction limit times the largest motion.
+/// Computes two residuals with the operator of all three directions. The residual of the gap is relative to the largest
+/// normal displacement. The residual of the slip is relative to the friction limit times the largest motion.
 fn residuals(
     bodies: &HalfSpace,
     initial: &Field,
@@ -333,7 +333,7 @@ fn weak_coupling_and_weak_friction_tend_to_one_way_coupling() {
         pressure_error(&pressed.0, both.normal().pressure(), smooth.pressure())
     };
     let [strong, weak, weakest] = [0.0, 0.45, 0.495].map(|nu| differences(nu, 0.3));
-    // The coupling strengths are 0.5, 0.091 and 0.0099.
+    // The values of the coupling strength are 0.5, 0.091 and 0.0099.
     assert!((weak / strong / 0.182 - 1.0).abs() < 0.3, "{strong} {weak}");
     assert!(
         (weakest / weak / 0.109 - 1.0).abs() < 0.1,

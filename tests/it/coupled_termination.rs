@@ -84,7 +84,7 @@ fn stopped_solve_leaves_tractions_within_limits() {
 }
 
 /// Flat bodies on a periodic grid touch everywhere under a uniform pressure. This pressure causes no displacement to
-/// which a residual could be relative. Waves of negligible height hardly change this.
+/// which a residual could be relative. With waves of negligible height the displacement remains negligible.
 #[test]
 fn flat_periodic_bodies_touch_everywhere() {
     for size in [[4, 3], [24, 27], [5, 7], [3, 1], [8, 8]] {

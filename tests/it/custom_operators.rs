@@ -76,7 +76,7 @@ impl<const N: usize> Operator<N> for DenseMatrix {
     }
 }
 
-/// Discs; some have radius zero.
+/// Discs of given radii, some of which are zero.
 struct Discs(Vec<f64>);
 
 impl Constraint<2> for Discs {
@@ -369,7 +369,8 @@ impl Operator for FailingOperator {
     }
 }
 
-/// After such a solve the iterate is feasible and finite, and the status reports a stall.
+/// After a solve with a product that becomes NaN or infinite, the iterate is feasible and finite, and the status
+/// reports a stall.
 #[test]
 fn failing_operator_leaves_a_feasible_iterate() {
     let mut random = Random(3);
@@ -427,7 +428,7 @@ fn singular_preconditioner_is_named_or_minimum_found() {
     ];
     let one_entry = |entry: f64| (0..40).map(|i| if i == 5 { entry } else { 1.0 }).collect();
     let (mut named, mut solved) = (0, 0);
-    // Entries of the preconditioner, and range of the matrix entries in decades.
+    // Each case gives the entries of the preconditioner and the range of the matrix entries in decades.
     for (entries, decades) in [
         (vec![0.0; 40], 0.3),
         (vec![0.0; 40], 9.0),

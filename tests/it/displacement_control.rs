@@ -1,5 +1,5 @@
-//! Prescribing the displacement caused by a force reproduces the force and the fields. On a periodic grid, the
-//! certified error is relative to the solution for the computed force.
+//! If the displacement caused by a force is prescribed, the solve reproduces the force and the fields. On a periodic
+//! grid, the certified error is relative to the solution for the computed force.
 
 use kit::{energy_difference, l2_difference, rough, unit_bodies, unit_pair};
 use stickslip::influence::Component;

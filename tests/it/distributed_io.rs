@@ -14,12 +14,12 @@ use stickslip::*;
 /// Timeout that is longer than any step takes, even if many tests run concurrently.
 const PATIENCE: Duration = Duration::from_secs(120);
 
-/// Numbers of ranks; some ranks have few rows or none.
+/// Numbers of ranks. Some of the ranks have few rows or no rows.
 pub(super) fn ranks() -> &'static [usize] {
     kit::thorough(&[3], &[1, 2, 3, 4, 7])
 }
 
-/// Cells along x and y: oblong grids, one row, one column, and rows longer than a chunk of a sum.
+/// Numbers of cells along x and y. They cover oblong grids, one row, one column, and rows longer than a chunk of a sum.
 pub(super) const SIZES: [[usize; 2]; 7] = [
     [40, 300],
     [300, 40],

@@ -145,7 +145,7 @@ fn assert_old_or_new(
     }
 }
 
-/// If a rank is lost at any time, the file is either the old or the new one.
+/// If a rank is lost at any time, the file is either the old file or the new file.
 #[test]
 fn rank_killed_while_writing_leaves_old_or_new_file() {
     let folder = folder("killed");

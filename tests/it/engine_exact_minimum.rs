@@ -185,7 +185,7 @@ fn approach_control_has_the_exact_minimum() {
 }
 
 /// If the solve is stopped at any iteration, the iterate is feasible and its certificate is valid. The certificate uses
-/// the eigenvalue bound; without the bound it uses the duality gap alone.
+/// the eigenvalue bound. Without the bound it uses the duality gap alone.
 #[test]
 fn certificate_bounds_error_of_unfinished_iterates() {
     let mut tightness = Vec::new();

@@ -56,7 +56,7 @@ fn single_periodic_cell_slides() {
     }
 }
 
-/// Covers random directions, which are not exactly representable.
+/// Covers random directions, whose components are not exactly representable.
 #[test]
 fn single_periodic_cell_slides_in_any_direction() {
     let mut random = Random(6);
@@ -245,7 +245,7 @@ fn heights_near_the_largest_double_are_filled_and_resampled() {
     {
         assert!((found * 1e-300 - expected).abs() < 1e-12 * 1.7e8);
     }
-    // Cubic interpolation overshoots; an overflow is rejected.
+    // Cubic interpolation overshoots, and a resulting overflow is rejected.
     let finer = Grid::square(12, 6.0).unwrap();
     let refused = surface::resample(&tall, finer);
     assert!(matches!(refused, Err(Error::Sample { .. })), "{refused:?}");
@@ -406,7 +406,7 @@ fn squares_out_of_range_certify_no_error() {
     }
 }
 
-/// The responses of any pair at any wave number are positive and finite, or an error.
+/// The responses of any pair at any wave number are positive and finite, or the call returns an error.
 #[test]
 fn responses_out_of_range_are_rejected() {
     let moduli = [1e-300, 1e-150, 1.0, 1e150, 1e300];

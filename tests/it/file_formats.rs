@@ -1,5 +1,5 @@
-//! Files written or verified by other programs are read as these programs read them; tests/data/README.md lists the
-//! program behind each file.
+//! Files written or verified by other programs are read as these programs read them. The file tests/data/README.md
+//! lists the program behind each file.
 
 use std::path::PathBuf;
 
@@ -197,7 +197,8 @@ fn unrecognised_file_is_rejected_with_its_remedy() {
     assert!(matches!(error, Some(Error::File { path, .. }) if path.ends_with("absent.sdf")));
 }
 
-/// The header of a SPIP file contains its sides, unit and missing points; the parser does not guess them.
+/// The header of a SPIP file gives the sides, the unit and the missing points of the surface. The parser does not guess
+/// these data.
 #[test]
 fn asc_header_determines_sides_unit_and_missing_points() {
     let header = |more: &str| {
@@ -216,7 +217,7 @@ fn asc_header_determines_sides_unit_and_missing_points() {
     let file = header("# z-unit = um\r\n# missing value = -32768\r\n") + heights;
     let by_comment = io::asc::parse(file.as_bytes()).unwrap();
     assert!(by_comment.as_slice()[2].is_nan() && !by_comment.as_slice()[1].is_nan());
-    // A mask after the heights marks the missing points; a repeated value alone does not.
+    // A mask after the heights marks the missing points; a repeated value alone does not mark them.
     let mask = "0 1 0\n0 0 0\n";
     let file = header("# Bit2nm = 1000\r\n# voidpixels = 1\r\n") + heights + mask;
     let by_mask = io::asc::parse(file.as_bytes()).unwrap();
@@ -251,8 +252,8 @@ fn asc_header_determines_sides_unit_and_missing_points() {
     let half = header("# z-unit = nm\n").replace("x-pixels = 3", "x-pixels = 2.5");
     assert!(problem(&half).contains("2.5"));
 
-    // Reading the file as a plain matrix would lose the header. The parser rejects this and states the remedy, unless
-    // options request a matrix.
+    // Reading the file as a plain matrix would lose the header. The parser rejects the file and states the remedy,
+    // unless options request a matrix.
     let file = header("# z-unit = nm\n") + heights;
     let refused = io::csv::parse(file.as_bytes(), [1.0, 1.0])
         .unwrap_err()
@@ -455,7 +456,7 @@ fn xyz_headers_further_columns_and_decimal_commas_are_read() {
     assert!(field.as_slice()[0] == 1.5 && field.as_slice()[1].is_nan());
     let commented = io::xyz::parse(b"# no data = -1\n0 0 2\n1 0 -1\n").unwrap();
     assert!(commented.as_slice()[1].is_nan());
-    // Commas can be separators or decimal commas here.
+    // In this text commas can be separators or decimal commas.
     let error = io::xyz::parse(b"0,0,0,0,1,5\n1,0,0,0,2,5\n")
         .unwrap_err()
         .to_string();

@@ -7,7 +7,7 @@ use stickslip::io::pvd::PvdWriter;
 use stickslip::io::vti::Array;
 use stickslip::{Error, Field, Friction, Grid, History, LoadStep, NormalControl, io, surface};
 
-/// Values that are sensitive to conversion.
+/// Values that an inexact conversion would change.
 const DELICATE: [f64; 14] = [
     0.0,
     -0.0,
@@ -168,7 +168,7 @@ fn vtk_series_of_vectors_lists_all_files() {
     assert!(matches!(refused, Err(Error::Format { .. })));
 }
 
-/// Saving a history replaces the whole file, and a failed save leaves the old file.
+/// Saving a history replaces the whole file. If saving fails, the old file remains.
 #[test]
 fn history_save_replaces_the_whole_file() {
     let grid = Grid::square(16, 8.0).unwrap();
@@ -321,7 +321,7 @@ fn decode_appended(file: &[u8], name: &str) -> Vec<f64> {
         .collect()
 }
 
-/// Planes of a slab are written bitwise, in the order of increasing z, for both bodies.
+/// All planes of a volume are written without loss of bits, in the order of increasing z, for both bodies.
 #[test]
 fn vti_volume_of_stress_contains_all_planes() {
     use stickslip::subsurface::{Body, Planes, Stress, Tractions};

@@ -1,6 +1,6 @@
-//! A fretting loop takes the steps of its path, with results bitwise identical to those of separate steps. It stops
-//! when the cycles are steady, and reports if they are not. A failed step leaves the history in the state after the
-//! last successful step.
+//! A fretting loop takes the steps of its path, with results bitwise identical to the results of separate steps. The
+//! loop stops when the cycles are steady, and reports if they do not become steady. A failed step leaves the history in
+//! the state after the last successful step.
 
 use std::ops::ControlFlow;
 

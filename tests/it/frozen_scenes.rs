@@ -1,15 +1,16 @@
 //! Costs and results of small scenes, recorded in `tests/data/frozen_scenes.csv`, which must not change when the engine
 //! is rewritten.
 //!
-//! `FREEZE=write cargo test --test it frozen_scenes` writes that file; without the variable the test recomputes and
-//! compares. For `Exact` scenes, counts must be equal and numbers equal to 1e-13 of their scale. For `Rounded` scenes,
-//! the order of sums has changed since the file was written: counts must agree to a few, numbers to 1e-9 of their
-//! scale. For `Solver` scenes, counts are not compared, and numbers must agree to 1e-9 of their scale.
+//! `FREEZE=write cargo test --test it frozen_scenes` writes that file. Without the variable the test recomputes the
+//! scenes and compares the results with the file. For `Exact` scenes, counts must be equal, and numbers must agree to
+//! 1e-13 of their scale. For `Rounded` scenes, the order of sums has changed since the file was written. Counts must
+//! then agree to a few, and numbers to 1e-9 of their scale. For `Solver` scenes, counts are not compared, and numbers
+//! must agree to 1e-9 of their scale.
 //!
 //! The iterations amplify rounding. If gaps change in their last bits, numbers of more than half of the scenes change
-//! by more than 1e-13 (up to 2e-9, if solves have a tolerance of 1e-8), and counts of a few solves by one to five.
-//! `Exact` therefore requires the same sums in the same order, on a processor with the same vector units as the one
-//! that wrote the file.
+//! by more than 1e-13 (by up to 2e-9 if solves have a tolerance of 1e-8). Counts of a few solves change by one to five.
+//! `Exact` therefore requires the same sums in the same order, on a processor with the same vector units as the
+//! processor that wrote the file.
 //!
 //! The test also writes a hash of all bits of every scene to `frozen_bits`, in the folder for temporary files of the
 //! target directory. The hashes of two versions of the code can be compared on one machine.
@@ -43,10 +44,11 @@ impl Agreement {
     }
 }
 
-/// Without its feature a scene is left out, and the file is not written.
+/// Whether all scenes are compiled. A scene whose feature is disabled is left out, and the file of frozen results is
+/// then not written.
 const HAS_ALL_SCENES: bool = cfg!(feature = "dense");
 
-/// Largest change of counts of iterations and products by rounding; measured up to 6.
+/// Largest permitted change of counts of iterations and products due to rounding. Changes of up to 6 were measured.
 const ROUNDED_COUNTS: i64 = 8;
 
 /// Returns whether the transforms use the same code as on the processor that wrote the file. Transforms depend on the
@@ -100,7 +102,7 @@ const SCENES: &[FrozenScene] = &[
 // ---------------------------------------------------------------------------------------------------------------------
 // Record of a scene.
 
-/// A line of the data: the quantity, its value, and its scale or the kind of count.
+/// Line of the file: the quantity, its value, and its scale or the kind of count.
 struct FrozenRow {
     quantity: String,
     value: String,
@@ -489,8 +491,9 @@ fn rough_two_fifths(record: &mut Record) {
     );
 }
 
-/// Forces for which 10 % and 40 % of a rough surface of 96 x 96 cells are in contact.
+/// Force for which a tenth of a rough surface of 96 x 96 cells is in contact.
 const ROUGH_TENTH: f64 = 70.0;
+/// Force for which two fifths of this surface are in contact.
 const ROUGH_TWO_FIFTHS: f64 = 300.0;
 
 fn periodic_rough(record: &mut Record) {

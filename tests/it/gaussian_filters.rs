@@ -136,8 +136,8 @@ fn filter_of_profiles_acts_along_one_axis() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(kit::thorough(8, 24)))]
 
-    /// The filtered surface and the removed parts sum to the original, and missing heights stay missing. A datum and a
-    /// unit have no other effect.
+    /// The filtered surface and the removed parts sum to the original, and missing heights stay missing. The choice of
+    /// the datum and of the unit has no other effect.
     #[test]
     fn filter_parts_sum_to_the_surface(
         [nx, ny] in [1usize..50, 2usize..50], seed in any::<u64>(), share in 0.0..0.6,
@@ -196,8 +196,8 @@ fn filter_weights_match_the_standard() {
     }
 }
 
-/// surfalize truncates the weights at four standard deviations, 0.75 nesting indices, which neglects 6e-5 of them per
-/// axis.
+/// surfalize truncates the weights at four standard deviations, 0.75 nesting indices, which neglects 6e-5 of the
+/// weights per axis.
 #[test]
 fn filter_matches_surfalize() {
     let text = include_str!("../data/surface/filtered.csv");
@@ -301,8 +301,8 @@ fn filters_with_invalid_indices_are_rejected() {
                 matches!(refused, Error::NotPositive { quantity: q, .. } if q.starts_with(quantity))
             );
         }
-        // The minimum is two cells of size 1 along y; cells along x are half as long. The longer side of the grid is
-        // 30, the other 20.
+        // The smallest index is two cells of size 1 along y; cells along x are half as long. The longer side of the
+        // grid is 30, and the shorter side is 20.
         assert!(matches!(
             size(make(1.9)),
             Err(Error::BelowMinimum {

@@ -1,6 +1,6 @@
-//! A contact that grows under shear reaches the same tractions for any number of steps: exactly along straight load
-//! paths, and with second order along curved paths. Lengths are in units of the radius of the ball divided by 1000; the
-//! grid is 64 long and wide.
+//! A contact that grows under shear reaches the same tractions for any number of steps. The agreement is exact along
+//! straight load paths, and of second order along curved paths. Lengths are in units of the radius of the ball divided
+//! by 1000; the grid is 64 long and wide.
 
 use kit::Random;
 use stickslip::history::{AdaptiveSteps, EntryRule};
@@ -11,7 +11,7 @@ use stickslip::{
 };
 
 const FRICTION: f64 = 0.5;
-/// Side length of the grid; in the campaign, also its number of cells.
+/// Side length of the grid. In the campaign it is also the number of cells along a side.
 const SIDE: f64 = 64.0;
 /// Contact radius at an approach of one.
 const RADIUS: f64 = 24.0;
@@ -154,7 +154,8 @@ fn straight_path_in_one_step_is_exact_under_any_control() {
                     (one.tangential_force()[0] / many.tangential_force()[0] - 1.0).abs() < 1e-9
                 );
 
-                // Springs follow the same legs; their far ends are computed from the force and the shift.
+                // Springs follow the same legs. The positions of the far ends of the springs are computed from the
+                // force and the shift.
                 let (stiffness, mut spring) =
                     (0.3 * scene.load, scene.history(EntryRule::SinceTouch));
                 let mut guide = scene.history(EntryRule::SinceTouch);
@@ -230,8 +231,8 @@ fn straight_path_in_one_step_is_exact_on_any_grid_and_friction() {
     }
 }
 
-/// Jaeger's superposition: the tractions of the initial contact, plus tractions proportional to the growth of the
-/// pressure. It holds for any surface if Poisson's ratio is zero.
+/// Jaeger's superposition gives the tractions of the initial contact, plus tractions proportional to the growth of the
+/// pressure. The superposition is valid for any surface if Poisson's ratio is zero.
 #[test]
 fn growing_contact_matches_jaeger_superposition() {
     let scene = GrowingCase::new(0.0, 0.15, TangentialModel::Scalar);
@@ -278,7 +279,7 @@ fn growing_contact_matches_jaeger_superposition() {
     assert!((history.shift()[0] / shift - 1.0).abs() < 1e-8);
 }
 
-/// For a nonzero Poisson's ratio, one long step has an error of a few per cent, far less than under the rule
+/// For a nonzero Poisson's ratio, the error of one long step is a few per cent, far less than the error under the rule
 /// [`EntryRule::WholeStep`]. If every cell slips from first contact, both rules give the same result.
 #[test]
 fn long_steps_with_growth_rule_are_accurate() {
@@ -407,8 +408,8 @@ fn uniform_wear_between_steps_changes_only_the_approach() {
     assert!(traction_difference(&worn, &plain) < 1e-9);
 }
 
-/// The dissipation by the tractions at the ends of the steps does not depend on the number of steps. Without slip no
-/// energy is dissipated under the rule.
+/// The dissipation by the tractions at the ends of the steps does not depend on the number of steps. Under the entry
+/// rule no energy is dissipated without slip.
 #[test]
 fn growing_contact_that_sticks_dissipates_nothing() {
     let scene = GrowingCase::new(0.0, 0.15, TangentialModel::Scalar);
@@ -480,7 +481,7 @@ fn adaptive_steps_meet_their_tolerance() {
     let expected = kit::thorough(15..40, 20..60);
     assert!(expected.contains(&most), "{most}");
 
-    // A straight leg is one step, taken in two halves.
+    // A straight leg is a single step, which is taken in two halves.
     let mut history = start.clone();
     let mut steps = AdaptiveSteps::new(&history, 1e-6).unwrap();
     let straight = shift_step((1.0, [0.35, 0.0]));

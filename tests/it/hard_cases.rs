@@ -1,5 +1,5 @@
-//! Every row of the catalogue of hard cases is correct: solved within its certified error, rejected with the documented
-//! error, or stalled at round-off. Outside the campaign, one scene in five is solved.
+//! The result of every row of the catalogue of hard cases is correct. The case is solved within the certified error,
+//! rejected with the documented error, or stalls at round-off. Outside the campaign, one scene in five is solved.
 
 use kit::scenes::catalogue;
 

@@ -28,7 +28,7 @@ fn solved(bodies: &HalfSpace, gap: &Field, force: f64, hardness: &Hardness) -> N
         .unwrap()
 }
 
-/// Returns the numbers of contact cells below the hardness and at it.
+/// Returns the numbers of contact cells below the hardness and at the hardness.
 fn counts(contact: &NormalSolution, hardness: f64) -> [usize; 2] {
     let pressure = contact.pressure().as_slice().iter();
     let at = pressure.filter(|p| **p == hardness).count();
@@ -75,7 +75,7 @@ fn rough_cap_at_hardness_matches_reference() {
     assert!(max_difference(overlap.as_slice(), &column(2)) < 1e-10 * contact.approach());
 }
 
-/// Returns a small random problem: any cells, gap and limits, some of which are zero.
+/// Returns a small random problem with arbitrary cells, gap and limits. Some of the limits are zero.
 fn random_problem(seed: u64) -> (HalfSpace, Field, Field, Random) {
     let mut random = Random(seed);
     let (nx, ny) = (random.integer(2, 11), random.integer(2, 11));
@@ -145,7 +145,7 @@ fn certificate_bounds_error_on_random_problems() {
     assert!(at_limit > 1000, "{at_limit}");
 }
 
-/// The permanent set remains: under the same load the worn surfaces fit without yielding.
+/// The permanent set remains, so the worn surfaces fit under the same load without yielding.
 #[test]
 fn yielded_contact_is_elastic_when_loaded_again() {
     let grid = Grid::square(48, 1.0).unwrap();
@@ -201,8 +201,8 @@ fn unreached_hardness_changes_nothing() {
     }
 }
 
-/// A limit that the solution does not reach changes no iterate, although intermediate pressures of a punch are far above
-/// it.
+/// A limit that the solution does not reach changes no iterate, although intermediate pressures of a punch are far
+/// above the limit.
 #[test]
 fn unreached_hardness_leaves_punch_bitwise_identical() {
     let mut random = Random(33);
@@ -229,7 +229,7 @@ fn unreached_hardness_leaves_punch_bitwise_identical() {
         assert_eq!(limited.pressure(), free.pressure(), "case {case}");
         assert_eq!(limited.approach(), free.approach());
         assert_eq!(limited.report().iterations, free.report().iterations);
-        // A limit that the solution reaches is met.
+        // A limit that the solution reaches is not exceeded.
         let reached = Hardness::uniform(free.mean_pressure() * random.uniform(1.001, 1.2)).unwrap();
         let limited = problem().hardness(reached.clone()).build().unwrap();
         let limited = limited.solve().unwrap();
@@ -289,8 +289,8 @@ fn loads_beyond_capacity_are_rejected() {
     ));
 }
 
-/// The loads are carried by a whole number of cells at their limit, with no cell in between. Any approach within a range
-/// is then a multiplier.
+/// The loads are carried by a whole number of cells at their limit, and no cell has a pressure between zero and its
+/// limit. Any approach within a range is then a multiplier.
 #[test]
 fn all_cells_may_be_at_their_bounds() {
     let grid = Grid::square(16, 4.0).unwrap();
@@ -360,7 +360,8 @@ fn coupled_problem_with_hardness_matches_first_history_step() {
             assert!(x[cell].hypot(y[cell]) <= 0.4 * p * (1.0 + 1e-12));
         }
 
-        // Continuing under a smaller load, no cell is at the limit, and the contact equals that of elastic bodies.
+        // Continuing under a smaller load, no cell is at the limit, and the contact equals the contact of elastic
+        // bodies.
         let lighter = (
             NormalControl::Force(0.02),
             TangentialLoad::force([0.003, 0.0]),

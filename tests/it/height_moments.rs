@@ -25,8 +25,8 @@ fn wave_amplitudes(field: &Field) -> Vec<f64> {
         .collect()
 }
 
-/// Returns surfaces with waves over a decade of lengths: without a roll-off plateau, so that a few long waves dominate,
-/// and with a plateau.
+/// Returns surfaces with waves over a decade of lengths, with a roll-off plateau and without. Without a plateau a few
+/// long waves dominate.
 fn spectra() -> [(Grid, SelfAffine); 3] {
     let asked = SelfAffine::with_rms_height(1.0);
     [
@@ -101,7 +101,7 @@ fn moment_not_requested_is_gaussian() {
     }
 }
 
-/// Most cells follow the distribution; the moments do not depend on a few extreme cells. For skewness 1 and the
+/// Most cells follow the distribution, so the moments do not depend on a few extreme cells. For skewness 1 and the
 /// kurtosis of the lognormal distribution `exp(w g)` with this skewness, w = 0.31436, the 16 %, 50 % and 84 % quantiles
 /// of the heights are the values for `g = -1, 0, 1`.
 #[test]
@@ -120,7 +120,7 @@ fn heights_follow_the_johnson_distribution() {
         .unwrap();
     let mut heights = surface.into_heights().into_vec();
     heights.sort_by(f64::total_cmp);
-    // Ranks among 128^2 heights.
+    // The numbers are ranks among 128^2 heights.
     for (rank, normal) in [(2600, -1.0), (8192, 0.0), (13784, 1.0)] {
         let height = heights[rank];
         let mean = (0.5 * WIDTH * WIDTH).exp();

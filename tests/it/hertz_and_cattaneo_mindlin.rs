@@ -1,7 +1,7 @@
-//! The sphere of the paper: its Table 2 on 512 x 512 cells, and the convergence of the error.
+//! Tests of the sphere of the paper: results of Table 2 on 512 x 512 cells, and the convergence of the error.
 //!
-//! Error bounds are given by an order and a constant for the largest error over eight offsets of the sphere within a
-//! cell, as a function of a/h, the ratio of contact radius to cell side.
+//! Each error bound consists of an order and a constant. It limits the largest error over eight offsets of the sphere
+//! within a cell, as a function of a/h, the ratio of contact radius to cell side.
 
 use kit::{Random, Table2, l2_difference, max_abs};
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
@@ -58,7 +58,7 @@ fn relative(found: f64, expected: f64) -> f64 {
 fn sphere_on_512_cells_matches_table_2() {
     let (bodies, normal) = press(512, 3.0, [0.0; 2], 1e-6);
     let cells_per_radius = 512.0 / 3.0;
-    // Numbers of the paper's Table 2, computed to 17 digits.
+    // The expected values are the numbers of Table 2 of the paper, computed to 17 digits.
     assert!(relative(normal.pressure().max(), 2774530779.353719) < 1e-4);
     assert!(relative(normal.approach(), 4.916814175043048e-6) < 1e-5);
     assert!(relative(normal.force(), 100.0) < 1e-12);
@@ -80,7 +80,7 @@ fn sphere_on_512_cells_matches_table_2() {
     );
     assert!(main.report().products() <= 40, "{}", main.report());
 
-    // Figures 7 and 8f: stick ratio and shift under ten forces; shifts in micrometres.
+    // Figures 7 and 8f show the stick ratio and the shift under ten forces. The shifts are in micrometres.
     let shifts = [
         0.200809831448524,
         0.4092151420728142,
@@ -107,7 +107,7 @@ fn sphere_on_512_cells_matches_table_2() {
         );
     }
 
-    // Figure 9, with the friction coefficient 0.2 stated in its caption: profiles under forces below the limit.
+    // Figure 9 shows profiles under forces below the limit, with the friction coefficient 0.2 that its caption states.
     let profiles = [
         (0.2, 2.3),
         (0.4, 0.55),

@@ -1,4 +1,4 @@
-//! Growing, rolling and worn contacts of coated bodies, and their stiffness.
+//! Tests of growing, rolling and worn contacts of coated bodies, and of their stiffness.
 
 use kit::{max_difference, press};
 use stickslip::cgm::Method;

@@ -109,7 +109,8 @@ fn history_saved_copied_or_restored_is_bitwise_identical() {
                 copies = fresh.clone();
                 copies.push(("copied", history.clone()));
             }
-            // The other copies have the bytes compared above; outside the campaign only one of them is used in turn.
+            // The other copies have the bytes compared above. Outside the campaign only one of these copies is used in
+            // turn.
             if kit::thorough(true, false) {
                 fresh.swap(0, number % 3);
                 fresh.truncate(1);
@@ -147,7 +148,7 @@ fn invalid_loads(history: &History) -> Vec<LoadStep> {
             stiffness: -1.0,
         }),
         hold.twist(f64::NAN),
-        // This load follows a contact far wider than the last.
+        // This load requires a contact far wider than the last contact.
         too_far.normal(NormalControl::Force(0.12)),
         hold.normal(NormalControl::Force(history.normal().force()))
             .tangential(Axis::Y, TangentialControl::Force(1e3)),
@@ -248,7 +249,8 @@ fn run_on_two_threads(scene: &Scene, bodies: &HalfSpace) -> Vec<u8> {
     thread::scope(|scope| scope.spawn(continue_history).join().unwrap())
 }
 
-/// Runs all scenes concurrently, two of each on the same bodies; one of the two changes its thread halfway.
+/// Runs all scenes concurrently, with two runs of each scene on the same bodies. One of the two runs changes its thread
+/// halfway.
 #[test]
 fn history_run_concurrently_is_bitwise_identical() {
     let scenes = scenes_without_wear();
@@ -337,7 +339,8 @@ fn history_on_any_number_of_threads_is_bitwise_identical() {
     });
 }
 
-/// Returns scenes that together cover every boundary, model, coupling and memory, or all scenes in the campaign.
+/// Returns scenes that together cover every boundary, model, coupling and kind of memory. In the campaign it returns
+/// all scenes.
 fn some_scenes() -> Vec<Scene> {
     let chosen = [
         "rows",

@@ -24,7 +24,7 @@ fn load_step(force: f64, axis: Axis, tangential: TangentialControl) -> LoadStep 
     step.tangential(axis, tangential)
 }
 
-/// Takes three steps: first contact, slip, and a higher load.
+/// Takes three steps, which lead to first contact, to slip, and to a higher load.
 fn advance(history: &mut History) {
     let axis = history.axis().unwrap();
     for step in [

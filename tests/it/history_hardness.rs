@@ -39,7 +39,7 @@ fn second_loading_is_elastic() {
     assert_eq!(stays.pressure(), forgets.pressure());
     assert!(forgets.state().yielded().is_none());
     let yielded = stays.state().yielded().unwrap().clone();
-    // The yielded surfaces fit: the gap under load is zero in the cells that overlap without permanent set.
+    // The yielded surfaces fit together: the gap under load is zero in the cells that overlap without permanent set.
     assert!(forgets.normal().gap().min() < -1e-3 * stays.approach());
     assert!(stays.normal().gap().min() > -1e-9 * stays.approach());
     let worn = gap.as_slice().iter().zip(yielded.as_slice());
@@ -80,7 +80,7 @@ fn stiffness_of_yielded_solution_is_rejected() {
         yields.step(&press_step(0.05)).unwrap();
         assert_eq!(yields.pressure().max(), 0.01);
     }
-    // The solution does not record which cells have yielded, but the history does.
+    // The solution does not record which cells have yielded, but the history records it.
     let (bodies, gap) = rough_problem();
     let mut yields = new_history(&bodies, &gap, TangentialModel::Scalar, false);
     yields.step(&press_step(0.004)).unwrap();

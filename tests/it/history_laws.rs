@@ -1,5 +1,5 @@
-//! Properties of any history: no residual effects without slip, no slip at first contact, and tractions within the
-//! limit of the current pressure.
+//! Properties of any history. Without slip there are no residual effects, cells do not slip at first contact, and
+//! tractions are within the limit of the current pressure.
 
 use kit::{max_abs, max_difference, rough, unit_bodies};
 use stickslip::{
@@ -98,7 +98,7 @@ fn hold_step_leaves_state_unchanged() {
     assert!(slipped < 1e-8 * path.max());
 }
 
-/// In a contact that grows under a constant force, new cells have no slip to resist and carry no traction.
+/// In a contact that grows under a constant force, new cells have no slip to resist and therefore carry no traction.
 #[test]
 fn new_contact_cells_start_without_traction() {
     let grid = Grid::square(64, 16.0).unwrap();
@@ -137,7 +137,7 @@ fn new_contact_cells_start_without_traction() {
     assert!(max_abs(history.traction()[0].as_slice()) == 0.0 && shift > 0.0);
     let push = LoadStep::hold().tangential(Axis::X, TangentialControl::Force(0.1));
     assert!(matches!(history.step(&push), Err(Error::EmptyContact)));
-    // If the bodies are pressed together at a different shift, they stick there without traction or slip.
+    // If the bodies are pressed together at a different shift, they stick at this shift without traction or slip.
     take_steps(
         &mut history,
         &[(NormalControl::Hold, TangentialControl::Shift(3.0))],
@@ -186,7 +186,7 @@ fn force_before_first_contact_is_rejected() {
             assert!(matches!(refused, Err(Error::EmptyContact)));
             assert_eq!(history.shift()[axis.index()], shift);
         }
-        // The bodies are pressed together at this shift and stick there.
+        // The bodies are pressed together at this shift and stick at it.
         let hold = TangentialControl::Hold;
         take_steps(&mut history, &[(NormalControl::Force(2.0), hold)], 1.0);
         assert_eq!(history.shift()[axis.index()], position);
@@ -195,7 +195,8 @@ fn force_before_first_contact_is_rejected() {
     }
 }
 
-/// At the friction limit the contact slides by the smallest possible shift, and stays there under the same force.
+/// At the friction limit the contact slides by the smallest possible shift, and the shift remains constant under the
+/// same force.
 #[test]
 fn force_at_the_limit_slides_by_the_smallest_shift() {
     let grid = Grid::square(48, 12.0).unwrap();

@@ -54,7 +54,8 @@ fn difference_from(history: &History, traction: impl Fn(f64) -> f64) -> f64 {
     l2_difference(history.traction()[0].as_slice(), exact.as_slice())
 }
 
-/// Returns the errors of the shift, relative to the shift of sliding, and of the traction during unloading at `part`.
+/// Returns the error of the shift, relative to the shift at sliding, and the error of the traction, during unloading at
+/// `part`.
 fn unloading_errors(cells: usize, part: f64) -> [f64; 2] {
     let mut history = press_sphere(cells, 1e-9);
     shear_to(&mut history, AMPLITUDE, 4);
@@ -71,7 +72,8 @@ fn unloading_errors(cells: usize, part: f64) -> [f64; 2] {
 fn unloading_traction_and_shift_converge() {
     for &part in kit::thorough(&[-0.5][..], &[0.4, 0.0, -0.5, -AMPLITUDE]) {
         let [coarse, middle, fine] = [48, 96, 192].map(|cells| unloading_errors(cells, part));
-        // The error of the shift due to slip zones is irregular and at least of order 3/2; tractions have order 1.
+        // The error of the shift due to slip zones is irregular and at least of order 3/2. The error of the tractions
+        // is of order 1.
         for ([shift, traction], bounds) in [
             (coarse, [3e-4, 8e-2]),
             (middle, [3e-5, 3e-2]),
@@ -99,7 +101,8 @@ fn energy_of_a_cycle_converges() {
     }
 }
 
-/// The end of a cycle equals its start, and the middle is the mirror image, for any number of steps.
+/// For any number of steps, the state at the end of a cycle equals the state at its start, and the state in the middle
+/// is the mirror image.
 #[test]
 fn number_of_steps_does_not_change_the_cycle() {
     let mut ends: Vec<History> = Vec::new();

@@ -1,4 +1,4 @@
-//! A saved history is restored completely; bytes that do not contain a history are rejected.
+//! A saved history is restored completely, and bytes that do not contain a history are rejected.
 
 use kit::unit_bodies;
 use stickslip::history::State;
@@ -176,8 +176,8 @@ fn saved_state_has_the_documented_size() {
     let joint = ElasticPair::new(Material::new(1.0, 0.2).unwrap(), Material::rigid()).unwrap();
     let joint = HalfSpace::new(grid, joint).unwrap();
     let bodies = unit_bodies(grid, 0.3);
-    // Bytes per cell of the grid, after pressing twice and after a change of the gap; the flat contact fills its
-    // window.
+    // The sizes are bytes per cell of the grid, after pressing twice and after a change of the gap. The flat contact
+    // fills its window.
     for (bodies, gap, friction, model, sizes) in [
         (&bodies, &flat, &uniform, TangentialModel::Scalar, [89, 97]),
         (

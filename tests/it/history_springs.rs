@@ -69,7 +69,7 @@ fn springs_of_any_stiffness_match_force_and_shift() {
     }
 }
 
-/// A spring can slide the contact; its force then stays at the limit during further motion.
+/// A spring can slide the contact. The force of the spring then remains at the limit during further motion.
 #[test]
 fn spring_slides_the_contact_at_the_limit() {
     let mut history = press_sphere();

@@ -1,4 +1,4 @@
-//! A state has the values of its history, and is rejected for different bodies.
+//! A state has the values of its history. A history of different bodies rejects the state.
 
 use kit::{rough, unit_bodies};
 use stickslip::history::State;

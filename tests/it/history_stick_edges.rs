@@ -44,7 +44,7 @@ fn history(bodies: &HalfSpace, offset: [f64; 2], forces: &[f64]) -> History {
     history
 }
 
-/// Returns the relative errors of the counted and the fitted stick area, and of the tractions of the cells and the
+/// Returns the relative errors of the counted and the fitted stick area, and the relative errors of the raw and the
 /// fitted tractions.
 fn errors(history: &History, offset: [f64; 2], forces: &[f64]) -> [f64; 4] {
     let grid = history.grid();
@@ -68,16 +68,17 @@ fn errors(history: &History, offset: [f64; 2], forces: &[f64]) -> [f64; 4] {
     ]
 }
 
-/// The paths are loading, unloading, reversal and two reversals, in steps of any length. The errors are the mean and the
-/// worst over eight positions (three outside the thorough run) on 96 cells over three contact radii.
+/// The paths are loading, unloading, reversal and two reversals, in steps of any length. The errors are the mean and
+/// the largest error over eight positions (three positions outside the thorough run) on 96 cells over three contact
+/// radii.
 #[test]
 fn stick_edges_after_reversals_match_mindlin_deresiewicz() {
     let bodies = bodies(96);
     let offsets = &OFFSETS[..kit::thorough(3, 8)];
     let part =
         |parts: &[f64]| -> Vec<f64> { parts.iter().map(|part| part * FRICTION * LOAD).collect() };
-    // Path; limits of the errors with fitted edges, as fractions of the errors of the counted area and of the traction
-    // of the cells; limit of the worst error of the area.
+    // Each case lists the path, the limits of the errors with fitted edges (as fractions of the errors of the counted
+    // area and of the raw traction), and the limit of the largest error of the area.
     for (name, forces, area_left, traction_left, worst_area) in [
         ("loaded", part(&[0.4]), 0.05, 0.3, 1e-3),
         (
@@ -113,8 +114,8 @@ fn stick_edges_after_reversals_match_mindlin_deresiewicz() {
     }
 }
 
-/// After a return to a state, the last step of the history is a different one. The edge must then follow from the
-/// interior values alone.
+/// After a return to a state, the last step of the history does not belong to this state. The edge must then follow
+/// from the interior values alone.
 #[test]
 fn stick_edges_after_return_to_state_are_accurate() {
     let (bodies, offset) = (bodies(64), OFFSETS[1]);

@@ -1,4 +1,4 @@
-//! Histories of the vector model: loads of any direction and twist, closed loops, and sliding.
+//! Tests of histories of the vector model under loads of any direction and twist, in closed loops, and in sliding.
 
 use kit::{max_abs, max_difference, rough, unit_bodies, unit_pair};
 use stickslip::analytical::{HertzSphere, LubkinTorsion};

@@ -85,7 +85,7 @@ fn new_gap_preserves_the_state() {
     assert!((history.shift()[0] / twin.shift()[0] - 1.0).abs() < 1e-6);
     assert!((history.accumulated_slip().max() / twin.accumulated_slip().max() - 1.0).abs() < 1e-6);
 
-    // The gap is worn in the middle under a constant pressure; the pressure changes only when it is solved for.
+    // The gap is worn in the middle under a constant pressure. The pressure changes only in a step that solves for it.
     let mut worn = ball.clone();
     for (h, p) in worn
         .as_mut_slice()
@@ -107,13 +107,14 @@ fn new_gap_preserves_the_state() {
     assert!(twin.tangential_force()[0] != 0.5 && twin.tangential_force()[0].abs() < 1.6);
 }
 
-/// Returns the warnings without those about the resolution, which other tests check.
+/// Returns the warnings without the warnings about the resolution, which other tests check.
 fn without_resolution_warnings(warnings: Vec<Warning>) -> Vec<Warning> {
     let is_other = |warning: &Warning| !matches!(warning, Warning::UnderresolvedSlipZone { .. });
     warnings.into_iter().filter(is_other).collect()
 }
 
-/// A wear loop that does not state the normal load gives a warning in every step; one that states the load does not.
+/// A wear loop that does not state the normal load gives a warning in every step. A loop that states the load gives no
+/// warning.
 #[test]
 fn stale_pressure_causes_a_warning() {
     let grid = Grid::square(32, 12.0).unwrap();
@@ -247,7 +248,7 @@ fn max_stable_cycles_separate_stable_from_unstable_wear() {
     let grid = bodies.grid();
     let modulus = bodies.pair().contact_modulus();
     let stable = |slip: f64| wear::max_stable_cycles(&bodies, 1e-12, &Field::constant(grid, slip));
-    // The expected number is 1.16 dx/E* over k s.
+    // The expected number of cycles is 1.16 dx/E* over k s.
     let cycles = stable(0.5).unwrap();
     assert!((cycles * 1e-12 * 0.5 * modulus / 1.161 - 1.0).abs() < 1e-3);
     assert!(stable(0.0).unwrap() == f64::INFINITY && stable(-1.0).is_err());
@@ -267,7 +268,7 @@ fn max_stable_cycles_separate_stable_from_unstable_wear() {
     let rayleigh = image.get(16, 16).unwrap() * board.get(16, 16).unwrap();
     assert!(cycles <= 2.0 * rayleigh * (1.0 + 1e-2) && cycles > 1.5 * rayleigh);
 
-    // For wear below the limit the pressure evens out; for wear above it the pressure oscillates with growing
+    // For wear below the limit the pressure evens out. For wear above the limit the pressure oscillates with growing
     // amplitude.
     for (factor, settles) in [(0.9, true), (1.6, false)] {
         let bodies = unit_bodies(Grid::square(16, 16.0).unwrap(), 0.0);

@@ -7,12 +7,12 @@ use stickslip::fft::Convolution;
 use stickslip::influence::{Component, Rectangle, Table, Tensor};
 use stickslip::{ElasticPair, Field, Grid, Material, Operator};
 
-/// 60 points of a single body and 7 of a pair; the header of the file names the source.
+/// Reference values at 60 points of a single body and at 7 points of a pair. The header of the file names the source.
 const REFERENCE: &str = include_str!("../data/influence.csv");
 
-/// 96 points of a single body and 24 of a pair, computed independently of [`REFERENCE`]. Aspect ratios of the cells run
-/// from 1:100 to 100:1. Points are inside a cell, on its edge, next to it and up to a million cells away. Poisson's
-/// ratios are -0.5, 0, 0.29, 0.499999 and 0.5.
+/// Reference values at 96 points of a single body and at 24 points of a pair, computed independently of [`REFERENCE`].
+/// Aspect ratios of the cells run from 1:100 to 100:1. Points are inside a cell, on its edge, next to it and up to a
+/// million cells away. Poisson's ratios are -0.5, 0, 0.29, 0.499999 and 0.5.
 const RANDOM_POINTS: &str = include_str!("../data/influence/random_points.csv");
 
 fn material(modulus: &str, poisson_ratio: &str) -> Material {
@@ -123,7 +123,7 @@ fn table_stores_coefficients_at_every_distance() {
     }
 }
 
-/// A coefficient that is odd across an axis is exactly zero on it, without round-off, at any distance.
+/// A coefficient that is odd across an axis is exactly zero on the axis, without round-off, at any distance.
 #[test]
 fn odd_coefficients_vanish_on_axes() {
     let pair = kit::unit_pair(0.3);
@@ -200,7 +200,7 @@ proptest! {
 }
 
 /// The symbols of a periodic grid have the signs and magnitudes of the coefficients of a free half-space for all nine
-/// components. The traction has no mean, so its far field vanishes. The remaining difference is due to the uniform
+/// components. The traction has zero mean, so its far field vanishes. The remaining difference is due to the uniform
 /// pressure on the cells of the free grid and to the periodic images.
 #[test]
 fn periodic_grid_matches_free_grid_near_local_traction() {

@@ -73,8 +73,8 @@ fn superposition_is_exact_for_zero_poisson_ratio() {
     }
 }
 
-/// For other Poisson's ratios the superposition is an approximation with a known error. It must be close but not exact,
-/// because otherwise the tangential compliance would equal the normal compliance.
+/// For other Poisson's ratios the superposition is an approximation with a known error. The approximation must be close
+/// but not exact, because otherwise the tangential compliance would equal the normal compliance.
 #[test]
 fn superposition_is_approximate_for_other_poisson_ratios() {
     let grid = Grid::square(96, 100.0).unwrap();
@@ -92,8 +92,8 @@ fn superposition_is_approximate_for_other_poisson_ratios() {
     }
 }
 
-/// Contacts of two different problems, exchanged loads and unsolved contacts have no meaningful difference and are
-/// rejected.
+/// Contacts of two different problems, contacts with exchanged loads and unsolved contacts have no meaningful
+/// difference and are rejected.
 #[test]
 fn mismatched_contacts_are_rejected() {
     let grid = Grid::square(32, 16.0).unwrap();

@@ -1,4 +1,4 @@
-//! Least squares find and remove a form exactly, with and without missing heights.
+//! The least-squares method finds and removes a form exactly, with and without missing heights.
 
 use kit::Random;
 use proptest::prelude::*;

@@ -1,4 +1,4 @@
-//! Load cycles reach their turning points and close without rounding.
+//! Load cycles reach their turning points and close exactly, without rounding errors.
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, TAU};
 

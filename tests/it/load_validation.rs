@@ -240,7 +240,7 @@ fn tangential_problem_with_unsuitable_pressure_is_rejected() {
         panic!("full coupling was accepted");
     };
     assert!((beta - pair.dundurs_beta()).abs() < 1e-15 && beta.abs() > 0.2);
-    // Without coupling, the pressure causes no tangential displacement; with coupling, different tractions carry the
+    // Without coupling, the pressure causes no tangential displacement. With coupling, different tractions carry the
     // force.
     let [one_way, neglected] = [Coupling::OneWay, Coupling::Neglected].map(|coupling| {
         builder()
@@ -255,7 +255,7 @@ fn tangential_problem_with_unsuitable_pressure_is_rejected() {
     assert!(one_way.shift() != neglected.shift());
 }
 
-/// Cells whose sides differ only by round-off are equal; cells that differ by more are not.
+/// Cells whose sides differ only by round-off count as equal; cells that differ by more do not.
 #[test]
 fn grids_with_sides_equal_to_round_off_are_accepted() {
     let own = Grid::new(8, 6, 0.8 / 8.0, 0.6 / 6.0).unwrap();

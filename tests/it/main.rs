@@ -1,7 +1,7 @@
 //! Integration tests, one module for each subject.
 //!
-//! They form a single program, so that the library and shared code are linked once. Tests that count allocations are in
-//! `tests/alloc`.
+//! The modules form a single program, so that the library and the shared code are linked once. Tests that count
+//! allocations are in `tests/alloc`.
 
 #![allow(
     clippy::unwrap_used,

@@ -116,8 +116,8 @@ fn force_beyond_friction_names_remedy_for_its_subject() {
     );
 }
 
-/// Covers contacts in which no cell carries pressure: contacts that were never pressed, pressed by a zero force, or
-/// pressed and then separated, and a contact of dissimilar bodies.
+/// Covers contacts in which no cell carries pressure: contacts that were never pressed, that were pressed by a zero
+/// force, or that were pressed and then separated, and a contact of dissimilar bodies.
 #[test]
 fn force_on_empty_contact_reports_empty_contact() {
     let bodies = bodies(12);
@@ -432,7 +432,7 @@ fn small_spots_of_rough_surface_are_judged_together() {
 #[test]
 fn narrow_slip_in_small_spots_gives_no_warning() {
     let grid = Grid::square(64, 64.0).unwrap();
-    // Four balls of a periodic array.
+    // The gap describes four balls of a periodic array.
     let wave = |x: f64| (std::f64::consts::TAU * x / 32.0).cos();
     let gap = Field::from_fn(grid, |x, y| 0.4 * (2.0 - wave(x) - wave(y)));
     let bodies = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), Boundary::Periodic).unwrap();
@@ -521,7 +521,7 @@ fn contact_radius_above_a_third_of_curvature_gives_warning() {
         let contact = pressed(&bodies, &gap, 0.5);
         assert_eq!(stated_radius(&contact.warnings()), None);
     }
-    // A cylinder on a line of cells.
+    // The next case is a cylinder on a line of cells.
     let line = Grid::line(60, 2.8 / 60.0).unwrap();
     let boundary = Boundary::PeriodicAlongY { datum: 20.0 };
     let bodies = HalfSpace::with_boundary(line, pair, boundary).unwrap();

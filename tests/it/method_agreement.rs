@@ -119,7 +119,7 @@ fn active_set_method_solves_sphere_of_table_2_within_cost() {
     }
 }
 
-/// At such a load a step scaled by the gap would be much larger than any pressure, and the pressure would lose its
+/// Under a tiny load, a step scaled by the gap would be much larger than any pressure, and the pressure would lose its
 /// accuracy.
 #[test]
 fn methods_agree_under_tiny_load_on_rough_surface() {

@@ -34,7 +34,7 @@ fn moments_match_position_of_ball() {
     let contact = press(&bodies, place, force);
     let [x, y] = contact.centre_of_pressure().unwrap();
     assert!((x - place[0]).abs() < 1e-9 && (y - place[1]).abs() < 1e-9);
-    // The moment of a force along +z on body 1.
+    // The reference is the moment of a force along +z on body 1.
     let [about_x, about_y] = contact.moments();
     assert!((about_x - place[1] * force).abs() < 1e-9);
     assert!((about_y + place[0] * force).abs() < 1e-9);

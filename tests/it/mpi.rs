@@ -3,7 +3,7 @@
 //!
 //! Run with `mpirun`. Every rank solves each case together with the other ranks and on its own. With `--stop-the-last`
 //! the last rank is stopped instead, and the other ranks must report this and end. With `--lose-the-last` the last rank
-//! leaves while the other ranks hold large blocks for each other, and they must report this as well.
+//! leaves while the other ranks hold large blocks for each other, and the other ranks must report this as well.
 
 #![allow(
     clippy::unwrap_used,

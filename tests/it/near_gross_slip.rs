@@ -91,7 +91,7 @@ fn reported_friction_capacity_causes_gross_slip() {
     }
 }
 
-/// The squares of some limits underflow compared with the others.
+/// The squares of some friction limits underflow compared with the squares of the others.
 #[test]
 fn negligible_pressures_converge() {
     let grid = Grid::square(48, 100.0).unwrap();

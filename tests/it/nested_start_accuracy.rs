@@ -32,8 +32,8 @@ fn iterations(n: usize, seed: u64) -> usize {
     shear.report().iterations
 }
 
-/// Measured: 32, 30 and 30 iterations; 44, 39 and 42 if the deficits of the coarse totals were also distributed over
-/// slipping cells.
+/// The measured numbers of iterations are 32, 30 and 30. They would be 44, 39 and 42 if the deficits of the coarse
+/// totals were also distributed over slipping cells.
 #[test]
 fn nested_start_of_rough_vector_problem_needs_few_iterations() {
     for &seed in kit::thorough(&[0][..], &[0, 4, 5]) {
@@ -42,8 +42,9 @@ fn nested_start_of_rough_vector_problem_needs_few_iterations() {
     }
 }
 
-/// Measured products in single precision to tolerances of 1e-3 and 1e-6: 4 and 8 for the pressure, 7 and 12 for the
-/// shear. If only the tractions are interpolated, the pressure takes 10 and 14 products, and the shear 9 and 16.
+/// To tolerances of 1e-3 and 1e-6, the pressure takes 4 and 8 products in single precision, and the shear takes 7 and
+/// 12 products (measured). If only the tractions are interpolated, the pressure takes 10 and 14 products, and the shear
+/// takes 9 and 16 products.
 #[test]
 fn nested_start_of_sphere_needs_few_products() {
     let grid = Grid::square(256, 3.0).unwrap();

@@ -99,7 +99,7 @@ fn next_step_stiffness_after_pressing_matches_mindlin() {
             (loading / reversal - 1.0).abs() < 1e-9,
             "{loading} {reversal}"
         );
-        // Cells that entered in the last step follow its motion in part.
+        // Cells that entered in the last step follow the motion of this step in part.
         assert!(along(last.loading) < 0.9 * loading);
         let hertz = HertzSphere::new(&steel(), 3.5e-3, FORCE).unwrap();
         let mindlin = MindlinFullStick::new(&steel(), hertz.contact_radius(), 1.0).unwrap();
@@ -109,7 +109,7 @@ fn next_step_stiffness_after_pressing_matches_mindlin() {
     }
 }
 
-/// Slipping cells keep their traction in the scalar model, and rotate it in the vector model.
+/// The traction of slipping cells is constant in the scalar model, and rotates in the vector model.
 #[test]
 fn next_step_stiffness_continues_slip_of_sheared_contact() {
     let scenes = [

@@ -1,4 +1,5 @@
-//! One-way coupling (Goodman's approximation): tractions under a given pressure, in problems and in histories.
+//! Tests of one-way coupling (Goodman's approximation), in which tractions are computed under a given pressure, in
+//! problems and in histories.
 
 use kit::{l2_difference, max_difference};
 use stickslip::analytical::SpencePressing;
@@ -34,8 +35,8 @@ fn punch(cells: usize, beta: f64, coefficient: f64) -> TangentialSolution {
         .unwrap()
 }
 
-/// The stick zone of a punch agrees with Spence's solution for any beta, because both neglect the change of the
-/// pressure by shear.
+/// The stick zone of a punch agrees with Spence's solution for any beta, because both solutions neglect the change of
+/// the pressure due to shear.
 #[test]
 fn one_way_punch_sticks_as_in_spence() {
     for &beta in kit::thorough(&[0.5][..], &[0.5, 0.2]) {
@@ -139,7 +140,8 @@ fn small_force_along_diverging_row_leaves_a_cell_sticking() {
     }
 }
 
-/// Under the pressure of the fully coupled solution, the tractions are those of the fully coupled solution.
+/// Under the pressure of the fully coupled solution, one-way coupling gives the tractions of the fully coupled
+/// solution.
 #[test]
 fn tractions_match_full_coupling_under_its_pressure() {
     let grid = Grid::new(26, 22, 0.1, 0.12).unwrap();
@@ -194,7 +196,7 @@ fn history(bodies: &HalfSpace, gap: &Field, coupling: Coupling) -> History {
         .unwrap()
 }
 
-/// Takes steps of all kinds: pressing, shear, twist, unloading, wear, separation, pressing again.
+/// Takes steps of all kinds: pressing, shear, twist, unloading, wear, separation, and renewed pressing.
 fn steps(history: &mut History, mut seen: impl FnMut(usize, &History)) {
     let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
     let path = [
@@ -250,7 +252,8 @@ fn one_way_energies_balance_and_restarts_are_bitwise() {
     assert!(restored.to_bytes() == again.to_bytes());
 }
 
-/// The error of one-way coupling is of the order of beta: in all steps the tractions approach those of full coupling.
+/// The error of one-way coupling is of the order of beta: in all steps the tractions approach the tractions of full
+/// coupling.
 #[test]
 fn one_way_error_vanishes_with_beta() {
     let differences = [0.2, 0.1, 0.05].map(|beta| {

@@ -1,4 +1,4 @@
-//! Inputs beyond any memory are rejected with the number of bytes they would need, before any allocation.
+//! Inputs that exceed any memory are rejected before any allocation, with the number of bytes that they would need.
 
 use kit::unit_pair;
 use stickslip::cgm::{self, NonNegative, Problem, Settings};

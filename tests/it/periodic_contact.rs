@@ -29,7 +29,7 @@ fn wavy_gap(grid: Grid) -> Field {
     Field::from_fn(grid, |x, _| DEPTH * (1.0 - (TAU * x).cos()))
 }
 
-/// Westergaard: the pressure in full contact is a cosine wave about the mean pressure.
+/// The pressure in full contact is Westergaard's solution, a cosine wave about the mean pressure.
 #[test]
 fn full_contact_matches_westergaard() {
     for (cells, method) in [(32, METHODS[0]), (33, METHODS[0]), (48, METHODS[1])] {
@@ -53,8 +53,8 @@ fn full_contact_matches_westergaard() {
     }
 }
 
-/// Westergaard: the half-width of the contact is `asin(sqrt(p/p*))/pi` wavelengths, which the cells resolve to about
-/// half a cell at either edge. The pressure at the crest, `2 sqrt(p p*)`, converges with second order.
+/// In Westergaard's solution the half-width of the contact is `asin(sqrt(p/p*))/pi` wavelengths, which the cells
+/// resolve to about half a cell at either edge. The pressure at the crest, `2 sqrt(p p*)`, converges with second order.
 #[test]
 fn partial_contact_matches_westergaard() {
     for cells in [64, 128, 256, 512] {
@@ -349,7 +349,7 @@ fn shift_periodically(field: &Field, [dx, dy]: [usize; 2]) -> Field {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(kit::thorough(8, 24)))]
 
-    /// All positions on a torus are equivalent.
+    /// A shift of the surface shifts the contact, because all positions on a torus are equivalent.
     #[test]
     fn shifted_surface_shifts_the_contact(
         (nx, ny, dx, dy, seed) in (8..40_usize, 8..40_usize, 0..40_usize, 0..40_usize, any::<u64>())
@@ -397,8 +397,8 @@ mod dense_reference {
         DenseOperator::from_rows(cells, (0..cells * cells).map(entry).collect()).unwrap()
     }
 
-    /// Computes `|a - b|_C / |b|_C`. A mean has no energy, so the norm of `b` is replaced by the bound from the
-    /// smallest eigenvalue if this bound is larger.
+    /// Computes `|a - b|_C / |b|_C`. A uniform field has no energy, so the norm of `b` is replaced by the bound from
+    /// the smallest eigenvalue if this bound is larger.
     fn energy_error(matrix: &DenseOperator, smallest: f64, a: &[f64], b: &[f64]) -> f64 {
         let energy = |x: &[f64]| {
             let mean = x.iter().sum::<f64>() / x.len() as f64;

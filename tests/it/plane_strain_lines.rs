@@ -1,5 +1,5 @@
-//! A line of cells on a grid that is periodic along y is in plane strain. It has the kernels of strips and the closed
-//! forms of cylinders, and any number of equal rows has the same solution.
+//! A line of cells on a grid that is periodic along y is in plane strain. The kernels are the kernels of strips, and
+//! the solutions agree with the closed forms of cylinders. Any number of equal rows has the same solution.
 
 use kit::{max_difference, unit_pair};
 use proptest::prelude::*;
@@ -176,8 +176,8 @@ fn equal_rows_match_single_line() {
     }
 }
 
-/// Returns the errors of the cylinder on `n` cells: peak pressure, pressure in the L1 norm, approach, stick half-width,
-/// traction, shift.
+/// Returns the errors of the cylinder on `n` cells, for the peak pressure, the pressure in the L1 norm, the approach,
+/// the stick half-width, the traction and the shift.
 fn errors(n: usize) -> [f64; 6] {
     let steel = Material::new(210e3, 0.3).unwrap();
     let pair = ElasticPair::new(steel, steel).unwrap();
@@ -346,9 +346,9 @@ fn press_tightly(bodies: &HalfSpace, gap: &Field, press: NormalControl) -> Norma
     problem.tolerance(1e-10).build().unwrap().solve().unwrap()
 }
 
-/// The reference for one-way coupling is Spence's solution. For full coupling it comes from an independent method of
-/// line elements, accurate to 3e-5 in the coefficient. The error is of first order in the cell size, since half-widths
-/// are whole multiples of a cell.
+/// The reference for one-way coupling is Spence's solution. The reference for full coupling is the result of an
+/// independent method of line elements, accurate to 3e-5 in the coefficient. The error is of first order in the cell
+/// size, since half-widths are whole multiples of a cell.
 #[test]
 fn dissimilar_punches_stick_as_in_spence() {
     let cases = [

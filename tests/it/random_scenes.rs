@@ -50,12 +50,12 @@ fn random_coated_scenes_are_solved_correctly() {
 #[test]
 fn scenes_with_former_faults_are_solved_correctly() {
     let indices = [
-        // In the plane, under a force close to sliding.
+        // These contacts are sheared in the plane by a force close to sliding.
         107, 114, 164, 247, 254, 506, 520, 762, 863, 953, 997, 1050, 1117, 1438,
-        // A single periodic cell, in the plane.
+        // These contacts are a single periodic cell, sheared in the plane.
         543, 1091, 1787, 4020,
-        // A window around a tip that is not the lowest, under a tiny load (10225), and round-off of the slip that is
-        // much larger than the displacement (the others).
+        // Scene 10225 has a window around a tip that is not the lowest, under a tiny load. In the other scenes the
+        // round-off of the slip is much larger than the displacement.
         10225, 191, 575, 615, 17791,
     ];
     let found = faults(&indices, campaign::rows);
@@ -64,13 +64,13 @@ fn scenes_with_former_faults_are_solved_correctly() {
 
 #[test]
 fn scenes_that_formerly_stalled_converge() {
-    // A small shift of a periodic grid in full contact whose cells slip everywhere, to the last digit.
+    // These scenes are small shifts of a periodic grid in full contact whose cells slip everywhere, to the last digit.
     let small_shifts = [13459, 16149].into_iter().map(|i| (i, campaign::rows(i)));
     let of_kinds = [
-        // Slipping cells whose tractions are collinear and oblique to the axes.
+        // These scenes have slipping cells whose tractions are collinear and oblique to the axes.
         3483, 5238, 6156, 7587, 8208, 8586,
-        // Projected gradients that converge next to the minimum, and alternating pressure and traction solves that
-        // diverge.
+        // In these scenes projected gradients converge next to the minimum, or alternating solves for pressure and
+        // traction diverge.
         1665, 3248,
     ];
     let of_kinds = of_kinds.into_iter().map(|i| (i, kinds::rows(i)));

@@ -1,4 +1,4 @@
-//! Contacts distributed over ranks are bitwise identical to those of one process.
+//! Contacts distributed over ranks are bitwise identical to contacts solved by one process.
 
 use std::ops::ControlFlow;
 use std::sync::{Arc, Barrier};
@@ -365,9 +365,9 @@ fn silent_rank_is_reported() {
 }
 
 /// The number of bytes follows the formula. Each wave has 16 bytes, for half of the columns of the torus plus one, in
-/// whole tiles. The forward exchange contains the rows with tractions and one bit for each band of rows; the backward
-/// exchange contains all rows. This amounts to 32 bytes per cell of a free grid and 16 per cell of a periodic grid, minus
-/// the local part.
+/// whole tiles. The forward exchange contains the rows with tractions and one bit for each band of rows. The backward
+/// exchange contains all rows. The total is 32 bytes per cell of a free grid and 16 bytes per cell of a periodic grid,
+/// minus the local part.
 #[test]
 fn traffic_matches_formula() {
     let n = 256;

@@ -1,4 +1,4 @@
-//! Coupled contacts of dissimilar bodies on ranks are bitwise identical to those of one process.
+//! Coupled contacts of dissimilar bodies on ranks are bitwise identical to contacts solved by one process.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -10,8 +10,9 @@ use stickslip::*;
 use crate::rank_contacts::{Found, PATIENCE, assert_shared, by_cell, pair, same};
 use crate::rank_histories::friction;
 
-/// Gaps of a centred ball, and of a ball off the centre that touches few rows.
+/// Gap of a centred ball.
 const BALL: fn(f64, f64) -> f64 = |x, y| 0.05 * (x * x + y * y);
+/// Gap of a ball off the centre, which touches few rows.
 const OFF_CENTRE_BALL: fn(f64, f64) -> f64 = |x, y| 0.05 * ((x - 5.0).powi(2) + (y + 8.0).powi(2));
 
 fn solver(

@@ -1,5 +1,5 @@
-//! Exchanges between ranks deliver each block to its destination, with the default collective methods and with those of
-//! an implementation.
+//! Exchanges between ranks deliver each block to its destination, with the default collective methods and with the
+//! collective methods of an implementation.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
@@ -92,8 +92,8 @@ fn rank_leaving_among_large_blocks_is_reported() {
     }
 }
 
-/// Ranks of which the first receives a block from the second that is a word too short, after the given number of
-/// blocks.
+/// Ranks that corrupt one block. After the given number of blocks, the first rank receives a block from the second rank
+/// that is one word too short.
 #[derive(Debug)]
 struct ShortBlock {
     rank: Threads,
@@ -159,8 +159,8 @@ fn block_of_wrong_length_is_reported() {
     }
 }
 
-/// A product has two exchanges: for the columns and for the rows. Each rank sends a block to every other rank in each of
-/// them.
+/// A product has two exchanges, one for the columns and one for the rows. In each exchange, each rank sends a block to
+/// every other rank.
 #[test]
 fn product_has_two_exchanges() {
     let (size, grid) = (4, Grid::square(256, 8.0).unwrap());

@@ -1,4 +1,4 @@
-//! Histories distributed over ranks are bitwise identical to those of one process.
+//! Histories distributed over ranks are bitwise identical to histories on one process.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -12,7 +12,7 @@ use stickslip::*;
 
 use crate::rank_contacts::{Found, PATIENCE, assert_shared, by_cell, pair, same};
 
-/// Returns the gap of a ball off the centre, which touches few rows at first and then more and more.
+/// Returns the gap of a ball off the centre, which touches few rows at first and an increasing number of rows later.
 pub(crate) fn ball(bodies: &HalfSpace) -> Field {
     Field::from_fn(bodies.grid(), |x, y| {
         0.05 * ((x - 0.3).powi(2) + (y + 2.0).powi(2))
@@ -133,7 +133,7 @@ fn stiffnesses_on_ranks_match_one_process() {
     }
 }
 
-/// Returns a history whose state contains all optional parts, or only uniform ones.
+/// Returns a history whose state contains all optional parts, or only uniform parts.
 pub(crate) fn started(bodies: &HalfSpace, is_rich: bool) -> History {
     let gap = ball(bodies);
     let coulomb = Friction::coulomb(0.3).unwrap();

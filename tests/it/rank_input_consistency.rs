@@ -1,4 +1,5 @@
-//! Ranks with inconsistent inputs report immediately which input differs, so that they never have different results.
+//! Ranks with inconsistent inputs report immediately which input differs, so that the ranks never have different
+//! results.
 
 use std::fmt::Debug;
 use std::ops::ControlFlow;
@@ -269,7 +270,7 @@ fn inconsistent_coupled_problems_are_reported() {
     });
 }
 
-/// If one rank skipped half of the solves or ended them early, the other ranks would wait for it.
+/// If one rank skipped half of the solves or ended them early, the other ranks would wait for this rank.
 #[test]
 fn inconsistent_stiffnesses_are_reported() {
     for coupling in [Coupling::Neglected, Coupling::Full] {

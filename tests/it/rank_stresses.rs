@@ -1,4 +1,4 @@
-//! Planes below the surface on ranks are bitwise identical to those of one process.
+//! Planes below the surface that ranks compute are bitwise identical to the planes of one process.
 
 use std::ops::ControlFlow;
 use std::sync::Arc;

@@ -1,5 +1,5 @@
-//! Parameters and levelled heights of a surface that is distributed over ranks by slabs are bitwise identical to those of
-//! one process.
+//! Parameters and levelled heights of a surface that is distributed over ranks by slabs are bitwise identical to the
+//! results of one process.
 
 use stickslip::ranks::RankFailure;
 use stickslip::surface::{self, Form, PowerSpectrum, Statistics};

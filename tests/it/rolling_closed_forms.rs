@@ -22,8 +22,8 @@ fn alike(shear_modulus: f64, poisson: f64) -> Result<ElasticPair> {
     ElasticPair::new(body, body)
 }
 
-/// Table E.3 of Kalker (1990): a/b, Poisson's ratio, C11, C22, C23. A copy in circulation has 1.15 instead of 1.25 at
-/// a/b = 0.8 and 0.25.
+/// Table E.3 of Kalker (1990): a/b, Poisson's ratio, C11, C22 and C23. A copy in circulation has 1.15 instead of 1.25
+/// for C23 at a/b = 0.8 and a Poisson's ratio of 0.25.
 const PRINTED: [[f64; 5]; 12] = [
     [0.2, 0.25, 3.37, 2.63, 0.603],
     [0.4, 0.5, 4.82, 2.98, 0.977],

@@ -39,8 +39,8 @@ fn small_sphere(poisson: f64) -> (HalfSpace, Field, f64) {
     (bodies, surface::sphere(grid, 1.0).unwrap(), load)
 }
 
-/// The reference is CONTACT (E. A. H. Vollebregt, revision 2707, Apache-2.0) on the same cells: forces on the other
-/// body, and the number of sticking cells, after the given number of steps of one cell from rest.
+/// The reference is CONTACT (E. A. H. Vollebregt, revision 2707, Apache-2.0) on the same cells. It gives the forces on
+/// the other body and the number of sticking cells after the given number of steps of one cell from rest.
 #[test]
 fn rolling_without_entry_law_matches_contact() {
     let sphere = Grid::new(41, 37, 0.0116, 0.0116).unwrap();
@@ -228,7 +228,7 @@ fn rolling_energy_balance_closes() {
     }
 }
 
-/// Rough rollers: the texture moves with the particles, and the gap is set before each step.
+/// The texture of rough rollers moves with the particles, and the gap is set before each step.
 #[test]
 fn texture_moves_with_particles() {
     let grid = Grid::new(26, 22, 0.12, 0.14).unwrap();
@@ -275,7 +275,7 @@ fn texture_moves_with_particles() {
     }
 }
 
-/// Between a smooth roller and a rough one whose texture does not move, as for a worn form, rolling converges to the
+/// Between a smooth roller and a rough roller whose texture does not move, as for a worn form, rolling converges to the
 /// steady state.
 #[test]
 fn rough_form_converges_to_steady_rolling() {

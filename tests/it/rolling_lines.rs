@@ -1,4 +1,4 @@
-//! Lines and rows that roll under prescribed forces.
+//! Tests of lines and rows of cells that roll under prescribed forces.
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 

@@ -210,7 +210,7 @@ fn creep_forces_match_single_solves() {
 }
 
 /// On 64 cells across, a cold solve to 1e-8 takes at most 150 products for any force. A solve after an increase of the
-/// creepages by one per cent takes at most 60, and a stiffness at most 170.
+/// creepages by one per cent takes at most 60 products, and a stiffness takes at most 170 products.
 #[test]
 fn rolling_solves_take_few_products() {
     let scene = RollingSphere::across(64);
@@ -268,7 +268,8 @@ fn interrupted_solve_can_be_continued() {
     assert!(found.iter().all(|error| error.abs() < 1e-9 * scene.limit));
 }
 
-/// The result is that of a solver built with the new friction, and loads beyond the new friction limit are rejected.
+/// The result equals the result of a solver built with the new friction, and loads beyond the new friction limit are
+/// rejected.
 #[test]
 fn friction_can_change_between_solves() {
     let scene = RollingSphere::across(16);
@@ -357,7 +358,8 @@ fn reset_solver_matches_new_solver() {
     assert_eq!(again.report().products(), first.report().products());
 }
 
-/// Far beyond sliding, more creepage does not increase the force along it. Creepage across it only rotates the force.
+/// Far beyond sliding, a larger creepage does not increase the force along this creepage. A creepage across the force
+/// only rotates the force.
 #[test]
 fn sliding_contact_resists_rotation_of_force_only() {
     let scene = RollingSphere::across(16);

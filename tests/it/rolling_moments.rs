@@ -91,8 +91,8 @@ impl RandomRolling {
             .control(Axis::Y, y)
     }
 
-    /// Returns the least and the greatest moment, as stated by the error for a moment far beyond them, or `None` if the
-    /// case cannot roll.
+    /// Returns the least and the greatest moment, as stated by the error for a moment far outside this range, or `None`
+    /// if the case cannot roll.
     fn range(&self) -> Option<[f64; 2]> {
         match self.rolling().spin(SpinControl::Moment(1e30)).build() {
             Err(Error::BeyondFrictionMoment { range, .. }) => Some(range),

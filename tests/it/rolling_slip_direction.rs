@@ -1,4 +1,4 @@
-//! Corrections of the slip direction in steady rolling.
+//! Tests of the corrections of the slip direction in steady rolling.
 
 use stickslip::rolling::{RollingProblem, RollingSolution};
 use stickslip::{
@@ -43,8 +43,8 @@ fn lateral(cells: usize, corrections: usize) -> Result<f64> {
     Ok(rolling.force()[1] / (0.3 * 1.2))
 }
 
-/// Extrapolation of 0.57478, 0.57419 and 0.57402 on 48, 96 and 192 cells. Without corrections the force on 192 cells is
-/// 0.5761.
+/// Lateral force extrapolated from 0.57478, 0.57419 and 0.57402 on 48, 96 and 192 cells. Without corrections the force
+/// on 192 cells is 0.5761.
 const LATERAL: f64 = 0.57393;
 
 #[test]

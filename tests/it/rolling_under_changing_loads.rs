@@ -1,4 +1,4 @@
-//! A rolling solver accepts new loads and pressures, with the results of new problems.
+//! A rolling solver accepts new loads and pressures, and its results equal the results of new problems.
 
 use stickslip::history::EntryRule;
 use stickslip::rolling::{
@@ -245,7 +245,7 @@ fn stiffness_after_new_pressure_is_that_of_last_solution() {
     let by_default = (LeadingEdge::PlusX, EntryRule::SinceTouch);
     let [light, heavy] = [0.5, 1.1].map(|load| pressed(&bodies, load));
     let mut solver = rolling(&bodies, &light, by_default);
-    // Before the first solve the stiffness is that of full stick.
+    // Before the first solve the stiffness is the stiffness of full stick.
     solver.set_pressure(&heavy).unwrap();
     let expected = rolling(&bodies, &heavy, by_default).stiffness().unwrap();
     let check = |found: [[f64; 3]; 3], expected: [[f64; 3]; 3]| {

@@ -1,5 +1,5 @@
-//! Rough contacts compared with theory, on surfaces that the cells resolve: area of rough balls, area against slope and
-//! load, and stick ratio against tangential load.
+//! Rough contacts agree with theory on surfaces that the cells resolve. The tests compare the area of rough balls, the
+//! dependence of the area on slope and load, and the dependence of the stick ratio on the tangential load.
 
 use rayon::prelude::*;
 use stickslip::analytical::{HertzSphere, RoughSphere};
@@ -12,7 +12,7 @@ use stickslip::{
 /// The discretisation error is much larger than this tolerance.
 const TOLERANCE: f64 = 1e-5;
 
-/// Returns the paper's rubber on a rigid plane: a contact modulus of 25 MPa, lengths in micrometres.
+/// Returns the rubber of the paper on a rigid plane. The contact modulus is 25 MPa, and lengths are in micrometres.
 fn rubber() -> ElasticPair {
     ElasticPair::new(Material::new(18.75, 0.5).unwrap(), Material::rigid()).unwrap()
 }
@@ -23,7 +23,7 @@ fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     kit::press(bodies, gap, load, TOLERANCE, method)
 }
 
-/// Fig. 14: returns the real area, counted and corrected, divided by Mueser's area, as a mean over two surfaces.
+/// Returns the real area, counted and corrected, divided by Mueser's area, as a mean over two surfaces (Fig. 14).
 fn ball_over_mueser(bodies: &HalfSpace, roll_off: f64, force: f64) -> [f64; 2] {
     const SLOPE: f64 = 0.7518;
     let grid = bodies.grid();
@@ -122,7 +122,7 @@ fn area_is_proportional_to_load() {
     assert!((exponent - 1.0).abs() < 0.1, "{exponent} {points:?}");
 }
 
-/// Figs. 24 to 26: four surfaces and loads, at least 2000 cells in contact.
+/// Compares with Figs. 24 to 26 for four surfaces and loads, with at least 2000 cells in contact.
 #[test]
 fn stick_ratio_falls_linearly_with_tangential_load() {
     let bodies = flat_bodies(kit::thorough(256, 512));
@@ -177,8 +177,8 @@ fn stick_ratio_falls_linearly_with_tangential_load() {
         });
 }
 
-/// With free edges the outer cells carry more pressure than on a periodic grid. The paper's nominally flat surfaces
-/// have free edges.
+/// With free edges the outer cells carry more pressure than on a periodic grid. The nominally flat surfaces of the
+/// paper have free edges.
 #[test]
 fn free_edges_bias_nominally_flat_contact() {
     let grid = Grid::square(128, 100.0).unwrap();

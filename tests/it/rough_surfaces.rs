@@ -163,7 +163,7 @@ fn mean_is_excluded_from_every_band() {
 }
 
 /// The squared moduli relative to the law are exponentially distributed with mean one. The mean and the mean square of
-/// M of them are therefore 1 and 2, with standard errors of 1 and sqrt(20) divided by sqrt(M).
+/// M squared moduli are therefore 1 and 2, with standard errors of 1 and sqrt(20) divided by sqrt(M).
 #[test]
 fn gaussian_amplitudes_match_law_on_average() {
     let law = SpectralLaw {

@@ -24,8 +24,8 @@ pub(crate) fn assert_every(scenes: Vec<Scene>, mut law: impl FnMut(&Scene) -> La
     assert!(broken.is_empty(), "violated by {broken:#?}");
 }
 
-/// Checks that the numbers of a transformed scene agree with the original ones, relative to the largest number of each
-/// kind.
+/// Checks that the numbers of a transformed scene agree with the numbers of the original scene, relative to the largest
+/// number of each kind.
 fn compare(scene: &Scene, one: &Measured, pose: &UnitTransform, tolerance: f64) -> LawResult {
     let other = Measured::run(scene, pose);
     for ((name, a), (_, b)) in one.groups().into_iter().zip(other.groups()) {
@@ -53,7 +53,8 @@ fn check_transformed(scene: &Scene, poses: &[UnitTransform], tolerance: f64) -> 
     poses.try_for_each(|pose| compare(scene, &one, pose, tolerance))
 }
 
-/// Changes of units by powers of two cause no rounding. The campaign also uses other systems of units, which do.
+/// Changes of units by powers of two cause no rounding. The campaign also uses other systems of units, which cause
+/// rounding.
 #[test]
 fn scene_in_any_units_is_invariant() {
     assert_every(scenes(), |scene| {
@@ -98,7 +99,7 @@ fn scene_swapped_and_mirrored_is_invariant() {
     });
 }
 
-/// All tangential quantities change their sign; the others remain unchanged.
+/// All tangential quantities change their sign; the other quantities remain unchanged.
 #[test]
 fn scene_with_exchanged_bodies_is_invariant() {
     assert_every(scenes(), |scene| {

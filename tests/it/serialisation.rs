@@ -484,7 +484,7 @@ fn number() -> impl Strategy<Value = f64> {
     ]
 }
 
-/// Generates numbers including those that JSON cannot represent.
+/// Generates numbers, including numbers that JSON cannot represent.
 fn any_number() -> impl Strategy<Value = f64> {
     prop_oneof![
         4 => number(),

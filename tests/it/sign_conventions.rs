@@ -1,4 +1,4 @@
-//! Sign conventions: the displacement of each body, from the coefficients of a single body.
+//! Tests of the sign conventions, with the displacement of each body computed from the coefficients of a single body.
 
 use stickslip::influence::Rectangle;
 use stickslip::{

@@ -68,7 +68,7 @@ fn ended(outcome: Result<(), Error>, status: Status) -> Report {
         panic!("{outcome:?}");
     };
     assert_eq!(report.status, status);
-    // The values are infinite if no displacement exists yet as their scale.
+    // The residual and the gap are infinite if no displacement exists yet as their scale.
     assert!(report.residual >= 0.0 && report.duality_gap >= 0.0);
     *report
 }
@@ -217,7 +217,7 @@ impl End {
         let called_again = usize::from(self.by_clock);
         assert!(calls <= self.call + called_again, "{self:?}: {calls} calls");
         if self.call <= 3 {
-            // The products are those on the window of the contact and, for a normal contact, on the whole grid.
+            // One product is computed on the window of the contact and, for a normal contact, one on the whole grid.
             assert!(products(report) <= 2, "{self:?}: {report}");
         }
     }
@@ -345,7 +345,7 @@ fn assert_limited(least: usize, solve: impl Fn(usize) -> PassLog) {
     assert_eq!(solve(free + 1).report.status, Status::Converged);
 }
 
-/// If the contact outgrows its window, the load is solved again in a larger one.
+/// If the contact outgrows its window, the load is solved again in a larger window.
 #[test]
 fn enlarged_window_has_remaining_iterations() {
     let grid = Grid::square(64, 100.0).unwrap();

@@ -1,4 +1,4 @@
-//! Tolerance, method and limits can be set together and changed between solves; rejected settings change nothing.
+//! Tolerance, method and limits can be set together and changed between solves. Rejected settings change nothing.
 
 use kit::unit_bodies;
 use stickslip::cgm::{Method, Settings};

@@ -38,7 +38,7 @@ fn gross_slip_has_shift_of_onset() {
             .unwrap();
         assert!(sliding.is_gross_slip());
         assert_eq!((sliding.stick_ratio(), sliding.stick_area()), (0.0, 0.0));
-        // The shift at which the last cell starts to slip: delta_0 of the closed form.
+        // The onset is the shift at which the last cell starts to slip, delta_0 of the closed form.
         let onset = 2.9604761406069e-6 * fraction.signum();
         assert!((sliding.shift()[1] / onset - 1.0).abs() < 1e-3);
         let pressures = normal.pressure().as_slice().iter();
@@ -112,7 +112,7 @@ fn zero_load_sticks_without_traction() {
 fn friction_can_vary_vanish_and_be_limited() {
     let (bodies, normal) = table_2(96);
     let grid = bodies.grid();
-    // The surface is frictionless on one side of the y axis, and has twice the friction on the other.
+    // The surface is frictionless on one side of the y axis, and has twice the friction on the other side.
     let coefficients = Field::from_fn(grid, |x, _| if x < 0.0 { 0.0 } else { 0.8 });
     let friction = Friction::per_cell(coefficients).unwrap();
     let load = TangentialLoad::force([-14.0, 0.0]);

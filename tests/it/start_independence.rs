@@ -1,5 +1,5 @@
-//! A nested start and a window around the contact save work without changing the solution. It equals the solution of a
-//! single loop over the whole grid that starts without coarser grids.
+//! A nested start and a window around the contact save work without changing the solution. The solution equals the
+//! solution of a single loop over the whole grid that starts without coarser grids.
 
 use std::ops::ControlFlow;
 use std::time::Duration;
@@ -145,7 +145,7 @@ fn rough_gaps_and_load_beyond_window_match_plain_loop() {
         let gap = rough(grid, 100 + seed);
         assert_same(&bodies, &gap, NormalControl::Force(10.0), &friction, 0.9);
     }
-    // The window of the first, light contact is much too small for the last one.
+    // The window of the first, light contact is much too small for the last contact.
     let gap = sphere_and_tip(grid);
     let problem =
         NormalProblem::builder(&bodies, &gap, NormalControl::Force(1e-3)).tolerance(TOLERANCE);

@@ -55,7 +55,7 @@ fn noise() -> Field {
     })
 }
 
-/// Returns heights in metres: small numbers, strong skewness, waves of two cells.
+/// Returns heights in metres, with small numbers, strong skewness and waves of two cells.
 fn valleys() -> Field {
     let mut random = Random(2);
     field(32, 8, 0.01, 0.02, |_, _| {

@@ -32,8 +32,8 @@ fn results(rolling: &RollingSolution) -> ([f64; 3], usize) {
     ([x, y, rolling.moment()], stick.count())
 }
 
-/// The reference is CONTACT (E. A. H. Vollebregt, revision 2707, Apache-2.0) on the same cells: a sphere and an ellipse
-/// of steel, forces on the other body.
+/// The reference is CONTACT (E. A. H. Vollebregt, revision 2707, Apache-2.0) on the same cells, for a sphere and an
+/// ellipse of steel. CONTACT gives the forces on the other body.
 #[test]
 fn steady_rolling_without_entry_law_matches_contact() {
     let grid = Grid::new(41, 37, 0.0116, 0.0116).unwrap();

@@ -27,9 +27,9 @@ fn pressed(poisson_ratio: f64, coefficient: f64, steps: u32) -> (History, f64) {
     (history, whole)
 }
 
-/// Dundurs' beta, ratio of stick radius to contact radius, and the corresponding friction coefficient. The values come
-/// from ring elements with elliptic integrals for a punch, to 3e-5; a sphere has the same values (Spence, Proc. R. Soc.
-/// A 305 (1968) 55).
+/// Dundurs' beta, ratio of stick radius to contact radius, and the corresponding friction coefficient. The values were
+/// computed for a punch from ring elements with elliptic integrals, to 3e-5. A sphere has the same values (Spence,
+/// Proc. R. Soc. A 305 (1968) 55).
 const STICK: [[f64; 3]; 10] = [
     [0.5, 0.1, 0.15508],
     [0.5, 0.3, 0.22659],
@@ -58,8 +58,8 @@ fn stepwise_pressed_sphere_sticks_as_in_spence() {
         });
 }
 
-/// Without slip a sphere is stiffer. The test compares the ratio of the load to the Hertzian load at the same approach,
-/// extrapolated from 16 and 32 steps.
+/// Without slip a sphere is stiffer than without friction. The test compares the ratio of the load to the Hertzian load
+/// at the same approach, extrapolated from 16 and 32 steps.
 #[test]
 fn sphere_without_slip_is_stiffer() {
     kit::thorough(&[0.3][..], &[0.0, 0.1, 0.2, 0.3, 0.4])

@@ -70,7 +70,7 @@ fn study_cut_anywhere_resumes_to_the_same_table() {
     let last_line = table[..table.len() - 1]
         .iter()
         .rposition(|&byte| byte == b'\n');
-    // Cuts within the header, within the rows, and on both sides of the end of a line.
+    // The table is cut within the header, within the rows, and on both sides of the end of a line.
     let ends = [
         last_line.unwrap(),
         last_line.unwrap() + 1,
@@ -198,7 +198,7 @@ fn study_has_one_writer_at_a_time() {
     assert_eq!(fs::metadata(&table).unwrap().len(), 0);
     drop(other);
 
-    // Several threads compete. Only one writes at any time, and no case is solved twice.
+    // Several threads compete. Only one thread writes at any time, and no case is solved twice.
     std::thread::scope(|scope| {
         for _ in 0..4 {
             scope.spawn(|| {
@@ -216,12 +216,12 @@ fn study_has_one_writer_at_a_time() {
     assert!(fs::read(&merged).unwrap() == expected);
 }
 
-/// The numbers read from the table are bitwise identical to those of the solutions.
+/// The numbers read from the table are bitwise identical to the numbers of the solutions.
 #[test]
 fn study_table_matches_library_bitwise() {
     let folder = new_folder("numbers");
     let table = String::from_utf8(whole_table(&folder)).unwrap();
-    // Pressure 0.1, seed 2, friction 0.4.
+    // The case has pressure 0.1, seed 2 and friction 0.4.
     let number = |name: &str| entry(&table, 8, name).parse::<f64>().unwrap();
     let key = ["case", "pressure", "seed", "friction"].map(number);
     assert_eq!(key, [8.0, 0.1, 2.0, 0.4]);
@@ -322,7 +322,7 @@ fn study_table_of_another_study_is_rejected() {
 
     let text = String::from_utf8(table.clone()).unwrap();
     let lines: Vec<_> = text.lines().collect();
-    // Rows that are missing or contradict each other are rejected; the merged table remains unchanged.
+    // Tables whose rows are missing or contradict each other are rejected, and the merged table remains unchanged.
     fs::write(&whole, format!("{}\n", lines[..12].join("\n"))).unwrap();
     let refused = run_study(&format!("--merge {merged} {whole}")).unwrap_err();
     assert!(

@@ -1,4 +1,5 @@
-//! Planes below the surface: sums over cells for free bodies, and the periodic half-space for periodic grids.
+//! Planes below the surface agree with sums over cells for free bodies, and with the periodic half-space for periodic
+//! grids.
 
 use kit::{boundaries, max_abs};
 use proptest::prelude::*;
@@ -11,7 +12,7 @@ fn pair(nu1: f64, nu2: f64) -> ElasticPair {
     ElasticPair::new(body(1.0, nu1), body(2.5, nu2)).unwrap()
 }
 
-/// Returns irregular tractions; some cells carry none.
+/// Returns irregular tractions, with some cells that carry no traction.
 fn irregular_tractions(grid: Grid, seed: usize) -> [Field; 3] {
     [3, 5, 7].map(|prime: usize| {
         Field::from_indices(grid, |ix, iy| {
@@ -421,9 +422,9 @@ fn cylinder_stresses_match_mcewen() {
     );
 }
 
-/// A sliding cylinder has its largest tension at the trailing edge: twice the friction coefficient times the largest
-/// pressure on the surface, where tractions have a square-root edge. The largest tension of the cells converges to this
-/// value from below, with an error proportional to the square root of the cell size.
+/// A sliding cylinder has its largest tension at the trailing edge on the surface, where the tractions have a
+/// square-root edge. This tension is twice the friction coefficient times the largest pressure. The largest tension of
+/// the cells converges to this value from below, with an error proportional to the square root of the cell size.
 #[test]
 fn sliding_cylinder_has_largest_tension_at_trailing_edge() {
     let tension = |n: usize| {
@@ -476,7 +477,7 @@ fn ball_has_largest_shear_stress_near_half_the_contact_radius() {
         let found = at_points(&bodies, Body::One, Tractions::new(&pressure), &points).unwrap();
         let [before, at, after] = [0, 1, 2].map(|i: usize| found[i].stress.von_mises());
         assert!(before < at && after < at);
-        // The vertex of the parabola through the three values.
+        // The place is the vertex of the parabola through the three values.
         let place = 0.02 * (after - before) / (2.0 * at - before - after);
         assert!(place.abs() < 2e-3, "{place}");
         assert!((at - von_mises).abs() < 2e-4, "{at}");
@@ -632,8 +633,8 @@ proptest! {
         }
     }
 
-    /// Below arbitrary tractions on free bodies and on periodic rows, the forces on a small cube balance, evaluated by
-    /// central differences of sixth order.
+    /// Below arbitrary tractions on free bodies and on periodic rows, the forces on a small cube balance. They are
+    /// evaluated by central differences of sixth order.
     #[test]
     fn stresses_below_random_tractions_are_in_equilibrium(
         nx in 1..6_usize, ny in 1..6_usize, aspect in 0.3..3.0_f64, nu in -0.4..0.5_f64, repeats in any::<bool>(),

@@ -101,7 +101,7 @@ fn single_rectangle_matches_multiprecision_values() {
     }
 }
 
-/// Reads a case of the other code: bodies, pressure and tractions.
+/// Returns the bodies, the pressure and the tractions of a case of the other code.
 fn case(tractions: &str) -> (HalfSpace, [Field; 3]) {
     let header = numbers(tractions.lines().nth(1).unwrap());
     let [nx, ny, dx, dy, g1, nu1, g2, nu2] = header.try_into().unwrap();
@@ -384,7 +384,8 @@ fn dot(a: &[f64; 3], b: &[f64; 3]) -> f64 {
 }
 
 proptest! {
-    /// Principal directions are orthonormal, right-handed and eigenvectors; principal values are in descending order.
+    /// Principal directions are orthonormal eigenvectors and form a right-handed set. Principal values are in
+    /// descending order.
     #[test]
     fn principal_stresses_are_eigenvalues(stress in stress()) {
         let principal = stress.principal();

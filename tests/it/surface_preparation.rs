@@ -1,5 +1,5 @@
-//! Preparation of measured surfaces: filling of missing heights, cropping, resampling and the gap between two surfaces
-//! leave known heights unchanged.
+//! In the preparation of measured surfaces, filling of missing heights, cropping, resampling and computing the gap
+//! between two surfaces leave known heights unchanged.
 
 use kit::Random;
 use proptest::prelude::*;

@@ -1,5 +1,5 @@
-//! An unchanged problem that is solved again costs one product on the window to verify its solution, and one on the
-//! whole grid.
+//! An unchanged problem that is solved again costs one product on the window and one product on the whole grid, which
+//! verify its solution.
 
 use kit::{rough, unit_bodies};
 use stickslip::{

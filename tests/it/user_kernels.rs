@@ -1,5 +1,5 @@
-//! User-defined kernels: a closure and a table of a coating give the results of the built-in coating in every problem, and
-//! invalid kernels are rejected.
+//! User-defined kernels in the form of a closure or a table of a coating give the results of the built-in coating in
+//! every problem. Invalid kernels are rejected.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -261,7 +261,7 @@ fn user_kernel_stiffness_rolling_wear_and_lines_match_coating() {
 }
 
 /// States of histories store the kernel, also in files and across processes. A history with a different kernel cannot
-/// be continued from them.
+/// be continued from these states.
 #[test]
 fn history_continues_only_with_same_kernel() {
     let grid = Grid::square(24, 6.0).unwrap();
@@ -391,8 +391,8 @@ fn kernel_without_eigenvalue_bound_is_rejected() {
     assert!(matches!(missing, Error::IncompleteKernel(_)));
 }
 
-/// Failures are also detected at waves between those sampled by the first check, which the sum over all waves for a
-/// free grid includes, and in the long-wave limit.
+/// Failures are also detected in the long-wave limit, and at waves between the waves sampled by the first check. The
+/// sum over all waves for a free grid includes these waves.
 #[test]
 fn response_failing_after_first_check_is_rejected() {
     let [coated, near] = coating(false);
@@ -443,7 +443,7 @@ fn invalid_kernels_are_rejected() {
         Err(Error::BelowMinimum { .. })
     ));
     assert!(HalfSpace::with_boundary(grid, &astray, Boundary::Periodic).is_ok());
-    // A thickness greater than that of the layer is rejected for the same reason.
+    // A thickness greater than the thickness of the layer is rejected for the same reason.
     let thick = Kernel::isotropic(near, 0.9, response).unwrap();
     assert!(matches!(
         HalfSpace::new(grid, &thick),

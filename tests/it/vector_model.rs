@@ -1,5 +1,5 @@
-//! The vector model. Slip is opposite to the traction, and loads can have any direction. If the two components do not
-//! couple, the result equals the result of the scalar model.
+//! Tests of the vector model. Slip is opposite to the traction, and loads can have any direction. If the two components
+//! do not couple, the result equals the result of the scalar model.
 
 use kit::{Table2, max_abs, rough, unit_bodies, unit_pair};
 use proptest::prelude::*;
@@ -93,8 +93,8 @@ fn zero_poisson_ratio_gives_the_scalar_model() {
 }
 
 /// Compares the scalar model with the vector model at one shift. In theory, the traction across the load is up to 3.7 %
-/// of the largest friction limit at Poisson's ratio 0.29, and 7.4 % at 0.5. The angles are up to 7.4 and 15 degrees,
-/// and the errors of the force at most 5e-4 and 1.9e-3.
+/// of the largest friction limit at a Poisson's ratio of 0.29, and up to 7.4 % at 0.5. The angles are up to 7.4 and 15
+/// degrees, and the errors of the force are at most 5e-4 and 1.9e-3.
 #[test]
 fn error_of_scalar_model_agrees_with_theory() {
     for (poisson_ratio, across, angle, force) in [

@@ -77,7 +77,7 @@ fn springs_of_any_stiffness_match_forces_and_shifts() {
         ) {
             let [mut by_spring, mut by_force, mut by_shift] =
                 [(); 3].map(|()| press(bodies, gap, TangentialModel::Vector));
-            // Returns a spring whose far end exerts about this force on a sticking contact.
+            // Returns a spring that exerts approximately `part` of the friction limit on a sticking contact.
             let pull = |part: f64, stiffness: f64| {
                 let compliance = 1.0 / STIFFNESS + 1.0 / stiffness;
                 spring(part * LIMIT * compliance, stiffness)

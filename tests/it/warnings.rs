@@ -131,7 +131,7 @@ fn narrow_slip_ring_gives_warning() {
     }
 }
 
-/// A step of a history has the same warning. A cycle has it if none of its steps had a wider slip zone.
+/// A step of a history has the same warning. A cycle has the warning if none of its steps had a wider slip zone.
 #[test]
 fn narrow_slip_ring_in_history_gives_warning() {
     let grid = Grid::square(32, 2.8).unwrap();
@@ -298,7 +298,7 @@ fn pressing_dissimilar_history_in_one_step_gives_warning() {
 }
 
 /// On the surface the tension at the edge of a sheared contact is smaller than in the closed form, and the plane has a
-/// warning. At a depth of one cell side it is accurate.
+/// warning. At a depth of one cell side the tension is accurate.
 #[test]
 fn surface_stress_at_edge_gives_warning() {
     let (hertz, normal, shear) = ball(12, 0.5);

@@ -1,5 +1,5 @@
-//! Wear laws: the wear of steps adds up to the law for the total, coefficients may vary from cell to cell, and a cycle
-//! jump is as long as its limits allow.
+//! Tests of wear laws. The wear of steps adds up to the law for the total, coefficients may vary from cell to cell, and
+//! a cycle jump is as long as its limits allow.
 
 use kit::{Random, max_difference, unit_bodies};
 use stickslip::history::wear::{self, CycleJump};
@@ -34,7 +34,7 @@ fn wear_threshold_is_crossed_once() {
     assert!(max_difference(depth.as_slice(), expected.as_slice()) < 1e-13);
     assert!(expected.min() == 2.0 && expected.max() > 2.0);
 
-    // Without a threshold the law is that of dissipated energy.
+    // Without a threshold the law is the law of dissipated energy.
     let mut plain = [Field::zeros(grid), Field::zeros(grid)];
     let step = random(grid, &mut numbers);
     wear::threshold_energy(coefficient, 0.0, &step, &step, &mut plain[0]).unwrap();

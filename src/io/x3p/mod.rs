@@ -35,12 +35,12 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 ///
 /// The file must contain one layer on a regular grid without rotated axes. Samples are signed integers of 16 or 32 bits
 /// or floats of 32 or 64 bits (data types I, L, F and D), in a separate file or as text in the list of data. Integers
-/// are multiplied by the increment of the z axis. Floats are heights, which the increment does not scale, as in
-/// openGPS, the library of the standard. The offset of the z axis is added to both.
+/// are multiplied by the increment of the z axis. Floats are heights that are not multiplied by the increment, as in
+/// openGPS, the library of the standard. The offset of the z axis is added to integers and floats.
 ///
-/// Missing points become NaN. They are NaN or infinite in the file, empty in the list, or have a cleared bit in the
-/// file of valid points. The checksums of the archive are verified; the MD5 checksums of the format are not. An element
-/// without text counts as absent.
+/// Missing points become NaN. A point is missing if it is NaN or infinite in the file, if it is empty in the list, or
+/// if its bit in the file of valid points is cleared. The checksums of the archive are verified, but the MD5 checksums
+/// of the format are not. An element without text counts as absent.
 ///
 /// `main.xml` may be in a folder of the archive; links to data are then relative to this folder. The archive may
 /// contain stored and deflated files. Each of them may expand to at most a hundred times its packed size, or 4 MiB if
@@ -187,7 +187,7 @@ impl Element<'_> {
         }
     }
 
-    /// Returns an error if an entry of the rotation matrix differs from that of the identity.
+    /// Returns an error if an entry of the rotation matrix differs from the same entry of the identity matrix.
     fn expect_near(&self, entry: f64) -> Result<()> {
         if (self.real()? - entry).abs() < 1e-9 {
             Ok(())

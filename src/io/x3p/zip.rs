@@ -33,7 +33,7 @@ impl<'a> Archive<'a> {
         })
     }
 
-    /// Returns the content of the named entry. Returns an error if its size differs from `expected`.
+    /// Returns the content of the named entry. Returns an error if the size of the entry differs from `expected`.
     pub(super) fn read(&self, name: &str, expected: Option<usize>) -> Result<Vec<u8>> {
         let refused = |problem: String| FORMAT.in_entry(name, problem);
         let missing = || refused("the archive has no such file".into());
@@ -89,7 +89,7 @@ impl<'a> Archive<'a> {
         let entry = self.find_path(is_named)?;
         let path = entry.map(|entry| entry.file_path().as_bytes().to_vec());
         let folder = path.map(|path| path[..path.len() - name.len()].to_vec());
-        // A name that is not UTF-8 differs from its lossy conversion; a later search then reports the file as missing.
+        // A name that is not UTF-8 differs from its lossy conversion, so a later search reports the file as missing.
         Ok(String::from_utf8_lossy(&folder.unwrap_or_default()).into_owned())
     }
 

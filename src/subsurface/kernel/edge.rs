@@ -2,8 +2,8 @@
 
 use super::piece::Extent;
 
-/// Edge parallel to y relative to the point: at the distance `X` along x, from `Y_2` to `Y_1` along y. For an edge
-/// parallel to x the axes are exchanged.
+/// Edge parallel to y, in coordinates relative to the point: at the distance `X` along x, from `Y_2` to `Y_1` along y.
+/// For an edge parallel to x the axes are exchanged.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Edge {
     /// Distance `X`.
@@ -38,7 +38,7 @@ pub(super) struct Differences {
     pub(super) cubes: [f64; 3],
 }
 
-/// Returns a ratio of lengths. If both vanish it returns zero, the mean of an odd function around an edge or a
+/// Returns a ratio of lengths. If both lengths vanish it returns zero, the mean of an odd function around an edge or a
 /// corner.
 fn ratio(numerator: f64, denominator: f64) -> f64 {
     if denominator == 0.0 {
@@ -54,13 +54,13 @@ impl Edge {
         let ([y1, y2], [r1, r2]) = (self.extent.ends, self.distances);
         let rho = (x * x + z * z).sqrt();
         let (cosine, sine) = (ratio(x, rho), ratio(z, rho));
-        // Y_1^2 - Y_2^2, which equals r_1^2 - r_2^2.
+        // The value is Y_1^2 - Y_2^2, which equals r_1^2 - r_2^2.
         let length = 2.0 * self.extent.half;
         let squares = 2.0 * self.extent.middle * length;
         let distance = ratio(squares, r1 + r2);
 
-        // Y_1 r_2 - Y_2 r_1 and the factors X^2, zX and z^2. If the first vanishes with rho, it is divided by rho^2;
-        // otherwise the factors are divided by rho^2.
+        // The lever is Y_1 r_2 - Y_2 r_1, and the factors are X^2, zX and z^2. If the lever vanishes with rho, it is
+        // divided by rho^2; otherwise the factors are divided by rho^2.
         let (lever, [xx, xz, zz]) = if y2 > 0.0 {
             (squares / (y1 * r2 + y2 * r1), [x * x, x * z, z * z])
         } else {
@@ -70,7 +70,7 @@ impl Edge {
         };
         let product = r1 * r2;
         let [sum1, sum2] = [r1 + z, r2 + z];
-        // Both arcs are angles between two directions, computed from sine and cosine over rho^2.
+        // Both arcs are angles between two directions. They are computed from their sine and cosine, divided by rho^2.
         let opening = cosine * cosine * y1 * y2;
         let radial = (rho + sine * r1) * (rho + sine * r2);
         Differences {

@@ -34,7 +34,8 @@ pub(super) fn integrals<const N: usize>(
     sums
 }
 
-/// Returns sums over the nodes. `[x, a]` of each point and `[y, b]` are the centre and the half side of an interval.
+/// Returns the sums of the integrands over the nodes. `[x, a]` of each point and `[y, b]` are the centre and the half
+/// side of an interval.
 fn product_rule<const N: usize>(
     rule: QuadratureRule,
     [xs, a]: [&[f64; N]; 2],
@@ -103,10 +104,10 @@ fn add_integrands<const N: usize>(
     }
 }
 
-/// Quadrature rules with their minimum distances in longer sides. At larger distances the error of the rule is below
-/// round-off. The hardest case is the shear stress under a tangential traction deep below the cell, which is of second
-/// order in the ratio of side to depth. At distances below the smallest, the closed form loses at most one digit by
-/// cancellation.
+/// Quadrature rules and their minimum distances, in longer sides. At larger distances than its minimum, the error of a
+/// rule is below round-off. The hardest case is the shear stress under a tangential traction deep below the cell, which
+/// is of second order in the ratio of side to depth. Below the smallest of these distances, the closed form loses at
+/// most one digit by cancellation.
 const RULES: [(f64, QuadratureRule); 7] = [
     (3000.0, &GAUSS_3),
     (150.0, &GAUSS_4),
@@ -118,7 +119,7 @@ const RULES: [(f64, QuadratureRule); 7] = [
 ];
 
 /// Returns the cheapest sufficient rule for a rectangle of half sides a and b at a point; `None` if the point is near.
-/// NaN is also handled by the quadrature, which propagates it.
+/// A rule is also returned for NaN, which the quadrature propagates.
 pub(super) fn rule([a, b]: [f64; 2], [x, y, z]: [f64; 3]) -> Option<QuadratureRule> {
     let distance = ((x * x + y * y) + z * z).sqrt() / (2.0 * a.max(b));
     let suffices = |&&(reach, _): &&(f64, QuadratureRule)| distance >= reach || distance.is_nan();

@@ -31,7 +31,7 @@ impl PotentialIntegral {
     /// Number of integrals.
     pub(crate) const COUNT: usize = 19;
 
-    /// Number of integrals that are lengths; they come first.
+    /// Number of integrals that are lengths, which come first.
     pub(crate) const LENGTHS: usize = 5;
 
     /// All integrals, each at its own index.

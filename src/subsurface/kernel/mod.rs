@@ -95,16 +95,16 @@
 //!
 //! # On the surface
 //!
-//! `z = 0` is the limit from inside the body. If the limits from the two sides of an edge differ, the value is their
-//! mean; at a corner it is the mean over the four quadrants. If a stress is logarithmically infinite, the longer half
-//! side of the cell replaces the zero distance to the edge or corner inside the logarithm, which leaves a finite part.
-//! In a sum over equal cells with equal tractions these logarithms cancel, as required.
+//! The values at `z = 0` are the limits from inside the body. If the limits from the two sides of an edge differ, the
+//! value is their mean; at a corner it is the mean over the four quadrants. If a stress is logarithmically infinite,
+//! the longer half side of the cell replaces the zero distance to the edge or corner inside the logarithm, which leaves
+//! a finite part. In a sum over equal cells with equal tractions these logarithms cancel, as they must.
 //!
 //! # Accuracy
 //!
-//! Errors are relative to the largest displacement, or the largest stress, at the point under the load considered.
-//! They are about 1e-15, and at most 1e-14, at any position and depth. The errors of slender cells are larger where
-//! this stress is small: next to the middle of a long edge, where the pressure on an infinite strip would cause no
+//! Errors are relative to the largest displacement, or the largest stress, at the point under the load considered. They
+//! are about 1e-15, and at most 1e-14, at any position and depth. The errors of slender cells are larger where the
+//! largest stress is small: next to the middle of a long edge, where the pressure on an infinite strip would cause no
 //! stress on the surface. There the error is about 1e-16 times the ratio of the sides.
 //!
 //! # Sources

@@ -14,8 +14,8 @@ pub(super) struct Extent {
 }
 
 impl Extent {
-    /// Creates an interval of half length `half` around `middle`. Both are stored, because differences of the
-    /// ends would lose accuracy far away.
+    /// Creates an interval of half length `half` around `middle`. The half length and the middle are stored, because
+    /// differences of the ends would lose accuracy far from the point.
     pub(super) fn new(middle: f64, half: f64) -> Self {
         let ends = [middle + half, middle - half];
         Self { ends, middle, half }

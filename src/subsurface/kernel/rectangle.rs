@@ -8,15 +8,15 @@ use super::integral::PotentialIntegral;
 pub(crate) struct LoadedRectangle {
     /// Cell in units of its size, so that no power of a length overflows.
     cell: LoadedCell,
-    /// Largest power of two that does not exceed the longer side. Division by it is exact, so a point very close to
-    /// an edge keeps its distance to the edge.
+    /// Largest power of two that does not exceed the longer side. Division by a power of two is exact, so a point very
+    /// close to an edge keeps its distance from the edge.
     unit: f64,
 }
 
 impl LoadedRectangle {
-    /// Creates a cell of half sides `a` and `b` (lengths), positive and finite; otherwise all results are NaN.
-    /// Displacements and stresses composed of its integrals have errors of about 1e-15 of the largest one at the
-    /// point.
+    /// Creates a cell of half sides `a` and `b` (lengths). All results are NaN unless both are positive and finite.
+    /// Displacements and stresses composed of the integrals have errors of about 1e-15 of the largest displacement or
+    /// stress at the point.
     pub(crate) fn new(a: f64, b: f64) -> Self {
         let is_valid = a > 0.0 && b > 0.0 && a.is_finite() && b.is_finite();
         let [a, b] = if is_valid { [a, b] } else { [f64::NAN; 2] };
@@ -32,9 +32,9 @@ impl LoadedRectangle {
         Self { cell, unit }
     }
 
-    /// Computes the integrals at the points `(x, y, z)` of a row (lengths, `z >= 0`), with one slice for each
-    /// integral by [`PotentialIntegral::index`]. The result at a point does not depend on the other points. Points beyond the
-    /// end of the shortest slice are ignored.
+    /// Computes the integrals at the points `(x, y, z)` of a row (lengths, `z >= 0`), with one slice for each integral,
+    /// in the order of [`PotentialIntegral::index`]. The result at a point does not depend on the other points. Points
+    /// beyond the end of the shortest slice are ignored.
     pub(crate) fn integrals_along_row(
         &self,
         xs: &[f64],
@@ -56,7 +56,7 @@ impl LoadedRectangle {
 
 #[cfg(test)]
 impl LoadedRectangle {
-    /// Returns the integrals at `[x, y, z]` (lengths, `z >= 0`), by [`PotentialIntegral::index`].
+    /// Returns the integrals at `[x, y, z]` (lengths, `z >= 0`), in the order of [`PotentialIntegral::index`].
     pub(super) fn integrals(&self, point: [f64; 3]) -> [f64; PotentialIntegral::COUNT] {
         let mut values = self.cell.at(point.map(|length| length / self.unit));
         for value in &mut values[..PotentialIntegral::LENGTHS] {

@@ -104,7 +104,7 @@ impl Weights {
         weights
     }
 
-    /// Returns the weights of one component, by [`PotentialIntegral::index`].
+    /// Returns the weights of one component, in the order of [`PotentialIntegral::index`].
     pub(crate) fn of(
         &self,
         load: Load,
@@ -155,8 +155,8 @@ impl Weights {
         self.add(load, FieldComponent::Syz, &[(-1.0, Txyz)]);
     }
 
-    /// Sets the weights for a traction along y: those for a traction along x with the axes exchanged, with `L_yy` and
-    /// `W_yy` expressed by the other integrals.
+    /// Sets the weights for a traction along y to the weights for a traction along x with the axes exchanged, with
+    /// `L_yy` and `W_yy` expressed by the other integrals.
     fn set_traction_y(&mut self, nu: f64, z: f64) {
         use PotentialIntegral::{
             Lxx, Lxy, Ly, Txxy, Txyy, Txyz, Tyyy, Tyyz, Tyzz, V, Wxx, Wxxy, Wxy, Wxyy,

@@ -51,11 +51,11 @@ type TractionColumn = [f64; FieldComponent::COUNT];
 
 /// Kernels at a depth below the surface of a coated body.
 ///
-/// In the outermost layer the effect of a cell is the sum of two parts. The first is the closed form for a half-space with
-/// the constants of the layer. The second is a correction for everything below, which is smooth on the scale of 2h - z.
-/// Below this layer the entire effect is smooth on the scale of the depth. The smooth parts are Hankel integrals of the
-/// [responses at the depth](SubsurfaceResponse), tabulated as functions of the distance and integrated over the cell by Gauss rules, as
-/// for the surface.
+/// In the outermost layer the effect of a cell is the sum of two parts. The first is the closed form for a half-space
+/// with the constants of the layer. The second is a correction for the material below the layer, which is smooth on the
+/// scale of 2h - z. Below the outermost layer the entire effect is smooth on the scale of the depth. The smooth parts
+/// are Hankel integrals of the [responses at the depth](SubsurfaceResponse), tabulated as functions of the distance and
+/// integrated over the cell by Gauss rules, as for the surface.
 pub(super) struct Layered<'a> {
     waves: LayerWaves<'a>,
     depth: f64,
@@ -91,7 +91,7 @@ impl<'a> Layered<'a> {
         self.waves.poisson_ratio_at(self.depth)
     }
 
-    /// Returns the symbols, or their imaginary parts, for a nonzero wave vector.
+    /// Returns the symbols of the components, or their imaginary parts, for a nonzero wave vector.
     pub(super) fn symbols(&self, [x, y]: [f64; 2]) -> Entries {
         let k = x.hypot(y);
         let below = self.waves.at_depth(k, self.depth);

@@ -60,7 +60,7 @@ impl Radial {
         let distance = x.hypot(y);
         let rules = [a, b].map(|side| rule(side, distance, self.scale));
         let [Some(along_x), Some(along_y)] = rules else {
-            // Halves the side that is too long, or the longer side if both are.
+            // The side that is too long is halved, or the longer side if both are too long.
             let halves_x = rules[1].is_some() || (rules[0].is_none() && a >= b);
             let (half, step) = if halves_x {
                 ([0.5 * a, b], [0.5 * a, 0.0])
@@ -86,8 +86,8 @@ impl Radial {
         sum
     }
 
-    /// Returns the components under a cell and all its images along y, at `0 <= y <= period/2` from the nearest of them.
-    /// Displacements are relative to the datum, [as](crate::influence::periodic_images) on the surface.
+    /// Returns the components under a cell and all its images along y, at `0 <= y <= period/2` from the nearest of
+    /// them. Displacements are relative to the datum, [as on the surface](crate::influence::periodic_images).
     pub(super) fn over_rows(
         &self,
         response: &impl Fn(f64) -> SubsurfaceResponse,
@@ -359,7 +359,7 @@ fn sheared(of: &[f64; FUNCTIONS], [x, y]: [f64; 2]) -> TractionColumn {
     ]
 }
 
-/// Returns all functions at a distance. The table of a piece is created at its first use.
+/// Returns the values of all functions at a distance. The table of a piece is created when it is first used.
 fn sample(
     table: &[OnceLock<RadialPiece>; PIECES],
     scale: f64,

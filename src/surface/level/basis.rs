@@ -13,11 +13,11 @@ use crate::surface::slab::Slab;
 /// Largest number of sums computed together: the number of terms of the form of highest degree.
 const MOST: usize = (HIGHEST_DEGREE + 1) * (HIGHEST_DEGREE + 2) / 2;
 
-/// Number of sums that are reduced row by row, as required on several ranks; a plane, the largest form on ranks, has
-/// three terms. More terms are reduced in equal chunks of cells.
+/// Largest number of terms whose sums are reduced row by row, as required on several ranks. A plane, the largest form
+/// on ranks, has three terms. With more terms, the sums are reduced in equal chunks of cells.
 const IN_ROWS: usize = 9;
 
-/// Number of rows that are reduced together; for the highest degree they need 120 kB.
+/// Number of rows that are reduced together. For the highest degree these rows need 120 kB.
 const ROWS_AT_ONCE: usize = 64;
 
 /// Products of Legendre polynomials up to a total degree.
@@ -142,8 +142,8 @@ fn known_extent(slab: &Slab, z: &[f64]) -> [[usize; 2]; 2] {
         .combined(places.fold([[usize::MAX, 0]; 2], both), both)
 }
 
-/// Tabulates the Legendre polynomials of degrees `0..=degree` at the places `0..count`, on the interval from the first
-/// known place to the last.
+/// Tabulates the Legendre polynomials of degrees `0..=degree` at the positions `0..count`, on the interval from the
+/// first to the last position with a known height.
 fn legendre(count: usize, [first, last]: [usize; 2], degree: usize) -> Vec<f64> {
     let (first, last) = (first as f64, last as f64);
     let half = (0.5 * (last - first)).max(0.5);

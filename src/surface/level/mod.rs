@@ -14,7 +14,8 @@ use triangle::Triangle;
 /// Highest degree of a form, which has 231 coefficients.
 const HIGHEST_DEGREE: usize = 20;
 
-/// Number of refinement steps. The first step computes the coefficients; the others reduce their error to round-off.
+/// Number of refinement steps. The first step computes the coefficients, and the later steps reduce their error to
+/// round-off.
 const REFINEMENTS: usize = 3;
 
 /// Smooth form that is removed from a measured surface.
@@ -82,11 +83,11 @@ impl Levelled {
 /// [`fill_missing`](super::fill_missing) afterwards. For a distributed surface use
 /// [`HalfSpace::level`](crate::HalfSpace::level).
 ///
-/// The form is a sum of products of Legendre polynomials over the rectangle of the known heights. Its matrix $`A`$ is
-/// never stored; only a triangular factor is computed. For a mean or a plane the factor is the Cholesky factor of
-/// $`A^T A = R^T R`$. For a polynomial, blocks of 4096 cells are reduced to their factors, and the factors are combined
-/// in pairs until $`A = QR`$ (Demmel et al. 2012). Three steps of $`R^T R\,\Delta c = A^T (z - A c)`$ then determine
-/// the coefficients $`c`$ to round-off (corrected seminormal equations, Björck 1987).
+/// The form is a sum of products of Legendre polynomials over the rectangle of the known heights. The matrix $`A`$ of
+/// the least-squares problem is never stored; only a triangular factor is computed. For a mean or a plane the factor is
+/// the Cholesky factor of $`A^T A = R^T R`$. For a polynomial, blocks of 4096 cells are reduced to their factors, and
+/// the factors are combined in pairs until $`A = QR`$ (Demmel et al. 2012). Three steps of $`R^T R\,\Delta c = A^T (z -
+/// A c)`$ then determine the coefficients $`c`$ to round-off (corrected seminormal equations, Björck 1987).
 ///
 /// # Errors
 /// - [`Error::Sample`] with the first infinite height.

@@ -40,10 +40,10 @@ impl Triangle {
         factor
     }
 
-    /// Updates `R` of `A = QR` for further rows of `A`, which are overwritten.
+    /// Updates `R` of `A = QR` for additional rows of `A`, which are overwritten.
     ///
     /// For each column, a Householder reflection `1 - v v'/h`, `h = v'v/2`, eliminates the entries of the new rows in
-    /// that column. Each reflection changes only one row of `R`, so that a block of few rows stays in the cache.
+    /// that column. Each reflection changes only one row of `R`, so a block of a few rows stays in the cache.
     pub(super) fn absorb(&mut self, rows: &mut [f64]) {
         let count = self.count;
         let mut sums = vec![0.0; count];

@@ -59,7 +59,7 @@ impl CropWindow {
         whole
     }
 
-    /// Returns the phase of the wave with the given numbers of periods in the first cell of the whole field, if its
+    /// Returns the phase, in the first cell of the whole field, of the wave with the given numbers of periods whose
     /// phase in the middle of the part is zero.
     pub(super) fn phase_of_first_cell(&self, numbers: [i64; 2]) -> f64 {
         let along = |number: i64, whole: usize, part: usize, first: usize| {

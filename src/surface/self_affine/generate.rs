@@ -128,8 +128,8 @@ impl SelfAffine {
     }
 }
 
-/// Draws a complex number whose mean square over all seeds is one. Its modulus is one, or the number is normally
-/// distributed.
+/// Draws a complex number whose mean square over all seeds is one. Either the modulus of the number is one, or the
+/// number is normally distributed.
 pub(super) fn wave(seed: u64, numbers: [i64; 2], amplitudes: Amplitudes) -> Complex<f64> {
     let bits = numbers.iter().fold(mix(seed), |bits, number| {
         mix(bits ^ u64::from_le_bytes(number.to_le_bytes()))

@@ -14,7 +14,7 @@ struct Curve {
 
 impl Curve {
     /// Evaluates the curve: `sinh` for heavy tails, the logistic function for light tails. For a large offset both
-    /// become `exp`, the lognormal distribution.
+    /// functions approach `exp`, which gives the lognormal distribution.
     fn bend(&self, g: f64) -> f64 {
         if self.is_bounded {
             let power = (self.steepness * g - self.offset).exp();
@@ -43,13 +43,14 @@ impl Curve {
 
 /// Largest offset, at which the curve is exponential to within round-off.
 const LARGEST_OFFSET: f64 = 20.0;
-/// Smallest and largest steepness. The flattest curve is close to the normal distribution; the steepest is close to a
-/// distribution of two values or of infinite kurtosis.
+/// Smallest and largest steepness. The flattest curve is close to the normal distribution. The steepest curve is close
+/// to a distribution of two values or of infinite kurtosis.
 const STEEPNESS: [f64; 2] = [0.05, 5.0];
 
-/// Computes the curve of the given skewness (not negative) and kurtosis, accurate enough to start an iteration.
+/// Computes the curve of the given skewness (not negative) and kurtosis. The result is accurate enough to start an
+/// iteration.
 fn curve(skewness: f64, kurtosis: f64) -> Curve {
-    // Kurtosis of the lognormal distribution of this skewness: Johnson (1949).
+    // The kurtosis of the lognormal distribution of this skewness is given by Johnson (1949).
     let half = 1.0 + 0.5 * skewness * skewness;
     let root = (half + (half * half - 1.0).sqrt()).cbrt();
     let omega = root + 1.0 / root - 1.0;
@@ -88,7 +89,7 @@ fn bisect([mut low, mut high]: [f64; 2], holds: impl Fn(f64) -> bool) -> f64 {
 }
 
 /// Returns `count` heights in ascending order, at equal steps of probability of a distribution with approximately the
-/// given skewness and kurtosis. Mean and unit are arbitrary.
+/// given skewness and kurtosis. The mean and the unit of the heights are arbitrary.
 pub(super) fn sorted_heights([skewness, kurtosis]: [f64; 2], count: usize) -> Vec<f64> {
     let curve = curve(skewness.abs(), kurtosis);
     let mut heights: Vec<_> = sorted_normal(count).map(|g| curve.bend(g)).collect();

@@ -70,7 +70,7 @@ impl SpectrumLaw {
             f64::INFINITY
         };
         let is_short = wavelength < self.cut_off * (1.0 - ROUND_OFF);
-        // In this form the product cannot overflow. The mean, of infinite wavelength, always counts as too long.
+        // In this form the product cannot overflow. The mean has an infinite wavelength and always counts as too long.
         let is_long = wavelength * (1.0 - ROUND_OFF) > self.longest;
         if is_short || is_long || mode.is_at_limit {
             0.0

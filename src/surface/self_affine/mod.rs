@@ -42,7 +42,7 @@ pub enum Amplitudes {
 ///   0 & \text{otherwise,} \end{cases}
 /// ```
 ///
-/// which is the paper's equation 36. Waves of two cells along an axis are omitted, because the grid does not resolve
+/// which is equation 36 of the paper. Waves of two cells along an axis are omitted, because the grid does not resolve
 /// their phase. The common factor follows from the target (the root mean square of the heights or of the slopes) and
 /// from the waves in the band.
 ///
@@ -82,19 +82,20 @@ pub enum Amplitudes {
 ///
 /// # Heights that are not Gaussian
 /// The sum of many waves of random phases has Gaussian heights. If a skewness or a kurtosis is given, the phases are
-/// changed and the moduli are kept to round-off. The spectrum, the rms height and the rms slope are then the same as
-/// for the Gaussian surface.
+/// changed while the moduli remain unchanged to round-off. The spectrum, the rms height and the rms slope are then the
+/// same as for the Gaussian surface.
 ///
-/// Two steps first alternate, as in Perez-Rafols and Almqvist (2019) after Schreiber and Schmitz (1996): the heights
+/// At first two steps alternate, as in Perez-Rafols and Almqvist (2019) after Schreiber and Schmitz (1996): the heights
 /// are replaced by the heights of the same rank of a Johnson distribution (1949), and the moduli are restored. Then
 /// Newton's method changes the phases as little as possible until skewness and kurtosis are met to 1e-9. For a cropped
 /// surface, the spectrum of the periodic surface is kept.
 ///
 /// The heights follow the Johnson distribution to about 0.01 of their rms if many waves contribute to the spectrum.
-/// They follow it to 0.1 if few waves contribute, or near the limits of the attainable values. If the values cannot be
-/// attained, an error is returned, never an approximation. A grid of a few cells per side has only two or three waves,
-/// with which few values can be attained. The table lists the kurtoses that were attained with each of eight seeds
-/// (2.1, 2.25, 2.5, 2.75, 3, 4, 5, 6, 8 and 12 were tried; `L` is the side of a square):
+/// They follow it to 0.1 of their rms if few waves contribute, or near the limits of the attainable values. If the
+/// requested values cannot be attained, the function returns an error and never an approximation. A grid of a few cells
+/// per side has only two or three waves, and only few values can be attained with these waves. The table lists the
+/// kurtoses that were attained with each of eight seeds on a square of side `L`. The kurtoses 2.1, 2.25, 2.5, 2.75, 3,
+/// 4, 5, 6, 8 and 12 were tried:
 ///
 /// | roll-off, cut-off | skewness 0, ±0.5 | skewness ±1 |
 /// |---|---|---|
@@ -238,8 +239,8 @@ impl SelfAffine {
         }
     }
 
-    /// Sets the shortest wavelength of the spectrum, at least two cells (default 8 cells, measured by their longer
-    /// side).
+    /// Sets the shortest wavelength of the spectrum, at least two cells (default 8 cells, measured along the longer
+    /// side of a cell).
     #[must_use]
     pub fn cut_off_wavelength(self, wavelength: f64) -> Self {
         Self {
@@ -259,8 +260,8 @@ impl SelfAffine {
     /// and kurtosis apply to the part.
     ///
     /// With [`Amplitudes::Gaussian`] the part is not scaled, and removing its mean reduces its mean square. If no
-    /// longest wavelength is given, the mean square of its heights, averaged over all seeds, is about 0.7 times the
-    /// square of the target.
+    /// longest wavelength is given, the mean square of the heights of the part, averaged over all seeds, is about 0.7
+    /// times the square of the target.
     #[must_use]
     pub fn cropped(self) -> Self {
         Self {

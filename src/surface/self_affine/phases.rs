@@ -1,7 +1,7 @@
 //! Phases of given waves for which the heights have exactly the requested skewness and kurtosis.
 //!
-//! Let `x` be the heights, of mean zero and mean square one. Skewness $`s`$ and kurtosis $`k`$ change with the heights
-//! by
+//! Let `x` be heights of mean zero and mean square one. If the heights change, the skewness $`s`$ and the kurtosis
+//! $`k`$ change by
 //!
 //! ```math
 //! \delta s = 3 \langle e_s, \delta x\rangle, \quad e_s = x^2 - s x - 1, \qquad
@@ -58,7 +58,7 @@ pub(super) fn turn(
 }
 
 /// Changes the phases of the waves by a Newton step towards the requested skewness and kurtosis; `missing` is the
-/// deficit. Returns false if no phase change can correct both.
+/// deficit. Returns false if no phase change can correct both moments.
 fn newton_step(
     waves: &mut Waves,
     cut: &CropWindow,
@@ -76,7 +76,7 @@ fn newton_step(
     let of_skewness = direction(&|x| x * x - skewness * x - 1.0);
     let of_kurtosis = direction(&|x| x * x * x - kurtosis * x - skewness);
 
-    // Mean products of the changes of the heights along the two directions.
+    // The variables hold the mean products of the changes of the heights along the two directions.
     let [mut ss, mut sk, mut kk, mut square] = [0.0; 4];
     let directions = of_skewness.iter().zip(of_kurtosis.iter());
     for ((mode, wave), ((_, s), (_, k))) in waves.iter().zip(directions) {
@@ -103,8 +103,8 @@ fn newton_step(
         let [by_s, by_k] = directions.map(|direction| turn_along(wave, direction));
         wave * Complex::cis(s * by_s + k * by_k)
     });
-    // The step amplifies the round-off of the directions. The factor is large if phase changes have little effect on
-    // one of the two moments.
+    // The step amplifies the round-off of the directions. The factor of this amplification is large if phase changes
+    // have little effect on one of the two moments.
     waves.pair_opposite_rows();
     true
 }

@@ -9,11 +9,12 @@ use super::changes::{changed, changes};
 use super::zip::zip;
 use super::{assert_format_error, patched, read};
 
-/// Size up to which an entry is expanded for any packed size, limit of the expansion ratio for larger entries, and
-/// number of copies of the data in memory. The copies arise because expanding doubles a buffer, text becomes numbers,
-/// and integers become doubles.
+/// Size up to which an entry is expanded, whatever its packed size.
 const ENTRY: usize = 4 << 20;
+/// Largest ratio of the expanded size to the packed size for larger entries.
 const PACKED: usize = 100;
+/// Number of copies of the data in memory. The copies arise because expanding doubles a buffer, text becomes numbers,
+/// and integers become doubles.
 const COPIES: u64 = 8;
 
 fn assert_rejected(bytes: &[u8], expected: &str) {
@@ -83,7 +84,7 @@ fn x3p_infinite_heights_are_missing_points() {
     let list = zip(&[("main.xml", main.as_bytes(), true)]);
     for file in [zip(&files), list] {
         let field = io::x3p::parse(&file).unwrap();
-        // Floating-point data are heights already, so the increment of 1e-9 does not scale them.
+        // Floating-point data are already heights, so they are not multiplied by the increment of 1e-9.
         assert_eq!(field.as_slice()[0], 1.5);
         assert_eq!(field.as_slice()[4..], [2.5, 3.5]);
         assert!(field.as_slice()[1..4].iter().all(|z| z.is_nan()));

@@ -1,5 +1,5 @@
 //! A damaged, truncated or inconsistent file is rejected with an error that states the fault and its position. Reading
-//! does not panic, and its memory is proportional to the size of the file.
+//! such a file does not panic, and the memory needed is proportional to the size of the file.
 
 #[cfg(feature = "x3p")]
 mod archive;
@@ -11,7 +11,7 @@ mod zip;
 
 use stickslip::{Error, Field, Result};
 
-/// Maximum number of bytes allocated at a time for each byte of an uncompressed file.
+/// Maximum number of bytes allocated at the same time, for each byte of an uncompressed file.
 const PER_BYTE: u64 = 48;
 /// Additional bytes for the buffers and messages of any file.
 const FIXED: u64 = 4096;

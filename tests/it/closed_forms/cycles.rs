@@ -21,7 +21,7 @@ fn after_path(path: &[f64]) -> Result<MindlinDeresiewicz> {
 /// The header of the file states the case and its source.
 const UNLOADING: &str = include_str!("../../data/unloading.csv");
 
-/// Fraction of the friction limit, energy per cycle.
+/// Force as a fraction of the friction limit, and energy per cycle.
 const CYCLES: [[f64; 2]; 3] = [
     [0.4, 1.9278027314025586e-06],
     [0.8, 2.62446228167928e-05],
@@ -194,7 +194,7 @@ fn energy_increment_equals_traction_times_slip() -> Result<()> {
     let path = [0.8, -0.4, 0.3, 0.1];
     for turns in 1..path.len() {
         let (before, now) = (after_path(&path[..turns])?, after_path(&path[..=turns])?);
-        // The mean over directions is the value at 45 degrees.
+        // The mean over all directions is the value at 45 degrees.
         let work = disc_integral(now.stick_radius(), a, |r| {
             let along = r * FRAC_1_SQRT_2;
             let gained = now.slip(along, along) - before.slip(along, along);

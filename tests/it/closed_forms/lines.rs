@@ -9,7 +9,7 @@ use stickslip::analytical::{
 const LOAD: f64 = 100.0;
 const DATUM: f64 = 50.0;
 
-/// Returns a steel roller of radius 10 under 100 N/mm; mm, N, MPa.
+/// Returns a steel roller of radius 10 mm under 100 N/mm, in the units mm, N and MPa.
 fn roller() -> Result<HertzLine> {
     HertzLine::new(&pair(210e3, 0.3)?, 10.0, LOAD)
 }
@@ -121,7 +121,7 @@ fn coupled_bodies_and_excessive_strain_are_rejected() -> Result<()> {
     let refused = CattaneoMindlinLine::new(hertz, FRICTION, 1e-3);
     let beta = unlike.dundurs_beta();
     assert_eq!(refused, Err(Error::CoupledMaterials { beta }));
-    // With more strain the stick strip would leave the contact, at 1 - sqrt(1 - f).
+    // The limit of the shift is 1 - sqrt(1 - f). With more strain the stick strip would leave the contact.
     assert!(shear_roller(0.6, 0.3675).is_ok());
     assert!(matches!(
         shear_roller(0.6, 0.3676),
@@ -193,7 +193,7 @@ fn surface_stress_matches_the_principal_value() -> Result<()> {
         let (a, p0) = (hertz.half_width(), hertz.max_pressure());
         let bulk = 4.0 * FRICTION * p0 * moved;
         for x in [-2.0, -1.01, -0.97, -0.4, 0.05, 0.3, 0.9, 1.3].map(|x| x * a) {
-            // The traction at x is subtracted; its principal value is a logarithm.
+            // The traction at x is subtracted from the integrand; the principal value of this constant is a logarithm.
             let here = shear.traction(x);
             let (c, e) = (shear.stick_half_width(), shear.stick_centre());
             let mut ends = vec![-a, e - c, e + c, a];

@@ -11,7 +11,7 @@ use stickslip::analytical::{CattaneoMindlinEllipse, HertzEllipse};
 
 use super::{LIMIT, assert_close, ball, pair, sheared_ball};
 
-/// Distance over the contact radius, pressure, displacement, gap.
+/// Distance over the contact radius, pressure, displacement and gap.
 const SPHERE: [[f64; 4]; 13] = [
     [0.0, 2774530779.353722, 4.916814175043042e-06, 0.0],
     [0.1, 2760623269.3225927, 4.892230104167827e-06, 0.0],
@@ -28,7 +28,7 @@ const SPHERE: [[f64; 4]; 13] = [
     [5.0, 0.0, 4.190434284324938e-07, 5.696240644142748e-05],
 ];
 
-/// Force over the friction limit, stick radius over contact radius, stick ratio, shift.
+/// Force over the friction limit, stick radius over contact radius, stick ratio and shift.
 const PARTIAL_SLIP: [[f64; 4]; 6] = [
     [
         0.1,
@@ -157,7 +157,7 @@ const FIELDS_AT_0_95: [[f64; 5]; 9] = [
 
 /// Reference values of an elliptic contact of two equal bodies.
 struct Ellipse {
-    /// Young's modulus, Poisson's ratio.
+    /// Young's modulus and Poisson's ratio.
     material: [f64; 2],
     radii: [f64; 2],
     load: f64,
@@ -168,7 +168,7 @@ struct Ellipse {
     area: f64,
     gross_shift: f64,
     full_stick_compliance: f64,
-    /// Force over the friction limit, axis of the stick ellipse over axis of the contact, shift.
+    /// Force over the friction limit, axis of the stick ellipse over axis of the contact, and shift.
     partial_slip: [[f64; 3]; 6],
 }
 
@@ -253,7 +253,7 @@ fn ellipses_match_reference_values() -> Result<()> {
             }
         }
         assert_close(shear(limit)?.shift(), case.gross_shift);
-        // A small force causes hardly any slip: the compliance follows from 1 - (1 - f)^(2/3) = (2/3) f + f^2/9 + ...
+        // A small force causes hardly any slip. The compliance follows from 1 - (1 - f)^(2/3) = (2/3) f + f^2/9 + ...
         let small = 1e-10 * limit;
         assert_relative_eq!(
             shear(small)?.shift() / small,

@@ -1,4 +1,4 @@
-//! Dissimilar bodies pressed together: in full stick, and with slip under Goodman's assumption.
+//! Tests of dissimilar bodies pressed together, in full stick and with slip under Goodman's assumption.
 
 use approx::assert_relative_eq;
 use stickslip::analytical::{FlatPunch, HertzSphere, NoSlipPunch, NoSlipSphere, SpencePressing};
@@ -8,9 +8,9 @@ fn against_rigid(poisson_ratio: f64) -> Result<ElasticPair> {
     ElasticPair::new(Material::new(1.0, poisson_ratio)?, Material::rigid())
 }
 
-/// Poisson's ratio; punch stiffness relative to the frictionless one; 1/I, the approach relative to `a^2 / 2R`;
-/// relative loads of the sphere at equal approach and at equal radius. The integral was evaluated independently of this
-/// crate, and also by ring elements to 2e-5.
+/// Poisson's ratio; stiffness of the punch relative to the frictionless stiffness; 1/I, the approach relative to `a^2 /
+/// 2R`; loads of the sphere relative to the Hertzian loads at equal approach and at equal radius. The integral I was
+/// evaluated independently of this crate, and also by ring elements to 2e-5.
 const NO_SLIP: [[f64; 5]; 5] = [
     [0.0, 1.09861, 2.17747, 1.05289, 1.19609],
     [0.1, 1.07495, 2.13274, 1.04096, 1.14629],
@@ -41,7 +41,7 @@ fn full_stick_stiffens_punch_and_sphere() -> Result<()> {
         let stuck = NoSlipSphere::new(&pair, 5.0, 1e-3)?;
         let reach = stuck.contact_radius().powi(2) / (2.0 * stuck.radius());
         assert_relative_eq!(stuck.approach() / reach, approach, max_relative = 5e-6);
-        // These are Hertzian loads for the same approach and for the same radius.
+        // The reference loads are the Hertzian loads for the same approach and for the same radius.
         let stiffness = 4.0 / 3.0 * pair.contact_modulus();
         let same_approach = stiffness * stuck.approach().powf(1.5) * stuck.radius().sqrt();
         assert_relative_eq!(

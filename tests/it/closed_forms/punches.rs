@@ -13,7 +13,7 @@ use super::{
 };
 
 /// Distance over the contact radius, pressure, displacement, and tangential displacement per force at the angles
-/// [`ANGLES`] from the force. Values of the closed forms in extended precision, rounded.
+/// [`ANGLES`] from the force. The values are closed forms evaluated in extended precision and rounded.
 const FLAT_PUNCH: [[f64; 6]; 13] = [
     [
         0.0,
@@ -133,7 +133,7 @@ const CONE_PRESSURE: [[f64; 2]; 7] = [
     [0.99, 88759.02546629818],
 ];
 
-/// Force over the friction limit, stick radius over contact radius, stick ratio, shift.
+/// Force over the friction limit, stick radius over contact radius, stick ratio and shift.
 const CONE_PARTIAL_SLIP: [[f64; 4]; 6] = [
     [0.1, 0.9486832980505138, 0.9, 2.7286945795841224e-08],
     [0.2, 0.8944271909999159, 0.8, 5.613687955893348e-08],

@@ -12,7 +12,8 @@ use super::{
     singular_integral,
 };
 
-/// Coefficient, reduced pressure, relative area; values of the closed form in extended precision, rounded.
+/// Coefficient, reduced pressure and relative area. The values are the closed form evaluated in extended precision and
+/// rounded.
 const ROUGH_SPHERE: [[f64; 3]; 18] = [
     [1.5957691216057308, 1e-06, 1.5957691216042946e-06],
     [1.5957691216057308, 0.001, 0.0015957676854149064],
@@ -34,7 +35,7 @@ const ROUGH_SPHERE: [[f64; 3]; 18] = [
     [2.2, 2.0, 0.985385221020028],
 ];
 
-/// Coefficient, reduced pressure, area fraction, and the stick ratio at each of [`FRACTIONS`], computed as in
+/// Coefficient, reduced pressure, area fraction, and stick ratio at each of [`FRACTIONS`], computed as in
 /// [`ROUGH_SPHERE`].
 const ROUGH_PLANE: [[f64; 9]; 16] = [
     [
@@ -218,7 +219,7 @@ const ROUGH_PLANE: [[f64; 9]; 16] = [
 /// Force over the friction limit.
 const FRACTIONS: [f64; 6] = [0.1, 0.2, 0.4, 0.6, 0.8, 0.95];
 
-/// Table 3 of the paper, E* = 25 MPa: load, reduced pressure, relative area.
+/// Load, reduced pressure and relative area of table 3 of the paper, for E* = 25 MPa.
 const TABLE_3: [[f64; 3]; 4] = [
     [0.00015, 0.0040431, 0.0080860],
     [0.0015, 0.0087105, 0.0174192],
@@ -339,7 +340,8 @@ fn stick_ratio_is_one_at_zero_force_and_zero_when_sliding() -> Result<()> {
     assert_close(linear_stick_ratio(100.0, FRICTION, -10.0)?, 0.8);
     assert_close(linear_stick_ratio(100.0, FRICTION, -50.0)?, 0.0);
     assert_close(linear_stick_ratio(100.0, 0.0, 0.0)?, 0.0);
-    // 0.29 * 100 rounds to slightly less than 29; a force meant to equal the limit is accepted.
+    // The product 0.29 * 100 rounds to slightly less than 29. A force that is meant to equal the limit is accepted
+    // nevertheless.
     assert_close(linear_stick_ratio(100.0, 0.29, 29.0)?, 0.0);
     Ok(())
 }

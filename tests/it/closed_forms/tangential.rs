@@ -176,7 +176,7 @@ fn dissipated_energy_equals_traction_times_slip() -> Result<()> {
     for force in [1.0, 20.0, 49.0] {
         let shear = sheared_ball(force)?;
         let c = shear.stick_radius();
-        // The mean over directions is the value at 45 degrees, where cos 2 theta = 0.
+        // The mean over all directions is the value at 45 degrees, where cos 2 theta = 0.
         let work = disc_integral(c, a, |r| {
             let along = r * FRAC_1_SQRT_2;
             -shear.traction(r) * shear.slip(along, along)
@@ -284,7 +284,8 @@ fn tangential_contacts_with_invalid_arguments_are_rejected() -> Result<()> {
         shear(0.0, 1e-300),
         Some(Error::BeyondFrictionCapacity { .. })
     ));
-    // 0.29 * 100 rounds to slightly less than 29; a force meant to equal the limit is accepted.
+    // The product 0.29 * 100 rounds to slightly less than 29. A force that is meant to equal the limit is accepted
+    // nevertheless.
     assert_eq!(shear(0.29, 29.0), None);
     Ok(())
 }

@@ -12,8 +12,8 @@ use super::{
 };
 
 /// Stick radius over contact radius; twist times the shear modulus over the friction limit at the largest pressure;
-/// moment over friction, load and contact radius. Lubkin's relations evaluated to 20 digits in extended precision,
-/// independently of this crate, and rounded to double.
+/// moment over the product of friction, load and contact radius. The values are Lubkin's relations, evaluated to 20
+/// digits in extended precision, independently of this crate, and rounded to double.
 const TORSION: [[f64; 3]; 5] = [
     [0.1, 1.3398219089823253, 0.5886198850944907],
     [0.3, 0.7656479073460584, 0.5768680425718781],

@@ -69,7 +69,8 @@ proptest! {
         x in 0.01..2.0_f64,
     ) {
         let (length, force) = (10f64.powf(exponents[0]), 10f64.powf(exponents[1]));
-        // Lengths, pressures and dimensionless numbers of every contact; for some contacts also tractions at x.
+        // The function returns lengths, pressures and dimensionless numbers of every contact, and for some contacts
+        // also tractions at x.
         let solve = |length: f64, force: f64| -> Result<_> {
             let pressure = force / (length * length);
             let pair = pair(213e9 * pressure, poisson_ratio)?;
@@ -139,7 +140,7 @@ proptest! {
         pairs(pressure, &theirs.1, &ours.1);
         pairs(1.0, &theirs.2, &ours.2);
         for (theirs, ours) in theirs.3.iter().zip(ours.3) {
-            // Positions are rounded, as above.
+            // Positions are rounded, as in the test of paraboloids.
             assert_relative_eq!(*theirs, ours, epsilon = 1e-7, max_relative = 0.0);
         }
     }

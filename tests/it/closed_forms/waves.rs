@@ -14,7 +14,7 @@ use super::{
 
 const AMPLITUDE: f64 = 1e-6;
 const WAVELENGTH: f64 = 1e-4;
-/// Mean pressure of full contact. Like all values here, it is the closed form in extended precision.
+/// Mean pressure of full contact. Like all values in this file, it is the closed form evaluated in extended precision.
 const FULL: f64 = 785398.1633974483;
 
 /// Mean pressure over [`FULL`], half-width, contact fraction, and pressures at 0, 1/5 .. 5/5 of the half-width.
@@ -80,7 +80,7 @@ fn shear_waves(ratio: f64, fraction: f64) -> Result<WestergaardPartialSlip> {
 fn displacement(a: f64, x: f64, kinks: &[f64], stress: impl Fn(f64) -> f64) -> Result<f64> {
     let kernel = |d: f64| -(2.0 * (PI * d / WAVELENGTH).sin().abs()).ln();
     let part = |side: f64| {
-        // Distances of x, on either side, to the jumps of the stress or of its slope.
+        // The ends are the distances of x, on either side, from the jumps of the stress or of its slope.
         let mut ends: Vec<f64> = kinks.iter().map(|kink| side * (kink - x)).collect();
         ends.extend([side * (-a - x), side * (a - x), 0.0]);
         ends.retain(|&d| d >= 0.0);
@@ -265,7 +265,7 @@ fn traction_integrates_to_the_force_and_stick_strips_are_rigid() -> Result<()> {
                 );
             }
             if c < 0.99 * a {
-                // Outside the stick strips, the displacement is smaller.
+                // Outside the stick strips, the displacement is smaller than the shift.
                 let lag = moved(0.5 * (a + c))? - centre;
                 assert!(lag * shear.mean_traction() < 0.0);
             }
@@ -287,7 +287,7 @@ fn full_contact_sticks_until_the_difference_contact_opens() -> Result<()> {
         shear.traction(0.4 * WAVELENGTH),
         FRICTION * shear.contact().pressure(0.4 * WAVELENGTH),
     );
-    // Small forces are accurate.
+    // Results for small forces are accurate.
     let small = shear_waves(0.3, 1e-14)?;
     let contact = small.contact();
     // The derivative of the pressure with respect to the load is the pressure under a row of flat strips.

@@ -1,5 +1,5 @@
-//! Operators of coated bodies on each kind of grid: positive definite, equal to sums over images, and equal to direct
-//! sums.
+//! Operators of coated bodies on each kind of grid are positive definite, equal to sums over images, and equal to
+//! direct sums.
 
 use kit::{Random, max_abs, max_difference};
 #[cfg(feature = "dense")]
@@ -13,7 +13,7 @@ use stickslip::{
 
 use super::{against_rigid, layer, parse_body};
 
-/// The symbol is positive for all kinds of contact, on cells that are small and large compared with the layer.
+/// The symbol is positive for all kinds of contact, on cells that are small or large compared with the layer.
 #[test]
 fn symbol_is_positive() {
     for m in [1e-3, 0.1, 10.0, 1e3] {
@@ -78,8 +78,8 @@ fn periodic_rows_sum_their_images() {
                 }
             }
         }
-        // Compares the displacements under an alternating load on the rows, without its uniform part, with those on 41
-        // periods of a free grid.
+        // Compares the displacements under an alternating load on the rows, without its uniform part, with the
+        // displacements on 41 periods of a free grid.
         let many = Grid::new(10, 6 * 41, dx, dy).unwrap();
         let many = HalfSpace::new(many, against_rigid(body)).unwrap();
         for component in [Component::ZZ, Component::XY, Component::ZY] {

@@ -63,7 +63,7 @@ struct Summary {
     name: &'static str,
     /// Whether endings are counted for each kind separately.
     has_kinds: bool,
-    /// Number of solves with each ending, and their products.
+    /// Number of solves with each ending, and number of products of these solves.
     endings: BTreeMap<String, [usize; 2]>,
     compared: BTreeMap<&'static str, usize>,
     /// Largest ratio of the true error to the certified error, and its scene.

@@ -1,5 +1,6 @@
-//! Work for counting instructions. `counts SCENE TIMES` repeats the work of a scene the given number of times on one thread.
-//! The difference of two runs is the work alone, without the start of the program. `.ci/counts` runs it.
+//! Work for counting instructions. `counts SCENE TIMES` repeats the work of a scene the given number of times on one
+//! thread. The difference of two runs is the work alone, without the start of the program. The script `.ci/counts` runs
+//! this example.
 
 use std::error::Error;
 use std::hint::black_box;
@@ -53,7 +54,7 @@ fn sphere(times: usize) -> stickslip::Result<()> {
     Ok(())
 }
 
-/// Moves back and forth on 64 x 64 cells: two steps of a history that has already taken two steps.
+/// Moves back and forth on 64 x 64 cells, in two steps of a history that has already taken two steps.
 fn steps(model: TangentialModel, direction: [f64; 2], times: usize) -> stickslip::Result<()> {
     let scene = ball(64)?;
     let friction = Friction::coulomb(FRICTION)?;

@@ -1,5 +1,5 @@
-//! Cost of each digit of the solution: time and distance from closed forms over grids and tolerances, for uniform cells
-//! without edges and for centre values with subcell edges.
+//! Measures the cost of each digit of the solution. The example prints time and distance from closed forms for several
+//! grids and tolerances, for uniform cells without edges and for centre values with subcell edges.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -27,9 +27,9 @@ const GRIDS: [usize; 5] = [32, 64, 128, 256, 512];
 const TOLERANCES: [f64; 5] = [1e-2, 1e-3, 1e-4, 1e-5, 1e-6];
 /// Indices of the tolerances in the figure, with their colours.
 const SHOWN: [(usize, RGBColor); 3] = [(0, support::ORANGE), (2, support::BLUE), (4, BLACK)];
-/// Offsets of the contact relative to the cells, in cells; errors are means over them.
+/// Offsets of the contact relative to the cells, in cells. The errors are means over these offsets.
 const OFFSETS: [[f64; 2]; 4] = [[0.0, 0.0], [0.31, -0.17], [-0.42, 0.48], [0.12, 0.43]];
-/// Side of the grid; contact radii are one.
+/// Side of the grid, in contact radii, which are one.
 const SIDE: f64 = 3.0;
 const FRICTION: f64 = 0.5;
 /// Tangential force relative to the force at which the contact slides.
@@ -49,11 +49,11 @@ struct ClosedFormCase {
     /// Area of the contact, or of its stick zone if it is sheared.
     area: f64,
     boundary: Boundary,
-    /// Force along x after pressing; if there is one, the traction is compared instead of the pressure.
+    /// Force along x after pressing. If there is a force, the traction is compared instead of the pressure.
     shear: Option<f64>,
 }
 
-/// Time, error of the field, error of the area.
+/// Time, error of the field, and error of the area.
 type Measured = [f64; 3];
 
 struct ErrorRow {

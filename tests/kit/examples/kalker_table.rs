@@ -2,10 +2,10 @@
 //! only the edge slips. `kalker_table [HALVES]` prints the rows of ellipse ratios a/b = 2^(k/2) with |k| up to HALVES
 //! (default 8).
 //!
-//! On a single grid the forces have an error of about 0.3 %, because the cells of the contact cover slightly more or less
-//! than the ellipse. This error appears as a lack of reciprocity, C32 + C23, although C23 itself is hardly affected. Each
-//! coefficient is therefore extrapolated from several grids to reciprocity and to a cell size of zero, by a linear fit in
-//! both.
+//! On a single grid the forces have an error of about 0.3 %, because the cells of the contact cover slightly more or
+//! less than the ellipse. This error appears as a lack of reciprocity, C32 + C23, although C23 itself is hardly
+//! affected. Each coefficient is therefore extrapolated from several grids to reciprocity and to a cell size of zero,
+//! by a linear fit in the lack of reciprocity and the cell size.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 

@@ -1,5 +1,5 @@
-//! Cost of each digit: time and true error of the ball and of a rough surface at five tolerances, by both methods. With
-//! `--large` the program also uses 1024 x 1024 cells.
+//! Measures the cost of each digit: time and true error of the ball and of a rough surface at five tolerances, by both
+//! methods. With `--large` the program also uses 1024 x 1024 cells.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -139,7 +139,7 @@ fn measure(
                 energy: energy_error(&scene.bodies, Component::ZZ, found.pressure(), pressure)?,
                 l1: distance(found.pressure(), pressure),
             };
-            // The best pressure is used, so that the error is that of the tangential solve only.
+            // The best pressure is used, so that the error is the error of the tangential solve only.
             let mut solver = scene
                 .tangential(&normal, method, tolerance)?
                 .into_solver()?;
@@ -179,7 +179,7 @@ fn print_heading() {
 }
 
 impl Run {
-    /// Returns whether the true error is below the bound; the best solution has an error as well.
+    /// Returns whether the true error is below the bound, with an allowance for the error of the best solution.
     fn is_bounded(&self) -> bool {
         self.energy <= self.report.energy_error_bound() + BEST
     }

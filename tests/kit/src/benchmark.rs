@@ -30,7 +30,7 @@ pub struct BenchmarkCase {
     exact: Option<CattaneoMindlin>,
 }
 
-/// Returns the ball of the paper's Table 2, in SI units, on a square with a side of three contact radii.
+/// Returns the ball of Table 2 of the paper, in SI units, on a square with a side of three contact radii.
 pub fn ball(cells: u16) -> Result<BenchmarkCase> {
     let steel = Material::new(213e9, 0.29)?;
     let pair = ElasticPair::new(steel, steel)?;

@@ -35,12 +35,12 @@ pub enum Tangential {
     Shift(f64),
 }
 
-/// One step: the prescribed quantities, and the results of CONTACT at its end.
+/// One step, with the prescribed quantities and the results of CONTACT at the end of the step.
 #[derive(Debug)]
 pub struct ReferenceStep {
     /// Whether the step continues from the previous step, or starts from unloaded bodies.
     pub continues: bool,
-    /// Factors of x^2, x y, y^2, x, y, 1 in the gap; zero if the pressure is prescribed.
+    /// Factors of x^2, x y, y^2, x, y and 1 in the gap; zero if the pressure is prescribed.
     gap: [f64; 6],
     pub normal: Normal,
     pub tangential: [Tangential; 2],

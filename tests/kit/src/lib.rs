@@ -39,7 +39,8 @@ pub use {postcard, serde_json};
 /// Returns the first argument in an everyday run of the tests, and the second in the campaign before a release, which
 /// sets the environment variable `STICKSLIP_CAMPAIGN`.
 ///
-/// Both must test the same law to the same tolerance. The first is a small instance, because it runs for every change.
+/// Both arguments must test the same law to the same tolerance. The first argument is a small instance, because it runs
+/// for every change.
 pub fn thorough<T>(everyday: T, campaign: T) -> T {
     if std::env::var_os("STICKSLIP_CAMPAIGN").is_some() {
         campaign
@@ -48,8 +49,8 @@ pub fn thorough<T>(everyday: T, campaign: T) -> T {
     }
 }
 
-/// Returns a rough gap: waves of all directions down to eight cells, amplitudes that decrease as for a Hurst exponent
-/// of 0.8, a root-mean-square height of one and a minimum of zero.
+/// Returns a rough gap with a root-mean-square height of one and a minimum of zero. The gap contains waves of all
+/// directions down to eight cells, with amplitudes that decrease as for a Hurst exponent of 0.8.
 pub fn rough(grid: Grid, seed: u64) -> Field {
     let mut random = Random(seed);
     let side = grid.dx() * grid.nx() as f64;
@@ -120,7 +121,7 @@ pub fn unit_bodies(grid: Grid, poisson_ratio: f64) -> HalfSpace {
     HalfSpace::new(grid, unit_pair(poisson_ratio)).unwrap()
 }
 
-/// The paper's Table 2: a steel sphere on steel, in metres, newtons and pascals.
+/// Case of Table 2 of the paper: a steel sphere on steel, in metres, newtons and pascals.
 #[derive(Debug)]
 pub struct Table2;
 

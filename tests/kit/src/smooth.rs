@@ -120,8 +120,9 @@ impl Smooth {
         (1.0 - part).powf(1.0 / power)
     }
 
-    /// Returns the traction about the origin divided by the friction coefficient, under a force that is this fraction of
-    /// the sliding force. It is the pressure minus the pressure of the contact that is as large as the stick zone.
+    /// Returns the traction about the origin divided by the friction coefficient, under a force that is this fraction
+    /// of the sliding force. The result is the pressure minus the pressure of the contact that is as large as the stick
+    /// zone.
     ///
     /// Sources: J. Jaeger, Arch. Appl. Mech. 65 (1995) 478, <https://doi.org/10.1007/BF00835661>; M. Ciavarella, Int. J.
     /// Solids Struct. 35 (1998) 2349, <https://doi.org/10.1016/S0020-7683(97)00154-6>.

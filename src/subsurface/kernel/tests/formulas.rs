@@ -4,7 +4,7 @@ use super::{Numbers, at, error};
 use crate::subsurface::kernel::{LoadedRectangle, PotentialIntegral};
 use std::f64::consts::PI;
 
-/// Returns nodes and weights of the Gauss-Legendre rule with `n` points, by Newton's method.
+/// Computes the nodes and weights of the Gauss-Legendre rule with `n` points by Newton's method.
 fn gauss(n: u32) -> Vec<[f64; 2]> {
     let legendre = |x: f64| {
         let (mut last, mut value) = (1.0, x);

@@ -1,4 +1,4 @@
-//! Formulas compared with quadrature and the equations of elasticity; limits, symmetries and rows.
+//! Tests of the formulas against quadrature and the equations of elasticity, and tests of limits, symmetries and rows.
 
 mod formulas;
 mod surface_and_symmetry;

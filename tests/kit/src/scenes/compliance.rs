@@ -3,7 +3,7 @@
 use stickslip::influence::Component;
 use stickslip::{ElasticOperator, HalfSpace, Operator, Result};
 
-/// Compliance for one traction, or for two in the plane: all x components, then all y components.
+/// Compliance for one traction component, or for two components in the plane (all x components, then all y components).
 #[derive(Debug)]
 pub(crate) struct Compliance {
     cells: usize,
@@ -12,7 +12,7 @@ pub(crate) struct Compliance {
     parts: Vec<(usize, usize, ElasticOperator)>,
     /// Lower bound of the eigenvalues. In the plane it is the bound for each axis alone, which may be slightly larger.
     pub(crate) lower_bound: f64,
-    /// Round-off of a product relative to its largest value, including that of the coefficients.
+    /// Round-off of a product relative to its largest value, including the round-off of the coefficients.
     pub(crate) round_off: f64,
 }
 

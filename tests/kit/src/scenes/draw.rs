@@ -25,9 +25,9 @@ pub(crate) fn scene(index: u64) -> Result<RandomScene> {
     scene_of(index, |pair, _| Ok(pair))
 }
 
-/// Returns the scene of an index with a layer on body 1, in three of ten cases also on body 2. Its thickness is between
-/// a hundredth of a cell and the size of the grid. Its modulus differs from that of the body by a factor of up to a
-/// thousand.
+/// Returns the scene of an index with a layer on body 1, in three of ten cases also on body 2. The thickness of the
+/// layer is between a hundredth of a cell and the size of the grid. The modulus of the layer differs from the modulus
+/// of the body by a factor of up to a thousand.
 pub(crate) fn coated_scene(index: u64) -> Result<RandomScene> {
     let mut random = random_of(index ^ 0x0063_6f61_7465_6400);
     scene_of(index, |pair, grid| {
@@ -91,7 +91,7 @@ fn scene_of(
     Ok(scene)
 }
 
-/// Returns a boundary that is periodic along y with a random datum, or that of a free grid.
+/// Returns a boundary that is periodic along y with a random datum, or the boundary of a free grid.
 fn along_y(grid: Grid, index: u64) -> Boundary {
     let length = grid.dx() * grid.nx() as f64;
     let far = [1.0, 10.0, 1e6].get((index % 4) as usize);

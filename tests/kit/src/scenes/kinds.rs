@@ -331,7 +331,7 @@ impl Contact {
     /// Returns the expected ending for this fraction of the sliding force.
     fn expected(&self, part: f64) -> Expected {
         let is_sliding = self.model == TangentialModel::Vector && 1.0 - part < 1.01 * LAST_DIGITS;
-        // The last digit of a height, relative to a displacement known to an order of magnitude.
+        // The last digit of a height is compared with a displacement that is known to an order of magnitude.
         let displacement = self.reach() * self.part_of_reach();
         let digit = 10.0 * f64::EPSILON * self.gap.max().max(-self.gap.min()) / displacement;
         if is_sliding || self.settings.tolerance < digit {

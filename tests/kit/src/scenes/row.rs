@@ -1,4 +1,4 @@
-//! One row of the table: a solve, how it ended, and whether this is correct.
+//! One row of the table: a solve, its ending, and whether this ending is correct.
 
 use std::fmt;
 use std::time::Duration;

@@ -237,7 +237,7 @@ fn check(
     }
 }
 
-/// Returns the reference tractions after a step along one axis, from the slip before it.
+/// Returns the reference tractions after a step along one axis, computed from the slip before the step.
 fn exact(
     story: &LoadHistory,
     history: &History,
@@ -288,7 +288,7 @@ fn exact(
 }
 
 /// Runs histories that move back and forth, up to sliding and back, through states that erase the memory of the contact
-/// and states that do not.
+/// and states that preserve it.
 pub(crate) fn rows() -> Result<Vec<Row>> {
     let to_and_fro = [0.7, -0.7, 0.999999, 0.0, -1.0, 1.0 + 1e-9, 1e-12, 0.5];
     let mut rows = Vec::new();

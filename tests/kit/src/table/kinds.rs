@@ -56,7 +56,7 @@ fn spring(position: f64, stiffness: f64) -> TangentialControl {
     }
 }
 
-/// Returns a path along x: pressing, shear, reversal, more pressing, a spring, unloading.
+/// Returns a path along x with pressing, shear, reversal, further pressing, a spring and unloading.
 fn to_and_fro(load: f64) -> Vec<Step> {
     use TangentialControl::{Force as Pull, Shift};
     vec![

@@ -1,4 +1,4 @@
-//! Results of a history: its bits, and numbers that must be the same for a different pose of the scene.
+//! Results of a history: the bits of its state, and numbers that must be the same for a different pose of the scene.
 
 use stickslip::{Field, History};
 
@@ -22,7 +22,7 @@ pub fn bits(history: &History) -> Vec<u8> {
     bits
 }
 
-/// Returns the results of a history and its last step that every rank has.
+/// Returns the results of a history and of its last step that are available on every rank.
 pub fn known(history: &History) -> Vec<f64> {
     let (step, normal) = (history.last_step(), history.normal());
     let energy = step.energy();

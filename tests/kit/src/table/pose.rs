@@ -2,7 +2,7 @@
 
 use stickslip::{Field, Grid};
 
-/// Units and orientation of a scene: first x and y are swapped, then each may be reversed.
+/// Units and orientation of a scene: x and y may be swapped first, and then each axis may be reversed.
 #[derive(Debug, Clone, Copy)]
 pub struct UnitTransform {
     pub length: f64,
