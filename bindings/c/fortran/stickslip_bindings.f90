@@ -318,7 +318,7 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_NEGLECTED = 2
     ! Status: nothing has been solved yet.
     integer(c_int32_t), parameter, public :: STICKSLIP_UNSOLVED = 0
-    ! Status: residual and certified error, from a newly computed product, are at or below the tolerance.
+    ! Status: the residual and the certified error, both computed from a new product, are at or below the tolerance.
     integer(c_int32_t), parameter, public :: STICKSLIP_CONVERGED = 1
     ! Status: the iteration limit was reached first.
     integer(c_int32_t), parameter, public :: STICKSLIP_AT_ITERATION_LIMIT = 2
@@ -375,9 +375,9 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_OTHER = 127
     ! Size of the message of a warning in bytes.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LENGTH = 384
-    ! Prescribes a creepage, the motion of body 2 over body 1 for each length rolled (dimensionless).
+    ! Prescribes a creepage, the motion of body 2 over body 1 per unit length rolled (dimensionless).
     integer(c_int32_t), parameter, public :: STICKSLIP_CREEPAGE = 0
-    ! Prescribes the spin, the rotation of body 2 relative to body 1 about the origin of the grid for each length rolled (one
+    ! Prescribes the spin, the rotation of body 2 relative to body 1 about the origin of the grid per unit length rolled (one
     ! over a length, positive from x to y).
     integer(c_int32_t), parameter, public :: STICKSLIP_SPIN = 0
     ! Prescribes the moment on body 1 about the origin of the grid (a force times a length, positive from x to y).
@@ -438,7 +438,7 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_SOME_FAILED = 36
     ! The threads cannot be created.
     integer(c_int32_t), parameter, public :: STICKSLIP_NO_THREADS = 37
-    ! The library has a defect. The objects of the call can be freed, and should not be used otherwise.
+    ! The library has a defect. The objects of the call can be freed but should not be used otherwise.
     integer(c_int32_t), parameter, public :: STICKSLIP_PANIC = 38
     ! A grid needs at least one cell along each axis.
     integer(c_int32_t), parameter, public :: STICKSLIP_GRID_SIZE = 64
@@ -511,9 +511,10 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_VERSION_PATCH = 0
     ! Version of the binary interface: functions, layouts of structs and meanings of constants.
     !
-    ! It increases whenever a program compiled with an older header could malfunction, and it is part of the SONAME. A patch
-    ! never changes it; before 1.0 a minor version may. New functions, new constants and members that replace reserved bytes
-    ! do not change it. A program that loads the library at run time should first compare it with stickslip_abi_version().
+    ! This version increases whenever a program compiled with an older header could malfunction, and it is part of the SONAME.
+    ! A patch release never changes it; before 1.0, a minor release may change it. New functions, new constants and members
+    ! that replace reserved bytes do not change it. A program that loads the library at run time should first compare this
+    ! constant with stickslip_abi_version().
     integer(c_int32_t), parameter, public :: STICKSLIP_ABI_VERSION_COMPILED = 2
 
     ! Adaptive load stepper, which applies loads in steps that are short enough for a tolerance on the tractions. The
@@ -630,17 +631,17 @@ module stickslip_bindings
     end type stickslip_control
 
     ! Rolling in a step of a history: the memory of the particles moves through the contact while body 2 creeps over body 1.
-    ! All members are zero if the bodies do not roll. A step with rolling prescribes no shift, no spring and no twist. Along
-    ! an axis with a prescribed force, the creepage is a result and must be zero here.
+    ! All members are zero if the bodies do not roll. A step with rolling must not prescribe a shift, a spring or a twist.
+    ! Along an axis with a prescribed force, the creepage is a result and must be zero here.
     type, bind(c), public :: stickslip_roll
         ! Number of cells by which the particles of both surfaces move through the contact, one or more.
         integer(c_int32_t) :: cells = 0
         ! Edge at which particles enter the contact: STICKSLIP_PLUS_X, STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or
         ! STICKSLIP_MINUS_Y.
         integer(c_int32_t) :: leading_edge = 0
-        ! Creepages along x and y: motion of body 2 over body 1 for each length rolled (dimensionless).
+        ! Creepages along x and y: motion of body 2 over body 1 per unit length rolled (dimensionless).
         real(c_double) :: creepage(2) = 0
-        ! Spin: rotation of body 2 relative to body 1 about the origin of the grid for each length rolled (one over a length,
+        ! Spin: rotation of body 2 relative to body 1 about the origin of the grid per unit length rolled (one over a length,
         ! positive from x to y); only for the vector model.
         real(c_double) :: spin = 0
     end type stickslip_roll
@@ -726,9 +727,9 @@ module stickslip_bindings
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_carter
 
-    ! Bentall-Johnson solution for cylinders of different materials that roll freely, in plane strain. It is the limit of a
-    ! friction coefficient much smaller than the magnitude of Dundurs' beta. The leading edge is at the largest x; with the
-    ! leading edge at the smallest x, the creepage has the opposite sign.
+    ! Bentall-Johnson solution for cylinders of different materials that roll freely, in plane strain. The solution is the
+    ! limit for a friction coefficient much smaller than the magnitude of Dundurs' beta. The leading edge is at the largest x;
+    ! with the leading edge at the smallest x, the creepage has the opposite sign.
     type, bind(c), public :: stickslip_bentall_johnson
         ! Half-width of the contact (a length): a = (4 P R/(pi E*))^(1/2), with the force P per length and the radius R.
         real(c_double) :: half_width = 0
@@ -738,7 +739,7 @@ module stickslip_bindings
         real(c_double) :: creepage = 0
         ! Half-width of the middle strip (a length): 0.4040 a. The slip changes its sign at the ends of this strip.
         real(c_double) :: reversal = 0
-        ! Energy dissipated by slip for each length rolled (a force per length): 0.1239 mu |beta| P a/R.
+        ! Energy dissipated by slip per unit length rolled (a force per length): 0.1239 mu |beta| P a/R.
         real(c_double) :: dissipation = 0
         ! Reserved for future members: zero.
         integer(c_int64_t) :: reserved(8) = 0
@@ -786,7 +787,7 @@ module stickslip_bindings
     type, bind(c), public :: stickslip_per_cell
         ! Value of all cells; used if cells is NULL.
         real(c_double) :: value = 0
-        ! Value of each cell, copied by the call; or NULL.
+        ! Value of each cell, copied by the call, or NULL.
         type(c_ptr) :: cells = c_null_ptr
         ! Number of cells; used if cells is not NULL.
         integer(c_size_t) :: count = 0
@@ -1004,14 +1005,15 @@ module stickslip_bindings
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_normal_stiffness
 
-    ! Derivatives of the forces along x and y and of the moment with respect to the shifts along x and y and the twist: rows
-    ! are loads, columns are motions. In C: loading[row, column]. Loads and motions that are not part of the model are NaN: in
-    ! the scalar model the direction across its axis and the twist, on periodic grids the twist.
+    ! Derivatives of the forces along x and y and of the moment with respect to the shifts along x and y and the twist. Rows
+    ! are loads, and columns are motions. In C, the order of the indices is loading[row][column]. Loads and motions that are
+    ! not part of the model are NaN. These are the direction across the axis and the twist in the scalar model, and the twist
+    ! on periodic grids.
     type, bind(c), public :: stickslip_tangential_stiffness
-        ! Derivative with respect to the motion at the end of the step, if the motion continues in its direction. Cells
-        ! that came into contact in the step follow the motion only partially. After a step that presses a ball the
-        ! derivative is about two thirds of Mindlin's stiffness, although all cells stick.
-        ! stickslip_history_next_stiffness computes the derivative for the next step, in which these cells resist fully.
+        ! Derivative with respect to the motion at the end of the step, if the motion continues in its direction. Cells that
+        ! came into contact in the step follow the motion only partially. After a step that presses a ball, the derivative is
+        ! about two thirds of Mindlin's stiffness, although all cells stick. stickslip_history_next_stiffness computes the
+        ! derivative for the next step, in which these cells resist fully.
         real(c_double) :: loading(3, 3) = 0
         ! Derivative for a reversal of the motion, at which all contact cells stick.
         real(c_double) :: reversal(3, 3) = 0
@@ -1068,8 +1070,8 @@ module stickslip_bindings
         integer(c_int32_t) :: regime = 0
         ! Ratio of the dissipated energy to the area of the rectangle around the loop of force and shift.
         real(c_double) :: energy_ratio = 0
-        ! Difference between the tractions at the end and at the start, relative to the largest traction; zero if the loop
-        ! closes.
+        ! Difference between the tractions at the end and at the start of the cycle, relative to the largest traction; zero if
+        ! the loop closes.
         real(c_double) :: cyclic_residual = 0
         ! Amplitude of the tangential force.
         real(c_double) :: force_amplitude(2) = 0
@@ -1181,10 +1183,10 @@ module stickslip_bindings
 
     ! Constants of a pair of materials.
     type, bind(c), public :: stickslip_pair
-        ! E* (a pressure): 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
+        ! Contact modulus E* (a pressure): 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
         real(c_double) :: contact_modulus = 0
-        ! Mindlin's G* (a pressure): 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2. The tangential stiffness of a circular stick
-        ! contact of radius a is 8 G* a.
+        ! Mindlin's tangential modulus G* (a pressure): 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2. The tangential stiffness of a
+        ! circular stick contact of radius a is 8 G* a.
         real(c_double) :: tangential_modulus = 0
         ! Dundurs' second parameter; zero if pressure and traction are not coupled.
         real(c_double) :: dundurs_beta = 0
@@ -1261,8 +1263,8 @@ module stickslip_bindings
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_jump_limits
 
-    ! Tractions on the surface: fields of a solution or a history, or other arrays. The caller ensures that they belong to the
-    ! same bodies.
+    ! Tractions on the surface: fields of a solution or a history, or other arrays. The caller must ensure that all fields
+    ! belong to the same bodies.
     type, bind(c), public :: stickslip_tractions
         ! Pressure of each cell, positive in compression.
         type(c_ptr) :: pressure = c_null_ptr
@@ -1297,11 +1299,12 @@ module stickslip_bindings
         ! Kind of load: STICKSLIP_CREEPAGE or STICKSLIP_FORCE along an axis, STICKSLIP_SPIN or STICKSLIP_MOMENT for the
         ! rotation.
         integer(c_int32_t) :: kind = 0
-        ! Creepage, or force that body 2 exerts on body 1 (less than friction can carry); spin or moment for the rotation.
+        ! Value along an axis: the creepage, or the force that body 2 exerts on body 1, which must be less than friction can
+        ! carry. Value for the rotation: the spin or the moment.
         real(c_double) :: value = 0
     end type stickslip_rolling_control
 
-    ! Prescribed loads of rolling bodies. A load of zeros has no creepage and no spin.
+    ! Prescribed loads of rolling bodies. A load whose members are all zero has no creepage and no spin.
     type, bind(c), public :: stickslip_rolling_load
         ! Load along x.
         type(stickslip_rolling_control) :: x
@@ -1316,8 +1319,8 @@ module stickslip_bindings
     ! Derivatives of the forces and the moment with respect to the creepages and the spin.
     type, bind(c), public :: stickslip_rolling_stiffness
         ! Derivatives of the forces along x and y and of the moment (rows) with respect to the creepages along x and y and the
-        ! spin (columns). In C: slopes[row, column]. The entries are forces. Entries for the spin have an additional factor of
-        ! a length, and so do entries for the moment.
+        ! spin (columns). In C, the order of the indices is slopes[row][column]. The entries are forces. Entries for the spin
+        ! have an additional factor of a length, and so do entries for the moment.
         real(c_double) :: slopes(3, 3) = 0
         ! Reserved for future members: zero.
         integer(c_int64_t) :: reserved(8) = 0
@@ -1351,7 +1354,7 @@ module stickslip_bindings
         real(c_double) :: force(2) = 0
         ! Moment about z at the origin of the grid that the tractions exert on body 1 (a force times a length).
         real(c_double) :: moment = 0
-        ! Work of creepages and spin for each length rolled (a force). Between bodies of the same material all work is
+        ! Work of creepages and spin per unit length rolled (a force). Between bodies of the same material all work is
         ! dissipated. Between different materials the pressure also does work, which is not included.
         real(c_double) :: work = 0
         ! Ratio of stick cells to contact cells.
@@ -1432,8 +1435,8 @@ module stickslip_bindings
         real(c_double) :: max_pressure = 0
         ! Centroid of the area (lengths), inside the grid; without meaning for a spot that spans the whole period.
         real(c_double) :: centroid(2) = 0
-        ! Length of the edge along the sides of the cells (a length). For a round spot this exceeds the perimeter of the
-        ! circle by a factor of 4/pi.
+        ! Length of the edge along the sides of the cells (a length). For a round spot, this length exceeds the perimeter of
+        ! the circle by a factor of 4/pi.
         real(c_double) :: perimeter = 0
         ! Ratio of stick cells to all cells of the spot; NaN for a contact without a tangential load.
         real(c_double) :: stick_ratio = 0
@@ -1481,7 +1484,7 @@ module stickslip_bindings
     end type stickslip_tangential_options
 
     interface
-        ! Creates the buffers for histories on the grid of this history, with a tolerance in (0, 1) for a whole load.
+        ! Creates a load stepper for histories on the grid of the given history, with a tolerance in (0, 1) for a whole load.
         function stickslip_adaptive_steps_new(history, tolerance, steps) result(answer) bind(c)
             import
             type(stickslip_history), value :: history
@@ -1490,7 +1493,7 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_adaptive_steps_new
 
-        ! Frees the buffers; does nothing if steps is NULL.
+        ! Frees a load stepper; does nothing if steps is NULL.
         function stickslip_adaptive_steps_free(steps) result(answer) bind(c)
             import
             type(stickslip_adaptive_steps), value :: steps
@@ -1499,7 +1502,7 @@ module stickslip_bindings
 
         ! Applies a load in as many steps as the tolerance requires, and writes their number to taken (may be NULL). A
         ! failure, for example STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged, but the last step of the
-        ! history is then that of the last attempt.
+        ! history is then the last attempted step.
         function stickslip_adaptive_steps_step(steps, history, load, taken) result(answer) bind(c)
             import
             type(stickslip_adaptive_steps), value :: steps
@@ -1509,8 +1512,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_adaptive_steps_step
 
-        ! Computes the error that stickslip_history_step would make with a load. The state of the history is unchanged; its last
-        ! step is the second half of the trial step.
+        ! Computes the error that stickslip_history_step would make with a load. The state of the history is unchanged, but the
+        ! last step of the history is then the second half of the trial step.
         function stickslip_adaptive_steps_error(steps, history, load, error) result(answer) bind(c)
             import
             type(stickslip_adaptive_steps), value :: steps
@@ -1572,8 +1575,8 @@ module stickslip_bindings
         end function stickslip_bentall_johnson_cylinder
 
         ! Computes Kalker's coefficients for an ellipse with the ratio a/b of the semi-axes along and across the rolling
-        ! direction, from 1/16 to 16, and a Poisson's ratio from 0 to 1/2. Returns STICKSLIP_BELOW_MINIMUM for a ratio a/b outside the
-        ! table or a negative Poisson's ratio, and STICKSLIP_POISSON_RATIO for a Poisson's ratio above 1/2.
+        ! direction, from 1/16 to 16, and a Poisson's ratio from 0 to 1/2. Returns STICKSLIP_BELOW_MINIMUM for a ratio a/b outside
+        ! this range or a negative Poisson's ratio, and STICKSLIP_POISSON_RATIO for a Poisson's ratio above 1/2.
         function stickslip_kalker_coefficients(ratio, poisson_ratio, found) result(answer) bind(c)
             import
             real(c_double), value :: ratio
@@ -1604,9 +1607,9 @@ module stickslip_bindings
         ! history. A contact of at most 4096 cells is solved on one thread. Results are bitwise identical to separate steps.
         !
         ! codes (may be NULL) receives the code that stickslip_history_step would return for each history. The call returns
-        ! STICKSLIP_SOME_FAILED if any step failed. Histories whose step failed are unchanged, and the last error belongs to the
-        ! first of them; all other histories have taken their step. If a history occurs twice, the second occurrence fails with
-        ! STICKSLIP_BUSY.
+        ! STICKSLIP_SOME_FAILED if any step failed. The last error belongs to the first history whose step failed. Histories whose
+        ! step failed are unchanged, and all other histories have taken their step. If a history occurs twice, the second
+        ! occurrence fails with STICKSLIP_BUSY.
         function stickslip_history_step_all(histories, loads, count, codes) result(answer) bind(c)
             import
             type(stickslip_history), intent(in) :: histories(*)
@@ -1616,8 +1619,9 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_history_step_all
 
-        ! Creates a solver for a gap before loading (lengths, count entries, copied). hardness, relative and settings may be
-        ! NULL; the pressure then has no limit, there is no relative displacement, and the settings are the defaults.
+        ! Creates a solver for a gap before loading (lengths, count entries, copied). hardness, relative and settings may be NULL.
+        ! A NULL hardness means no limit of the pressure, a NULL relative means no relative displacement, and NULL settings mean
+        ! the defaults.
         function stickslip_coupled_solver_new(half_space, gap, count, friction, normal, tangential, hardness, &
             relative, settings, solver) result(answer) bind(c)
             import
@@ -1776,8 +1780,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_coupled_solution_stiffness_observed
 
-        ! Creates a solver for a gap before loading (lengths, count entries, copied) under a normal load. load and options may
-        ! be NULL; there is then no creepage and no spin, and the options are the defaults.
+        ! Creates a solver for a gap before loading (lengths, count entries, copied) under a normal load. load and options may be
+        ! NULL. A NULL load means no creepage and no spin, and NULL options mean the defaults.
         function stickslip_coupled_rolling_solver_new(half_space, gap, count, friction, normal, load, options, &
             solver) result(answer) bind(c)
             import
@@ -1882,9 +1886,9 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_coupled_rolling_solution_free
 
-        ! Returns STICKSLIP_PRESSURE, STICKSLIP_GAP, STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X or
-        ! STICKSLIP_SLIP_Y, and writes its number of cells to count (may be NULL); returns NULL on failure. The slip is the slip
-        ! for each length rolled (dimensionless).
+        ! Returns a field, STICKSLIP_PRESSURE, STICKSLIP_GAP, STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X or
+        ! STICKSLIP_SLIP_Y, and writes its number of cells to count (may be NULL); returns NULL on failure. The slip is given per
+        ! unit length rolled (dimensionless).
         function stickslip_coupled_rolling_solution_field(solution, which, count) result(answer) bind(c)
             import
             type(stickslip_coupled_rolling_solution), value :: solution
@@ -1979,10 +1983,10 @@ module stickslip_bindings
             type(c_ptr) :: answer
         end function stickslip_cycle_field
 
-        ! Computes the edge of the contact inside the cells, and the pressure corrected for it.
+        ! Computes the edge of the contact inside the cells, and the pressure corrected for this edge.
         !
-        ! centres and means have cells entries and receive the pressure at the centres of the cells and its means over the cells;
-        ! each may be NULL. The results are most accurate with STICKSLIP_CENTRE.
+        ! The arrays centres and means (of length cells) receive the pressure at the centres of the cells and its means over the
+        ! cells. Either array may be NULL. The results are most accurate with STICKSLIP_CENTRE.
         function stickslip_normal_solution_edges(solution, edges, centres, means, cells) result(answer) bind(c)
             import
             type(stickslip_normal_solution), value :: solution
@@ -1996,8 +2000,8 @@ module stickslip_bindings
         ! Computes the edges of the contact and of the stick zone inside the cells. The normal solution and the friction must be
         ! those of the problem. The method assumes a contact that is loaded once.
         !
-        ! centres and means have cells entries and receive the magnitude of the traction at the centres of the cells and its means
-        ! over the cells; each may be NULL.
+        ! The arrays centres and means (of length cells) receive the magnitude of the traction at the centres of the cells and its
+        ! means over the cells. Either array may be NULL.
         function stickslip_tangential_solution_edges(solution, normal, friction, edges, centres, means, &
             cells) result(answer) bind(c)
             import
@@ -2099,8 +2103,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_half_space_new
 
-        ! Creates coated half-spaces. The layers of each body are listed from the outermost inwards, eight at most; a body with
-        ! zero layers is uncoated.
+        ! Creates coated half-spaces. Each body has at most eight layers, listed from the outermost inwards. A body without layers
+        ! is uncoated.
         function stickslip_half_space_new_coated(grid, body_1, layers_1, layers_1_count, body_2, layers_2, &
             layers_2_count, boundary, half_space) result(answer) bind(c)
             import
@@ -2121,9 +2125,9 @@ module stickslip_bindings
         ! grid of the object contains only the local rows, starting at the row that stickslip_half_space_first_row returns. Arrays
         ! and labels contain the local cells; sums, reports and spots describe the whole contact.
         !
-        ! Functions that return or take only a grid do not account for the distribution, so the program must compute the local
-        ! gap itself. If the ranks are threads of one process, the program must call stickslip_set_num_threads(1), which keeps
-        ! the work of each rank on its own thread. Otherwise the ranks wait for the same threads forever.
+        ! Functions that return or accept only a grid do not account for the distribution, so the program must compute the local
+        ! gap itself. If the ranks are threads of one process, the program must call stickslip_set_num_threads(1), which keeps the
+        ! work of each rank on its own thread. Otherwise the ranks wait for the same threads forever.
         function stickslip_half_space_new_distributed(grid, body_1, layers_1, layers_1_count, body_2, layers_2, &
             layers_2_count, boundary, ranks, half_space) result(answer) bind(c)
             import
@@ -2301,7 +2305,7 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_history_stiffness_observed
 
-        ! Computes the stiffness of a next step from the current state. In the members loading and by_approach, stick cells
+        ! Computes the stiffness of the next step from the current state. In the members loading and by_approach, stick cells
         ! resist fully, including those that came into contact in the last step, and cells at their friction limit continue to
         ! slip. Use this stiffness to shear the contact further under the same normal load. observer may be NULL.
         function stickslip_history_next_stiffness(history, observer, stiffness) result(answer) bind(c)
@@ -2402,9 +2406,9 @@ module stickslip_bindings
             type(stickslip_jump_limits) :: answer
         end function stickslip_jump_limits_default
 
-        ! Writes to cycles the number of cycles like this one that a jump may skip, not rounded. Within this number, removing the
-        ! wear in one step does not make the pressure oscillate, and the limits (may be NULL: the defaults) are met. The number is
-        ! infinite if nothing limits it.
+        ! Writes to cycles the number of cycles like this one that a jump may skip, not rounded. Up to this number, removing the
+        ! wear in one step does not make the pressure oscillate, and the limits are met. limits may be NULL (the defaults). The
+        ! number is infinite if nothing limits it.
         !
         ! depth (lengths, count entries) is the depth that the cycle removed from both bodies together. Returns
         ! STICKSLIP_CYCLE_NOT_CLOSED if the cycle does not close, like the first cycle from rest. Returns
@@ -2422,8 +2426,9 @@ module stickslip_bindings
 
         ! Writes to cycles the number of cycles whose wear may be removed in one step without growing oscillations of the
         ! pressure. Explicit integration of Archard's law is stable below this number. coefficient (one over a pressure) is the
-        ! sum over both bodies, and slip_distance (lengths, count entries) is the slip distance of one cycle. For the energy law,
-        ! coefficient is the wear coefficient times the coefficient of friction. The number is infinite if no cell slips.
+        ! sum of the wear coefficients of both bodies, and slip_distance (lengths, count entries) is the slip distance of one
+        ! cycle. For the energy law, coefficient is the wear coefficient times the coefficient of friction. The number is infinite
+        ! if no cell slips.
         function stickslip_max_stable_cycles(half_space, coefficient, slip_distance, count, &
             cycles) result(answer) bind(c)
             import
@@ -2518,8 +2523,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_normal_solution_free
 
-        ! Returns STICKSLIP_PRESSURE or STICKSLIP_GAP, and writes its number of cells to count (may be NULL); returns NULL on
-        ! failure.
+        ! Returns a field, STICKSLIP_PRESSURE or STICKSLIP_GAP, and writes its number of cells to count (may be NULL); returns
+        ! NULL on failure.
         function stickslip_normal_solution_field(solution, which, count) result(answer) bind(c)
             import
             type(stickslip_normal_solution), value :: solution
@@ -2661,7 +2666,7 @@ module stickslip_bindings
 
         ! Creates a solver under the pressure of a solved normal contact on the same bodies. The grid must extend beyond the
         ! leading edge of the contact by the cells of one step; otherwise the call returns STICKSLIP_GRID_TOO_SHORT. load and
-        ! options may be NULL; there is then no creepage and no spin, and the options are the defaults.
+        ! options may be NULL. A NULL load means no creepage and no spin, and NULL options mean the defaults.
         function stickslip_rolling_solver_new(half_space, normal, friction, load, options, &
             solver) result(answer) bind(c)
             import
@@ -2690,8 +2695,9 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_rolling_solver_set_load
 
-        ! Sets the friction of the next solve. Returns STICKSLIP_BEYOND_FRICTION_CAPACITY if it cannot carry the current load, or
-        ! can carry it only by sliding. Until that solve, the stiffness refers to the last solution, if there is one.
+        ! Sets the friction of the next solve. Returns STICKSLIP_BEYOND_FRICTION_CAPACITY if the new friction cannot carry the
+        ! current load, or can carry it only by sliding. Until that solve, the stiffness refers to the last solution, if there is
+        ! one.
         function stickslip_rolling_solver_set_friction(solver, friction) result(answer) bind(c)
             import
             type(stickslip_rolling_solver), value :: solver
@@ -2719,7 +2725,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_rolling_solver_set_pressure
 
-        ! Sets the solver that computes the pressure of a new normal load; it is copied with its gap, hardness and settings.
+        ! Sets the normal solver that computes the pressure of a new normal load. The solver is copied with its gap, hardness and
+        ! settings.
         function stickslip_rolling_solver_set_normal_solver(solver, normal) result(answer) bind(c)
             import
             type(stickslip_rolling_solver), value :: solver
@@ -2793,10 +2800,10 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_rolling_solver_stiffness_observed
 
-        ! Computes the loads at count points and writes them to forces. Each point is solved from the solution of the previous
-        ! point, so consecutive points should be close to each other. All points are checked before the first solve. Afterwards
-        ! the last point is the prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load, and forces
-        ! is unchanged.
+        ! Computes the loads at count points and writes them to forces. Each solve starts from the solution of the previous point,
+        ! so consecutive points should be close to each other. All points are checked before the first solve. Afterwards the last
+        ! point is the prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load, and forces is
+        ! unchanged.
         function stickslip_rolling_solver_creep_forces(solver, points, count, forces) result(answer) bind(c)
             import
             type(stickslip_rolling_solver), value :: solver
@@ -2835,9 +2842,9 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_rolling_solution_free
 
-        ! Returns STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X or STICKSLIP_SLIP_Y, and writes its number of cells
-        ! to count (may be NULL); returns NULL on failure. The slip is the slip for each length rolled (dimensionless), over the
-        ! step that moved the particles to their cells.
+        ! Returns a field, STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X or STICKSLIP_SLIP_Y, and writes its number
+        ! of cells to count (may be NULL); returns NULL on failure. The slip is given per unit length rolled (dimensionless),
+        ! averaged over the step that moved the particles to their cells.
         function stickslip_rolling_solution_field(solution, which, count) result(answer) bind(c)
             import
             type(stickslip_rolling_solution), value :: solution
@@ -2854,9 +2861,9 @@ module stickslip_bindings
             type(c_ptr) :: answer
         end function stickslip_rolling_solution_zones
 
-        ! Writes the energy that slip dissipates in each cell for each length rolled (a pressure) to values, which has count
-        ! entries. Wear depends on this quantity. Between bodies of the same material, the integral of this energy is smaller
-        ! than the work of creepages and spin; the difference decreases with the cell size.
+        ! Writes the energy that slip dissipates in each cell per unit length rolled (a pressure) to values, which has count
+        ! entries. Wear depends on this energy. Between bodies of the same material, the integral of this energy is smaller than
+        ! the work of creepages and spin; the difference decreases with the cell size.
         function stickslip_rolling_solution_dissipation(solution, values, count) result(answer) bind(c)
             import
             type(stickslip_rolling_solution), value :: solution
@@ -2901,12 +2908,12 @@ module stickslip_bindings
         ! entries. The gap between the surface and a plane is a constant minus the height.
         !
         ! Returns STICKSLIP_INVALID_ARGUMENT if both height and slope are given. Returns STICKSLIP_NOT_POSITIVE for an invalid
-        ! height, slope or wavelength, STICKSLIP_HURST for an invalid exponent, and STICKSLIP_NOT_FINITE for an invalid
-        ! skewness or kurtosis. Returns STICKSLIP_BELOW_MINIMUM for a cut-off of less than two cells, if the longest
-        ! wavelength is less than the roll-off or the roll-off is less than the cut-off, or for a kurtosis less than the
-        ! squared skewness plus one. Returns STICKSLIP_NO_WAVE_IN_BAND if no wave has a wavelength within the limits,
-        ! STICKSLIP_HEIGHT_MOMENTS_NOT_REACHED if no heights with this skewness and kurtosis are found, and STICKSLIP_SAMPLE
-        ! for the first height that overflows. A failure leaves heights unchanged.
+        ! height, slope or wavelength, STICKSLIP_HURST for an invalid exponent, and STICKSLIP_NOT_FINITE for an invalid skewness
+        ! or kurtosis. Returns STICKSLIP_BELOW_MINIMUM if the cut-off is less than two cells, the longest wavelength is less than
+        ! the roll-off, the roll-off is less than the cut-off, or the kurtosis is less than the squared skewness plus one. Returns
+        ! STICKSLIP_NO_WAVE_IN_BAND if no wave has a wavelength within the limits, STICKSLIP_HEIGHT_MOMENTS_NOT_REACHED if no
+        ! heights with this skewness and kurtosis are found, and STICKSLIP_SAMPLE for the first height that overflows. A failure
+        ! leaves heights unchanged.
         function stickslip_surface_self_affine(grid, surface, heights, count) result(answer) bind(c)
             import
             type(stickslip_grid), intent(in), optional :: grid
@@ -2944,8 +2951,8 @@ module stickslip_bindings
         ! and a capacity of 0 it writes only the number. If the buffer is too small, the call returns STICKSLIP_BUFFER_TOO_SMALL
         ! and writes nothing to it.
         !
-        ! labels has cells entries and receives the number of the spot of every cell, counted from one, and zero outside the
-        ! contact; it may be NULL.
+        ! The array labels (of length cells) receives the number of the spot of every cell, counted from one, and zero outside the
+        ! contact. This array may be NULL.
         function stickslip_normal_solution_spots(solution, buffer, capacity, count, labels, &
             cells) result(answer) bind(c)
             import
@@ -3044,7 +3051,7 @@ module stickslip_bindings
 
         ! Computes displacement and stress of body STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at count points and writes them to
         ! responses. The sums over all loaded cells are exact for a uniform traction on each cell. Returns STICKSLIP_RIGID_BODY
-        ! for a rigid body, and STICKSLIP_DIVERGENT_PERIODIC_SUM on a grid that is periodic along both axes. For whole planes
+        ! for a rigid body, and STICKSLIP_DIVERGENT_PERIODIC_SUM on a grid that is periodic along both axes. For whole planes,
         ! stickslip_planes_solve is faster.
         function stickslip_stress_at_points(half_space, which, tractions, points, count, &
             responses) result(answer) bind(c)
@@ -3236,8 +3243,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solution_free
 
-        ! Returns STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X or STICKSLIP_SLIP_Y, and writes its number of cells
-        ! to count (may be NULL); returns NULL on failure.
+        ! Returns a field, STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X or STICKSLIP_SLIP_Y, and writes its number
+        ! of cells to count (may be NULL); returns NULL on failure.
         function stickslip_tangential_solution_field(solution, which, count) result(answer) bind(c)
             import
             type(stickslip_tangential_solution), value :: solution
@@ -3301,11 +3308,12 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_tangential_solution_stiffness_observed
 
-        ! Sets the number of threads that solve batches and contacts of more than 4096 cells, starting with the next call. 0 means
-        ! the default, one thread for each processor (or RAYON_NUM_THREADS). With 1 the calling thread does all work, and no other
-        ! thread is ever started. Running calls keep their threads. Results are bitwise identical for any number of threads.
+        ! Sets the number of threads that solve batches and contacts of more than 4096 cells, starting with the next call. A count
+        ! of 0 means the default: the value of RAYON_NUM_THREADS, or one thread for each processor if it is not set. With a count
+        ! of 1, the calling thread does all work, and no other thread is ever started. Running calls keep their threads. Results
+        ! are bitwise identical for any number of threads.
         !
-        ! Threads do not survive a fork: a child process creates the same number of threads at its first such call.
+        ! Threads do not survive a fork: a child process creates the same number of threads at its first call that uses them.
         function stickslip_set_num_threads(count) result(answer) bind(c)
             import
             integer(c_size_t), value :: count

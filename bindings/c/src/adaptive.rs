@@ -32,7 +32,7 @@ pub struct stickslip_step_error {
     pub reserved: [u64; 8],
 }
 
-/// Creates the buffers for histories on the grid of this history, with a tolerance in (0, 1) for a whole load.
+/// Creates a load stepper for histories on the grid of the given history, with a tolerance in (0, 1) for a whole load.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_adaptive_steps_new(
     history: *const stickslip_history,
@@ -48,7 +48,7 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_new(
     })
 }
 
-/// Frees the buffers; does nothing if steps is NULL.
+/// Frees a load stepper; does nothing if steps is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_adaptive_steps_free(
     steps: *mut stickslip_adaptive_steps,
@@ -59,7 +59,7 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_free(
 
 /// Applies a load in as many steps as the tolerance requires, and writes their number to taken (may be NULL). A
 /// failure, for example STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged, but the last step of the
-/// history is then that of the last attempt.
+/// history is then the last attempted step.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_adaptive_steps_step(
     steps: *mut stickslip_adaptive_steps,
@@ -80,8 +80,8 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_step(
     })
 }
 
-/// Computes the error that stickslip_history_step would make with a load. The state of the history is unchanged; its last
-/// step is the second half of the trial step.
+/// Computes the error that stickslip_history_step would make with a load. The state of the history is unchanged, but the
+/// last step of the history is then the second half of the trial step.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_adaptive_steps_error(
     steps: *mut stickslip_adaptive_steps,

@@ -146,9 +146,9 @@ pub unsafe extern "C" fn stickslip_carter_cylinder(
     }
 }
 
-/// Bentall-Johnson solution for cylinders of different materials that roll freely, in plane strain. It is the limit of a
-/// friction coefficient much smaller than the magnitude of Dundurs' beta. The leading edge is at the largest x; with the
-/// leading edge at the smallest x, the creepage has the opposite sign.
+/// Bentall-Johnson solution for cylinders of different materials that roll freely, in plane strain. The solution is the
+/// limit for a friction coefficient much smaller than the magnitude of Dundurs' beta. The leading edge is at the largest x;
+/// with the leading edge at the smallest x, the creepage has the opposite sign.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_bentall_johnson {
@@ -160,7 +160,7 @@ pub struct stickslip_bentall_johnson {
     pub creepage: f64,
     /// Half-width of the middle strip (a length): 0.4040 a. The slip changes its sign at the ends of this strip.
     pub reversal: f64,
-    /// Energy dissipated by slip for each length rolled (a force per length): 0.1239 mu |beta| P a/R.
+    /// Energy dissipated by slip per unit length rolled (a force per length): 0.1239 mu |beta| P a/R.
     pub dissipation: f64,
     /// Reserved for future members: zero.
     pub reserved: [u64; 8],
@@ -226,8 +226,8 @@ impl From<&KalkerCoefficients> for stickslip_kalker {
 }
 
 /// Computes Kalker's coefficients for an ellipse with the ratio a/b of the semi-axes along and across the rolling
-/// direction, from 1/16 to 16, and a Poisson's ratio from 0 to 1/2. Returns STICKSLIP_BELOW_MINIMUM for a ratio a/b outside the
-/// table or a negative Poisson's ratio, and STICKSLIP_POISSON_RATIO for a Poisson's ratio above 1/2.
+/// direction, from 1/16 to 16, and a Poisson's ratio from 0 to 1/2. Returns STICKSLIP_BELOW_MINIMUM for a ratio a/b outside
+/// this range or a negative Poisson's ratio, and STICKSLIP_POISSON_RATIO for a Poisson's ratio above 1/2.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_kalker_coefficients(
     ratio: f64,

@@ -15,9 +15,9 @@ use crate::threads::enter_always;
 /// history. A contact of at most 4096 cells is solved on one thread. Results are bitwise identical to separate steps.
 ///
 /// codes (may be NULL) receives the code that stickslip_history_step would return for each history. The call returns
-/// STICKSLIP_SOME_FAILED if any step failed. Histories whose step failed are unchanged, and the last error belongs to the
-/// first of them; all other histories have taken their step. If a history occurs twice, the second occurrence fails with
-/// STICKSLIP_BUSY.
+/// STICKSLIP_SOME_FAILED if any step failed. The last error belongs to the first history whose step failed. Histories whose
+/// step failed are unchanged, and all other histories have taken their step. If a history occurs twice, the second
+/// occurrence fails with STICKSLIP_BUSY.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_step_all(
     histories: *const *mut stickslip_history,

@@ -68,8 +68,9 @@ impl From<&CoupledReport> for stickslip_coupled_report {
     }
 }
 
-/// Creates a solver for a gap before loading (lengths, count entries, copied). hardness, relative and settings may be
-/// NULL; the pressure then has no limit, there is no relative displacement, and the settings are the defaults.
+/// Creates a solver for a gap before loading (lengths, count entries, copied). hardness, relative and settings may be NULL.
+/// A NULL hardness means no limit of the pressure, a NULL relative means no relative displacement, and NULL settings mean
+/// the defaults.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_solver_new(
     half_space: *const stickslip_half_space,

@@ -73,8 +73,8 @@ impl From<&CoupledRollingReport> for stickslip_coupled_rolling_report {
     }
 }
 
-/// Creates a solver for a gap before loading (lengths, count entries, copied) under a normal load. load and options may
-/// be NULL; there is then no creepage and no spin, and the options are the defaults.
+/// Creates a solver for a gap before loading (lengths, count entries, copied) under a normal load. load and options may be
+/// NULL. A NULL load means no creepage and no spin, and NULL options mean the defaults.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solver_new(
     half_space: *const stickslip_half_space,
@@ -250,9 +250,9 @@ fn own_field(solution: &CoupledRollingSolution, which: i32) -> Outcome<&Field> {
     }
 }
 
-/// Returns STICKSLIP_PRESSURE, STICKSLIP_GAP, STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X or
-/// STICKSLIP_SLIP_Y, and writes its number of cells to count (may be NULL); returns NULL on failure. The slip is the slip
-/// for each length rolled (dimensionless).
+/// Returns a field, STICKSLIP_PRESSURE, STICKSLIP_GAP, STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X or
+/// STICKSLIP_SLIP_Y, and writes its number of cells to count (may be NULL); returns NULL on failure. The slip is given per
+/// unit length rolled (dimensionless).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solution_field(
     solution: *const stickslip_coupled_rolling_solution,

@@ -34,8 +34,8 @@ pub struct stickslip_cycle_result {
     pub regime: i32,
     /// Ratio of the dissipated energy to the area of the rectangle around the loop of force and shift.
     pub energy_ratio: f64,
-    /// Difference between the tractions at the end and at the start, relative to the largest traction; zero if the loop
-    /// closes.
+    /// Difference between the tractions at the end and at the start of the cycle, relative to the largest traction; zero if
+    /// the loop closes.
     pub cyclic_residual: f64,
     /// Amplitude of the tangential force.
     pub force_amplitude: [f64; 2],

@@ -107,10 +107,10 @@ where
     Ok(())
 }
 
-/// Computes the edge of the contact inside the cells, and the pressure corrected for it.
+/// Computes the edge of the contact inside the cells, and the pressure corrected for this edge.
 ///
-/// centres and means have cells entries and receive the pressure at the centres of the cells and its means over the cells;
-/// each may be NULL. The results are most accurate with STICKSLIP_CENTRE.
+/// The arrays centres and means (of length cells) receive the pressure at the centres of the cells and its means over the
+/// cells. Either array may be NULL. The results are most accurate with STICKSLIP_CENTRE.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solution_edges(
     solution: *const stickslip_normal_solution,
@@ -130,8 +130,8 @@ pub unsafe extern "C" fn stickslip_normal_solution_edges(
 /// Computes the edges of the contact and of the stick zone inside the cells. The normal solution and the friction must be
 /// those of the problem. The method assumes a contact that is loaded once.
 ///
-/// centres and means have cells entries and receive the magnitude of the traction at the centres of the cells and its means
-/// over the cells; each may be NULL.
+/// The arrays centres and means (of length cells) receive the magnitude of the traction at the centres of the cells and its
+/// means over the cells. Either array may be NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solution_edges(
     solution: *const stickslip_tangential_solution,

@@ -27,10 +27,10 @@ opaque!(stickslip_half_space holds HalfSpace, named "half-space");
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_pair {
-    /// E* (a pressure): 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
+    /// Contact modulus E* (a pressure): 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
     pub contact_modulus: f64,
-    /// Mindlin's G* (a pressure): 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2. The tangential stiffness of a circular stick
-    /// contact of radius a is 8 G* a.
+    /// Mindlin's tangential modulus G* (a pressure): 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2. The tangential stiffness of a
+    /// circular stick contact of radius a is 8 G* a.
     pub tangential_modulus: f64,
     /// Dundurs' second parameter; zero if pressure and traction are not coupled.
     pub dundurs_beta: f64,
@@ -58,8 +58,8 @@ pub unsafe extern "C" fn stickslip_half_space_new(
     }
 }
 
-/// Creates coated half-spaces. The layers of each body are listed from the outermost inwards, eight at most; a body with
-/// zero layers is uncoated.
+/// Creates coated half-spaces. Each body has at most eight layers, listed from the outermost inwards. A body without layers
+/// is uncoated.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_half_space_new_coated(
     grid: *const stickslip_grid,
@@ -100,9 +100,9 @@ pub unsafe extern "C" fn stickslip_half_space_new_coated(
 /// grid of the object contains only the local rows, starting at the row that stickslip_half_space_first_row returns. Arrays
 /// and labels contain the local cells; sums, reports and spots describe the whole contact.
 ///
-/// Functions that return or take only a grid do not account for the distribution, so the program must compute the local
-/// gap itself. If the ranks are threads of one process, the program must call stickslip_set_num_threads(1), which keeps
-/// the work of each rank on its own thread. Otherwise the ranks wait for the same threads forever.
+/// Functions that return or accept only a grid do not account for the distribution, so the program must compute the local
+/// gap itself. If the ranks are threads of one process, the program must call stickslip_set_num_threads(1), which keeps the
+/// work of each rank on its own thread. Otherwise the ranks wait for the same threads forever.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_half_space_new_distributed(
     grid: *const stickslip_grid,

@@ -157,7 +157,8 @@ pub(crate) fn give<T: Opaque>(place: Place<*mut T>, value: T::Value, cells: usiz
     Ok(())
 }
 
-/// Returns the number of cells of the grid of an object, also while other threads use it; zero for an invalid pointer.
+/// Returns the number of cells of the grid of an object, or zero for an invalid pointer. Other threads may use the object
+/// at the same time.
 ///
 /// # Safety
 /// The caller must follow the rule for pointers in [`crate::pointer`].

@@ -302,7 +302,7 @@ pub unsafe extern "C" fn stickslip_history_stiffness_observed(
     }
 }
 
-/// Computes the stiffness of a next step from the current state. In the members loading and by_approach, stick cells
+/// Computes the stiffness of the next step from the current state. In the members loading and by_approach, stick cells
 /// resist fully, including those that came into contact in the last step, and cells at their friction limit continue to
 /// slip. Use this stiffness to shear the contact further under the same normal load. observer may be NULL.
 #[unsafe(no_mangle)]

@@ -143,7 +143,7 @@ pub(crate) fn cell_value(chosen: i32) -> Outcome<CellValue> {
 pub struct stickslip_per_cell {
     /// Value of all cells; used if cells is NULL.
     pub value: f64,
-    /// Value of each cell, copied by the call; or NULL.
+    /// Value of each cell, copied by the call, or NULL.
     pub cells: *const f64,
     /// Number of cells; used if cells is not NULL.
     pub count: usize,

@@ -55,9 +55,9 @@ pub extern "C" fn stickslip_jump_limits_default() -> stickslip_jump_limits {
     }
 }
 
-/// Writes to cycles the number of cycles like this one that a jump may skip, not rounded. Within this number, removing the
-/// wear in one step does not make the pressure oscillate, and the limits (may be NULL: the defaults) are met. The number is
-/// infinite if nothing limits it.
+/// Writes to cycles the number of cycles like this one that a jump may skip, not rounded. Up to this number, removing the
+/// wear in one step does not make the pressure oscillate, and the limits are met. limits may be NULL (the defaults). The
+/// number is infinite if nothing limits it.
 ///
 /// depth (lengths, count entries) is the depth that the cycle removed from both bodies together. Returns
 /// STICKSLIP_CYCLE_NOT_CLOSED if the cycle does not close, like the first cycle from rest. Returns
@@ -90,8 +90,9 @@ pub unsafe extern "C" fn stickslip_cycle_jump(
 
 /// Writes to cycles the number of cycles whose wear may be removed in one step without growing oscillations of the
 /// pressure. Explicit integration of Archard's law is stable below this number. coefficient (one over a pressure) is the
-/// sum over both bodies, and slip_distance (lengths, count entries) is the slip distance of one cycle. For the energy law,
-/// coefficient is the wear coefficient times the coefficient of friction. The number is infinite if no cell slips.
+/// sum of the wear coefficients of both bodies, and slip_distance (lengths, count entries) is the slip distance of one
+/// cycle. For the energy law, coefficient is the wear coefficient times the coefficient of friction. The number is infinite
+/// if no cell slips.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_max_stable_cycles(
     half_space: *const stickslip_half_space,

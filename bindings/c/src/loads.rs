@@ -93,8 +93,8 @@ impl stickslip_tangential_load {
 }
 
 /// Rolling in a step of a history: the memory of the particles moves through the contact while body 2 creeps over body 1.
-/// All members are zero if the bodies do not roll. A step with rolling prescribes no shift, no spring and no twist. Along
-/// an axis with a prescribed force, the creepage is a result and must be zero here.
+/// All members are zero if the bodies do not roll. A step with rolling must not prescribe a shift, a spring or a twist.
+/// Along an axis with a prescribed force, the creepage is a result and must be zero here.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_roll {
@@ -103,9 +103,9 @@ pub struct stickslip_roll {
     /// Edge at which particles enter the contact: STICKSLIP_PLUS_X, STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or
     /// STICKSLIP_MINUS_Y.
     pub leading_edge: i32,
-    /// Creepages along x and y: motion of body 2 over body 1 for each length rolled (dimensionless).
+    /// Creepages along x and y: motion of body 2 over body 1 per unit length rolled (dimensionless).
     pub creepage: [f64; 2],
-    /// Spin: rotation of body 2 relative to body 1 about the origin of the grid for each length rolled (one over a length,
+    /// Spin: rotation of body 2 relative to body 1 about the origin of the grid per unit length rolled (one over a length,
     /// positive from x to y); only for the vector model.
     pub spin: f64,
 }

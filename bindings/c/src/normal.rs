@@ -157,8 +157,8 @@ pub unsafe extern "C" fn stickslip_normal_solution_free(
     call(|| unsafe { free(solution) })
 }
 
-/// Returns STICKSLIP_PRESSURE or STICKSLIP_GAP, and writes its number of cells to count (may be NULL); returns NULL on
-/// failure.
+/// Returns a field, STICKSLIP_PRESSURE or STICKSLIP_GAP, and writes its number of cells to count (may be NULL); returns
+/// NULL on failure.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solution_field(
     solution: *const stickslip_normal_solution,

@@ -2,7 +2,7 @@
 //!
 //! Every `unsafe` of this crate relies on the rule for pointers, which the head of the header states. A pointer is NULL, or
 //! points to a value of its type for the duration of the call (for handles: until they are freed). An array has as many
-//! entries as the accompanying count. Meanwhile, nothing else writes to the data behind the pointer.
+//! entries as the accompanying count. During this time, nothing else writes to the data behind the pointer.
 
 use stickslip_rs::{Error, Field, Grid};
 

@@ -47,7 +47,7 @@ pub struct stickslip_ranks {
 
 // SAFETY: the header states that another thread may call the function, one thread at a time, and the caller accepts this.
 unsafe impl Send for stickslip_ranks {}
-// SAFETY: as above.
+// SAFETY: see the implementation of `Send` above.
 unsafe impl Sync for stickslip_ranks {}
 
 impl stickslip_ranks {

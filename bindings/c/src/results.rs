@@ -11,7 +11,7 @@ use crate::status::STICKSLIP_BUFFER_TOO_SMALL;
 
 /// Status: nothing has been solved yet.
 pub const STICKSLIP_UNSOLVED: i32 = 0;
-/// Status: residual and certified error, from a newly computed product, are at or below the tolerance.
+/// Status: the residual and the certified error, both computed from a new product, are at or below the tolerance.
 pub const STICKSLIP_CONVERGED: i32 = 1;
 /// Status: the iteration limit was reached first.
 pub const STICKSLIP_AT_ITERATION_LIMIT: i32 = 2;

@@ -23,9 +23,9 @@ use crate::solver::{self, Solver};
 use crate::status::stickslip_status;
 use crate::text_fields::{show, tell, warn};
 
-/// Prescribes a creepage, the motion of body 2 over body 1 for each length rolled (dimensionless).
+/// Prescribes a creepage, the motion of body 2 over body 1 per unit length rolled (dimensionless).
 pub const STICKSLIP_CREEPAGE: i32 = 0;
-/// Prescribes the spin, the rotation of body 2 relative to body 1 about the origin of the grid for each length rolled (one
+/// Prescribes the spin, the rotation of body 2 relative to body 1 about the origin of the grid per unit length rolled (one
 /// over a length, positive from x to y).
 pub const STICKSLIP_SPIN: i32 = 0;
 /// Prescribes the moment on body 1 about the origin of the grid (a force times a length, positive from x to y).
@@ -38,7 +38,8 @@ pub struct stickslip_rolling_control {
     /// Kind of load: STICKSLIP_CREEPAGE or STICKSLIP_FORCE along an axis, STICKSLIP_SPIN or STICKSLIP_MOMENT for the
     /// rotation.
     pub kind: i32,
-    /// Creepage, or force that body 2 exerts on body 1 (less than friction can carry); spin or moment for the rotation.
+    /// Value along an axis: the creepage, or the force that body 2 exerts on body 1, which must be less than friction can
+    /// carry. Value for the rotation: the spin or the moment.
     pub value: f64,
 }
 
@@ -60,7 +61,7 @@ impl stickslip_rolling_control {
     }
 }
 
-/// Prescribed loads of rolling bodies. A load of zeros has no creepage and no spin.
+/// Prescribed loads of rolling bodies. A load whose members are all zero has no creepage and no spin.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_rolling_load {
@@ -145,7 +146,7 @@ opaque!(stickslip_rolling_solution holds RollingSolution, named "rolling solutio
 
 /// Creates a solver under the pressure of a solved normal contact on the same bodies. The grid must extend beyond the
 /// leading edge of the contact by the cells of one step; otherwise the call returns STICKSLIP_GRID_TOO_SHORT. load and
-/// options may be NULL; there is then no creepage and no spin, and the options are the defaults.
+/// options may be NULL. A NULL load means no creepage and no spin, and NULL options mean the defaults.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_new(
     half_space: *const stickslip_half_space,
@@ -201,8 +202,9 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_load(
     unsafe { solver::change(solver, ("load", load), stickslip_rolling_load::checked, set) }
 }
 
-/// Sets the friction of the next solve. Returns STICKSLIP_BEYOND_FRICTION_CAPACITY if it cannot carry the current load, or
-/// can carry it only by sliding. Until that solve, the stiffness refers to the last solution, if there is one.
+/// Sets the friction of the next solve. Returns STICKSLIP_BEYOND_FRICTION_CAPACITY if the new friction cannot carry the
+/// current load, or can carry it only by sliding. Until that solve, the stiffness refers to the last solution, if there is
+/// one.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_set_friction(
     solver: *mut stickslip_rolling_solver,
@@ -243,7 +245,8 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_pressure(
     }
 }
 
-/// Sets the solver that computes the pressure of a new normal load; it is copied with its gap, hardness and settings.
+/// Sets the normal solver that computes the pressure of a new normal load. The solver is copied with its gap, hardness and
+/// settings.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_solver(
     solver: *mut stickslip_rolling_solver,
@@ -324,8 +327,8 @@ pub unsafe extern "C" fn stickslip_rolling_solver_solve(
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_rolling_stiffness {
     /// Derivatives of the forces along x and y and of the moment (rows) with respect to the creepages along x and y and the
-    /// spin (columns). In C: slopes[row, column]. The entries are forces. Entries for the spin have an additional factor of
-    /// a length, and so do entries for the moment.
+    /// spin (columns). In C, the order of the indices is slopes[row][column]. The entries are forces. Entries for the spin
+    /// have an additional factor of a length, and so do entries for the moment.
     pub slopes: [[f64; 3]; 3],
     /// Reserved for future members: zero.
     pub reserved: [u64; 8],
@@ -396,10 +399,10 @@ impl From<CreepForce> for stickslip_creep_force {
     }
 }
 
-/// Computes the loads at count points and writes them to forces. Each point is solved from the solution of the previous
-/// point, so consecutive points should be close to each other. All points are checked before the first solve. Afterwards
-/// the last point is the prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load, and forces
-/// is unchanged.
+/// Computes the loads at count points and writes them to forces. Each solve starts from the solution of the previous point,
+/// so consecutive points should be close to each other. All points are checked before the first solve. Afterwards the last
+/// point is the prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load, and forces is
+/// unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_creep_forces(
     solver: *mut stickslip_rolling_solver,
@@ -470,9 +473,9 @@ pub(crate) fn of_rolling(solution: &RollingSolution, field: i32) -> Outcome<&Fie
     }
 }
 
-/// Returns STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X or STICKSLIP_SLIP_Y, and writes its number of cells
-/// to count (may be NULL); returns NULL on failure. The slip is the slip for each length rolled (dimensionless), over the
-/// step that moved the particles to their cells.
+/// Returns a field, STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X or STICKSLIP_SLIP_Y, and writes its number
+/// of cells to count (may be NULL); returns NULL on failure. The slip is given per unit length rolled (dimensionless),
+/// averaged over the step that moved the particles to their cells.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solution_field(
     solution: *const stickslip_rolling_solution,
@@ -493,9 +496,9 @@ pub unsafe extern "C" fn stickslip_rolling_solution_zones(
     unsafe { show(solution, count, |of| Ok(of.zones())).cast() }
 }
 
-/// Writes the energy that slip dissipates in each cell for each length rolled (a pressure) to values, which has count
-/// entries. Wear depends on this quantity. Between bodies of the same material, the integral of this energy is smaller
-/// than the work of creepages and spin; the difference decreases with the cell size.
+/// Writes the energy that slip dissipates in each cell per unit length rolled (a pressure) to values, which has count
+/// entries. Wear depends on this energy. Between bodies of the same material, the integral of this energy is smaller than
+/// the work of creepages and spin; the difference decreases with the cell size.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solution_dissipation(
     solution: *const stickslip_rolling_solution,
@@ -523,7 +526,7 @@ pub struct stickslip_rolling_result {
     pub force: [f64; 2],
     /// Moment about z at the origin of the grid that the tractions exert on body 1 (a force times a length).
     pub moment: f64,
-    /// Work of creepages and spin for each length rolled (a force). Between bodies of the same material all work is
+    /// Work of creepages and spin per unit length rolled (a force). Between bodies of the same material all work is
     /// dissipated. Between different materials the pressure also does work, which is not included.
     pub work: f64,
     /// Ratio of stick cells to contact cells.

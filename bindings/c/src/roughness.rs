@@ -112,12 +112,12 @@ impl stickslip_self_affine {
 /// entries. The gap between the surface and a plane is a constant minus the height.
 ///
 /// Returns STICKSLIP_INVALID_ARGUMENT if both height and slope are given. Returns STICKSLIP_NOT_POSITIVE for an invalid
-/// height, slope or wavelength, STICKSLIP_HURST for an invalid exponent, and STICKSLIP_NOT_FINITE for an invalid
-/// skewness or kurtosis. Returns STICKSLIP_BELOW_MINIMUM for a cut-off of less than two cells, if the longest
-/// wavelength is less than the roll-off or the roll-off is less than the cut-off, or for a kurtosis less than the
-/// squared skewness plus one. Returns STICKSLIP_NO_WAVE_IN_BAND if no wave has a wavelength within the limits,
-/// STICKSLIP_HEIGHT_MOMENTS_NOT_REACHED if no heights with this skewness and kurtosis are found, and STICKSLIP_SAMPLE
-/// for the first height that overflows. A failure leaves heights unchanged.
+/// height, slope or wavelength, STICKSLIP_HURST for an invalid exponent, and STICKSLIP_NOT_FINITE for an invalid skewness
+/// or kurtosis. Returns STICKSLIP_BELOW_MINIMUM if the cut-off is less than two cells, the longest wavelength is less than
+/// the roll-off, the roll-off is less than the cut-off, or the kurtosis is less than the squared skewness plus one. Returns
+/// STICKSLIP_NO_WAVE_IN_BAND if no wave has a wavelength within the limits, STICKSLIP_HEIGHT_MOMENTS_NOT_REACHED if no
+/// heights with this skewness and kurtosis are found, and STICKSLIP_SAMPLE for the first height that overflows. A failure
+/// leaves heights unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_surface_self_affine(
     grid: *const stickslip_grid,

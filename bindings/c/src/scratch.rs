@@ -7,8 +7,8 @@ use stickslip_rs::{Field, Grid};
 use crate::call::Outcome;
 use crate::pointer::collected;
 
-/// Arrays of earlier calls on an object. The crate requires a [`Field`] where C passes an array. The field is a copy in the
-/// memory of an earlier copy, so that repeated calls allocate nothing.
+/// Arrays of earlier calls on an object. The crate requires a [`Field`] where C passes an array. Each array is copied into
+/// a field in the memory of an earlier copy, so that repeated calls allocate nothing.
 #[derive(Debug, Default)]
 pub(crate) struct Spare(Mutex<Vec<Vec<f64>>>);
 

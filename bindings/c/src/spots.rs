@@ -27,8 +27,8 @@ pub struct stickslip_spot {
     pub max_pressure: f64,
     /// Centroid of the area (lengths), inside the grid; without meaning for a spot that spans the whole period.
     pub centroid: [f64; 2],
-    /// Length of the edge along the sides of the cells (a length). For a round spot this exceeds the perimeter of the
-    /// circle by a factor of 4/pi.
+    /// Length of the edge along the sides of the cells (a length). For a round spot, this length exceeds the perimeter of
+    /// the circle by a factor of 4/pi.
     pub perimeter: f64,
     /// Ratio of stick cells to all cells of the spot; NaN for a contact without a tangential load.
     pub stick_ratio: f64,
@@ -98,8 +98,8 @@ unsafe fn put(
 /// and a capacity of 0 it writes only the number. If the buffer is too small, the call returns STICKSLIP_BUFFER_TOO_SMALL
 /// and writes nothing to it.
 ///
-/// labels has cells entries and receives the number of the spot of every cell, counted from one, and zero outside the
-/// contact; it may be NULL.
+/// The array labels (of length cells) receives the number of the spot of every cell, counted from one, and zero outside the
+/// contact. This array may be NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_normal_solution_spots(
     solution: *const stickslip_normal_solution,

@@ -48,7 +48,7 @@ pub const STICKSLIP_BUFFER_TOO_SMALL: i32 = 35;
 pub const STICKSLIP_SOME_FAILED: i32 = 36;
 /// The threads cannot be created.
 pub const STICKSLIP_NO_THREADS: i32 = 37;
-/// The library has a defect. The objects of the call can be freed, and should not be used otherwise.
+/// The library has a defect. The objects of the call can be freed but should not be used otherwise.
 pub const STICKSLIP_PANIC: i32 = 38;
 
 /// A grid needs at least one cell along each axis.

@@ -14,16 +14,17 @@ pub struct stickslip_normal_stiffness {
     pub reserved: [u64; 8],
 }
 
-/// Derivatives of the forces along x and y and of the moment with respect to the shifts along x and y and the twist: rows
-/// are loads, columns are motions. In C: loading[row, column]. Loads and motions that are not part of the model are NaN: in
-/// the scalar model the direction across its axis and the twist, on periodic grids the twist.
+/// Derivatives of the forces along x and y and of the moment with respect to the shifts along x and y and the twist. Rows
+/// are loads, and columns are motions. In C, the order of the indices is loading[row][column]. Loads and motions that are
+/// not part of the model are NaN. These are the direction across the axis and the twist in the scalar model, and the twist
+/// on periodic grids.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_tangential_stiffness {
-    /// Derivative with respect to the motion at the end of the step, if the motion continues in its direction. Cells
-    /// that came into contact in the step follow the motion only partially. After a step that presses a ball the
-    /// derivative is about two thirds of Mindlin's stiffness, although all cells stick.
-    /// stickslip_history_next_stiffness computes the derivative for the next step, in which these cells resist fully.
+    /// Derivative with respect to the motion at the end of the step, if the motion continues in its direction. Cells that
+    /// came into contact in the step follow the motion only partially. After a step that presses a ball, the derivative is
+    /// about two thirds of Mindlin's stiffness, although all cells stick. stickslip_history_next_stiffness computes the
+    /// derivative for the next step, in which these cells resist fully.
     pub loading: [[f64; 3]; 3],
     /// Derivative for a reversal of the motion, at which all contact cells stick.
     pub reversal: [[f64; 3]; 3],

@@ -26,8 +26,8 @@ pub(crate) fn body(value: i32) -> Outcome<Body> {
     }
 }
 
-/// Tractions on the surface: fields of a solution or a history, or other arrays. The caller ensures that they belong to the
-/// same bodies.
+/// Tractions on the surface: fields of a solution or a history, or other arrays. The caller must ensure that all fields
+/// belong to the same bodies.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_tractions {
@@ -117,7 +117,7 @@ impl From<PointResult> for stickslip_response {
 
 /// Computes displacement and stress of body STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at count points and writes them to
 /// responses. The sums over all loaded cells are exact for a uniform traction on each cell. Returns STICKSLIP_RIGID_BODY
-/// for a rigid body, and STICKSLIP_DIVERGENT_PERIODIC_SUM on a grid that is periodic along both axes. For whole planes
+/// for a rigid body, and STICKSLIP_DIVERGENT_PERIODIC_SUM on a grid that is periodic along both axes. For whole planes,
 /// stickslip_planes_solve is faster.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_stress_at_points(

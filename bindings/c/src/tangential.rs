@@ -285,8 +285,8 @@ pub unsafe extern "C" fn stickslip_tangential_solution_free(
     call(|| unsafe { free(solution) })
 }
 
-/// Returns STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X or STICKSLIP_SLIP_Y, and writes its number of cells
-/// to count (may be NULL); returns NULL on failure.
+/// Returns a field, STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X or STICKSLIP_SLIP_Y, and writes its number
+/// of cells to count (may be NULL); returns NULL on failure.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_tangential_solution_field(
     solution: *const stickslip_tangential_solution,

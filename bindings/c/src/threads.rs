@@ -71,7 +71,7 @@ fn none(threads: usize, problem: &dyn std::fmt::Display) -> Failure {
     Failure::new(STICKSLIP_NO_THREADS, message)
 }
 
-/// Returns the requested number of threads, or the default of rayon if it is zero.
+/// Returns the requested number of threads, or the default of rayon if the requested number is zero.
 fn threads(asked: usize) -> usize {
     let positive = |count: &usize| *count > 0;
     let variable = || std::env::var("RAYON_NUM_THREADS").ok()?.parse().ok();
@@ -90,8 +90,8 @@ pub(crate) fn enter<T: Send>(cells: usize, work: impl FnOnce() -> T + Send) -> T
     enter_always(|_| work())
 }
 
-/// Runs work on the requested threads and passes it a flag for several threads. If the threads cannot be created, the work
-/// stays on the calling thread.
+/// Runs work on the requested threads, and passes to the work whether there are several threads. If the threads cannot be
+/// created, the work stays on the calling thread.
 pub(crate) fn enter_always<T: Send>(work: impl FnOnce(bool) -> T + Send) -> T {
     let threads = threads(ASKED.load(Ordering::Relaxed));
     match Pools::of_this_process().pool(threads) {
@@ -100,11 +100,12 @@ pub(crate) fn enter_always<T: Send>(work: impl FnOnce(bool) -> T + Send) -> T {
     }
 }
 
-/// Sets the number of threads that solve batches and contacts of more than 4096 cells, starting with the next call. 0 means
-/// the default, one thread for each processor (or RAYON_NUM_THREADS). With 1 the calling thread does all work, and no other
-/// thread is ever started. Running calls keep their threads. Results are bitwise identical for any number of threads.
+/// Sets the number of threads that solve batches and contacts of more than 4096 cells, starting with the next call. A count
+/// of 0 means the default: the value of RAYON_NUM_THREADS, or one thread for each processor if it is not set. With a count
+/// of 1, the calling thread does all work, and no other thread is ever started. Running calls keep their threads. Results
+/// are bitwise identical for any number of threads.
 ///
-/// Threads do not survive a fork: a child process creates the same number of threads at its first such call.
+/// Threads do not survive a fork: a child process creates the same number of threads at its first call that uses them.
 #[unsafe(no_mangle)]
 pub extern "C" fn stickslip_set_num_threads(count: usize) -> stickslip_status {
     call(|| {

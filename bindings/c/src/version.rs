@@ -11,9 +11,10 @@ pub const STICKSLIP_VERSION_PATCH: u32 = 0;
 
 /// Version of the binary interface: functions, layouts of structs and meanings of constants.
 ///
-/// It increases whenever a program compiled with an older header could malfunction, and it is part of the SONAME. A patch
-/// never changes it; before 1.0 a minor version may. New functions, new constants and members that replace reserved bytes
-/// do not change it. A program that loads the library at run time should first compare it with stickslip_abi_version().
+/// This version increases whenever a program compiled with an older header could malfunction, and it is part of the SONAME.
+/// A patch release never changes it; before 1.0, a minor release may change it. New functions, new constants and members
+/// that replace reserved bytes do not change it. A program that loads the library at run time should first compare this
+/// constant with stickslip_abi_version().
 pub const STICKSLIP_ABI_VERSION: u32 = 2;
 
 const VERSION: &str = concat!(env!("CARGO_PKG_VERSION"), "\0");

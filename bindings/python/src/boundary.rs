@@ -31,7 +31,7 @@ impl Boundary {
 
     /// Returns the boundary of a grid that is periodic along y only, for cylinders, rollers and line contacts. The datum
     /// (a length, at least the length of the grid) is the distance along x from a line load at which that load causes no
-    /// displacement. Approach and shift are relative to it.
+    /// displacement. Approach and shift are relative to this datum.
     #[staticmethod]
     fn periodic_along_y(datum: Real) -> Self {
         Self(stickslip::Boundary::PeriodicAlongY { datum: datum.0 })

@@ -97,14 +97,14 @@ picklable!(Minimum: Found);
 /// total : float, optional
 ///     Sum of the unknowns; free by default.
 /// spring : (far_end, compliance), optional
-///     Replaces the total: the multiplier is ``far_end - compliance * sum(x)``.
+///     A spring that replaces the total: the multiplier is ``far_end - compliance * sum(x)``.
 /// diagonal : float or array_like, optional
 ///     Non-negative numbers that are added to the diagonal of C; none by default.
 /// preconditioner : LinearOperator, optional
 ///     An approximation of the inverse of C without ``diagonal``; none by default.
 /// lower_bound : float, default 0
-///     A lower bound on the smallest eigenvalue of the operator, if it is a callable. The error bound is computed from
-///     it.
+///     A lower bound on the smallest eigenvalue of the operator, if the operator is a callable. The error bound is
+///     computed from it.
 /// start : array_like, optional
 ///     Initial iterate; zero by default.
 /// settings : Settings, optional

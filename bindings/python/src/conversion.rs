@@ -9,8 +9,8 @@ use pyo3::{inspect::PyStaticExpr, type_hint_identifier};
 
 use crate::real::is_real;
 
-/// Declares the class of such an argument: its content, the expected form (starting with the name of the argument) and,
-/// if helpful, an alternative.
+/// Declares the class of an argument of a prescribed form: the content, the expected form (starting with the name of the
+/// argument) and, if helpful, an alternative.
 macro_rules! due {
     ($($(#[$doc:meta])* $name:ident($type:ty): $due:literal $(, $instead:literal)?;)+) => {$(
         $(#[$doc])*

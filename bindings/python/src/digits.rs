@@ -1,5 +1,5 @@
-//! Numbers in the notation of Python: in `repr` with six significant digits, as by its format `g`; in messages with all
-//! digits.
+//! Numbers in the notation of Python: with six significant digits in `repr`, as in the format `g`, and with all digits in
+//! messages.
 
 use pyo3::prelude::*;
 use pyo3::types::PyFloat;

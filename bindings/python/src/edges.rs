@@ -10,7 +10,7 @@ use crate::error::OrRaise;
 use crate::grid::Grid;
 use crate::spots::ContactSpots;
 
-/// The edge of a contact or of its stick zone with sub-cell resolution: :meth:`NormalSolution.edges`,
+/// The edge of a contact or of its stick zone with sub-cell resolution, returned by :meth:`NormalSolution.edges`,
 /// :meth:`TangentialSolution.edges` and :meth:`History.edges`.
 ///
 /// At a distance s from a smooth edge, the pressure is proportional to the square root of s and the gap to s to the

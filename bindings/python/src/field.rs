@@ -17,12 +17,12 @@ use crate::pickle::{Reduced, Stored, reduced};
 use crate::real::{is_real, misshapen, plane};
 use crate::unit::{Unit, is_same, metres, one_of};
 
-/// Samples at the cells of a grid, one number per cell: gaps, heights, pressures. A field is immutable.
+/// Samples at the cells of a grid, one number per cell, such as gaps, heights or pressures. A field is immutable.
 ///
 /// Every argument that accepts a field also accepts an array of shape (ny, nx), which is copied. A Field is created once
-/// and shared, so repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of it, and ``field[iy, ix]``
-/// a sample. Sums, differences, products and quotients with fields, arrays and numbers, in either order, are taken cell
-/// by cell and return fields. Other NumPy functions treat a field as its array.
+/// and shared, so repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of a field, and
+/// ``field[iy, ix]`` is a sample. A sum, difference, product or quotient with a field, an array or a number, in either
+/// order, is computed cell by cell and is a field. Other NumPy functions treat a field as its array.
 ///
 /// Parameters
 /// ----------
@@ -148,7 +148,7 @@ impl Field {
         self.0.integral()
     }
 
-    /// Indexes :attr:`array`: ``field[iy, ix]`` is a sample, ``field[iy]`` a row.
+    /// Indexes :attr:`array`: ``field[iy, ix]`` is a sample, and ``field[iy]`` is a row.
     fn __getitem__<'py>(
         slf: &Bound<'py, Self>,
         index: Bound<'py, PyAny>,
@@ -156,7 +156,7 @@ impl Field {
         Self::array(slf).0.get_item(index)
     }
 
-    /// Returns the sample of a cell, given by column and row; ``None`` outside the grid.
+    /// Returns the sample of a cell, given by column and row, or ``None`` outside the grid.
     fn get(&self, ix: usize, iy: usize) -> Option<f64> {
         self.0.get(ix, iy)
     }

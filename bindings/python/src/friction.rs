@@ -12,8 +12,8 @@ use crate::grid::Grid;
 use crate::pickle::picklable;
 use crate::real::Real;
 
-/// Coulomb friction, uniform or one coefficient per cell, optionally capped: the friction limit of a cell is
-/// ``min(mu p, tau_max)``.
+/// Coulomb friction with a uniform coefficient or one coefficient per cell, and with an optional cap: the friction limit
+/// of a cell is ``min(mu p, tau_max)``.
 ///
 /// Parameters
 /// ----------
@@ -54,7 +54,7 @@ impl Friction {
         }
     }
 
-    /// Returns the friction limit of a cell (row-major index) under a pressure; NaN if the index is out of range.
+    /// Returns the friction limit of a cell (row-major index) under a pressure, or NaN if the index is out of range.
     fn limit(&self, index: usize, pressure: Real) -> f64 {
         self.0.limit(index, pressure.0)
     }

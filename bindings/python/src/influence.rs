@@ -130,7 +130,7 @@ impl Table {
         self.0.size().into()
     }
 
-    /// Returns the coefficient at a distance in cells along x and y, of either sign; ``None`` outside the table.
+    /// Returns the coefficient at a distance in cells along x and y, of either sign, or ``None`` outside the table.
     fn get(&self, i: isize, j: isize) -> Option<f64> {
         self.0.get(i, j)
     }

@@ -44,7 +44,7 @@ pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Field> {
     ))
 }
 
-/// Unit of the files that state one.
+/// Unit of the lengths in files that state a unit.
 const METRE: &str = "m";
 
 /// Returns a surface for a file in metres, or an error if the surface states a different unit.
@@ -404,7 +404,7 @@ impl PvdWriter {
         Ok(Self(Mutex::new(series)))
     }
 
-    /// Writes fields and vectors at a time as :func:`stickslip.io.vti.write` does, and adds them to the list.
+    /// Writes fields and vectors at a given time as :func:`stickslip.io.vti.write` does, and adds them to the list.
     #[pyo3(signature = (time, fields, *, grid=None))]
     fn write(
         &self,

@@ -58,7 +58,7 @@ impl Kernel {
     ///     A function of the wave number k > 0 (one over a length, a float). It returns the displacements under waves of
     ///     traction of that wave number (lengths over pressures, not multiplied by k): normal due to pressure, along and
     ///     across the wave due to traction, and the coupling. It is called many times, under the GIL, on many threads. If
-    ///     it raises an exception, its value counts as NaN, which is rejected, and the exception is passed to
+    ///     the function raises an exception, its value counts as NaN, which is rejected, and the exception is passed to
     ///     `sys.unraisablehook`; Ctrl-C there interrupts the main thread.
     ///
     /// Raises
@@ -114,8 +114,8 @@ impl Kernel {
     /// coefficients : dict
     ///     Arrays of shape (ny, nx) by the name of a component, such as "zz". An entry is the displacement at the centre
     ///     of a cell that is j cells further along y and i cells further along x than a cell with unit traction (lengths
-    ///     over pressures). Distances of the other sign follow from the parity. The components "xy", "zx" and "zy" are
-    ///     zero by default; "yx", "xz" and "yz" follow from them.
+    ///     over pressures). The displacements at distances of the other sign follow from the parity. The components "xy",
+    ///     "zx" and "zy" are zero by default; "yx", "xz" and "yz" follow from them.
     ///
     /// Raises
     /// ------

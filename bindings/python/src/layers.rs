@@ -120,8 +120,8 @@ impl WaveResponse {
         self.0.across
     }
 
-    /// Normal displacement due to traction along the wave vector, and displacement along it due to pressure, up to a
-    /// factor i.
+    /// Normal displacement due to traction along the wave vector, and displacement along the wave vector due to pressure,
+    /// up to a factor i.
     #[getter]
     fn coupling(&self) -> f64 {
         self.0.coupling

@@ -115,7 +115,8 @@ impl Keywords {
         Ok([along(0)?, along(1)?])
     }
 
-    /// Returns a load from rest. An axis without a keyword has the control of the other axis with the value zero.
+    /// Returns a load from rest. An axis without a keyword uses the same type of control as the other axis, with the
+    /// value zero.
     pub(crate) fn load(&self) -> PyResult<Load> {
         let zero = |control| match control {
             TangentialControl::Shift(_) => TangentialControl::Shift(0.0),
@@ -194,8 +195,8 @@ fn one_of<T>(object: Option<T>, is_without_keywords: bool, by_keywords: T) -> Py
 
 /// A tangential load from rest.
 ///
-/// An axis without a keyword has the control of the other axis with the value zero. The scalar model supports a load
-/// along one axis only; the vector model supports any load.
+/// An axis without a keyword uses the same type of control as the other axis, with the value zero. The scalar model
+/// supports a load along one axis only; the vector model supports any load.
 ///
 /// Parameters
 /// ----------

@@ -10,7 +10,7 @@ use crate::pickle::picklable;
 
 /// One step of an iteration, as passed to a progress callback.
 ///
-/// Residual and number of free entries are the most recently measured values.
+/// The residual and the number of free entries are the most recently measured values.
 #[pyclass(frozen, eq, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Iteration(pub(crate) stickslip::Iteration);
@@ -163,10 +163,11 @@ picklable!(Report: stickslip::Report);
 
 /// A warning about a converged solution that might mislead.
 ///
-/// The attribute ``kind`` is its name: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``, ``single_row_of_cells``,
-/// ``contact_spans_grid``, ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``, ``underresolved_stick_zone``, ``underresolved_slip_zone``,
-/// ``single_load_step``, ``stress_at_edge``, ``discretisation_error``, ``approach_beyond_grid``, ``large_contact_radius``,
-/// ``steep_surface``, ``held_shift_lost_force`` or ``neglected_lift``.
+/// The attribute ``kind`` is the name of the warning: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``,
+/// ``single_row_of_cells``, ``contact_spans_grid``, ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``,
+/// ``underresolved_stick_zone``, ``underresolved_slip_zone``, ``single_load_step``, ``stress_at_edge``,
+/// ``discretisation_error``, ``approach_beyond_grid``, ``large_contact_radius``, ``steep_surface``,
+/// ``held_shift_lost_force`` or ``neglected_lift``.
 #[pyclass(frozen, eq, hash, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) struct Warning(pub(crate) stickslip::Warning);

@@ -47,7 +47,8 @@ impl NormalStiffness {
 /// Derivatives of the tangential forces along x and y and of the moment (rows) with respect to the shifts along x and y
 /// and the twist (columns), for continued loading and at its reversal. The first two rows and columns are forces over
 /// lengths; the last diagonal entry is a moment over radians. An entry is NaN if the model does not have the load or the
-/// motion: in the scalar model, the direction across its axis and the twist; on periodic grids, the twist.
+/// motion. Such entries are those of the direction across the axis and of the twist in the scalar model, and of the twist
+/// on periodic grids.
 #[pyclass(frozen, eq, module = "stickslip.stiffness")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct TangentialStiffness(pub(crate) stickslip::stiffness::TangentialStiffness);
@@ -55,8 +56,8 @@ pub(crate) struct TangentialStiffness(pub(crate) stickslip::stiffness::Tangentia
 #[pymethods]
 impl TangentialStiffness {
     /// Derivative of the forces of the last step with respect to the motions at its end, if the motion continues in its
-    /// direction. Cells that came into contact in the step follow the motion only partially. After a step that presses
-    /// a ball the derivative is about two thirds of Mindlin's stiffness, although all cells stick.
+    /// direction. Cells that came into contact in the step follow the motion only partially. After a step that presses a
+    /// ball, the derivative is about two thirds of Mindlin's stiffness, although all cells stick.
     /// ``history.stiffness(next_step=True)`` computes the derivative for the next step, in which these cells resist
     /// fully.
     #[getter]

@@ -47,8 +47,8 @@ class CellValue(_Name):
 
     "uniform": uniform over the cell, as in the paper. "centre": the value, at the centre of the cell, of a traction that
     is smooth between the centres. For "centre", the smoothing by uniform cells is removed from the influence
-    coefficients. Pressures inside a contact then have only a fraction of the error of uniform cells, at no cost. On a
-    grid that is periodic along x and y, values are those at the centres.
+    coefficients. Pressures inside a contact then have only a fraction of the error of uniform cells, at no additional
+    cost. On a grid that is periodic along x and y, values are those at the centres.
     """
 
     UNIFORM = "uniform"

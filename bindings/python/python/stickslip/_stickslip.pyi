@@ -184,16 +184,16 @@ Version of the package.
 @final
 class AdaptiveSteps:
     """
-    Applies a load in steps short enough for a given tolerance, and estimates the error of a step. Its buffers require the
-    memory of four states.
+    Applies a load in steps short enough for a given tolerance, and estimates the error of a step. The buffers of this
+    object require the memory of four states.
 
     Parameters
     ----------
     history : History
         A history on the grid of the histories to be stepped.
     tolerance : float
-        Tolerance of :attr:`StepErrorEstimate.traction` for a whole load, in (0, 1); at least about a hundred times the tolerance
-        of the history's settings.
+        Tolerance of :attr:`StepErrorEstimate.traction` for a whole load, in (0, 1). It must be at least about a hundred
+        times the tolerance of the history's settings.
 
     Raises
     ------
@@ -216,7 +216,8 @@ class AdaptiveSteps:
         history : History
             The history to which the load is applied.
         load : LoadStep
-            The load at the end; all prescribed quantities change proportionally from their previous values.
+            The load at the end of the last step. All prescribed quantities change proportionally from their previous
+            values.
         cycle : Cycle, optional
             A cycle to which each step is added.
         warn : bool, default True
@@ -273,11 +274,12 @@ class BentallJohnson:
         """
     def slip(self, /, x: ArrayLike) -> Any:
         """
-        Returns the slip of body 1 over body 2 at x per unit length rolled (dimensionless); zero outside the contact.
+        Returns the slip of body 1 over body 2 at x per unit length rolled (dimensionless), or zero outside the
+        contact.
         """
     def traction(self, /, x: ArrayLike) -> Any:
         """
-        Returns the traction on body 1 along x (a pressure) at x, mu p against the slip; zero outside the contact.
+        Returns the traction on body 1 along x (a pressure) at x, mu p against the slip, or zero outside the contact.
         """
 
 @final
@@ -316,7 +318,7 @@ class Boundary:
         """
         Returns the boundary of a grid that is periodic along y only, for cylinders, rollers and line contacts. The datum
         (a length, at least the length of the grid) is the distance along x from a line load at which that load causes no
-        displacement. Approach and shift are relative to it.
+        displacement. Approach and shift are relative to this datum.
         """
 
 @final
@@ -366,7 +368,8 @@ class Carter:
     def traction(self, /, x: ArrayLike) -> Any:
         """
         Returns the traction on body 1 along x (a pressure) at x: with the sign of the creepage, mu p_0 sqrt(1 -
-        x^2/a^2), minus mu p_0 (c/a) sqrt(1 - (x - a + c)^2/c^2) in the stick strip; zero outside the contact.
+        x^2/a^2), minus mu p_0 (c/a) sqrt(1 - (x - a + c)^2/c^2) in the stick strip. The traction is zero outside the
+        contact.
         """
 
 @final
@@ -405,8 +408,8 @@ class CattaneoMindlin:
     @property
     def energy_of_first_quarter(self, /) -> float:
         """
-        Energy dissipated while the force grows from zero to F (a force times a length, not negative), (mu W delta_0
-        / 5) (1 - c/a)^3 (1 + 3 c/a + c^2/a^2). This is the first quarter of a cycle.
+        Energy dissipated while the force grows from zero to F (a force times a length, not negative): (mu W delta_0 /
+        5) (1 - c/a)^3 (1 + 3 c/a + c^2/a^2). This is the first quarter of a cycle.
         """
     @property
     def energy_per_cycle(self, /) -> float:
@@ -452,8 +455,8 @@ class CattaneoMindlin:
     def traction(self, /, r: ArrayLike) -> Any:
         """
         Returns the traction on body 1 along x (a pressure, with the sign of the force) at the distance r from the
-        centre: mu p_0 sqrt(1 - r^2/a^2), minus mu p_0 (c/a) sqrt(1 - r^2/c^2) in the stick disc; zero outside the
-        contact.
+        centre: mu p_0 sqrt(1 - r^2/a^2), minus mu p_0 (c/a) sqrt(1 - r^2/c^2) in the stick disc. The traction is zero
+        outside the contact.
         """
 
 @final
@@ -462,9 +465,9 @@ class CattaneoMindlinEllipse:
     An elliptic paraboloid in partial slip: a constant normal load, then a tangential force along x that increases
     monotonically.
 
-    The stick ellipse is the contact ellipse scaled by s = (1 - f)^(1/3), f = |F| / (mu W). This is the solution of the
-    scalar model, with traction along x only. The coupling between pressure and traction of dissimilar bodies is neglected.
-    Mindlin (1949); Vermeulen and Johnson (1964).
+    The stick ellipse is the contact ellipse scaled by s = (1 - f)^(1/3), with f = |F| / (mu W). This is the solution
+    of the scalar model, with traction along x only. The coupling between pressure and traction of dissimilar bodies
+    is neglected. Mindlin (1949); Vermeulen and Johnson (1964).
 
     Parameters
     ----------
@@ -529,7 +532,7 @@ class CattaneoMindlinEllipse:
         """
     def traction(self, /, x: ArrayLike, y: ArrayLike) -> Any:
         """
-        Returns the traction on body 1 along x (a pressure, with the sign of the force); zero outside the contact.
+        Returns the traction on body 1 along x (a pressure, with the sign of the force), or zero outside the contact.
         With rho^2 = x^2/a_x^2 + y^2/a_y^2, it is mu p_0 sqrt(1 - rho^2), reduced in the stick ellipse by mu p_0
         sqrt(s^2 - rho^2).
         """
@@ -617,8 +620,9 @@ class CattaneoMindlinLine:
         """
     def traction(self, /, x: ArrayLike) -> Any:
         """
-        Returns the traction on body 1 along x (a pressure) at x: with the sign of Q, mu p_0 sqrt(1 - x^2/a^2),
-        minus mu p_0 (c/a) sqrt(1 - (x - e)^2/c^2) in the stick strip with the middle e; zero outside the contact.
+        Returns the traction on body 1 along x (a pressure) at x: with the sign of Q, mu p_0 sqrt(1 - x^2/a^2), minus
+        mu p_0 (c/a) sqrt(1 - (x - e)^2/c^2) in the stick strip with the middle e. The traction is zero outside the
+        contact.
         """
     def with_bulk_stress(self, /, stress: Sequence[float] | NDArray[Any]) -> CattaneoMindlinLine:
         """
@@ -632,8 +636,8 @@ class CattaneoMindlinLine:
         """
     def with_strain(self, /, strain: float) -> CattaneoMindlinLine:
         """
-        Adds a strain along x: the strain of body 1 minus the strain of body 2, positive in tension. A bulk stress
-        along x in one body causes the strain stress (1 - nu^2) / E in plane strain:
+        Adds a strain along x: the strain of body 1 minus the strain of body 2, positive in tension. In plane strain,
+        a bulk stress along x in one body causes the strain stress (1 - nu^2) / E; see
         :meth:`Material.plane_strain_under`.
 
         Raises
@@ -727,10 +731,10 @@ class ConePartialSlip:
     """
     A cone in partial slip: a constant normal load, then a tangential force along x that increases monotonically.
 
-    The traction is mu times the difference between the pressure under W and that under the reduced load (1 - f) W,
-    f = |F| / (mu W), whose contact circle is the stick disc. This is the solution of the scalar model, with traction
-    along x only. The coupling between pressure and traction of dissimilar bodies is neglected. Ciavarella (1998); Jaeger
-    (1998).
+    The traction is mu times the difference between the pressure under W and the pressure under the reduced load (1 -
+    f) W, with f = |F| / (mu W). The contact circle under the reduced load is the stick disc. This is the solution of
+    the scalar model, with traction along x only. The coupling between pressure and traction of dissimilar bodies is
+    neglected. Ciavarella (1998); Jaeger (1998).
 
     Parameters
     ----------
@@ -784,8 +788,8 @@ class ConePartialSlip:
     def traction(self, /, r: ArrayLike) -> Any:
         """
         Returns the traction on body 1 along x (a pressure, with the sign of the force) at the distance r from the
-        centre: (mu E* tan(beta) / 2) arcosh(a/r), minus the same expression with c instead of a in the stick disc;
-        zero outside the contact.
+        centre: (mu E* tan(beta) / 2) arcosh(a/r), minus the same expression with c instead of a in the stick disc.
+        The traction is zero outside the contact.
         """
 
 @final
@@ -956,7 +960,7 @@ class CoupledReport:
     def error_bounds(self, /) -> tuple[float, float] | None:
         """
         Bounds on the errors of pressure and traction of the coupled problem; ``None`` unless friction is weak enough for
-        them.
+        such bounds.
         """
     @property
     def error_estimate(self, /) -> ErrorEstimate | None:
@@ -971,7 +975,7 @@ class CoupledReport:
     @property
     def normal(self, /) -> Report:
         """
-        Steps and products with the normal part alone.
+        Report of the steps and products with the normal part alone.
         """
     @property
     def pressure_error_bound(self, /) -> float:
@@ -981,7 +985,7 @@ class CoupledReport:
     @property
     def tangential(self, /) -> Report:
         """
-        Steps and products with the tangential part alone.
+        Report of the steps and products with the tangential part alone.
         """
     @property
     def traction_error_bound(self, /) -> float:
@@ -991,7 +995,7 @@ class CoupledReport:
     @property
     def work(self, /) -> Report:
         """
-        Reason for the end of the iteration, products with the full operator, residual and time.
+        Report of the whole solve: reason for its end, products with the full operator, residual and time.
         """
 
 @final
@@ -1077,7 +1081,7 @@ class CoupledRollingReport:
     @property
     def normal(self, /) -> Report:
         """
-        Steps and products for the pressure.
+        Report of the steps and products for the pressure.
         """
     @property
     def passes(self, /) -> int:
@@ -1097,7 +1101,7 @@ class CoupledRollingReport:
     @property
     def rolling(self, /) -> Report:
         """
-        Steps and products for the tractions.
+        Report of the steps and products for the tractions.
         """
     @property
     def traction_error_bound(self, /) -> float:
@@ -1107,7 +1111,7 @@ class CoupledRollingReport:
     @property
     def work(self, /) -> Report:
         """
-        Status, steps and products of all passes, and the largest residual of the normal and the tangential part.
+        Report of all passes: status, steps, products, and the largest residual of the normal and the tangential part.
         """
 
 @final
@@ -1174,7 +1178,7 @@ class CoupledRollingSolver:
     def settings(self, /, settings: Settings) -> None: ...
     def solve(self, /, *, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, progress: Any | None = None, warn: bool = True) -> CoupledRollingSolution:
         """
-        Solves for the given creepages, forces, spin or moment; if none is given, for the last ones.
+        Solves for the given creepages, forces, spin or moment, or for the last ones if none is given.
 
         Parameters
         ----------
@@ -1397,9 +1401,9 @@ class Cycle:
     @property
     def cyclic_residual(self, /) -> float:
         """
-        Measure of how far the cycle is from closing, the larger of two ratios. One is the ratio of the largest change
-        of a traction between start and end to the largest traction, the other the ratio of the change of the shift to
-        half its range.
+        Measure of how far the cycle is from closing: the larger of two ratios. The first is the ratio of the largest
+        change of a traction between start and end to the largest traction. The second is the ratio of the change of the
+        shift to half the range of the shift.
         """
     @property
     def dissipated_energy(self, /) -> NDArray[float64]:
@@ -1485,7 +1489,7 @@ class Cycle:
 @final
 class CycleJump:
     """
-    Number of cycles to jump over: the largest number for which the wear of a cycle can be multiplied without oscillations
+    Number of cycles to jump over: the largest factor by which the wear of a cycle can be multiplied without oscillations
     of the pressure.
 
     Parameters
@@ -1511,7 +1515,7 @@ class CycleJump:
     def __repr__(self, /) -> str: ...
     def cycles(self, /) -> float:
         """
-        Returns the number of cycles to jump over, not rounded; infinite without a limit.
+        Returns the number of cycles to jump over, not rounded, or infinity without a limit.
 
         Raises
         ------
@@ -1552,7 +1556,7 @@ class DenseOperator(LinearOperator):
     def __new__(cls, /, rows: Any) -> DenseOperator: ...
     def get(self, /, row: int, column: int) -> float | None:
         """
-        Returns the entry of a row and a column; ``None`` outside the matrix.
+        Returns the entry of a row and a column, or ``None`` outside the matrix.
         """
     def minimise(self, /, linear: Any, *, lower: Any | None = None, upper: Any | None = None, total: float | None = None) -> DenseMinimum:
         """
@@ -1584,7 +1588,7 @@ class DenseOperator(LinearOperator):
 @final
 class Edges:
     """
-    The edge of a contact or of its stick zone with sub-cell resolution: :meth:`NormalSolution.edges`,
+    The edge of a contact or of its stick zone with sub-cell resolution, returned by :meth:`NormalSolution.edges`,
     :meth:`TangentialSolution.edges` and :meth:`History.edges`.
 
     At a distance s from a smooth edge, the pressure is proportional to the square root of s and the gap to s to the
@@ -1764,7 +1768,7 @@ class EnergyBalance:
     @property
     def released(self, /) -> float:
         """
-        Energy of the tractions that cells lose when they leave the contact.
+        Energy released by the tractions of cells that leave the contact.
         """
     @property
     def residual(self, /) -> float:
@@ -1800,12 +1804,12 @@ class ErrorEstimate:
 @final
 class Field:
     """
-    Samples at the cells of a grid, one number per cell: gaps, heights, pressures. A field is immutable.
+    Samples at the cells of a grid, one number per cell, such as gaps, heights or pressures. A field is immutable.
 
     Every argument that accepts a field also accepts an array of shape (ny, nx), which is copied. A Field is created once
-    and shared, so repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of it, and ``field[iy, ix]``
-    a sample. Sums, differences, products and quotients with fields, arrays and numbers, in either order, are taken cell
-    by cell and return fields. Other NumPy functions treat a field as its array.
+    and shared, so repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of a field, and
+    ``field[iy, ix]`` is a sample. A sum, difference, product or quotient with a field, an array or a number, in either
+    order, is computed cell by cell and is a field. Other NumPy functions treat a field as its array.
 
     Parameters
     ----------
@@ -1837,7 +1841,7 @@ class Field:
     def __eq__(self, value: object, /) -> bool: ...
     def __getitem__(self, index: Any, /) -> Any:
         """
-        Indexes :attr:`array`: ``field[iy, ix]`` is a sample, ``field[iy]`` a row.
+        Indexes :attr:`array`: ``field[iy, ix]`` is a sample, and ``field[iy]`` is a row.
         """
     def __mul__(self, other: object, /) -> Field: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -1858,7 +1862,7 @@ class Field:
         """
     def get(self, /, ix: int, iy: int) -> float | None:
         """
-        Returns the sample of a cell, given by column and row; ``None`` outside the grid.
+        Returns the sample of a cell, given by column and row, or ``None`` outside the grid.
         """
     @property
     def grid(self, /) -> Grid:
@@ -2034,8 +2038,8 @@ class FlatPunch:
 @final
 class Friction:
     """
-    Coulomb friction, uniform or one coefficient per cell, optionally capped: the friction limit of a cell is
-    ``min(mu p, tau_max)``.
+    Coulomb friction with a uniform coefficient or one coefficient per cell, and with an optional cap: the friction limit
+    of a cell is ``min(mu p, tau_max)``.
 
     Parameters
     ----------
@@ -2057,7 +2061,7 @@ class Friction:
     def __repr__(self, /) -> str: ...
     def limit(self, /, index: int, pressure: float) -> float:
         """
-        Returns the friction limit of a cell (row-major index) under a pressure; NaN if the index is out of range.
+        Returns the friction limit of a cell (row-major index) under a pressure, or NaN if the index is out of range.
         """
 
 @final
@@ -2326,7 +2330,7 @@ class Hardness:
         """
     def of_cell(self, /, index: int) -> float:
         """
-        Returns the largest pressure of a cell (row-major index); NaN if the index is out of range.
+        Returns the largest pressure of a cell (row-major index), or NaN if the index is out of range.
         """
     def overlap(self, /, contact: NormalSolution) -> Field:
         """
@@ -2386,7 +2390,7 @@ class HertzEllipse:
         """
     def pressure(self, /, x: ArrayLike, y: ArrayLike) -> Any:
         """
-        Returns the pressure p_0 sqrt(1 - x^2/a_x^2 - y^2/a_y^2); zero outside the contact. Johnson (1985), 3.58.
+        Returns the pressure p_0 sqrt(1 - x^2/a_x^2 - y^2/a_y^2), or zero outside the contact. Johnson (1985), 3.58.
         """
     @property
     def radii(self, /) -> tuple[float, float]:
@@ -2452,7 +2456,7 @@ class HertzLine:
         """
     def pressure(self, /, x: ArrayLike) -> Any:
         """
-        Returns the pressure p_0 sqrt(1 - x^2/a^2) at the distance x from the middle; zero outside the contact.
+        Returns the pressure p_0 sqrt(1 - x^2/a^2) at the distance x from the middle, or zero outside the contact.
         """
     @property
     def radius(self, /) -> float:
@@ -2474,7 +2478,7 @@ class HertzLine:
 @final
 class HertzSphere:
     """
-    A sphere pressed on a half-space, or a paraboloid of revolution.
+    A sphere or a paraboloid of revolution pressed on a half-space.
 
     The gap is r^2 / 2R. The solution is exact for a paraboloid; for a sphere it is valid if the contact is small
     compared with R. Johnson (1985), 4.22-4.24.
@@ -2544,7 +2548,7 @@ class HertzSphere:
         """
     def pressure(self, /, r: ArrayLike) -> Any:
         """
-        Returns the pressure p_0 sqrt(1 - r^2/a^2) at the distance r from the centre; zero outside the contact.
+        Returns the pressure p_0 sqrt(1 - r^2/a^2) at the distance r from the centre, or zero outside the contact.
         Johnson (1985), 3.39.
         """
     @property
@@ -2712,7 +2716,7 @@ class History:
         dissimilar bodies must be pressed in this way, because the stick and slip zones depend on the growth of the
         contact.
 
-        The load is applied in 1, 2, 4, 8, ... steps from the present state, until the tractions differ from the result
+        The load is applied in 1, 2, 4, 8, ... steps from the present state, until the tractions differ from the tractions
         for half the number of steps by no more than the tolerance. A call that fails, or that is interrupted by Ctrl-C,
         leaves the state unchanged; the last step is then the last step that succeeded.
 
@@ -2723,7 +2727,8 @@ class History:
             previous values.
         tolerance : float
             Largest sum of the magnitudes of the traction differences, relative to the sum of the friction limits, in (0,
-            1). A value of 0.01 is a good choice. It must be at least about a hundred times the tolerance of the settings.
+            1). A value of 0.01 is a good choice. The value must be at least about a hundred times the tolerance of the
+            settings.
         normal_force, approach : optional
             See :class:`LoadStep`.
         progress : callable or bool, optional
@@ -2856,7 +2861,7 @@ class History:
         Parameters
         ----------
         next_step : bool, default False
-            If true, ``tangential.loading`` and ``by_approach`` are derivatives of a next step, which starts from the
+            If true, ``tangential.loading`` and ``by_approach`` are derivatives of the next step, which starts from the
             present state. Otherwise they are derivatives of the last step. In the next step, all stick cells resist
             fully, including cells that came into contact in the last step, and cells at their limit continue to slip. A
             simulation that continues to shear the contact under the same normal load needs these derivatives.
@@ -2891,7 +2896,7 @@ class Iteration:
     """
     One step of an iteration, as passed to a progress callback.
 
-    Residual and number of free entries are the most recently measured values.
+    The residual and the number of free entries are the most recently measured values.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -3061,7 +3066,7 @@ class Kernel:
             A function of the wave number k > 0 (one over a length, a float). It returns the displacements under waves of
             traction of that wave number (lengths over pressures, not multiplied by k): normal due to pressure, along and
             across the wave due to traction, and the coupling. It is called many times, under the GIL, on many threads. If
-            it raises an exception, its value counts as NaN, which is rejected, and the exception is passed to
+            the function raises an exception, its value counts as NaN, which is rejected, and the exception is passed to
             `sys.unraisablehook`; Ctrl-C there interrupts the main thread.
 
         Raises
@@ -3140,8 +3145,8 @@ class Kernel:
         coefficients : dict
             Arrays of shape (ny, nx) by the name of a component, such as "zz". An entry is the displacement at the centre
             of a cell that is j cells further along y and i cells further along x than a cell with unit traction (lengths
-            over pressures). Distances of the other sign follow from the parity. The components "xy", "zx" and "zy" are
-            zero by default; "yx", "xz" and "yz" follow from them.
+            over pressures). The displacements at distances of the other sign follow from the parity. The components "xy",
+            "zx" and "zy" are zero by default; "yx", "xz" and "yz" follow from them.
 
         Raises
         ------
@@ -3267,8 +3272,8 @@ class LinearOperator:
 @final
 class LoadPath:
     """
-    A cycle of a tangential load in the plane, given by the values (x, y) at the ends of its steps. The caller uses them
-    as forces or as shifts. A path is a sequence of pairs.
+    A cycle of a tangential load in the plane, given by the values (x, y) at the ends of its steps. The caller uses these
+    values as forces or as shifts. A path is a sequence of pairs.
 
     Parameters
     ----------
@@ -3300,8 +3305,8 @@ class LoadPath:
     @staticmethod
     def ellipse(amplitudes: Sequence[float] | NDArray[Any], phase: float, steps: int) -> LoadPath:
         """
-        Returns a path around an ellipse with the amplitudes (A_x, A_y), A_x sin(2 pi t) along x and A_y sin(2 pi t +
-        phase) along y (the phase in radians), in a multiple of four steps.
+        Returns a path around an ellipse with the amplitudes (A_x, A_y): A_x sin(2 pi t) along x and A_y sin(2 pi t +
+        phase) along y, with the phase in radians. The number of steps must be a multiple of four.
         """
     @property
     def end(self, /) -> tuple[float, float]:
@@ -3311,8 +3316,9 @@ class LoadPath:
     @staticmethod
     def sine(amplitude: Sequence[float] | NDArray[Any], steps: int) -> LoadPath:
         """
-        Returns a sinusoidal path along a line, the amplitude (x, y) times sin(2 pi t), in a multiple of four steps: from
-        zero to the amplitude, to its negative, and back to zero. A path along x has the amplitude (a, 0).
+        Returns a sinusoidal path along a line: the amplitude (x, y) times sin(2 pi t). The path goes from zero to the
+        amplitude, to its negative, and back to zero. The number of steps must be a multiple of four. A path along x has
+        the amplitude (a, 0).
         """
     @property
     def steps(self, /) -> NDArray[float64]:
@@ -3322,7 +3328,7 @@ class LoadPath:
     @staticmethod
     def triangle(amplitude: Sequence[float] | NDArray[Any], steps: int) -> LoadPath:
         """
-        Returns a path back and forth along a line at a constant rate, in a multiple of four steps.
+        Returns a path back and forth along a line at a constant rate. The number of steps must be a multiple of four.
         """
 
 @final
@@ -3689,7 +3695,7 @@ class MindlinDeresiewicz:
     def traction(self, /, r: ArrayLike) -> Any:
         """
         Returns the traction on body 1 along x (a pressure) at the distance r from the centre, by the superposition of
-        the class description; zero outside the contact.
+        the class description. The traction is zero outside the contact.
         """
 
 @final
@@ -3935,8 +3941,8 @@ class NormalProblem:
 @final
 class NormalSolution:
     """
-    Pressure, gap and approach of a normal contact. Arrays are read-only views of its memory. Two objects are equal if
-    their solutions are equal, even if the iterations differed.
+    Pressure, gap and approach of a normal contact. Arrays are read-only views of the memory of this object. Two objects
+    are equal if their solutions are equal, even if the iterations differed.
     """
     def __eq__(self, other: object, /) -> bool: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
@@ -3979,7 +3985,8 @@ class NormalSolution:
     def contact_area_corrected(self, /) -> float:
         """
         Contact area minus the excess of cell counting along the perimeter. This area should be compared with theory and
-        with other grids; its error is smaller by a factor of about four (Yastrebov, Anciaux & Molinari 2017).
+        with other grids; its error is smaller than the error of ``contact_area`` by a factor of about four (Yastrebov,
+        Anciaux & Molinari 2017).
         """
     @property
     def contact_cells(self, /) -> int:
@@ -4129,7 +4136,7 @@ class NormalSolver:
         Raises
         ------
         GridMismatch, Shape, Sample, NegativeOrNotFinite, NotFinite, ApproachBeyondMeanGap, BeyondHardness
-            If load or gap are invalid; both are then unchanged.
+            If the load or the gap is invalid; both are then unchanged.
         NotConverged
             The exception has the attributes ``report`` and ``last_iterate``.
         """
@@ -4223,8 +4230,8 @@ class Persson:
     def stick_ratio(self, /, friction: float, mean_traction: float) -> float:
         """
         Returns the fraction of the real contact area that sticks. It is the ratio of the contact area under 1 - f of
-        the load to the contact area under the full load, f = |mean_traction| / (mu mean_pressure). Ciavarella (1998);
-        Jaeger (1998).
+        the load to the contact area under the full load, with f = |mean_traction| / (mu mean_pressure). Ciavarella
+        (1998); Jaeger (1998).
 
         Parameters
         ----------
@@ -4266,7 +4273,7 @@ class Plane:
         """
     def get(self, /, ix: int, iy: int) -> Stress | None:
         """
-        Returns the stress of a cell, given by column and row; ``None`` outside the grid.
+        Returns the stress of a cell, given by column and row, or ``None`` outside the grid.
         """
     @property
     def grid(self, /) -> Grid:
@@ -4351,8 +4358,8 @@ class Planes:
         """
     def solve(self, /, index: int, body: Body | str, tractions: Any, *, uniform_stress: Stress | None = None, warn: bool = True) -> Plane:
         """
-        Computes the plane at the depth with this index in a body. A negative index counts from the end. The tractions are
-        those of :func:`at_points`.
+        Computes the plane at the depth with this index in a body. A negative index counts from the end. For the
+        tractions, see :func:`at_points`.
 
         Parameters
         ----------
@@ -4424,8 +4431,9 @@ class PopovLimitingShape:
         """
     def pressure(self, /, r: ArrayLike) -> Any:
         """
-        Returns the remaining pressure (E*/pi) (2 s / R + (d - c^2/R) / s), s = sqrt(c^2 - r^2), at the distance r
-        from the centre; zero outside the stick disc. The pressure grows without bound towards the edge of the disc.
+        Returns the remaining pressure (E*/pi) (2 s / R + (d - c^2/R) / s), with s = sqrt(c^2 - r^2), at the distance
+        r from the centre, or zero outside the stick disc. The pressure grows without bound towards the edge of the
+        disc.
         """
     def profile(self, /, r: ArrayLike) -> Any:
         """
@@ -4560,7 +4568,7 @@ class RelativeDisplacement:
     along_x, along_y : Field or array_like of shape (ny, nx)
         Displacements of body 1 relative to body 2 along x and y (lengths, of either sign).
     grid : Grid, optional
-        Grid of the arrays; required for arrays, since Fields have their own grid.
+        Grid of the arrays; required for arrays, because only Fields have their own grid.
 
     Raises
     ------
@@ -4840,7 +4848,7 @@ class RollingProblem:
 class RollingSolution:
     """
     Traction, slip, zones, creepage and dissipation of steady rolling. Vectors are (x, y). Arrays are read-only views of
-    its memory, except for the zones and the dissipation, which are copies.
+    the memory of this object, except for the zones and the dissipation, which are copies.
     """
     def __repr__(self, /) -> str: ...
     @property
@@ -4925,9 +4933,9 @@ class RollingSolver:
     def __repr__(self, /) -> str: ...
     def creep_forces(self, /, points: ArrayLike) -> CreepForces:
         """
-        Computes the loads at all points, each time from the solution of the previous point: a creep curve, or a creep
-        surface row by row. The last point remains prescribed. All points are checked before the first solve; Ctrl-C takes
-        effect after the last solve.
+        Computes the loads at all points of a creep curve, or of a creep surface row by row. Each solve starts from the
+        solution of the previous point. The last point remains prescribed. All points are checked before the first solve;
+        Ctrl-C takes effect after the last solve.
 
         Parameters
         ----------
@@ -5007,7 +5015,7 @@ class RollingSolver:
     def settings(self, /, settings: Settings) -> None: ...
     def solve(self, /, *, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, progress: Any | None = None, warn: bool = True) -> RollingSolution:
         """
-        Solves for the given creepages, forces, spin or moment; if none is given, for the last ones.
+        Solves for the given creepages, forces, spin or moment, or for the last ones if none is given.
 
         Parameters
         ----------
@@ -5044,7 +5052,7 @@ class RoughSphere:
     At a pressure p of the smooth sphere, the fraction erf((sqrt(pi)/2) kappa p / (E* rms_slope)) of the area is in
     contact; the result is the mean of this fraction over the Hertz circle. It is valid if the heights of the
     roughness are small compared with the approach and its wavelengths are small compared with the circle. The default
-    of kappa is 2. After Müser (2016).
+    of kappa is 2. The solution follows Müser (2016).
 
     Parameters
     ----------
@@ -5184,7 +5192,7 @@ class RoundedPunch:
         """
     def pressure(self, /, x: ArrayLike) -> Any:
         """
-        Returns the pressure at the distance x from the middle; zero outside the contact.
+        Returns the pressure at the distance x from the middle, or zero outside the contact.
         """
 
 @final
@@ -5257,7 +5265,7 @@ class PvdWriter:
     def __repr__(self, /) -> str: ...
     def write(self, /, time: float, fields: dict[str, Any], *, grid: Grid | None = None) -> None:
         """
-        Writes fields and vectors at a time as :func:`stickslip.io.vti.write` does, and adds them to the list.
+        Writes fields and vectors at a given time as :func:`stickslip.io.vti.write` does, and adds them to the list.
         """
 
 @final
@@ -5391,8 +5399,8 @@ class Spot:
 @final
 class State:
     """
-    A state of a history, which can be restored, continued or saved. Arrays are read-only views of its memory, except for
-    the zones, which are copies. Vectors are (x, y).
+    A state of a history, which can be restored, continued or saved. Arrays are read-only views of the memory of this
+    object, except for the zones, which are copies. Vectors are (x, y).
     """
     def __reduce__(self, /) -> tuple[Any, tuple[type, bytes]]: ...
     def __repr__(self, /) -> str: ...
@@ -5862,7 +5870,7 @@ class Table:
         """
     def get(self, /, i: int, j: int) -> float | None:
         """
-        Returns the coefficient at a distance in cells along x and y, of either sign; ``None`` outside the table.
+        Returns the coefficient at a distance in cells along x and y, of either sign, or ``None`` outside the table.
         """
     @property
     def size(self, /) -> tuple[int, int]:
@@ -5929,8 +5937,8 @@ class TangentialLoad:
     """
     A tangential load from rest.
 
-    An axis without a keyword has the control of the other axis with the value zero. The scalar model supports a load
-    along one axis only; the vector model supports any load.
+    An axis without a keyword uses the same type of control as the other axis, with the value zero. The scalar model
+    supports a load along one axis only; the vector model supports any load.
 
     Parameters
     ----------
@@ -6028,8 +6036,8 @@ class TangentialProblem:
 @final
 class TangentialSolution:
     """
-    Traction, slip, zones and shift of a tangential contact. Vectors are (x, y); in the scalar model, the component
-    across the load is zero. Arrays are read-only views of its memory, except for the zones, which are copies. Two
+    Traction, slip, zones and shift of a tangential contact. Vectors are (x, y); in the scalar model, the component across
+    the load is zero. Arrays are read-only views of the memory of this object, except for the zones, which are copies. Two
     objects are equal if their solutions are equal, even if the iterations differed.
     """
     def __eq__(self, other: object, /) -> bool: ...
@@ -6219,7 +6227,8 @@ class TangentialStiffness:
     Derivatives of the tangential forces along x and y and of the moment (rows) with respect to the shifts along x and y
     and the twist (columns), for continued loading and at its reversal. The first two rows and columns are forces over
     lengths; the last diagonal entry is a moment over radians. An entry is NaN if the model does not have the load or the
-    motion: in the scalar model, the direction across its axis and the twist; on periodic grids, the twist.
+    motion. Such entries are those of the direction across the axis and of the twist in the scalar model, and of the twist
+    on periodic grids.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -6234,8 +6243,8 @@ class TangentialStiffness:
     def loading(self, /) -> list[list[float]]:
         """
         Derivative of the forces of the last step with respect to the motions at its end, if the motion continues in its
-        direction. Cells that came into contact in the step follow the motion only partially. After a step that presses
-        a ball the derivative is about two thirds of Mindlin's stiffness, although all cells stick.
+        direction. Cells that came into contact in the step follow the motion only partially. After a step that presses a
+        ball, the derivative is about two thirds of Mindlin's stiffness, although all cells stick.
         ``history.stiffness(next_step=True)`` computes the derivative for the next step, in which these cells resist
         fully.
         """
@@ -6318,7 +6327,7 @@ class TensorOperator:
     def __repr__(self, /) -> str: ...
     def apply(self, /, tractions: Sequence[Any]) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64]]:
         """
-        Applies the operator to three arrays, tractions along x, y and z (pressures), which are read in place. Returns the
+        Applies the operator to three arrays that are read in place: tractions along x, y and z (pressures). Returns the
         displacements along x, y and z (lengths).
         """
     @property
@@ -6333,9 +6342,9 @@ class VermeulenJohnson:
     Creep forces of an elliptic contact that rolls along x without spin, from the creep curve of Vermeulen and Johnson
     with the initial slope of Kalker.
 
-    Let f be the force without slip, from :class:`KalkerCoefficients`, and x = |f| / (mu P). The force along f has
-    the magnitude mu P (1 - (1 - x/3)^3), and mu P for x of 3 or more. This approximation is a few per cent below
-    the computed force. It is valid for equal bodies and for bodies whose Dundurs' beta is zero. Vermeulen and
+    Let f be the force without slip, from :class:`KalkerCoefficients`, and x = |f| / (mu P). The force along f has the
+    magnitude mu P (1 - (1 - x/3)^3), and mu P for x of 3 or more. The force of this approximation is a few per cent
+    below the computed force. The solution is valid for equal bodies and for bodies whose Dundurs' beta is zero. Vermeulen and
     Johnson (1964); Johnson (1985), section 8.4.
 
     Parameters
@@ -6377,10 +6386,11 @@ class Warning:
     """
     A warning about a converged solution that might mislead.
 
-    The attribute ``kind`` is its name: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``, ``single_row_of_cells``,
-    ``contact_spans_grid``, ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``, ``underresolved_stick_zone``, ``underresolved_slip_zone``,
-    ``single_load_step``, ``stress_at_edge``, ``discretisation_error``, ``approach_beyond_grid``, ``large_contact_radius``,
-    ``steep_surface``, ``held_shift_lost_force`` or ``neglected_lift``.
+    The attribute ``kind`` is the name of the warning: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``,
+    ``single_row_of_cells``, ``contact_spans_grid``, ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``,
+    ``underresolved_stick_zone``, ``underresolved_slip_zone``, ``single_load_step``, ``stress_at_edge``,
+    ``discretisation_error``, ``approach_beyond_grid``, ``large_contact_radius``, ``steep_surface``,
+    ``held_shift_lost_force`` or ``neglected_lift``.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __hash__(self, /) -> int: ...
@@ -6426,8 +6436,8 @@ class WaveResponse:
     @property
     def coupling(self, /) -> float:
         """
-        Normal displacement due to traction along the wave vector, and displacement along it due to pressure, up to a
-        factor i.
+        Normal displacement due to traction along the wave vector, and displacement along the wave vector due to pressure,
+        up to a factor i.
         """
     @property
     def normal(self, /) -> float:
@@ -6438,7 +6448,7 @@ class WaveResponse:
 @final
 class Westergaard:
     """
-    A wavy surface pressed on a half-space: waves along x, plane strain.
+    A surface with waves along x that is pressed on a half-space, in plane strain.
 
     The gap is amplitude (1 - cos(2 pi x / lambda)), with the wavelength lambda. Contact forms strips of half-width
     a about every crest, up to the pressure p* of full contact. Westergaard (1939); Johnson (1985), section 13.2.
@@ -6531,7 +6541,7 @@ class WestergaardPartialSlip:
     """
     A wavy surface in partial slip: a constant mean pressure, then a traction along x that increases monotonically.
 
-    The traction is mu times the difference between the pressure and the pressure under 1 - f of the load, f =
+    The traction is mu times the difference between the pressure and the pressure under 1 - f of the load, with f =
     |mean_traction| / (mu mean_pressure). The contact strips under 1 - f of the load stick. A full contact sticks
     everywhere, under a uniform traction, as long as 1 - f of the load causes full contact. The solution is exact for
     every nu, except that the coupling between pressure and traction of dissimilar bodies is neglected. Ciavarella
@@ -6577,8 +6587,8 @@ class WestergaardPartialSlip:
         """
     def traction(self, /, x: ArrayLike) -> Any:
         """
-        Returns the traction on body 1 along x (a pressure, with the sign of the mean traction) at the distance x
-        from a crest; zero outside the contact.
+        Returns the traction on body 1 along x (a pressure, with the sign of the mean traction) at the distance x from
+        a crest, or zero outside the contact.
         """
 
 def _from_bytes(kind: type, *arguments: Any) -> Any:
@@ -6602,7 +6612,8 @@ def archard(coefficient: Field | ArrayLike, pressure: Field | ArrayLike, slip_di
         Volume removed per normal force and sliding distance, of one body or of both together (one over a pressure), not
         negative.
     pressure, slip_distance : Field or array_like of shape (ny, nx)
-        Pressure, and the length of the slip path of each cell under it (lengths), not negative, in a step or a cycle.
+        Pressure, and the length of the slip path of each cell under this pressure (lengths), not negative, in a step or a
+        cycle.
     depth : Field or array_like of shape (ny, nx), optional
         Depth removed earlier (lengths), to which the result is added; zero by default.
     grid : Grid, optional
@@ -6650,7 +6661,7 @@ def at_points(bodies: HalfSpace, body: Body | str, tractions: Any, points: Array
     Returns
     -------
     PointResults
-        The results of the points, as a sequence and as arrays.
+        The results at the points, as a sequence and as arrays.
     """
 
 def bisinusoidal(grid: Grid, amplitude: float, wavelengths: Sequence[float] | NDArray[Any]) -> Field:
@@ -6845,7 +6856,7 @@ def level(heights: Field | ArrayLike, form: Any) -> Levelled:
 
 def linear_stick_ratio(load: float, friction: float, force: float) -> float:
     """
-    Returns the stick ratio of a nominally flat rough contact under light loads, 1 - |force| / (friction load); zero
+    Returns the stick ratio of a nominally flat rough contact under light loads, 1 - |force| / (friction load), or zero
     without friction.
 
     Parameters
@@ -6913,14 +6924,14 @@ def minimise(operator: Any, linear: Any, *, lower: Any | None = None, upper: Any
     total : float, optional
         Sum of the unknowns; free by default.
     spring : (far_end, compliance), optional
-        Replaces the total: the multiplier is ``far_end - compliance * sum(x)``.
+        A spring that replaces the total: the multiplier is ``far_end - compliance * sum(x)``.
     diagonal : float or array_like, optional
         Non-negative numbers that are added to the diagonal of C; none by default.
     preconditioner : LinearOperator, optional
         An approximation of the inverse of C without ``diagonal``; none by default.
     lower_bound : float, default 0
-        A lower bound on the smallest eigenvalue of the operator, if it is a callable. The error bound is computed from
-        it.
+        A lower bound on the smallest eigenvalue of the operator, if the operator is a callable. The error bound is
+        computed from it.
     start : array_like, optional
         Initial iterate; zero by default.
     settings : Settings, optional
@@ -7085,8 +7096,8 @@ def threshold_energy(coefficient: Field | ArrayLike, threshold: float, accumulat
     threshold : float
         The energy per area up to which there is no wear, not negative.
     accumulated, energy : Field or array_like of shape (ny, nx)
-        Energy dissipated in each cell since the start including this step or cycle, and in this step or cycle alone
-        (forces times lengths), not negative.
+        Energies dissipated in each cell (forces times lengths, not negative): ``accumulated`` since the start, including
+        this step or cycle, and ``energy`` in this step or cycle alone.
     depth : optional
         See :func:`archard`.
     grid : Grid, optional

@@ -527,7 +527,7 @@ class EmptyPath(StickslipError, ValueError):
 
 
 class StepAlreadyCounted(StickslipError, ValueError):
-    """A cycle already contains the steps of its history up to a certain step, and this step does not follow it."""
+    """A cycle already contains the steps of its history up to a certain step, and the added step does not follow it."""
 
     step: int
     """The number of the step, counted from 1; zero before the first step."""

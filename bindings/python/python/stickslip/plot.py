@@ -1,6 +1,6 @@
 """Plots with matplotlib, which is installed by ``pip install 'stickslip[plot]'``.
 
-Every function draws into ``axes``, or into new axes, and returns them. A figure without a layout engine gets the
+Every function draws into ``axes``, or into new axes, and returns the axes. A figure without a layout engine gets the
 constrained layout, so that labels do not overlap. Colour bars have the height of their image. A field on a single row or
 column of cells, such as the grid of a line contact, is drawn as a profile: a line over the cells.
 

@@ -1,8 +1,8 @@
 //! Declaration of the classes of closed-form solutions from their arguments, numbers and functions.
 
-/// Declares the class of a closed-form solution. The parts of the declaration are, in order: the object that it is
-/// constructed from; its further arguments, which are numbers unless a type is given; its objects, numbers and pairs of
-/// numbers; its functions of one and of two coordinates; and its additional methods.
+/// Declares the class of a closed-form solution. The parts of the declaration are, in order: the object from which the
+/// solution is constructed; further arguments, which are numbers unless a type is given; the objects, numbers and pairs
+/// of numbers of the solution; its functions of one and of two coordinates; and its additional methods.
 macro_rules! closed_form {
     (
         $(#[$doc:meta])*

@@ -7,7 +7,7 @@ use crate::analytical::coordinates::{Coordinates, PlaneStrain};
 use crate::material::ElasticPair;
 
 closed_form! {
-    /// A sphere pressed on a half-space, or a paraboloid of revolution.
+    /// A sphere or a paraboloid of revolution pressed on a half-space.
     ///
     /// The gap is r^2 / 2R. The solution is exact for a paraboloid; for a sphere it is valid if the contact is small
     /// compared with R. Johnson (1985), 4.22-4.24.
@@ -46,7 +46,7 @@ closed_form! {
         approach,
     }
     along {
-        /// Returns the pressure p_0 sqrt(1 - r^2/a^2) at the distance r from the centre; zero outside the contact.
+        /// Returns the pressure p_0 sqrt(1 - r^2/a^2) at the distance r from the centre, or zero outside the contact.
         /// Johnson (1985), 3.39.
         pressure(r),
         /// Returns the normal displacement u_z of the surfaces (a length), summed over the bodies and positive into each,
@@ -98,7 +98,7 @@ closed_form! {
         semi_axes,
     }
     across {
-        /// Returns the pressure p_0 sqrt(1 - x^2/a_x^2 - y^2/a_y^2); zero outside the contact. Johnson (1985), 3.58.
+        /// Returns the pressure p_0 sqrt(1 - x^2/a_x^2 - y^2/a_y^2), or zero outside the contact. Johnson (1985), 3.58.
         pressure,
     }
 }
@@ -136,7 +136,7 @@ closed_form! {
         max_pressure,
     }
     along {
-        /// Returns the pressure p_0 sqrt(1 - x^2/a^2) at the distance x from the middle; zero outside the contact.
+        /// Returns the pressure p_0 sqrt(1 - x^2/a^2) at the distance x from the middle, or zero outside the contact.
         pressure(x),
         /// Returns the approach of the bodies, P / (pi E*) (2 ln(2d/a) + 1) (a length), relative to the datum d (a
         /// length) of :meth:`Boundary.periodic_along_y`. The datum must be large compared with a; the approach is then

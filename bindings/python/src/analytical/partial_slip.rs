@@ -46,8 +46,8 @@ closed_form! {
         shift,
         /// Shift at which the whole contact begins to slide, delta_0 (a length, positive): the shift under mu W.
         sliding_shift,
-        /// Energy dissipated while the force grows from zero to F (a force times a length, not negative), (mu W delta_0
-        /// / 5) (1 - c/a)^3 (1 + 3 c/a + c^2/a^2). This is the first quarter of a cycle.
+        /// Energy dissipated while the force grows from zero to F (a force times a length, not negative): (mu W delta_0 /
+        /// 5) (1 - c/a)^3 (1 + 3 c/a + c^2/a^2). This is the first quarter of a cycle.
         energy_of_first_quarter,
         /// Energy dissipated in one full cycle of the force between F and -F (a force times a length), four times the
         /// energy of the first quarter.
@@ -55,8 +55,8 @@ closed_form! {
     }
     along {
         /// Returns the traction on body 1 along x (a pressure, with the sign of the force) at the distance r from the
-        /// centre: mu p_0 sqrt(1 - r^2/a^2), minus mu p_0 (c/a) sqrt(1 - r^2/c^2) in the stick disc; zero outside the
-        /// contact.
+        /// centre: mu p_0 sqrt(1 - r^2/a^2), minus mu p_0 (c/a) sqrt(1 - r^2/c^2) in the stick disc. The traction is zero
+        /// outside the contact.
         traction(r),
     }
     across {
@@ -72,9 +72,9 @@ closed_form! {
     /// An elliptic paraboloid in partial slip: a constant normal load, then a tangential force along x that increases
     /// monotonically.
     ///
-    /// The stick ellipse is the contact ellipse scaled by s = (1 - f)^(1/3), f = |F| / (mu W). This is the solution of the
-    /// scalar model, with traction along x only. The coupling between pressure and traction of dissimilar bodies is neglected.
-    /// Mindlin (1949); Vermeulen and Johnson (1964).
+    /// The stick ellipse is the contact ellipse scaled by s = (1 - f)^(1/3), with f = |F| / (mu W). This is the solution
+    /// of the scalar model, with traction along x only. The coupling between pressure and traction of dissimilar bodies
+    /// is neglected. Mindlin (1949); Vermeulen and Johnson (1964).
     ///
     /// Parameters
     /// ----------
@@ -115,7 +115,7 @@ closed_form! {
         stick_semi_axes,
     }
     across {
-        /// Returns the traction on body 1 along x (a pressure, with the sign of the force); zero outside the contact.
+        /// Returns the traction on body 1 along x (a pressure, with the sign of the force), or zero outside the contact.
         /// With rho^2 = x^2/a_x^2 + y^2/a_y^2, it is mu p_0 sqrt(1 - rho^2), reduced in the stick ellipse by mu p_0
         /// sqrt(s^2 - rho^2).
         traction,
@@ -163,8 +163,9 @@ closed_form! {
         energy_per_cycle,
     }
     along {
-        /// Returns the traction on body 1 along x (a pressure) at x: with the sign of Q, mu p_0 sqrt(1 - x^2/a^2),
-        /// minus mu p_0 (c/a) sqrt(1 - (x - e)^2/c^2) in the stick strip with the middle e; zero outside the contact.
+        /// Returns the traction on body 1 along x (a pressure) at x: with the sign of Q, mu p_0 sqrt(1 - x^2/a^2), minus
+        /// mu p_0 (c/a) sqrt(1 - (x - e)^2/c^2) in the stick strip with the middle e. The traction is zero outside the
+        /// contact.
         traction(x),
         /// Returns the shift (a length): the rigid motion of body 2 relative to body 1 along x, with the sign of the
         /// force, relative to the datum d (a length) of :meth:`Boundary.periodic_along_y`. The strain causes no
@@ -173,8 +174,8 @@ closed_form! {
         shift(datum),
     }
     also {
-        /// Adds a strain along x: the strain of body 1 minus the strain of body 2, positive in tension. A bulk stress
-        /// along x in one body causes the strain stress (1 - nu^2) / E in plane strain:
+        /// Adds a strain along x: the strain of body 1 minus the strain of body 2, positive in tension. In plane strain,
+        /// a bulk stress along x in one body causes the strain stress (1 - nu^2) / E; see
         /// :meth:`Material.plane_strain_under`.
         ///
         /// Raises
@@ -221,10 +222,10 @@ closed_form! {
 closed_form! {
     /// A cone in partial slip: a constant normal load, then a tangential force along x that increases monotonically.
     ///
-    /// The traction is mu times the difference between the pressure under W and that under the reduced load (1 - f) W,
-    /// f = |F| / (mu W), whose contact circle is the stick disc. This is the solution of the scalar model, with traction
-    /// along x only. The coupling between pressure and traction of dissimilar bodies is neglected. Ciavarella (1998); Jaeger
-    /// (1998).
+    /// The traction is mu times the difference between the pressure under W and the pressure under the reduced load (1 -
+    /// f) W, with f = |F| / (mu W). The contact circle under the reduced load is the stick disc. This is the solution of
+    /// the scalar model, with traction along x only. The coupling between pressure and traction of dissimilar bodies is
+    /// neglected. Ciavarella (1998); Jaeger (1998).
     ///
     /// Parameters
     /// ----------
@@ -258,8 +259,8 @@ closed_form! {
     }
     along {
         /// Returns the traction on body 1 along x (a pressure, with the sign of the force) at the distance r from the
-        /// centre: (mu E* tan(beta) / 2) arcosh(a/r), minus the same expression with c instead of a in the stick disc;
-        /// zero outside the contact.
+        /// centre: (mu E* tan(beta) / 2) arcosh(a/r), minus the same expression with c instead of a in the stick disc.
+        /// The traction is zero outside the contact.
         traction(r),
     }
 }

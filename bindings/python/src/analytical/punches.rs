@@ -150,7 +150,7 @@ closed_form! {
         half_width,
     }
     along {
-        /// Returns the pressure at the distance x from the middle; zero outside the contact.
+        /// Returns the pressure at the distance x from the middle, or zero outside the contact.
         pressure(x),
     }
 }

@@ -37,7 +37,8 @@ closed_form! {
     }
     along {
         /// Returns the traction on body 1 along x (a pressure) at x: with the sign of the creepage, mu p_0 sqrt(1 -
-        /// x^2/a^2), minus mu p_0 (c/a) sqrt(1 - (x - a + c)^2/c^2) in the stick strip; zero outside the contact.
+        /// x^2/a^2), minus mu p_0 (c/a) sqrt(1 - (x - a + c)^2/c^2) in the stick strip. The traction is zero outside the
+        /// contact.
         traction(x),
     }
 }
@@ -72,9 +73,10 @@ closed_form! {
         dissipation,
     }
     along {
-        /// Returns the slip of body 1 over body 2 at x per unit length rolled (dimensionless); zero outside the contact.
+        /// Returns the slip of body 1 over body 2 at x per unit length rolled (dimensionless), or zero outside the
+        /// contact.
         slip(x),
-        /// Returns the traction on body 1 along x (a pressure) at x, mu p against the slip; zero outside the contact.
+        /// Returns the traction on body 1 along x (a pressure) at x, mu p against the slip, or zero outside the contact.
         traction(x),
     }
 }
@@ -118,9 +120,9 @@ closed_form! {
     /// Creep forces of an elliptic contact that rolls along x without spin, from the creep curve of Vermeulen and Johnson
     /// with the initial slope of Kalker.
     ///
-    /// Let f be the force without slip, from :class:`KalkerCoefficients`, and x = |f| / (mu P). The force along f has
-    /// the magnitude mu P (1 - (1 - x/3)^3), and mu P for x of 3 or more. This approximation is a few per cent below
-    /// the computed force. It is valid for equal bodies and for bodies whose Dundurs' beta is zero. Vermeulen and
+    /// Let f be the force without slip, from :class:`KalkerCoefficients`, and x = |f| / (mu P). The force along f has the
+    /// magnitude mu P (1 - (1 - x/3)^3), and mu P for x of 3 or more. The force of this approximation is a few per cent
+    /// below the computed force. The solution is valid for equal bodies and for bodies whose Dundurs' beta is zero. Vermeulen and
     /// Johnson (1964); Johnson (1985), section 8.4.
     ///
     /// Parameters

@@ -53,8 +53,8 @@ closed_form! {
         }
 
         /// Returns the fraction of the real contact area that sticks. It is the ratio of the contact area under 1 - f of
-        /// the load to the contact area under the full load, f = |mean_traction| / (mu mean_pressure). Ciavarella (1998);
-        /// Jaeger (1998).
+        /// the load to the contact area under the full load, with f = |mean_traction| / (mu mean_pressure). Ciavarella
+        /// (1998); Jaeger (1998).
         ///
         /// Parameters
         /// ----------
@@ -85,7 +85,7 @@ closed_form! {
     /// At a pressure p of the smooth sphere, the fraction erf((sqrt(pi)/2) kappa p / (E* rms_slope)) of the area is in
     /// contact; the result is the mean of this fraction over the Hertz circle. It is valid if the heights of the
     /// roughness are small compared with the approach and its wavelengths are small compared with the circle. The default
-    /// of kappa is 2. After Müser (2016).
+    /// of kappa is 2. The solution follows Müser (2016).
     ///
     /// Parameters
     /// ----------
@@ -130,7 +130,7 @@ closed_form! {
     }
 }
 
-/// Returns the stick ratio of a nominally flat rough contact under light loads, 1 - |force| / (friction load); zero
+/// Returns the stick ratio of a nominally flat rough contact under light loads, 1 - |force| / (friction load), or zero
 /// without friction.
 ///
 /// Parameters

@@ -98,7 +98,7 @@ closed_form! {
     }
     along {
         /// Returns the traction on body 1 along x (a pressure) at the distance r from the centre, by the superposition of
-        /// the class description; zero outside the contact.
+        /// the class description. The traction is zero outside the contact.
         traction(r),
     }
     across {

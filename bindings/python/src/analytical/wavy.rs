@@ -4,7 +4,7 @@ use crate::analytical::closed_form::closed_form;
 use crate::material::ElasticPair;
 
 closed_form! {
-    /// A wavy surface pressed on a half-space: waves along x, plane strain.
+    /// A surface with waves along x that is pressed on a half-space, in plane strain.
     ///
     /// The gap is amplitude (1 - cos(2 pi x / lambda)), with the wavelength lambda. Contact forms strips of half-width
     /// a about every crest, up to the pressure p* of full contact. Westergaard (1939); Johnson (1985), section 13.2.
@@ -68,7 +68,7 @@ closed_form! {
 closed_form! {
     /// A wavy surface in partial slip: a constant mean pressure, then a traction along x that increases monotonically.
     ///
-    /// The traction is mu times the difference between the pressure and the pressure under 1 - f of the load, f =
+    /// The traction is mu times the difference between the pressure and the pressure under 1 - f of the load, with f =
     /// |mean_traction| / (mu mean_pressure). The contact strips under 1 - f of the load stick. A full contact sticks
     /// everywhere, under a uniform traction, as long as 1 - f of the load causes full contact. The solution is exact for
     /// every nu, except that the coupling between pressure and traction of dissimilar bodies is neglected. Ciavarella
@@ -100,8 +100,8 @@ closed_form! {
         stick_ratio,
     }
     along {
-        /// Returns the traction on body 1 along x (a pressure, with the sign of the mean traction) at the distance x
-        /// from a crest; zero outside the contact.
+        /// Returns the traction on body 1 along x (a pressure, with the sign of the mean traction) at the distance x from
+        /// a crest, or zero outside the contact.
         traction(x),
     }
 }

@@ -52,8 +52,9 @@ closed_form! {
         /// Returns the wear depth (a length), summed over the bodies, at the distance r from the centre: positive in the
         /// ring, zero elsewhere.
         wear_depth(r),
-        /// Returns the remaining pressure (E*/pi) (2 s / R + (d - c^2/R) / s), s = sqrt(c^2 - r^2), at the distance r
-        /// from the centre; zero outside the stick disc. The pressure grows without bound towards the edge of the disc.
+        /// Returns the remaining pressure (E*/pi) (2 s / R + (d - c^2/R) / s), with s = sqrt(c^2 - r^2), at the distance
+        /// r from the centre, or zero outside the stick disc. The pressure grows without bound towards the edge of the
+        /// disc.
         pressure(r),
     }
 }

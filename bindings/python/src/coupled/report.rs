@@ -50,19 +50,19 @@ impl CoupledReport {
 
 #[pymethods]
 impl CoupledReport {
-    /// Reason for the end of the iteration, products with the full operator, residual and time.
+    /// Report of the whole solve: reason for its end, products with the full operator, residual and time.
     #[getter]
     fn work(&self) -> Report {
         Report::of(&self.0.work)
     }
 
-    /// Steps and products with the normal part alone.
+    /// Report of the steps and products with the normal part alone.
     #[getter]
     fn normal(&self) -> Report {
         Report::of(&self.0.normal)
     }
 
-    /// Steps and products with the tangential part alone.
+    /// Report of the steps and products with the tangential part alone.
     #[getter]
     fn tangential(&self) -> Report {
         Report::of(&self.0.tangential)
@@ -81,7 +81,7 @@ impl CoupledReport {
     }
 
     /// Bounds on the errors of pressure and traction of the coupled problem; ``None`` unless friction is weak enough for
-    /// them.
+    /// such bounds.
     #[getter]
     fn error_bounds(&self) -> Option<(f64, f64)> {
         self.0.error_bounds.map(pair)

@@ -181,7 +181,7 @@ impl History {
     /// Parameters
     /// ----------
     /// next_step : bool, default False
-    ///     If true, ``tangential.loading`` and ``by_approach`` are derivatives of a next step, which starts from the
+    ///     If true, ``tangential.loading`` and ``by_approach`` are derivatives of the next step, which starts from the
     ///     present state. Otherwise they are derivatives of the last step. In the next step, all stick cells resist
     ///     fully, including cells that came into contact in the last step, and cells at their limit continue to slip. A
     ///     simulation that continues to shear the contact under the same normal load needs these derivatives.

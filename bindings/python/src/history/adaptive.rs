@@ -58,16 +58,16 @@ impl StepErrorEstimate {
 
 picklable!(StepErrorEstimate: stickslip::history::StepErrorEstimate);
 
-/// Applies a load in steps short enough for a given tolerance, and estimates the error of a step. Its buffers require the
-/// memory of four states.
+/// Applies a load in steps short enough for a given tolerance, and estimates the error of a step. The buffers of this
+/// object require the memory of four states.
 ///
 /// Parameters
 /// ----------
 /// history : History
 ///     A history on the grid of the histories to be stepped.
 /// tolerance : float
-///     Tolerance of :attr:`StepErrorEstimate.traction` for a whole load, in (0, 1); at least about a hundred times the tolerance
-///     of the history's settings.
+///     Tolerance of :attr:`StepErrorEstimate.traction` for a whole load, in (0, 1). It must be at least about a hundred
+///     times the tolerance of the history's settings.
 ///
 /// Raises
 /// ------
@@ -110,7 +110,8 @@ impl AdaptiveSteps {
     /// history : History
     ///     The history to which the load is applied.
     /// load : LoadStep
-    ///     The load at the end; all prescribed quantities change proportionally from their previous values.
+    ///     The load at the end of the last step. All prescribed quantities change proportionally from their previous
+    ///     values.
     /// cycle : Cycle, optional
     ///     A cycle to which each step is added.
     /// warn : bool, default True

@@ -42,7 +42,7 @@ impl EnergyBalance {
         self.0.dissipated_energy_midpoint
     }
 
-    /// Energy of the tractions that cells lose when they leave the contact.
+    /// Energy released by the tractions of cells that leave the contact.
     #[getter]
     fn released(&self) -> f64 {
         self.0.released

@@ -267,9 +267,9 @@ impl Cycle {
         Ok(self.lock()?.energy_ratio())
     }
 
-    /// Measure of how far the cycle is from closing, the larger of two ratios. One is the ratio of the largest change
-    /// of a traction between start and end to the largest traction, the other the ratio of the change of the shift to
-    /// half its range.
+    /// Measure of how far the cycle is from closing: the larger of two ratios. The first is the ratio of the largest
+    /// change of a traction between start and end to the largest traction. The second is the ratio of the change of the
+    /// shift to half the range of the shift.
     #[getter]
     fn cyclic_residual(&self) -> PyResult<f64> {
         Ok(self.lock()?.cyclic_residual())

@@ -11,8 +11,8 @@ use crate::pickle::picklable;
 use crate::real::Real;
 use crate::sequence::{entry, pair};
 
-/// A cycle of a tangential load in the plane, given by the values (x, y) at the ends of its steps. The caller uses them
-/// as forces or as shifts. A path is a sequence of pairs.
+/// A cycle of a tangential load in the plane, given by the values (x, y) at the ends of its steps. The caller uses these
+/// values as forces or as shifts. A path is a sequence of pairs.
 ///
 /// Parameters
 /// ----------
@@ -42,21 +42,22 @@ impl LoadPath {
         Path::table(steps.0).or_raise(py).map(Self)
     }
 
-    /// Returns a sinusoidal path along a line, the amplitude (x, y) times sin(2 pi t), in a multiple of four steps: from
-    /// zero to the amplitude, to its negative, and back to zero. A path along x has the amplitude (a, 0).
+    /// Returns a sinusoidal path along a line: the amplitude (x, y) times sin(2 pi t). The path goes from zero to the
+    /// amplitude, to its negative, and back to zero. The number of steps must be a multiple of four. A path along x has
+    /// the amplitude (a, 0).
     #[staticmethod]
     fn sine(py: Python<'_>, amplitude: conversion::Amplitude, steps: usize) -> PyResult<Self> {
         Path::sine(amplitude.0, steps).or_raise(py).map(Self)
     }
 
-    /// Returns a path back and forth along a line at a constant rate, in a multiple of four steps.
+    /// Returns a path back and forth along a line at a constant rate. The number of steps must be a multiple of four.
     #[staticmethod]
     fn triangle(py: Python<'_>, amplitude: conversion::Amplitude, steps: usize) -> PyResult<Self> {
         Path::triangle(amplitude.0, steps).or_raise(py).map(Self)
     }
 
-    /// Returns a path around an ellipse with the amplitudes (A_x, A_y), A_x sin(2 pi t) along x and A_y sin(2 pi t +
-    /// phase) along y (the phase in radians), in a multiple of four steps.
+    /// Returns a path around an ellipse with the amplitudes (A_x, A_y): A_x sin(2 pi t) along x and A_y sin(2 pi t +
+    /// phase) along y, with the phase in radians. The number of steps must be a multiple of four.
     #[staticmethod]
     fn ellipse(
         py: Python<'_>,

@@ -21,8 +21,8 @@ use crate::settings::Settings;
 /// Class and bytes of a state.
 type Saved<'py> = (Bound<'py, PyType>, Bound<'py, PyBytes>);
 
-/// A state of a history, which can be restored, continued or saved. Arrays are read-only views of its memory, except for
-/// the zones, which are copies. Vectors are (x, y).
+/// A state of a history, which can be restored, continued or saved. Arrays are read-only views of the memory of this
+/// object, except for the zones, which are copies. Vectors are (x, y).
 #[pyclass(frozen, module = "stickslip.history")]
 pub(crate) struct State(pub(crate) Arc<stickslip::history::State>);
 

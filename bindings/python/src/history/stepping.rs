@@ -100,7 +100,7 @@ impl History {
     /// dissimilar bodies must be pressed in this way, because the stick and slip zones depend on the growth of the
     /// contact.
     ///
-    /// The load is applied in 1, 2, 4, 8, ... steps from the present state, until the tractions differ from the result
+    /// The load is applied in 1, 2, 4, 8, ... steps from the present state, until the tractions differ from the tractions
     /// for half the number of steps by no more than the tolerance. A call that fails, or that is interrupted by Ctrl-C,
     /// leaves the state unchanged; the last step is then the last step that succeeded.
     ///
@@ -111,7 +111,8 @@ impl History {
     ///     previous values.
     /// tolerance : float
     ///     Largest sum of the magnitudes of the traction differences, relative to the sum of the friction limits, in (0,
-    ///     1). A value of 0.01 is a good choice. It must be at least about a hundred times the tolerance of the settings.
+    ///     1). A value of 0.01 is a good choice. The value must be at least about a hundred times the tolerance of the
+    ///     settings.
     /// normal_force, approach : optional
     ///     See :class:`LoadStep`.
     /// progress : callable or bool, optional

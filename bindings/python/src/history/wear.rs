@@ -55,7 +55,8 @@ fn of_any_cells(
 ///     Volume removed per normal force and sliding distance, of one body or of both together (one over a pressure), not
 ///     negative.
 /// pressure, slip_distance : Field or array_like of shape (ny, nx)
-///     Pressure, and the length of the slip path of each cell under it (lengths), not negative, in a step or a cycle.
+///     Pressure, and the length of the slip path of each cell under this pressure (lengths), not negative, in a step or a
+///     cycle.
 /// depth : Field or array_like of shape (ny, nx), optional
 ///     Depth removed earlier (lengths), to which the result is added; zero by default.
 /// grid : Grid, optional
@@ -140,8 +141,8 @@ pub(crate) fn energy<'py>(
 /// threshold : float
 ///     The energy per area up to which there is no wear, not negative.
 /// accumulated, energy : Field or array_like of shape (ny, nx)
-///     Energy dissipated in each cell since the start including this step or cycle, and in this step or cycle alone
-///     (forces times lengths), not negative.
+///     Energies dissipated in each cell (forces times lengths, not negative): ``accumulated`` since the start, including
+///     this step or cycle, and ``energy`` in this step or cycle alone.
 /// depth : optional
 ///     See :func:`archard`.
 /// grid : Grid, optional
@@ -230,7 +231,7 @@ pub(crate) fn max_stable_cycles(
     })
 }
 
-/// Number of cycles to jump over: the largest number for which the wear of a cycle can be multiplied without oscillations
+/// Number of cycles to jump over: the largest factor by which the wear of a cycle can be multiplied without oscillations
 /// of the pressure.
 ///
 /// Parameters
@@ -283,7 +284,7 @@ impl CycleJump {
         Ok(Self(jump))
     }
 
-    /// Returns the number of cycles to jump over, not rounded; infinite without a limit.
+    /// Returns the number of cycles to jump over, not rounded, or infinity without a limit.
     ///
     /// Raises
     /// ------

@@ -45,7 +45,7 @@ impl Hardness {
         hardness.map(Self)
     }
 
-    /// Returns the largest pressure of a cell (row-major index); NaN if the index is out of range.
+    /// Returns the largest pressure of a cell (row-major index), or NaN if the index is out of range.
     fn of_cell(&self, index: usize) -> f64 {
         self.0.of_cell(index)
     }

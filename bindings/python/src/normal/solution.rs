@@ -26,8 +26,8 @@ enum Source {
     OfState(Arc<stickslip::history::State>),
 }
 
-/// Pressure, gap and approach of a normal contact. Arrays are read-only views of its memory. Two objects are equal if
-/// their solutions are equal, even if the iterations differed.
+/// Pressure, gap and approach of a normal contact. Arrays are read-only views of the memory of this object. Two objects
+/// are equal if their solutions are equal, even if the iterations differed.
 #[pyclass(frozen, module = "stickslip")]
 pub(crate) struct NormalSolution(Source);
 
@@ -132,7 +132,8 @@ impl NormalSolution {
     }
 
     /// Contact area minus the excess of cell counting along the perimeter. This area should be compared with theory and
-    /// with other grids; its error is smaller by a factor of about four (Yastrebov, Anciaux & Molinari 2017).
+    /// with other grids; its error is smaller than the error of ``contact_area`` by a factor of about four (Yastrebov,
+    /// Anciaux & Molinari 2017).
     #[getter]
     fn contact_area_corrected(&self) -> f64 {
         self.get().contact_area_corrected()

@@ -68,8 +68,8 @@ impl SolverArguments {
         Ok(())
     }
 
-    /// Sets load and gap. Each is checked together with the other new argument and not with the previous data; zero
-    /// force is valid with any gap.
+    /// Sets load and gap. Each new argument is checked together with the other new argument, and not with the previous
+    /// data. A zero force is valid with any gap.
     fn set_both(&self, solver: &mut stickslip::NormalSolver) -> stickslip::Result<()> {
         solver.set_load(NormalControl::Force(0.0))?;
         solver.set_gap(&self.gap)?;
@@ -168,7 +168,7 @@ impl NormalSolver {
     /// Raises
     /// ------
     /// GridMismatch, Shape, Sample, NegativeOrNotFinite, NotFinite, ApproachBeyondMeanGap, BeyondHardness
-    ///     If load or gap are invalid; both are then unchanged.
+    ///     If the load or the gap is invalid; both are then unchanged.
     /// NotConverged
     ///     The exception has the attributes ``report`` and ``last_iterate``.
     #[pyo3(signature = (*, force=None, approach=None, gap=None, progress=None, warn=true))]

@@ -51,7 +51,7 @@ impl DenseOperator {
         Py::new(py, Self::of(matrix))
     }
 
-    /// Returns the entry of a row and a column; ``None`` outside the matrix.
+    /// Returns the entry of a row and a column, or ``None`` outside the matrix.
     fn get(&self, row: usize, column: usize) -> Option<f64> {
         self.0.get(row, column)
     }

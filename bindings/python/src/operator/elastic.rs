@@ -73,7 +73,7 @@ impl TensorOperator {
         self.operator.cells()
     }
 
-    /// Applies the operator to three arrays, tractions along x, y and z (pressures), which are read in place. Returns the
+    /// Applies the operator to three arrays that are read in place: tractions along x, y and z (pressures). Returns the
     /// displacements along x, y and z (lengths).
     fn apply<'py>(
         &self,

@@ -190,7 +190,7 @@ solver!(rolling::CoupledRollingSolver as CoupledRollingSolver:
 
 #[pymethods]
 impl CoupledRollingSolver {
-    /// Solves for the given creepages, forces, spin or moment; if none is given, for the last ones.
+    /// Solves for the given creepages, forces, spin or moment, or for the last ones if none is given.
     ///
     /// Parameters
     /// ----------
@@ -342,19 +342,19 @@ pub(crate) struct CoupledRollingReport(rolling::CoupledRollingReport);
 
 #[pymethods]
 impl CoupledRollingReport {
-    /// Status, steps and products of all passes, and the largest residual of the normal and the tangential part.
+    /// Report of all passes: status, steps, products, and the largest residual of the normal and the tangential part.
     #[getter]
     fn work(&self) -> Report {
         Report::of(&self.0.work)
     }
 
-    /// Steps and products for the pressure.
+    /// Report of the steps and products for the pressure.
     #[getter]
     fn normal(&self) -> Report {
         Report::of(&self.0.normal)
     }
 
-    /// Steps and products for the tractions.
+    /// Report of the steps and products for the tractions.
     #[getter]
     fn rolling(&self) -> Report {
         Report::of(&self.0.rolling)

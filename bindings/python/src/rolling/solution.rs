@@ -13,7 +13,7 @@ use crate::report::{Report, Warning, ending};
 use crate::sequence::pair;
 
 /// Traction, slip, zones, creepage and dissipation of steady rolling. Vectors are (x, y). Arrays are read-only views of
-/// its memory, except for the zones and the dissipation, which are copies.
+/// the memory of this object, except for the zones and the dissipation, which are copies.
 #[pyclass(frozen, module = "stickslip.rolling")]
 pub(crate) struct RollingSolution(Arc<rolling::RollingSolution>);
 

@@ -35,7 +35,7 @@ solver!(rolling::RollingSolver as RollingSolver: rolling::RollingSolution as Rol
 
 #[pymethods]
 impl RollingSolver {
-    /// Solves for the given creepages, forces, spin or moment; if none is given, for the last ones.
+    /// Solves for the given creepages, forces, spin or moment, or for the last ones if none is given.
     ///
     /// Parameters
     /// ----------
@@ -153,9 +153,9 @@ impl RollingSolver {
         self.0.unobserved(py, rolling::RollingSolver::stiffness)
     }
 
-    /// Computes the loads at all points, each time from the solution of the previous point: a creep curve, or a creep
-    /// surface row by row. The last point remains prescribed. All points are checked before the first solve; Ctrl-C takes
-    /// effect after the last solve.
+    /// Computes the loads at all points of a creep curve, or of a creep surface row by row. Each solve starts from the
+    /// solution of the previous point. The last point remains prescribed. All points are checked before the first solve;
+    /// Ctrl-C takes effect after the last solve.
     ///
     /// Parameters
     /// ----------

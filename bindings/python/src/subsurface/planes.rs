@@ -95,7 +95,7 @@ impl Plane {
         Warning::all(self.0.warnings())
     }
 
-    /// Returns the stress of a cell, given by column and row; ``None`` outside the grid.
+    /// Returns the stress of a cell, given by column and row, or ``None`` outside the grid.
     fn get(&self, ix: usize, iy: usize) -> Option<Stress> {
         self.0.get(ix, iy).map(Stress)
     }
@@ -207,8 +207,8 @@ impl Planes {
         Ok(Array::new(py, depths))
     }
 
-    /// Computes the plane at the depth with this index in a body. A negative index counts from the end. The tractions are
-    /// those of :func:`at_points`.
+    /// Computes the plane at the depth with this index in a body. A negative index counts from the end. For the
+    /// tractions, see :func:`at_points`.
     ///
     /// Parameters
     /// ----------

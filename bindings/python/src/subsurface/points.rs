@@ -154,7 +154,7 @@ picklable!(PointResults: Vec<subsurface::PointResult>);
 /// Returns
 /// -------
 /// PointResults
-///     The results of the points, as a sequence and as arrays.
+///     The results at the points, as a sequence and as arrays.
 #[pyfunction]
 #[pyo3(signature = (bodies, body, tractions, points, *, uniform_stress=None))]
 pub(crate) fn at_points(

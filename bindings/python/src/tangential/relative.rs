@@ -20,7 +20,7 @@ use crate::pickle::picklable;
 /// along_x, along_y : Field or array_like of shape (ny, nx)
 ///     Displacements of body 1 relative to body 2 along x and y (lengths, of either sign).
 /// grid : Grid, optional
-///     Grid of the arrays; required for arrays, since Fields have their own grid.
+///     Grid of the arrays; required for arrays, because only Fields have their own grid.
 ///
 /// Raises
 /// ------

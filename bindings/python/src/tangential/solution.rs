@@ -26,8 +26,8 @@ enum Source {
     OfCoupled(Arc<stickslip::CoupledSolution>),
 }
 
-/// Traction, slip, zones and shift of a tangential contact. Vectors are (x, y); in the scalar model, the component
-/// across the load is zero. Arrays are read-only views of its memory, except for the zones, which are copies. Two
+/// Traction, slip, zones and shift of a tangential contact. Vectors are (x, y); in the scalar model, the component across
+/// the load is zero. Arrays are read-only views of the memory of this object, except for the zones, which are copies. Two
 /// objects are equal if their solutions are equal, even if the iterations differed.
 #[pyclass(frozen, module = "stickslip")]
 pub(crate) struct TangentialSolution(Source);
