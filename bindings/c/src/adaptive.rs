@@ -39,7 +39,7 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_new(
     tolerance: f64,
     steps: *mut *mut stickslip_adaptive_steps,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
         let place = Place::new("steps", steps)?;
         let history = reading(history)?;
@@ -53,7 +53,7 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_new(
 pub unsafe extern "C" fn stickslip_adaptive_steps_free(
     steps: *mut stickslip_adaptive_steps,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe { free(steps) })
 }
 
@@ -67,7 +67,7 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_step(
     load: *const stickslip_load_step,
     taken: *mut usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(steps, || unsafe {
         let place = Place::if_asked("taken", taken)?;
         let load = input("load", load)?.checked()?;
@@ -89,7 +89,7 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_error(
     load: *const stickslip_load_step,
     error: *mut stickslip_step_error,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(steps, || unsafe {
         answer("error", error, || {
             let load = input("load", load)?.checked()?;

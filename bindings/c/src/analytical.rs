@@ -46,7 +46,7 @@ pub unsafe extern "C" fn stickslip_hertz_sphere(
     force: f64,
     hertz: *mut stickslip_hertz,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         tell(half_space, ("hertz", hertz), |of| {
             Ok((&HertzSphere::new(of.pair(), radius, force)?).into())
@@ -84,7 +84,7 @@ pub unsafe extern "C" fn stickslip_cattaneo_mindlin_sphere(
     tangential_force: f64,
     found: *mut stickslip_cattaneo_mindlin,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         tell(half_space, ("found", found), |of| {
             let hertz = HertzSphere::new(of.pair(), radius, force)?;
@@ -129,7 +129,7 @@ pub unsafe extern "C" fn stickslip_carter_cylinder(
     creepage: f64,
     found: *mut stickslip_carter,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         tell(half_space, ("found", found), |of| {
             let hertz = HertzLine::new(of.pair(), radius, force)?;
@@ -176,7 +176,7 @@ pub unsafe extern "C" fn stickslip_bentall_johnson_cylinder(
     friction: f64,
     found: *mut stickslip_bentall_johnson,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         tell(half_space, ("found", found), |of| {
             let hertz = HertzLine::new(of.pair(), radius, force)?;
@@ -234,7 +234,7 @@ pub unsafe extern "C" fn stickslip_kalker_coefficients(
     poisson_ratio: f64,
     found: *mut stickslip_kalker,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe {
         let place = Place::new("found", found)?;
         place.put((&KalkerCoefficients::new(ratio, poisson_ratio)?).into());
@@ -279,7 +279,7 @@ pub unsafe extern "C" fn stickslip_vermeulen_johnson_ellipse(
     creepage_y: f64,
     found: *mut stickslip_vermeulen_johnson,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         tell(half_space, ("found", found), |of| {
             let hertz = HertzEllipse::new(of.pair(), radius_x, radius_y, force)?;

@@ -26,7 +26,7 @@ pub unsafe extern "C" fn stickslip_history_step_all(
     codes: *mut stickslip_status,
 ) -> stickslip_status {
     call(|| {
-        // SAFETY: the rule for pointers.
+        // SAFETY: the caller follows the rule for pointers.
         let (histories, loads, mut codes) = unsafe {
             let codes = if codes.is_null() {
                 None
@@ -40,7 +40,7 @@ pub unsafe extern "C" fn stickslip_history_step_all(
             )
         };
         let contacts = histories.iter().zip(loads).map(|(history, load)| {
-            // SAFETY: the rule for pointers.
+            // SAFETY: the caller follows the rule for pointers.
             let history = unsafe { changing(history.cast_const()) };
             history.and_then(|history| Ok((history, load.checked()?)))
         });

@@ -85,9 +85,9 @@ pub unsafe extern "C" fn stickslip_coupled_solver_new(
     solver: *mut *mut stickslip_coupled_solver,
 ) -> stickslip_status {
     call_on(half_space, || {
-        // SAFETY: the rule for pointers.
+        // SAFETY: the caller follows the rule for pointers.
         let place = unsafe { Place::new("solver", solver)? };
-        // SAFETY: the rule for pointers.
+        // SAFETY: the caller follows the rule for pointers.
         let (bodies, gap, friction) = unsafe {
             let bodies = reading(half_space)?;
             let grid = bodies.grid();
@@ -95,10 +95,10 @@ pub unsafe extern "C" fn stickslip_coupled_solver_new(
             (bodies, field("gap", grid, gap, count)?, friction)
         };
         let grid = bodies.grid();
-        // SAFETY: the rule for pointers.
+        // SAFETY: the caller follows the rule for pointers.
         let (normal, tangential) = unsafe { loads(normal, tangential)? };
         let mut problem = CoupledProblem::builder(&bodies, gap, friction, normal, tangential);
-        // SAFETY: the rule for pointers.
+        // SAFETY: the caller follows the rule for pointers.
         unsafe {
             if let Some(limit) = optional("hardness", hardness)? {
                 problem = problem.hardness(limit.hardness(grid)?);
@@ -121,7 +121,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_new(
 pub unsafe extern "C" fn stickslip_coupled_solver_free(
     solver: *mut stickslip_coupled_solver,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe { free(solver) })
 }
 
@@ -133,7 +133,7 @@ unsafe fn loads(
     normal: *const stickslip_normal_load,
     tangential: *const stickslip_tangential_load,
 ) -> Outcome<(NormalControl, TangentialLoad)> {
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     let (normal, tangential) =
         unsafe { (input("normal", normal)?, input("tangential", tangential)?) };
     Ok((normal.checked()?, tangential.checked()?))
@@ -146,7 +146,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_load(
     normal: *const stickslip_normal_load,
     tangential: *const stickslip_tangential_load,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(solver, || unsafe {
         let (normal, tangential) = loads(normal, tangential)?;
         Ok(changing(solver)?.own.set_load(normal, tangential)?)
@@ -160,7 +160,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_gap(
     gap: *const f64,
     count: usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::change_cells(solver, ("gap", gap, count), CoupledSolver::set_gap) }
 }
 
@@ -170,7 +170,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_friction(
     solver: *mut stickslip_coupled_solver,
     friction: *const stickslip_friction,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::set_friction(solver, friction, CoupledSolver::set_friction) }
 }
 
@@ -180,7 +180,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_settings(
     solver: *mut stickslip_coupled_solver,
     settings: *const stickslip_settings,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::set_settings(solver, settings) }
 }
 
@@ -189,7 +189,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_settings(
 pub unsafe extern "C" fn stickslip_coupled_solver_reset(
     solver: *mut stickslip_coupled_solver,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::reset(solver, CoupledSolver::reset) }
 }
 
@@ -202,7 +202,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_solve(
     solution: *mut stickslip_coupled_solution,
     observer: *const stickslip_observer,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::solve(solver, solution, observer) }
 }
 
@@ -212,7 +212,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_new(
     solver: *const stickslip_coupled_solver,
     solution: *mut *mut stickslip_coupled_solution,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::new_solution(solver, solution) }
 }
 
@@ -221,7 +221,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_new(
 pub unsafe extern "C" fn stickslip_coupled_solution_free(
     solution: *mut stickslip_coupled_solution,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe { free(solution) })
 }
 
@@ -233,7 +233,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_field(
     which: i32,
     count: *mut usize,
 ) -> *const f64 {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { show(solution, count, |of| Ok(own_field(of, which)?.as_slice())) }
 }
 
@@ -253,7 +253,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_zones(
     solution: *const stickslip_coupled_solution,
     count: *mut usize,
 ) -> *const u8 {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { show(solution, count, |of| Ok(of.tangential().zones())).cast() }
 }
 
@@ -264,7 +264,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_results(
     normal: *mut stickslip_normal_result,
     tangential: *mut stickslip_tangential_result,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(solution, || unsafe {
         let normal = Place::if_asked("normal", normal)?;
         let tangential = Place::if_asked("tangential", tangential)?;
@@ -285,7 +285,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_report(
     solution: *const stickslip_coupled_solution,
     report: *mut stickslip_coupled_report,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { tell(solution, ("report", report), |of| Ok(of.report().into())) }
 }
 
@@ -297,7 +297,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_warnings(
     capacity: usize,
     count: *mut usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         warn(
             solution,
@@ -316,7 +316,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_stiffness(
     stiffness: *mut stickslip_stiffness,
 ) -> stickslip_status {
     let nobody = std::ptr::null();
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         stickslip_coupled_solution_stiffness_observed(
             solution, half_space, friction, nobody, stiffness,
@@ -334,7 +334,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_stiffness_observed(
     observer: *const stickslip_observer,
     stiffness: *mut stickslip_stiffness,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         tell(solution, ("stiffness", stiffness), |of| {
             let bodies = reading(half_space)?;

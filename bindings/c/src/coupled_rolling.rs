@@ -86,7 +86,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_new(
     options: *const stickslip_rolling_options,
     solver: *mut *mut stickslip_coupled_rolling_solver,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(half_space, || unsafe {
         let place = Place::new("solver", solver)?;
         let bodies = reading(half_space)?;
@@ -118,7 +118,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_new(
 pub unsafe extern "C" fn stickslip_coupled_rolling_solver_free(
     solver: *mut stickslip_coupled_rolling_solver,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe { free(solver) })
 }
 
@@ -129,7 +129,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_normal_load(
     normal: *const stickslip_normal_load,
 ) -> stickslip_status {
     let set = CoupledRollingSolver::set_load;
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         solver::change(
             solver,
@@ -147,7 +147,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_load(
     load: *const stickslip_rolling_load,
 ) -> stickslip_status {
     let set = |own: &mut CoupledRollingSolver, (controls, spin)| own.set_control(controls, spin);
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::change(solver, ("load", load), stickslip_rolling_load::checked, set) }
 }
 
@@ -158,7 +158,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_gap(
     gap: *const f64,
     count: usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::change_cells(solver, ("gap", gap, count), CoupledRollingSolver::set_gap) }
 }
 
@@ -168,7 +168,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_friction(
     solver: *mut stickslip_coupled_rolling_solver,
     friction: *const stickslip_friction,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::set_friction(solver, friction, CoupledRollingSolver::set_friction) }
 }
 
@@ -178,7 +178,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_settings(
     solver: *mut stickslip_coupled_rolling_solver,
     settings: *const stickslip_settings,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::set_settings(solver, settings) }
 }
 
@@ -187,7 +187,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_settings(
 pub unsafe extern "C" fn stickslip_coupled_rolling_solver_reset(
     solver: *mut stickslip_coupled_rolling_solver,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::reset(solver, CoupledRollingSolver::reset) }
 }
 
@@ -199,7 +199,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_solve(
     solution: *mut stickslip_coupled_rolling_solution,
     observer: *const stickslip_observer,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::solve(solver, solution, observer) }
 }
 
@@ -211,7 +211,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_stiffness(
     observer: *const stickslip_observer,
     stiffness: *mut stickslip_rolling_stiffness,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(solver, || unsafe {
         let place = Place::new("stiffness", stiffness)?;
         let observer = optional("observer", observer)?;
@@ -230,7 +230,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solution_new(
     solver: *const stickslip_coupled_rolling_solver,
     solution: *mut *mut stickslip_coupled_rolling_solution,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::new_solution(solver, solution) }
 }
 
@@ -239,7 +239,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solution_new(
 pub unsafe extern "C" fn stickslip_coupled_rolling_solution_free(
     solution: *mut stickslip_coupled_rolling_solution,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe { free(solution) })
 }
 
@@ -259,7 +259,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solution_field(
     which: i32,
     count: *mut usize,
 ) -> *const f64 {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { show(solution, count, |of| Ok(own_field(of, which)?.as_slice())) }
 }
 
@@ -269,7 +269,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solution_zones(
     solution: *const stickslip_coupled_rolling_solution,
     count: *mut usize,
 ) -> *const u8 {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { show(solution, count, |of| Ok(of.rolling().zones())).cast() }
 }
 
@@ -280,7 +280,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solution_results(
     normal: *mut stickslip_normal_result,
     rolling: *mut stickslip_rolling_result,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(solution, || unsafe {
         let normal = Place::if_asked("normal", normal)?;
         let rolling = Place::if_asked("rolling", rolling)?;
@@ -301,7 +301,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solution_report(
     solution: *const stickslip_coupled_rolling_solution,
     report: *mut stickslip_coupled_rolling_report,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { tell(solution, ("report", report), |of| Ok(of.report().into())) }
 }
 
@@ -313,7 +313,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solution_warnings(
     capacity: usize,
     count: *mut usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         warn(
             solution,

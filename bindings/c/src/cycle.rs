@@ -75,7 +75,7 @@ pub unsafe extern "C" fn stickslip_cycle_new(
     history: *const stickslip_history,
     cycle: *mut *mut stickslip_cycle,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
         let place = Place::new("cycle", cycle)?;
         let history = reading(history)?;
@@ -86,7 +86,7 @@ pub unsafe extern "C" fn stickslip_cycle_new(
 /// Frees a cycle; does nothing if it is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_cycle_free(cycle: *mut stickslip_cycle) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe { free(cycle) })
 }
 
@@ -96,7 +96,7 @@ pub unsafe extern "C" fn stickslip_cycle_begin(
     cycle: *mut stickslip_cycle,
     history: *const stickslip_history,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(cycle, || unsafe {
         let (mut cycle, history) = (changing(cycle)?, reading(history)?);
         Ok(cycle.begin(&history)?)
@@ -110,7 +110,7 @@ pub unsafe extern "C" fn stickslip_cycle_add(
     cycle: *mut stickslip_cycle,
     history: *const stickslip_history,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(cycle, || unsafe {
         let (mut cycle, history) = (changing(cycle)?, reading(history)?);
         Ok(cycle.add(&history)?)
@@ -123,7 +123,7 @@ pub unsafe extern "C" fn stickslip_cycle_result_of(
     cycle: *const stickslip_cycle,
     result: *mut stickslip_cycle_result,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { tell(cycle, ("result", result), |of| Ok(of.into())) }
 }
 
@@ -136,7 +136,7 @@ pub unsafe extern "C" fn stickslip_cycle_field(
     which: i32,
     count: *mut usize,
 ) -> *const f64 {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { show(cycle, count, |of| Ok(field(of, which)?.as_slice())) }
 }
 

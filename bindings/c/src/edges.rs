@@ -85,7 +85,7 @@ where
     for<'e> stickslip_edges: From<&'e E>,
 {
     let names = ["centres", "means"];
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     let (place, [centres, means]) = unsafe {
         let place = Place::new("edges", edges)?;
         let asked = |k: usize| -> Outcome<Option<&mut [f64]>> {
@@ -119,7 +119,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_edges(
     means: *mut f64,
     cells: usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(solution, || unsafe {
         let solution = reading(solution)?;
         let wanted = (edges, [centres, means], cells);
@@ -142,7 +142,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_edges(
     means: *mut f64,
     cells: usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(solution, || unsafe {
         let (solution, normal) = (reading(solution)?, reading(normal)?);
         let grid = solution.grid();
@@ -164,7 +164,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_edges(
     means: *mut f64,
     cells: usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(solution, || unsafe {
         let solution = reading(solution)?;
         let (normal, tangential) = (solution.normal(), solution.tangential());
@@ -185,7 +185,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_pressure_edges(
     means: *mut f64,
     cells: usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(solution, || unsafe {
         let solution = reading(solution)?;
         let normal = solution.normal();
@@ -209,7 +209,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_discretisation_estimate(
     solution: *const stickslip_normal_solution,
     estimate: *mut f64,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         tell(solution, ("estimate", estimate), |of| {
             Ok(of.discretisation_estimate().unwrap_or(f64::NAN))
@@ -224,7 +224,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_discretisation_estimate(
     solution: *const stickslip_tangential_solution,
     estimate: *mut f64,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         tell(solution, ("estimate", estimate), |of| {
             Ok(of.discretisation_estimate().unwrap_or(f64::NAN))
@@ -240,7 +240,7 @@ pub unsafe extern "C" fn stickslip_coupled_solution_discretisation_estimates(
     of_pressure: *mut f64,
     of_traction: *mut f64,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(solution, || unsafe {
         let places = [
             Place::new("of_pressure", of_pressure)?,

@@ -309,7 +309,7 @@ pub extern "C" fn stickslip_last_error_message() -> *const c_char {
 /// Writes the numbers that describe the last failure on this thread.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_last_error(error: *mut stickslip_error) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe {
         answer("error", error, || {
             let numbers = LAST.try_with(|last| last.borrow().numbers);
@@ -324,7 +324,7 @@ pub unsafe extern "C" fn stickslip_last_error(error: *mut stickslip_error) -> st
 pub unsafe extern "C" fn stickslip_last_error_report(
     report: *mut stickslip_report,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe {
         answer("report", report, || {
             let last = LAST.try_with(|last| last.borrow().report).ok().flatten();

@@ -50,7 +50,7 @@ pub unsafe extern "C" fn stickslip_half_space_new(
     half_space: *mut *mut stickslip_half_space,
 ) -> stickslip_status {
     let none = std::ptr::null();
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         stickslip_half_space_new_coated(
             grid, body_1, none, 0, body_2, none, 0, boundary, half_space,
@@ -78,7 +78,7 @@ pub unsafe extern "C" fn stickslip_half_space_new_coated(
         swap: None,
         user: std::ptr::null_mut(),
     };
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         stickslip_half_space_new_distributed(
             grid,
@@ -117,9 +117,9 @@ pub unsafe extern "C" fn stickslip_half_space_new_distributed(
     half_space: *mut *mut stickslip_half_space,
 ) -> stickslip_status {
     call(|| {
-        // SAFETY: the rule for pointers.
+        // SAFETY: the caller follows the rule for pointers.
         let place = unsafe { Place::new("half_space", half_space)? };
-        // SAFETY: the rule for pointers.
+        // SAFETY: the caller follows the rule for pointers.
         let (grid, bodies, boundary, ranks, layers) = unsafe {
             let bodies = [input("body_1", body_1)?, input("body_2", body_2)?];
             let layers = [
@@ -152,7 +152,7 @@ pub unsafe extern "C" fn stickslip_half_space_first_row(
     half_space: *const stickslip_half_space,
     row: *mut usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { tell(half_space, ("row", row), |of| Ok(of.grid().rows().start)) }
 }
 
@@ -164,7 +164,7 @@ pub unsafe extern "C" fn stickslip_half_space_set_cell_value(
     value: i32,
 ) -> stickslip_status {
     call(|| {
-        // SAFETY: the rule for pointers.
+        // SAFETY: the caller follows the rule for pointers.
         let mut bodies = unsafe { changing(half_space.cast_const())? };
         let chosen = cell_value(value)?;
         let changed = bodies.clone().with_cell_value(chosen)?;
@@ -179,7 +179,7 @@ pub unsafe extern "C" fn stickslip_half_space_cell_value(
     half_space: *const stickslip_half_space,
     value: *mut i32,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         tell(half_space, ("value", value), |of| {
             Ok(match of.cell_value() {
@@ -195,7 +195,7 @@ pub unsafe extern "C" fn stickslip_half_space_cell_value(
 pub unsafe extern "C" fn stickslip_half_space_free(
     half_space: *mut stickslip_half_space,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe { free(half_space) })
 }
 
@@ -205,7 +205,7 @@ pub unsafe extern "C" fn stickslip_half_space_grid(
     half_space: *const stickslip_half_space,
     grid: *mut stickslip_grid,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { tell(half_space, ("grid", grid), |of| Ok(of.grid().into())) }
 }
 
@@ -215,7 +215,7 @@ pub unsafe extern "C" fn stickslip_half_space_pair(
     half_space: *const stickslip_half_space,
     pair: *mut stickslip_pair,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         tell(half_space, ("pair", pair), |of| {
             let own = of.pair();

@@ -175,7 +175,7 @@ pub(crate) unsafe fn cells_of<T: Opaque>(pointer: *const T) -> usize {
 pub(crate) unsafe fn reading<'a, T: Opaque + 'a>(
     pointer: *const T,
 ) -> Outcome<Reading<'a, T::Value>> {
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     let object = unsafe { input(T::NAME, pointer)? };
     object.handle().read().ok_or_else(|| Failure::busy(T::NAME))
 }
@@ -204,7 +204,7 @@ pub(crate) unsafe fn free<T: Opaque>(pointer: *mut T) -> Outcome {
     if pointer.is_null() {
         return Ok(());
     }
-    // SAFETY: the safety contract of this function. The count of users is not restored, because no object remains.
+    // SAFETY: the caller follows the safety contract of this function. The count of users is not restored, because no object remains.
     std::mem::forget(unsafe { changing(pointer.cast_const())? });
     // SAFETY: the box comes from `give`, and the caller no longer uses it.
     drop(unsafe { Box::from_raw(pointer) });

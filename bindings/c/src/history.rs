@@ -92,16 +92,16 @@ pub unsafe extern "C" fn stickslip_history_new(
     history: *mut *mut stickslip_history,
 ) -> stickslip_status {
     call_on(half_space, || {
-        // SAFETY: the rule for pointers.
+        // SAFETY: the caller follows the rule for pointers.
         let place = unsafe { Place::new("history", history)? };
-        // SAFETY: the rule for pointers.
+        // SAFETY: the caller follows the rule for pointers.
         let (bodies, friction, options) = unsafe {
             let bodies = reading(half_space)?;
             let friction = input("friction", friction)?.checked(bodies.grid())?;
             (bodies, friction, optional("options", options)?)
         };
         let grid = bodies.grid();
-        // SAFETY: the rule for pointers.
+        // SAFETY: the caller follows the rule for pointers.
         let gap = unsafe { field("gap", grid, gap, count)? };
         let mut builder = History::builder(&bodies, gap, friction);
         if let Some(options) = options {
@@ -113,7 +113,7 @@ pub unsafe extern "C" fn stickslip_history_new(
                 .entry_rule(entry_rule(options.entry_rule)?)
                 .permanent_set(options.permanent_set != 0)
                 .settings(options.settings.checked()?);
-            // SAFETY: the rule for pointers.
+            // SAFETY: the caller follows the rule for pointers.
             unsafe {
                 if let Some(limit) = optional("hardness of the options", options.hardness)? {
                     builder = builder.hardness(limit.hardness(grid)?);
@@ -151,7 +151,7 @@ pub unsafe extern "C" fn stickslip_history_clone(
     history: *const stickslip_history,
     copy: *mut *mut stickslip_history,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
         let place = Place::new("copy", copy)?;
         let history = reading(history)?;
@@ -164,7 +164,7 @@ pub unsafe extern "C" fn stickslip_history_clone(
 pub unsafe extern "C" fn stickslip_history_free(
     history: *mut stickslip_history,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe { free(history) })
 }
 
@@ -177,7 +177,7 @@ pub unsafe extern "C" fn stickslip_history_step(
     observer: *const stickslip_observer,
 ) -> stickslip_status {
     call_on(history, || {
-        // SAFETY: the rule for pointers.
+        // SAFETY: the caller follows the rule for pointers.
         let (mut history, load, observer) = unsafe {
             let (load, observer) = (input("load", load)?, optional("observer", observer)?);
             (changing(history)?, load.checked()?, watch(observer))
@@ -201,7 +201,7 @@ pub unsafe extern "C" fn stickslip_history_press(
     observer: *const stickslip_observer,
     taken: *mut usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
         let place = Place::if_asked("taken", taken)?;
         let (load, observer) = (input("load", load)?, optional("observer", observer)?);
@@ -222,7 +222,7 @@ pub unsafe extern "C" fn stickslip_history_set_gap(
     gap: *const f64,
     count: usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
         let mut history: Changing<'_, History> = changing(history)?;
         let samples = cells("gap", history.grid(), gap, count)?;
@@ -238,7 +238,7 @@ pub unsafe extern "C" fn stickslip_history_set_friction(
     history: *mut stickslip_history,
     friction: *const stickslip_friction,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
         let mut history = changing(history)?;
         let (grid, spare) = (history.grid(), history.spare());
@@ -253,7 +253,7 @@ pub unsafe extern "C" fn stickslip_history_set_settings(
     history: *mut stickslip_history,
     settings: *const stickslip_settings,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
         let settings = input("settings", settings)?.checked()?;
         Ok(changing(history)?.set_settings(settings)?)
@@ -266,7 +266,7 @@ pub unsafe extern "C" fn stickslip_history_set_relative_displacement(
     history: *mut stickslip_history,
     pattern: *const stickslip_relative_displacement,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
         let mut history = changing(history)?;
         let pattern = input("pattern", pattern)?.checked(history.grid())?;
@@ -281,7 +281,7 @@ pub unsafe extern "C" fn stickslip_history_stiffness(
     history: *const stickslip_history,
     stiffness: *mut stickslip_stiffness,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { stickslip_history_stiffness_observed(history, std::ptr::null(), stiffness) }
 }
 
@@ -293,7 +293,7 @@ pub unsafe extern "C" fn stickslip_history_stiffness_observed(
     observer: *const stickslip_observer,
     stiffness: *mut stickslip_stiffness,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         tell(history, ("stiffness", stiffness), |of| {
             let observer = optional("observer", observer)?;
@@ -311,7 +311,7 @@ pub unsafe extern "C" fn stickslip_history_next_stiffness(
     observer: *const stickslip_observer,
     stiffness: *mut stickslip_stiffness,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         tell(history, ("stiffness", stiffness), |of| {
             let observer = optional("observer", observer)?;

@@ -111,7 +111,7 @@ pub unsafe extern "C" fn stickslip_history_result(
     history: *const stickslip_history,
     result: *mut stickslip_step_result,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { tell(history, ("result", result), |of| Ok(of.into())) }
 }
 
@@ -121,7 +121,7 @@ pub unsafe extern "C" fn stickslip_history_normal_result(
     history: *const stickslip_history,
     result: *mut stickslip_normal_result,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { tell(history, ("result", result), |of| Ok(of.normal().into())) }
 }
 
@@ -131,7 +131,7 @@ pub unsafe extern "C" fn stickslip_history_grid(
     history: *const stickslip_history,
     grid: *mut stickslip_grid,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { tell(history, ("grid", grid), |of| Ok(of.grid().into())) }
 }
 
@@ -141,7 +141,7 @@ pub unsafe extern "C" fn stickslip_history_friction_capacity(
     history: *const stickslip_history,
     capacity: *mut f64,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         tell(history, ("capacity", capacity), |of| {
             Ok(of.friction_capacity())
@@ -157,7 +157,7 @@ pub unsafe extern "C" fn stickslip_history_reports(
     normal: *mut stickslip_report,
     tangential: *mut stickslip_report,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
         let normal = Place::new("normal", normal)?;
         let tangential = Place::new("tangential", tangential)?;
@@ -178,7 +178,7 @@ pub unsafe extern "C" fn stickslip_history_warnings(
     capacity: usize,
     count: *mut usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         warn(history, (buffer, capacity, count), |of| {
             Ok(of.last_step().warnings())
@@ -194,7 +194,7 @@ pub unsafe extern "C" fn stickslip_history_field(
     which: i32,
     count: *mut usize,
 ) -> *const f64 {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { show(history, count, |of| Ok(field(of, which)?.as_slice())) }
 }
 
@@ -225,6 +225,6 @@ pub unsafe extern "C" fn stickslip_history_zones(
     history: *const stickslip_history,
     count: *mut usize,
 ) -> *const u8 {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { show(history, count, |of| Ok(of.zones())).cast() }
 }

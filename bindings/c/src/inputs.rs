@@ -158,7 +158,7 @@ impl stickslip_per_cell {
         if self.cells.is_null() {
             return Ok(None);
         }
-        // SAFETY: the safety contract of this function.
+        // SAFETY: the caller follows the safety contract of this function.
         unsafe { cells(name, grid, self.cells, self.count) }.map(Some)
     }
 
@@ -167,7 +167,7 @@ impl stickslip_per_cell {
     /// # Safety
     /// The caller must follow the rule for pointers in [`crate::pointer`].
     unsafe fn field(&self, name: &str, grid: Grid, spare: &Spare) -> Outcome<Option<Field>> {
-        // SAFETY: the safety contract of this function.
+        // SAFETY: the caller follows the safety contract of this function.
         let samples = unsafe { self.cells(name, grid)? };
         samples.map(|samples| spare.copy(grid, samples)).transpose()
     }
@@ -177,7 +177,7 @@ impl stickslip_per_cell {
     /// # Safety
     /// The caller must follow the rule for pointers in [`crate::pointer`].
     pub(crate) unsafe fn hardness(&self, grid: Grid) -> Outcome<Hardness> {
-        // SAFETY: the safety contract of this function.
+        // SAFETY: the caller follows the safety contract of this function.
         Ok(
             match unsafe { self.field("hardness", grid, &Spare::default())? } {
                 None => Hardness::uniform(self.value)?,
@@ -205,7 +205,7 @@ impl stickslip_friction {
     /// # Safety
     /// The caller must follow the rule for pointers in [`crate::pointer`].
     pub(crate) unsafe fn checked(&self, grid: Grid) -> Outcome<Friction> {
-        // SAFETY: the safety contract of this function.
+        // SAFETY: the caller follows the safety contract of this function.
         unsafe { self.checked_in(grid, &Spare::default()) }
     }
 
@@ -219,7 +219,7 @@ impl stickslip_friction {
         spare: &Spare,
         work: impl FnOnce(&Friction) -> stickslip_rs::Result<T>,
     ) -> Outcome<T> {
-        // SAFETY: the safety contract of this function.
+        // SAFETY: the caller follows the safety contract of this function.
         let friction = unsafe { self.checked_in(grid, spare)? };
         let outcome = work(&friction);
         if let Some(coefficients) = friction.into_coefficients() {
@@ -235,7 +235,7 @@ impl stickslip_friction {
     unsafe fn checked_in(&self, grid: Grid, spare: &Spare) -> Outcome<Friction> {
         known("the friction", &self.reserved)?;
         let name = "coefficient of friction";
-        // SAFETY: the safety contract of this function.
+        // SAFETY: the caller follows the safety contract of this function.
         let friction = match unsafe { self.coefficient.field(name, grid, spare)? } {
             None => Friction::coulomb(self.coefficient.value)?,
             Some(coefficients) => Friction::per_cell(coefficients)?,
@@ -266,7 +266,7 @@ impl stickslip_relative_displacement {
     /// # Safety
     /// The caller must follow the rule for pointers in [`crate::pointer`].
     pub(crate) unsafe fn checked(&self, grid: Grid) -> Outcome<RelativeDisplacement> {
-        // SAFETY: the safety contract of this function.
+        // SAFETY: the caller follows the safety contract of this function.
         let fields = unsafe {
             [
                 field("relative displacement along x", grid, self.x, self.count)?,

@@ -71,7 +71,7 @@ pub unsafe extern "C" fn stickslip_cycle_jump(
     limits: *const stickslip_jump_limits,
     cycles: *mut f64,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(half_space, || unsafe {
         answer("cycles", cycles, || {
             let (bodies, cycle) = (reading(half_space)?, reading(cycle)?);
@@ -101,7 +101,7 @@ pub unsafe extern "C" fn stickslip_max_stable_cycles(
     count: usize,
     cycles: *mut f64,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(half_space, || unsafe {
         answer("cycles", cycles, || {
             let bodies = reading(half_space)?;

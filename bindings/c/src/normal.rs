@@ -42,9 +42,9 @@ pub unsafe extern "C" fn stickslip_normal_solver_new(
     solver: *mut *mut stickslip_normal_solver,
 ) -> stickslip_status {
     call_on(half_space, || {
-        // SAFETY: the rule for pointers.
+        // SAFETY: the caller follows the rule for pointers.
         let place = unsafe { Place::new("solver", solver)? };
-        // SAFETY: the rule for pointers.
+        // SAFETY: the caller follows the rule for pointers.
         let (bodies, load, hardness, settings) = unsafe {
             let hardness = optional("hardness", hardness)?;
             let settings = optional("settings", settings)?;
@@ -56,14 +56,14 @@ pub unsafe extern "C" fn stickslip_normal_solver_new(
             )
         };
         let grid = bodies.grid();
-        // SAFETY: the rule for pointers.
+        // SAFETY: the caller follows the rule for pointers.
         let gap = unsafe { field("gap", grid, gap, count)? };
         let mut problem = NormalProblem::builder(&bodies, gap, load.checked()?);
         if let Some(settings) = settings {
             problem = problem.settings(settings.checked()?);
         }
         if let Some(limit) = hardness {
-            // SAFETY: the rule for pointers.
+            // SAFETY: the caller follows the rule for pointers.
             problem = problem.hardness(unsafe { limit.hardness(grid)? });
         }
         let problem = problem.build()?;
@@ -77,7 +77,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_new(
 pub unsafe extern "C" fn stickslip_normal_solver_free(
     solver: *mut stickslip_normal_solver,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe { free(solver) })
 }
 
@@ -87,7 +87,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_set_load(
     solver: *mut stickslip_normal_solver,
     load: *const stickslip_normal_load,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         let check = stickslip_normal_load::checked;
         solver::change(solver, ("load", load), check, NormalSolver::set_load)
@@ -101,7 +101,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_set_gap(
     gap: *const f64,
     count: usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::change_cells(solver, ("gap", gap, count), NormalSolver::set_gap) }
 }
 
@@ -111,7 +111,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_set_settings(
     solver: *mut stickslip_normal_solver,
     settings: *const stickslip_settings,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::set_settings(solver, settings) }
 }
 
@@ -120,7 +120,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_set_settings(
 pub unsafe extern "C" fn stickslip_normal_solver_reset(
     solver: *mut stickslip_normal_solver,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::reset(solver, NormalSolver::reset) }
 }
 
@@ -134,7 +134,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_solve(
     solution: *mut stickslip_normal_solution,
     observer: *const stickslip_observer,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::solve(solver, solution, observer) }
 }
 
@@ -144,7 +144,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_new(
     solver: *const stickslip_normal_solver,
     solution: *mut *mut stickslip_normal_solution,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::new_solution(solver, solution) }
 }
 
@@ -153,7 +153,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_new(
 pub unsafe extern "C" fn stickslip_normal_solution_free(
     solution: *mut stickslip_normal_solution,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe { free(solution) })
 }
 
@@ -165,7 +165,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_field(
     which: i32,
     count: *mut usize,
 ) -> *const f64 {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { show(solution, count, |of| Ok(of_normal(of, which)?.as_slice())) }
 }
 
@@ -175,7 +175,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_result(
     solution: *const stickslip_normal_solution,
     result: *mut stickslip_normal_result,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { tell(solution, ("result", result), |of| Ok(of.into())) }
 }
 
@@ -185,7 +185,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_report(
     solution: *const stickslip_normal_solution,
     report: *mut stickslip_report,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { tell(solution, ("report", report), |of| Ok(of.report().into())) }
 }
 
@@ -198,7 +198,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_warnings(
     capacity: usize,
     count: *mut usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         warn(
             solution,
@@ -216,7 +216,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_stiffness(
     stiffness: *mut stickslip_normal_stiffness,
 ) -> stickslip_status {
     let nobody = std::ptr::null();
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { stickslip_normal_solution_stiffness_observed(solution, half_space, nobody, stiffness) }
 }
 
@@ -229,7 +229,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_stiffness_observed(
     observer: *const stickslip_observer,
     stiffness: *mut stickslip_normal_stiffness,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         tell(solution, ("stiffness", stiffness), |of| {
             let (bodies, observer) = (reading(half_space)?, optional("observer", observer)?);

@@ -51,7 +51,7 @@ pub unsafe extern "C" fn stickslip_planes_new(
     with_displacements: i32,
     planes: *mut *mut stickslip_planes,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(half_space, || unsafe {
         let place = Place::new("planes", planes)?;
         let (depths, bodies) = (entries("depths", depths, count)?, reading(half_space)?);
@@ -68,7 +68,7 @@ pub unsafe extern "C" fn stickslip_planes_new(
 /// Frees planes; does nothing if the pointer is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_planes_free(planes: *mut stickslip_planes) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe { free(planes) })
 }
 
@@ -83,7 +83,7 @@ pub unsafe extern "C" fn stickslip_planes_solve(
     tractions: *const stickslip_tractions,
 ) -> stickslip_status {
     let nobody = std::ptr::null();
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { stickslip_planes_solve_observed(planes, index, which, tractions, nobody) }
 }
 
@@ -98,7 +98,7 @@ pub unsafe extern "C" fn stickslip_planes_solve_observed(
     tractions: *const stickslip_tractions,
     observer: *const stickslip_observer,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(planes, || unsafe {
         let (body, tractions) = (body(which)?, input("tractions", tractions)?);
         let observer = optional("observer", observer)?;
@@ -127,7 +127,7 @@ pub unsafe extern "C" fn stickslip_planes_field(
     which: i32,
     count: *mut usize,
 ) -> *const f64 {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { show(planes, count, |of| Ok(field(of.last()?, which)?.as_slice())) }
 }
 
@@ -156,7 +156,7 @@ pub unsafe extern "C" fn stickslip_planes_measure(
     values: *mut f64,
     count: usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(planes, || unsafe {
         let planes = reading(planes)?;
         let values = cells_mut("values", planes.grid, values, count)?;

@@ -15,7 +15,7 @@ use crate::status::STICKSLIP_LENGTH;
 /// # Safety
 /// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn input<'a, T>(name: &str, pointer: *const T) -> Outcome<&'a T> {
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     unsafe { optional(name, pointer)? }.ok_or_else(|| Failure::pointer(name))
 }
 
@@ -42,7 +42,7 @@ impl<T> Place<T> {
     /// # Safety
     /// The caller must follow the rule for pointers in [`crate::pointer`] until the result is written.
     pub(crate) unsafe fn new(name: &str, pointer: *mut T) -> Outcome<Self> {
-        // SAFETY: the safety contract of this function.
+        // SAFETY: the caller follows the safety contract of this function.
         unsafe { Self::if_asked(name, pointer)? }.ok_or_else(|| Failure::pointer(name))
     }
 
@@ -73,7 +73,7 @@ pub(crate) unsafe fn answer<T>(
     pointer: *mut T,
     find: impl FnOnce() -> Outcome<T>,
 ) -> Outcome {
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     let place = unsafe { Place::new(name, pointer)? };
     place.put(find()?);
     Ok(())
@@ -110,7 +110,7 @@ pub(crate) unsafe fn entries_mut<'a, T>(
     pointer: *mut T,
     count: usize,
 ) -> Outcome<&'a mut [T]> {
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     unsafe { entries(name, pointer.cast_const(), count)? };
     if count == 0 {
         return Ok(&mut []);
@@ -130,7 +130,7 @@ pub(crate) unsafe fn cells<'a>(
     count: usize,
 ) -> Outcome<&'a [f64]> {
     expect_cells(name, grid, count)?;
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     unsafe { entries(name, pointer, count) }
 }
 
@@ -145,7 +145,7 @@ pub(crate) unsafe fn cells_mut<'a>(
     count: usize,
 ) -> Outcome<&'a mut [f64]> {
     expect_cells(name, grid, count)?;
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     unsafe { entries_mut(name, pointer, count) }
 }
 
@@ -159,7 +159,7 @@ pub(crate) unsafe fn field(
     pointer: *const f64,
     count: usize,
 ) -> Outcome<Field> {
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     let samples = unsafe { cells(name, grid, pointer, count)? };
     let samples = collected(Vec::new(), samples.iter().copied())?;
     Ok(Field::from_vec(grid, samples)?)
@@ -194,7 +194,7 @@ pub(crate) fn expect_cells(name: &str, grid: Grid, found: usize) -> Outcome {
 /// # Safety
 /// The caller must follow the rule for pointers in [`crate::pointer`].
 pub(crate) unsafe fn samples<T>(samples: &[T], count: *mut usize) -> Outcome<*const T> {
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     if let Some(place) = unsafe { Place::if_asked("count", count)? } {
         place.put(samples.len());
     }

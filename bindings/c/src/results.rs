@@ -225,7 +225,7 @@ pub(crate) unsafe fn put_warnings(
     find: impl FnOnce() -> Outcome<Vec<Warning>>,
 ) -> Outcome {
     let name = "buffer of warnings";
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     let (count, buffer) = unsafe {
         let count = Place::new("count", count)?;
         (count, entries_mut(name, buffer, capacity)?)

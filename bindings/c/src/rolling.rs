@@ -156,7 +156,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_new(
     options: *const stickslip_rolling_options,
     solver: *mut *mut stickslip_rolling_solver,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(half_space, || unsafe {
         let place = Place::new("solver", solver)?;
         let (bodies, normal) = (reading(half_space)?, reading(normal)?);
@@ -186,7 +186,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_new(
 pub unsafe extern "C" fn stickslip_rolling_solver_free(
     solver: *mut stickslip_rolling_solver,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe { free(solver) })
 }
 
@@ -198,7 +198,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_load(
     load: *const stickslip_rolling_load,
 ) -> stickslip_status {
     let set = |own: &mut RollingSolver, (controls, spin)| own.set_control(controls, spin);
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::change(solver, ("load", load), stickslip_rolling_load::checked, set) }
 }
 
@@ -210,7 +210,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_friction(
     solver: *mut stickslip_rolling_solver,
     friction: *const stickslip_friction,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::set_friction(solver, friction, RollingSolver::set_friction) }
 }
 
@@ -222,7 +222,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_normal(
     solver: *mut stickslip_rolling_solver,
     normal: *const stickslip_normal_solution,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(solver, || unsafe {
         let (mut solver, normal) = (changing(solver)?, reading(normal)?);
         Ok(solver.own.set_pressure(&*normal)?)
@@ -237,7 +237,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_pressure(
     pressure: *const f64,
     count: usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         solver::change_cells(solver, ("pressure", pressure, count), |own, field| {
             own.set_pressure(field)
@@ -252,7 +252,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_solver(
     solver: *mut stickslip_rolling_solver,
     normal: *const stickslip_normal_solver,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(solver, || unsafe {
         let (mut solver, normal) = (changing(solver)?, reading(normal)?);
         Ok(solver.own.set_normal_solver(normal.own.clone())?)
@@ -266,7 +266,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_load(
     solver: *mut stickslip_rolling_solver,
     load: *const stickslip_normal_load,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         let check = stickslip_normal_load::checked;
         solver::change(solver, ("load", load), check, RollingSolver::set_load)
@@ -279,7 +279,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_friction_capacity(
     solver: *const stickslip_rolling_solver,
     capacity: *mut f64,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         tell(solver, ("capacity", capacity), |of| {
             Ok(of.own.friction_capacity())
@@ -293,7 +293,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_friction_capacity(
 pub unsafe extern "C" fn stickslip_rolling_solver_reset(
     solver: *mut stickslip_rolling_solver,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::reset(solver, RollingSolver::reset) }
 }
 
@@ -303,7 +303,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_settings(
     solver: *mut stickslip_rolling_solver,
     settings: *const stickslip_settings,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::set_settings(solver, settings) }
 }
 
@@ -318,7 +318,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_solve(
     solution: *mut stickslip_rolling_solution,
     observer: *const stickslip_observer,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::solve(solver, solution, observer) }
 }
 
@@ -342,7 +342,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_stiffness(
     solver: *mut stickslip_rolling_solver,
     stiffness: *mut stickslip_rolling_stiffness,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { stickslip_rolling_solver_stiffness_observed(solver, std::ptr::null(), stiffness) }
 }
 
@@ -354,7 +354,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_stiffness_observed(
     observer: *const stickslip_observer,
     stiffness: *mut stickslip_rolling_stiffness,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(solver, || unsafe {
         let place = Place::new("stiffness", stiffness)?;
         let observer = optional("observer", observer)?;
@@ -411,7 +411,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_creep_forces(
     forces: *mut stickslip_creep_force,
 ) -> stickslip_status {
     let none = std::ptr::null();
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { stickslip_rolling_solver_creep_forces_observed(solver, points, count, none, forces) }
 }
 
@@ -426,7 +426,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_creep_forces_observed(
     observer: *const stickslip_observer,
     forces: *mut stickslip_creep_force,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(solver, || unsafe {
         let observer = watch(optional("observer", observer)?);
         let places = entries_mut("forces", forces, count)?;
@@ -450,7 +450,7 @@ pub unsafe extern "C" fn stickslip_rolling_solution_new(
     solver: *const stickslip_rolling_solver,
     solution: *mut *mut stickslip_rolling_solution,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::new_solution(solver, solution) }
 }
 
@@ -459,7 +459,7 @@ pub unsafe extern "C" fn stickslip_rolling_solution_new(
 pub unsafe extern "C" fn stickslip_rolling_solution_free(
     solution: *mut stickslip_rolling_solution,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe { free(solution) })
 }
 
@@ -482,7 +482,7 @@ pub unsafe extern "C" fn stickslip_rolling_solution_field(
     which: i32,
     count: *mut usize,
 ) -> *const f64 {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { show(solution, count, |of| Ok(of_rolling(of, which)?.as_slice())) }
 }
 
@@ -492,7 +492,7 @@ pub unsafe extern "C" fn stickslip_rolling_solution_zones(
     solution: *const stickslip_rolling_solution,
     count: *mut usize,
 ) -> *const u8 {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { show(solution, count, |of| Ok(of.zones())).cast() }
 }
 
@@ -505,7 +505,7 @@ pub unsafe extern "C" fn stickslip_rolling_solution_dissipation(
     values: *mut f64,
     count: usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(solution, || unsafe {
         let solution = reading(solution)?;
         let values = cells_mut("values", solution.grid(), values, count)?;
@@ -555,7 +555,7 @@ pub unsafe extern "C" fn stickslip_rolling_solution_result(
     solution: *const stickslip_rolling_solution,
     result: *mut stickslip_rolling_result,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { tell(solution, ("result", result), |of| Ok(of.into())) }
 }
 
@@ -565,7 +565,7 @@ pub unsafe extern "C" fn stickslip_rolling_solution_report(
     solution: *const stickslip_rolling_solution,
     report: *mut stickslip_report,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { tell(solution, ("report", report), |of| Ok(of.report().into())) }
 }
 
@@ -577,6 +577,6 @@ pub unsafe extern "C" fn stickslip_rolling_solution_warnings(
     capacity: usize,
     count: *mut usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { warn(solution, (buffer, capacity, count), |of| Ok(of.warnings())) }
 }

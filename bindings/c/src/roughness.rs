@@ -126,7 +126,7 @@ pub unsafe extern "C" fn stickslip_surface_self_affine(
     count: usize,
 ) -> stickslip_status {
     let nobody = std::ptr::null();
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { stickslip_surface_self_affine_observed(grid, surface, nobody, heights, count) }
 }
 
@@ -141,7 +141,7 @@ pub unsafe extern "C" fn stickslip_surface_self_affine_observed(
     heights: *mut f64,
     count: usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe {
         let recipe = input("surface", surface)?.checked()?;
         let watch = watch(optional("observer", observer)?);
@@ -205,7 +205,7 @@ pub unsafe extern "C" fn stickslip_surface_statistics(
     count: usize,
     statistics: *mut stickslip_statistics,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe {
         answer("statistics", statistics, || {
             let grid = input("grid", grid)?.checked()?;

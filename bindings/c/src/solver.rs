@@ -80,7 +80,7 @@ pub(crate) unsafe fn change<T: Opaque<Value = Solver<S>>, S, A, B>(
     check: impl FnOnce(&A) -> Outcome<B>,
     set: impl FnOnce(&mut S, B) -> Result<()>,
 ) -> stickslip_status {
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     call_on(solver, || unsafe {
         let given = check(input(name, given)?)?;
         Ok(set(&mut changing(solver)?.own, given)?)
@@ -96,7 +96,7 @@ pub(crate) unsafe fn set_friction<T: Opaque<Value = Solver<S>>, S>(
     friction: *const stickslip_friction,
     set: impl FnOnce(&mut S, &Friction) -> Result<()>,
 ) -> stickslip_status {
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     call_on(solver, || unsafe {
         let mut solver = changing(solver)?;
         let (grid, spare) = (solver.grid, solver.spare());
@@ -114,7 +114,7 @@ pub(crate) unsafe fn change_cells<T: Opaque<Value = Solver<S>>, S>(
     (name, pointer, count): (&str, *const f64, usize),
     set: impl FnOnce(&mut S, &Field) -> Result<()>,
 ) -> stickslip_status {
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     call_on(solver, || unsafe {
         let mut solver = changing(solver)?;
         let samples = cells(name, solver.grid, pointer, count)?;
@@ -133,7 +133,7 @@ pub(crate) unsafe fn set_settings<T: Opaque<Value = Solver<S>>, S: Solve>(
     settings: *const stickslip_settings,
 ) -> stickslip_status {
     let check = stickslip_settings::checked;
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     unsafe { change(solver, ("settings", settings), check, S::set_settings) }
 }
 
@@ -145,7 +145,7 @@ pub(crate) unsafe fn reset<T: Opaque<Value = Solver<S>>, S>(
     solver: *mut T,
     forget: impl FnOnce(&mut S),
 ) -> stickslip_status {
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     call_on(solver, || unsafe {
         forget(&mut changing(solver)?.own);
         Ok(())
@@ -165,7 +165,7 @@ where
     S: Solve,
     U: Opaque<Value = S::Solution>,
 {
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     call_on(solver, || unsafe {
         let place = Place::new("solution", solution)?;
         let solver = reading(solver)?;
@@ -187,7 +187,7 @@ where
     S: Solve,
     U: Opaque<Value = S::Solution>,
 {
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     call_on(solver, || unsafe {
         let observer = optional("observer", observer)?;
         let mut solver = changing(solver)?;

@@ -65,7 +65,7 @@ unsafe fn put(
     find: impl FnOnce() -> Outcome<ContactSpots>,
 ) -> Outcome {
     let name = "buffer of spots";
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     let (count, buffer, labels) = unsafe {
         let count = Place::new("count", count)?;
         let labels = if labels.is_null() {
@@ -109,7 +109,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_spots(
     labels: *mut u32,
     cells: usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(solution, || unsafe {
         let wanted = ((buffer, capacity, count), (labels, cells));
         put(wanted, || Ok(reading(solution)?.try_spots()?))
@@ -128,7 +128,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_spots(
     labels: *mut u32,
     cells: usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(solution, || unsafe {
         let wanted = ((buffer, capacity, count), (labels, cells));
         put(wanted, || {
@@ -148,7 +148,7 @@ pub unsafe extern "C" fn stickslip_history_spots(
     labels: *mut u32,
     cells: usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
         let wanted = ((buffer, capacity, count), (labels, cells));
         put(wanted, || Ok(reading(history)?.try_spots()?))

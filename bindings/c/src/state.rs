@@ -22,7 +22,7 @@ pub unsafe extern "C" fn stickslip_state_new(
     history: *const stickslip_history,
     state: *mut *mut stickslip_state,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
         let place = Place::new("state", state)?;
         let history = reading(history)?;
@@ -33,7 +33,7 @@ pub unsafe extern "C" fn stickslip_state_new(
 /// Frees a state; does nothing if it is NULL.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_state_free(state: *mut stickslip_state) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe { free(state) })
 }
 
@@ -43,7 +43,7 @@ pub unsafe extern "C" fn stickslip_state_keep(
     state: *mut stickslip_state,
     history: *const stickslip_history,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(state, || unsafe {
         let (mut state, history) = (changing(state)?, reading(history)?);
         Ok(state.try_clone_from(history.state())?)
@@ -56,7 +56,7 @@ pub unsafe extern "C" fn stickslip_history_set_state(
     history: *mut stickslip_history,
     state: *const stickslip_state,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
         let (mut history, state) = (changing(history)?, reading(state)?);
         Ok(history.set_state(&state)?)
@@ -76,7 +76,7 @@ pub unsafe extern "C" fn stickslip_history_to_bytes(
     capacity: usize,
     length: *mut usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
         let length = Place::new("length", length)?;
         let buffer = entries_mut("buffer", buffer, capacity)?;
@@ -102,7 +102,7 @@ pub unsafe extern "C" fn stickslip_history_from_bytes(
     length: usize,
     history: *mut *mut stickslip_history,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(half_space, || unsafe {
         let place = Place::new("history", history)?;
         let (bodies, bytes) = (reading(half_space)?, entries("bytes", bytes, length)?);

@@ -54,7 +54,7 @@ impl stickslip_tractions {
         work: impl FnOnce(Tractions<'_>) -> Outcome<T>,
     ) -> Outcome<T> {
         let has_shear = !self.x.is_null() || !self.y.is_null();
-        // SAFETY: the safety contract of this function.
+        // SAFETY: the caller follows the safety contract of this function.
         let field = |name, pointer| unsafe { cells(name, grid, pointer, self.count) };
         let pressure = field("pressure", self.pressure)?;
         if !has_shear {
@@ -129,7 +129,7 @@ pub unsafe extern "C" fn stickslip_stress_at_points(
     responses: *mut stickslip_response,
 ) -> stickslip_status {
     let nobody = std::ptr::null();
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         stickslip_stress_at_points_observed(
             half_space, which, tractions, points, count, nobody, responses,
@@ -150,7 +150,7 @@ pub unsafe extern "C" fn stickslip_stress_at_points_observed(
     observer: *const stickslip_observer,
     responses: *mut stickslip_response,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe {
         let observer = optional("observer", observer)?;
         let places = entries_mut("responses", responses, count)?;

@@ -17,9 +17,9 @@ pub(crate) unsafe fn shape(
     make: impl FnOnce(Grid) -> Result<Field> + Send,
     (name, heights, count): (&str, *mut f64, usize),
 ) -> Outcome {
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     let grid = unsafe { input("grid", grid)? }.checked()?;
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     let heights = unsafe { cells_mut(name, grid, heights, count)? };
     heights.copy_from_slice(enter(grid.cells(), || make(grid))?.as_slice());
     Ok(())
@@ -33,7 +33,7 @@ pub unsafe extern "C" fn stickslip_surface_sphere(
     gap: *mut f64,
     count: usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe {
         shape(
             grid,
@@ -53,7 +53,7 @@ pub unsafe extern "C" fn stickslip_surface_ellipsoid(
     count: usize,
 ) -> stickslip_status {
     let make = |grid| surface::ellipsoid(grid, radius_x, radius_y);
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe { shape(grid, make, ("gap", gap, count)) })
 }
 
@@ -65,7 +65,7 @@ pub unsafe extern "C" fn stickslip_surface_cylinder(
     gap: *mut f64,
     count: usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe {
         shape(
             grid,

@@ -72,7 +72,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_new(
     options: *const stickslip_tangential_options,
     solver: *mut *mut stickslip_tangential_solver,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(half_space, || unsafe {
         let normal = reading(normal)?;
         let source = PressureSource::Solved(&normal);
@@ -91,7 +91,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_new_under(
     options: *const stickslip_tangential_options,
     solver: *mut *mut stickslip_tangential_solver,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(half_space, || unsafe {
         let grid = reading(half_space)?.grid();
         let pressure = field("pressure", grid, pressure, count)?;
@@ -116,9 +116,9 @@ unsafe fn new(
     (friction, load, options): TangentialArguments,
     solver: *mut *mut stickslip_tangential_solver,
 ) -> Outcome {
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     let place = unsafe { Place::new("solver", solver)? };
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     let (bodies, friction, load, options) = unsafe {
         let bodies = reading(half_space)?;
         let friction = input("friction", friction)?.checked(bodies.grid())?;
@@ -134,9 +134,9 @@ unsafe fn new(
             .coupling(coupling(options.coupling)?)
             .settings(options.settings.checked()?);
         let name = "relative_displacement of the options";
-        // SAFETY: the safety contract of this function.
+        // SAFETY: the caller follows the safety contract of this function.
         if let Some(relative) = unsafe { optional(name, options.relative_displacement)? } {
-            // SAFETY: the safety contract of this function.
+            // SAFETY: the caller follows the safety contract of this function.
             problem = problem.relative_displacement(unsafe { relative.checked(grid)? });
         }
     }
@@ -150,7 +150,7 @@ unsafe fn new(
 pub unsafe extern "C" fn stickslip_tangential_solver_free(
     solver: *mut stickslip_tangential_solver,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe { free(solver) })
 }
 
@@ -160,7 +160,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_load(
     solver: *mut stickslip_tangential_solver,
     load: *const stickslip_tangential_load,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         let check = stickslip_tangential_load::checked;
         solver::change(solver, ("load", load), check, TangentialSolver::set_load)
@@ -173,7 +173,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_friction(
     solver: *mut stickslip_tangential_solver,
     friction: *const stickslip_friction,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::set_friction(solver, friction, TangentialSolver::set_friction) }
 }
 
@@ -183,7 +183,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_normal(
     solver: *mut stickslip_tangential_solver,
     normal: *const stickslip_normal_solution,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(solver, || unsafe {
         let (mut solver, normal) = (changing(solver)?, reading(normal)?);
         Ok(solver.own.set_pressure(&*normal)?)
@@ -197,7 +197,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_pressure(
     pressure: *const f64,
     count: usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         solver::change_cells(solver, ("pressure", pressure, count), |own, field| {
             own.set_pressure(field)
@@ -211,7 +211,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_relative_displacement(
     solver: *mut stickslip_tangential_solver,
     relative: *const stickslip_relative_displacement,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(solver, || unsafe {
         let mut solver = changing(solver)?;
         let relative = input("relative", relative)?.checked(solver.grid)?;
@@ -225,7 +225,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_settings(
     solver: *mut stickslip_tangential_solver,
     settings: *const stickslip_settings,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::set_settings(solver, settings) }
 }
 
@@ -234,7 +234,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_set_settings(
 pub unsafe extern "C" fn stickslip_tangential_solver_reset(
     solver: *mut stickslip_tangential_solver,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::reset(solver, TangentialSolver::reset) }
 }
 
@@ -244,7 +244,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_friction_capacity(
     solver: *const stickslip_tangential_solver,
     capacity: *mut f64,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         tell(solver, ("capacity", capacity), |of| {
             Ok(of.own.friction_capacity())
@@ -262,7 +262,7 @@ pub unsafe extern "C" fn stickslip_tangential_solver_solve(
     solution: *mut stickslip_tangential_solution,
     observer: *const stickslip_observer,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::solve(solver, solution, observer) }
 }
 
@@ -272,7 +272,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_new(
     solver: *const stickslip_tangential_solver,
     solution: *mut *mut stickslip_tangential_solution,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::new_solution(solver, solution) }
 }
 
@@ -281,7 +281,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_new(
 pub unsafe extern "C" fn stickslip_tangential_solution_free(
     solution: *mut stickslip_tangential_solution,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call(|| unsafe { free(solution) })
 }
 
@@ -293,7 +293,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_field(
     which: i32,
     count: *mut usize,
 ) -> *const f64 {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         show(solution, count, |of| {
             Ok(of_tangential(of, which)?.as_slice())
@@ -307,7 +307,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_zones(
     solution: *const stickslip_tangential_solution,
     count: *mut usize,
 ) -> *const u8 {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { show(solution, count, |of| Ok(of.zones())).cast() }
 }
 
@@ -320,7 +320,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_result(
     solution: *const stickslip_tangential_solution,
     result: *mut stickslip_tangential_result,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { tell(solution, ("result", result), |of| Ok(of.into())) }
 }
 
@@ -330,7 +330,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_report(
     solution: *const stickslip_tangential_solution,
     report: *mut stickslip_report,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe { tell(solution, ("report", report), |of| Ok(of.report().into())) }
 }
 
@@ -342,7 +342,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_warnings(
     capacity: usize,
     count: *mut usize,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         warn(
             solution,
@@ -360,7 +360,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_stiffness(
     stiffness: *mut stickslip_tangential_stiffness,
 ) -> stickslip_status {
     let nobody = std::ptr::null();
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         stickslip_tangential_solution_stiffness_observed(solution, half_space, nobody, stiffness)
     }
@@ -375,7 +375,7 @@ pub unsafe extern "C" fn stickslip_tangential_solution_stiffness_observed(
     observer: *const stickslip_observer,
     stiffness: *mut stickslip_tangential_stiffness,
 ) -> stickslip_status {
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     unsafe {
         tell(solution, ("stiffness", stiffness), |of| {
             let (bodies, observer) = (reading(half_space)?, optional("observer", observer)?);

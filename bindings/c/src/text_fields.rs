@@ -18,7 +18,7 @@ pub(crate) unsafe fn tell<T: Opaque, A>(
     (name, place): (&str, *mut A),
     find: impl FnOnce(&T::Value) -> Outcome<A>,
 ) -> stickslip_status {
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     call_on(object, || unsafe {
         answer(name, place, || find(&*reading(object)?))
     })
@@ -33,7 +33,7 @@ pub(crate) unsafe fn show<T: Opaque, A>(
     count: *mut usize,
     find: impl FnOnce(&T::Value) -> Outcome<&[A]>,
 ) -> *const A {
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     call_for(|| unsafe { samples(find(&*reading(object)?)?, count) })
 }
 
@@ -46,7 +46,7 @@ pub(crate) unsafe fn warn<T: Opaque>(
     (buffer, capacity, count): (*mut stickslip_warning, usize, *mut usize),
     find: impl FnOnce(&T::Value) -> Result<Vec<Warning>>,
 ) -> stickslip_status {
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     call_on(object, || unsafe {
         put_warnings(buffer, capacity, count, || Ok(find(&*reading(object)?)?))
     })

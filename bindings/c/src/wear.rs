@@ -20,10 +20,10 @@ unsafe fn wear(
     (depth, count): (*mut f64, usize),
     law: impl FnOnce(Coefficient<'_>, &History, &mut Field) -> Result<()>,
 ) -> Outcome {
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     let (history, coefficient) = unsafe { (reading(history)?, input("coefficient", coefficient)?) };
     let (grid, spare) = (history.grid(), history.spare());
-    // SAFETY: the safety contract of this function.
+    // SAFETY: the caller follows the safety contract of this function.
     let (coefficients, depth) = unsafe {
         let coefficients = coefficient.cells("wear coefficient", grid)?;
         (coefficients, cells_mut("depth", grid, depth, count)?)
@@ -53,7 +53,7 @@ pub unsafe extern "C" fn stickslip_wear_archard(
         let slip = history.last_step().slip_distance();
         wear::archard(coefficient, history.pressure(), slip, depth)
     };
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
         wear(history, coefficient, (depth, count), law)
     })
@@ -71,7 +71,7 @@ pub unsafe extern "C" fn stickslip_wear_energy(
     let law = |coefficient: Coefficient<'_>, history: &History, depth: &mut Field| {
         wear::energy(coefficient, history.last_step().dissipated_energy(), depth)
     };
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
         wear(history, coefficient, (depth, count), law)
     })
@@ -94,7 +94,7 @@ pub unsafe extern "C" fn stickslip_wear_threshold_energy(
         );
         wear::threshold_energy(coefficient, threshold, total, step, depth)
     };
-    // SAFETY: the rule for pointers.
+    // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
         wear(history, coefficient, (depth, count), law)
     })
