@@ -7,8 +7,8 @@ use crate::bodies::material::ElasticPair;
 /// For pairs that [are not coupled](ElasticPair::is_coupled) every choice gives the same solution with the same work.
 ///
 /// The table lists the loss of accuracy with [`OneWay`](Self::OneWay), measured on a sphere that is pressed in 16 steps
-/// on 93 x 93 cells. It lists differences from [`Full`](Self::Full). The differences of pressure and traction are root
-/// mean squares relative to the root mean square of the field. The pressure is the same as with
+/// on 93 x 93 cells. The values are differences from [`Full`](Self::Full). The differences of pressure and traction are
+/// root mean squares relative to the root mean square of the field. The pressure is the same as with
 /// [`Neglected`](Self::Neglected).
 ///
 /// | $`\beta`$ | $`\mu`$ | pressure | traction | dissipated energy | stick radius / contact radius, in brackets with full coupling |
@@ -31,7 +31,7 @@ pub enum Coupling {
     Full,
     /// Shear does not change the pressure, but pressure moves the surfaces tangentially (Goodman's assumption, J. Appl.
     /// Mech. 29 (1962) 515, <https://doi.org/10.1115/1.3640599>). Pressure and traction are solved one after the other.
-    /// Each is the minimum of a convex energy, with a certified error.
+    /// Each solution is the minimum of a convex energy and has a certified error.
     OneWay,
     /// Pressure and traction do not affect each other, which causes an error of order beta in the pressure. Pressing
     /// alone then causes no traction.

@@ -10,8 +10,8 @@ const UNCOUPLED: f64 = 1e-12;
 
 /// Linear elastic, isotropic half-space, homogeneous or [coated](Self::coated).
 ///
-/// Moduli have the unit of a pressure; Poisson's ratio lies in `(-1, 1/2]`. The moduli of a coated body are those of
-/// its substrate.
+/// Moduli have the unit of a pressure, and Poisson's ratio lies in `(-1, 1/2]`. The moduli of a coated body are the
+/// moduli of its substrate.
 ///
 /// ```
 /// let steel = stickslip::Material::new(210e9, 0.3)?;
@@ -132,8 +132,8 @@ impl Material {
 
     /// Adds layers that are bonded to this body, the outermost first, above any layers that it already has. On a
     /// [rigid](Self::rigid) body they form a bed on a rigid base. The page of [`layers`](crate::layers) describes the
-    /// model and its limits. The moduli of a coated [`Material`] are those of the body below the layers. A hardness
-    /// that was set earlier is kept. The hardness of the coating must be set afterwards.
+    /// model and its limits. The moduli of a coated [`Material`] are the moduli of the body below the layers. A
+    /// hardness that was set earlier is kept. The hardness of the coating must be set afterwards.
     ///
     /// ```
     /// use stickslip::{ElasticPair, Material, layers::Layer};
@@ -258,8 +258,8 @@ impl Material {
 
 /// Two half-spaces in contact, described by the relative displacement `u_1 - u_2`.
 ///
-/// The tractions act on body 1, and the opposite tractions act on body 2. Compliances of like components therefore add,
-/// and the normal-shear couplings subtract.
+/// The tractions act on body 1, and the opposite tractions act on body 2. The compliances of both bodies are therefore
+/// added, and the normal-shear couplings are subtracted.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material};
@@ -459,7 +459,7 @@ impl ElasticPair {
         one.and_second(two)
     }
 
-    /// Returns whether a body is coated.
+    /// Returns whether at least one body is coated.
     #[must_use]
     pub fn is_coated(&self) -> bool {
         self.bodies.iter().any(Material::is_coated)
@@ -511,8 +511,8 @@ impl ElasticPair {
     }
 
     /// Returns the contact modulus `E*` of Johnson, `1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2` (a pressure). For one
-    /// body on a rigid body it is the plane-strain modulus. For coated bodies this constant and those below are the
-    /// values for the outermost layers; see [`response`](Self::response).
+    /// body on a rigid body, it is the plane-strain modulus. For coated bodies this modulus and the other scalar
+    /// constants of the pair are the values for the outermost layers (see [`response`](Self::response)).
     #[must_use]
     pub fn contact_modulus(&self) -> f64 {
         2.0 / self.compliances.normal

@@ -23,9 +23,10 @@ const ACCEPTED: f64 = 0.03;
 
 /// Fraction of the smallest eigenvalue below which a curvature is round-off of single precision.
 const FLAT: f64 = 1e-3;
-/// Fraction of the smallest eigenvalue that replaces such a curvature: one step then reaches the bounds.
+/// Fraction of the smallest eigenvalue that replaces a curvature below [`FLAT`]. A step with this curvature reaches the
+/// bounds.
 const FLATTEST: f64 = 1e-30;
-/// Replacement for the curvature if no eigenvalue is known: small in any system of units.
+/// Replacement for the curvature if no eigenvalue is known. The number is small in any system of units.
 const NOTHING: f64 = 1e-60;
 
 /// Precision of a product.
@@ -87,8 +88,8 @@ pub struct ActiveSetSolve<'a, 'b, K: Constraint<N>, const N: usize> {
     pub(super) monitor: Monitor<'a>,
     pub(super) x: [&'a mut [f64]; N],
     pub(super) workspace: &'a mut Workspace<K::Set, N>,
-    /// Bound on the error of product and gradient for the current `x`, relative to the largest displacement. Zero after a product
-    /// in double precision, infinite once `x` has moved.
+    /// Bound on the error of product and gradient for the current `x`, relative to the largest displacement. The bound is zero
+    /// after a product in double precision, and infinite once `x` has moved.
     pub(super) product_error: f64,
     /// Error bound of the gradient alone, which is updated by the steps of the linear problem.
     pub(super) gradient_error: f64,
@@ -152,7 +153,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         }
     }
 
-    /// Determines whether springs alone store the energy of uniform unknowns, if this affects the error bound.
+    /// Determines whether springs alone store the energy of uniform unknowns, provided that this affects the error
+    /// bound.
     ///
     /// An operator whose eigenvalues on all unknowns exceed the bound displaces some cell by at least the bound under uniform
     /// unknowns of one.
@@ -190,7 +192,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         self.problem.totals.map(Total::sum)
     }
 
-    /// Projects the start onto its sets and determines the motion of every cell. Keeps the product of a start that was examined.
+    /// Projects the start onto its sets and determines the motion of every cell. Keeps the product if the start was examined.
     pub(super) fn mark_start(&mut self) {
         let constraint = self.problem.constraint;
         if std::mem::replace(&mut self.start, IterateStart::Unknown) != IterateStart::Verified {
@@ -270,8 +272,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         self.product_error == 0.0
     }
 
-    /// Returns the accepted error of product and gradient of the returned iterate: zero unless it is [examined
-    /// elsewhere](crate::cgm::Problem::verified_by_caller).
+    /// Returns the accepted error of product and gradient of the returned iterate. The accepted error is zero unless
+    /// the iterate is [examined elsewhere](crate::cgm::Problem::verified_by_caller).
     fn accepted_error(&self) -> f64 {
         if self.problem.is_examined_elsewhere {
             ACCEPTED * self.monitor.tolerance()
@@ -280,8 +282,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         }
     }
 
-    /// Accepts the updated gradient for the current `x` if its error is small enough, and derives the product from it. Returns
-    /// whether the gradient was accepted.
+    /// Accepts the updated gradient for the current `x` if its error is small enough, and derives the product from the
+    /// gradient. Returns whether the gradient was accepted.
     pub(super) fn adopt_gradient(&mut self) -> bool {
         let is_close = self.gradient_error <= self.accepted_error();
         if is_close {
@@ -329,9 +331,9 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         });
     }
 
-    /// Returns a small replacement for the curvature of a direction `d` with `square = d' d` if its own curvature, `d' C d`, is
-    /// zero. The resulting step brings the moving cells to their bounds. An operator that maps constants to zero does not resist
-    /// a uniform direction. The operator of a single periodic cell maps everything to zero and has no stiffness for comparison.
+    /// Returns a small replacement for the curvature `d' C d` of a direction `d` if this curvature is zero; `square` is `d' d`.
+    /// The resulting step brings the moving cells to their bounds. An operator that maps constants to zero does not resist a
+    /// uniform direction. The operator of a single periodic cell maps everything to zero and has no stiffness for comparison.
     pub(super) fn slide(&self, curvature: f64, square: f64) -> Option<f64> {
         let stiffness = self.lower_bound.value * square;
         let is_flat = self.problem.totals.contains(&Total::Free)
@@ -349,8 +351,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         (is_flat && slides()).then_some(flattest)
     }
 
-    /// Examines the iterate with the current product and writes the findings to the report. They are reliable only if that
-    /// product is [fresh](Self::is_fresh).
+    /// Examines the iterate with the current product and writes the findings to the report. The findings are reliable only
+    /// if that product is [fresh](Self::is_fresh).
     pub(super) fn certificate(&mut self) -> Certificate {
         let w = &*self.workspace;
         let (x, product) = (slices(&self.x), slices(&w.product));
@@ -366,7 +368,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         findings.merit(self.lower_bound.value)
     }
 
-    /// Records an examined step. Breaks if it is the last one: converged or stopped.
+    /// Records an examined step. Breaks if it is the last step, because the iteration has converged or must stop.
     pub(super) fn check_termination(&mut self, merit: f64) -> ControlFlow<Status> {
         self.monitor
             .check_termination(merit, &mut self.workspace.linear.report)
@@ -432,8 +434,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         Status::Converged
     }
 
-    /// Moves all cells to the only feasible point if the sums are the extreme sums along a direction. The multiplier is the value
-    /// at which the first cell would move.
+    /// Moves all cells to the only feasible point if the sums are the extreme sums along a direction. The multiplier is set to
+    /// the value at which the first cell would move.
     pub(super) fn at_extreme(&mut self, direction: [f64; N]) -> Status {
         let Posed {
             constraint, totals, ..
@@ -454,8 +456,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         Status::Converged
     }
 
-    /// Moves the iterate into its sets and to its sums unless it is feasible up to round-off. Its product is then up to date, or
-    /// as accurate as required.
+    /// Moves the iterate into its sets and to its sums unless it is feasible up to round-off. Afterwards its product is up to
+    /// date, or as accurate as required.
     pub(super) fn make_feasible(&mut self) -> ProjectionOutcome {
         let mut keeps_sets = true;
         let constraint = self.problem.constraint;
@@ -502,7 +504,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         }
     }
 
-    /// Records that `x` has moved but the product has not: its relative error grows by `part`.
+    /// Records that `x` has moved but the product has not been updated: the relative error of the product grows by
+    /// `part`.
     fn move_by(&mut self, part: f64) {
         let is_known = part > 0.0 && self.problem.own.is_none();
         if is_known && self.problem.is_examined_elsewhere {
@@ -536,7 +539,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         let findings = self.certificate();
         let mut merit = self.merit(&findings);
         if self.is_extreme && !merit.is_nan() {
-            // No other unknowns have these sums, so that only the sums can be wrong. The gradient points along the slip in all
+            // No other unknowns have these sums, so only the sums can be wrong. The gradient points along the slip in all
             // cells only in the limit of a large motion.
             merit = findings.load_error;
             let report = &mut self.workspace.linear.report;

@@ -18,7 +18,7 @@ use crate::report::Report;
 /// Certificate of an iterate from one recomputed product.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Certificate {
-    /// Largest displacement among the cells that can move; the scale of all residuals.
+    /// Largest displacement among the cells that can move. It is the scale of all residuals.
     pub(crate) displacement: f64,
     /// Largest complementarity residual, relative to the displacement.
     pub(super) residual: f64,
@@ -32,8 +32,8 @@ pub(crate) struct Certificate {
 
 impl Certificate {
     /// Returns the quantity that must fall to the tolerance: the largest of residual, load error and, if the operator provides a
-    /// bound on its smallest eigenvalue, the certified error. Without that bound only the duality gap is available. It is left
-    /// out because its root falls only with the root of the residual.
+    /// bound on its smallest eigenvalue, the certified error. Without that bound only the duality gap is available. The gap is
+    /// left out because its square root falls only with the square root of the residual.
     pub(super) fn merit(&self, lower_bound: f64) -> f64 {
         let error = if lower_bound > 0.0 {
             self.gap.sqrt()
@@ -95,7 +95,7 @@ const ORDINARY: RangeInclusive<f64> = 1e-140..=1e140;
 pub(crate) struct IterateMeasures {
     /// Largest gradient that complementarity does not allow.
     pub(crate) forbidden: f64,
-    /// Largest displacement among the cells that can move, and the lower limit that replaces smaller values of it.
+    /// Largest displacement among the cells that can move, replaced by a lower limit if it is smaller.
     displacement: f64,
     least_displacement: f64,
     /// Largest components among the same cells: of the unknowns, of the displacements and of the gradients that complementarity
@@ -103,7 +103,7 @@ pub(crate) struct IterateMeasures {
     sizes: [f64; 3],
     /// Bound `E` of the error in the energy norm.
     pub(crate) bound: f64,
-    /// `x' C x`, and the lower limit that replaces smaller values of it.
+    /// `x' C x`, replaced by a lower limit if it is smaller.
     energy: f64,
     least_energy: f64,
     /// Deviation from the prescribed sums, relative to `sum |x|`.
@@ -123,7 +123,7 @@ impl IterateMeasures {
         larger(self.energy, self.least_energy)
     }
 
-    /// Returns the square of the bound over the energy, or infinity if sums of squares leave the range of `f64`.
+    /// Returns the square of the bound divided by the energy, or infinity if sums of squares leave the range of `f64`.
     fn gap(&self) -> f64 {
         if self.has_squares() {
             ratio(self.bound * self.bound, self.measured_energy())
@@ -188,7 +188,7 @@ pub(crate) fn measure<const N: usize>(
     });
     let bound = 0.5 * squares.sqrt() + (0.25 * squares + found.dual).sqrt();
     // An operator that maps constants to zero gives uniform unknowns neither displacement nor energy as a scale. The stretch of a
-    // spring, or the displacement computed from the smallest eigenvalue, is used as the scale instead.
+    // spring, or the displacement computed from the smallest eigenvalue, then serves as the scale.
     let springs = totals.iter().filter_map(|total| match total {
         Total::Spring { compliance, .. } => Some(*compliance),
         Total::Free | Total::Sum(_) => None,
@@ -197,7 +197,7 @@ pub(crate) fn measure<const N: usize>(
         .reduce(f64::min)
         .map(|compliance| compliance * sums.magnitude);
     let least_displacement = stretch.unwrap_or(lower_bound * found.largest);
-    // A single periodic cell does not deform at all; the gradient itself is then the scale.
+    // A single periodic cell does not deform at all. The gradient itself is then the scale.
     let is_rigid = found.displacement == 0.0 && least_displacement == 0.0 && found.largest > 0.0;
     let slope = if is_rigid {
         let gradient = |i| {
@@ -429,8 +429,8 @@ impl<const N: usize> CertificateMeasures<N> {
     }
 }
 
-/// Returns `a / b`: zero if `a` is zero, infinity if `b` is not positive, NaN if either is NaN so that a broken product is
-/// detected.
+/// Returns `a / b`, zero if `a` is zero, or infinity if `b` is not positive. Returns NaN if either is NaN, so that a
+/// broken product is detected.
 fn ratio(a: f64, b: f64) -> f64 {
     if a == 0.0 && !b.is_nan() {
         0.0

@@ -23,14 +23,14 @@ pub(super) enum BoundState {
     Deficit(f64),
 }
 
-/// Relative change of a total by rotation that counts as round-off. Close to the friction limit, slipping cells are rotated only
-/// slightly away from the total, and this small rotation carries the total.
+/// Relative change of a total due to rotation that counts as round-off. Close to the friction limit, slipping cells are rotated
+/// only slightly away from the total, and this small rotation carries the total.
 const LEAST_TURN: f64 = 1e-13;
 
 impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     /// Returns the unit direction of the sums that slipping cells cannot change if no cell is free, or `None` if there is no such
-    /// direction. All tractions point along it, or so nearly that rotating them by an angle of one changes the sum less than its
-    /// deficit.
+    /// direction. All tractions point along this direction, or so nearly that rotating them by an angle of one would change the
+    /// sum by less than its deficit.
     pub(super) fn uncontrollable_direction(&self, system: &TotalsSystem<N>) -> Option<[f64; N]> {
         let (has_sum, mobility) = (system.has_sum(), system.mobility);
         if has_sum == [false; N] {
@@ -111,7 +111,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         true
     }
 
-    /// Releases the moving cells that are selected by their unknowns and gradient.
+    /// Releases the moving cells for which `is_selected` holds; its arguments are the unknowns and the gradient of a
+    /// cell.
     fn free(&mut self, is_selected: impl Fn([f64; N], [f64; N]) -> bool + Sync) {
         let x = slices(&self.x);
         let w = &mut *self.workspace;

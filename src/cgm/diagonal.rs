@@ -7,7 +7,7 @@ use crate::numerics::cell_vector::plus;
 pub(crate) struct CellCompliance<'a> {
     /// Mean over all directions; empty if no cell has an additional compliance.
     mean: &'a [f64],
-    /// Entries `[a, b]` of the matrix with the rows `[a, b]` and `[b, -a]`; empty if it is zero in all cells.
+    /// Entries `[a, b]` of the matrix with the rows `[a, b]` and `[b, -a]`; empty if the matrix is zero in all cells.
     deviator: &'a [[f64; 2]],
 }
 
@@ -16,7 +16,7 @@ impl<'a> CellCompliance<'a> {
         Self { mean, deviator }
     }
 
-    /// Creates tensors that are equal in all directions.
+    /// Creates isotropic tensors, with the same compliance in all directions.
     pub(crate) fn isotropic(mean: &'a [f64]) -> Self {
         Self::new(mean, &[])
     }

@@ -1,5 +1,5 @@
-//! List of the moving cells; for intervals it is the complement of the active set. Vector work then scales with their number and
-//! not with the size of the grid.
+//! List of the moving cells; for intervals it is the complement of the active set. With this list, the cost of vector operations
+//! scales with the number of moving cells and not with the size of the grid.
 
 use std::ops::Range;
 
@@ -12,8 +12,8 @@ use crate::parallel::{Blocks, Split, UnevenChunks};
 
 /// List of the moving cells, chunk by chunk of the grid.
 ///
-/// A compressed vector holds their values in order; chunk `t` of the grid owns the range
-/// `starts[t]..starts[t + 1]` of it.
+/// A compressed vector stores the values of the moving cells in order. Its range `starts[t]..starts[t + 1]` belongs to
+/// chunk `t` of the grid.
 #[derive(Debug, Clone)]
 pub(in crate::cgm) struct FreeCells {
     layout: Layout,
@@ -52,7 +52,7 @@ impl ChunkCells<'_> {
         }
     }
 
-    /// Returns the row of a listed cell, which is at position `k` of the list and at `place` of the chunk.
+    /// Returns the row of a listed cell at position `k` of the list and at position `place` of the chunk.
     #[inline]
     pub(in crate::cgm) fn row<R: Row<N>, const N: usize>(
         &self,
@@ -210,7 +210,7 @@ impl FreeCells {
         }
     }
 
-    /// Calls `work` with the entries and the part of the data of every chunk, and sums the results.
+    /// Calls `work` with the entries of every chunk and its part of the data, and sums the results.
     pub(in crate::cgm) fn sweep<D: Split, T: Reduction>(
         &self,
         data: D,

@@ -7,11 +7,12 @@
 //!
 //! Each cell `i` has `N` unknowns. `C` is an [`Operator`](crate::Operator). It is positive definite, and symmetric unless it
 //! [reports otherwise](crate::Operator::is_symmetric). `K_i` is the set that a [`Constraint`] assigns to the cell: an
-//! [`Interval`] for one unknown, a [`Disc`] for two. A [`Total`] prescribes the sum of a component or ties it to a spring; its
-//! multiplier is returned. For a normal contact `x` is the pressure, `b` the gap, `S` the load over the cell area and the
-//! multiplier the approach. For a tangential contact `x` is the traction within its friction limit, along one axis or in the
-//! plane, and the multiplier is the shift. Vectors are arrays of one slice per component. A [diagonal](Problem::diagonal) `D`, an
-//! additional compliance of the cells, may be added to `C`; the following then holds for `C + D`.
+//! [`Interval`] for one unknown, a [`Disc`] for two. A [`Total`] prescribes the sum of a component or ties it to a spring. The
+//! solver returns the multiplier of the total. For a normal contact `x` is the pressure, `b` the gap, `S` the load over the cell
+//! area and the multiplier the approach. For a tangential contact `x` is the traction within its friction limit, along one axis
+//! or in the plane, and the multiplier is the shift. Vectors are arrays of one slice per component. A
+//! [diagonal](Problem::diagonal) `D`, an additional compliance of the cells, may be added to `C`. The statements below then hold
+//! for `C + D`.
 //!
 //! The solver is a semismooth Newton method. The sets determine how each cell may move. Conjugate gradients solve the linear
 //! problem of the moving cells, bordered by the totals, and then the sets are updated. For intervals this is a primal-dual
@@ -43,20 +44,21 @@
 //! E \le B/2 + \sqrt{B^2/4 + A} .
 //! ```
 //!
-//! The first bound is the Frank-Wolfe gap (<https://doi.org/10.1002/nav.3800030109>), of first order in the residual; the second
-//! is of second order. For an operator that provides no such `lambda` only the first bound is available. It is infinite while a
-//! cell without an upper bound has a gradient that would increase its unknown. An iteration with such an operator stops on the
-//! residual alone.
+//! The first bound is the Frank-Wolfe gap (<https://doi.org/10.1002/nav.3800030109>) and is of first order in the residual. The
+//! second bound is of second order. For an operator that provides no such `lambda` only the first bound is available. The first
+//! bound is infinite while a cell without an upper bound has a gradient that would increase its unknown. An iteration with such
+//! an operator stops on the residual alone.
 //!
 //! A spring of compliance `c` adds `c (sum x)^2 / 2` to the objective and `c (sum (x - x*))^2 >= 0` to `E^2`. Its multiplier
 //! follows the sum, `delta = X - c sum x`. Thus `g` is the gradient of the whole objective, and the bound also holds for the
 //! energy norm of `C` alone. In `B`, the mean of `r` over the `n` cells is then divided by `n c` instead of `lambda` if `n c` is
 //! larger, or if the operator maps constants to zero and only the spring resists the mean. Residuals are then relative to the
-//! largest displacement, or to the stretch of the stiffest spring under unknowns of one sign if that is larger.
+//! largest displacement, or to the stretch of the stiffest spring under unknowns of one sign if this stretch is larger.
 //!
-//! A total missed by round-off is reported separately: `x*` is the minimiser for the total of `x`. If the operator maps constants
-//! to zero and `lambda` bounds the other eigenvalues, `x*` is also the minimiser for the total of `x`, whether or not a total is
-//! prescribed: `x - x*` then has sum zero. All these statements hold up to the round-off of the product.
+//! A deviation of a total due to round-off is reported separately: here `x*` is the minimiser for the total of `x`. If the
+//! operator maps constants to zero and `lambda` bounds the other eigenvalues, `x*` is also the minimiser for the total of `x`,
+//! whether or not a total is prescribed: `x - x*` then has sum zero. All these statements hold up to the round-off of the
+//! product.
 //!
 //! # Round-off
 //!
@@ -132,6 +134,6 @@ pub use workspace::Workspace;
 
 pub use crate::report::{Iteration, Report, Status};
 
-/// The motion type of the cells of a constraint.
+/// Type of the motion of a cell under a constraint.
 pub(crate) type MotionOf<K, const N: usize> =
     <<K as Constraint<N>>::Set as LinearisedSet<N>>::CellMotion;

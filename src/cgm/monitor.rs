@@ -72,7 +72,7 @@ impl<'a> Monitor<'a> {
         self.stage.unwrap_or(self.settings.tolerance)
     }
 
-    /// Records an examined step. Breaks if it is the last one: converged or stopped.
+    /// Records an examined step. Breaks if it is the last step, because the iteration has converged or must stop.
     pub(super) fn check_termination(
         &mut self,
         merit: f64,
@@ -92,7 +92,7 @@ impl<'a> Monitor<'a> {
         self.proceed(report)
     }
 
-    /// Returns the status if the residual no longer falls and is round-off, else `None`.
+    /// Returns the final status if the residual no longer falls and is round-off, else `None`.
     pub(super) fn stuck(&self) -> Option<Status> {
         (self.best <= ROUND_OFF).then_some(Status::Stalled)
     }
@@ -138,7 +138,7 @@ impl<'a> Monitor<'a> {
         }
     }
 
-    /// Sets the final status: convergence counts only if the examined iterate proves it.
+    /// Sets the final status. A solve counts as converged only if the merit of the examined iterate proves it.
     pub(super) fn finish(&self, status: Status, merit: f64, report: &mut Report) -> Status {
         let is_proven = merit <= self.settings.tolerance;
         report.status = if status == Status::Converged && !is_proven {
@@ -163,8 +163,8 @@ impl<'a> Monitor<'a> {
 
 /// Reduction of the inner residual per outer step while the sets make progress.
 pub(super) const INNER_REDUCTION: f64 = 0.1;
-/// Lower limit of the reduction. With long cells, the sets may depend on gradients as small as this fraction of the largest
-/// residual.
+/// Lower limit of the reduction of the inner residual. With long cells, the sets may depend on gradients as small as this
+/// fraction of the largest residual.
 const LEAST_REDUCTION: f64 = 1e-6;
 /// Number of outer steps without progress after which the inner solution counts as too coarse to update the sets.
 const DOUBT: usize = 2;
@@ -177,8 +177,8 @@ const LAST: f64 = 0.6;
 /// Remaining reduction above which the linear problem is solved to the tolerance in one step, although the sets may still change.
 const IN_SIGHT: f64 = 0.02;
 
-/// Number of outer steps without progress after which the method is stuck, once the sets no longer change. A step makes progress
-/// if the residual halves or if fewer entries than ever before change sets.
+/// Number of outer steps without progress after which the method is stuck, provided that the sets no longer change. A step makes
+/// progress if the residual halves or if fewer entries than ever before change sets.
 const PATIENCE: usize = 4;
 
 /// Progress of the outer iterations.

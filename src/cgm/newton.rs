@@ -20,8 +20,9 @@ use crate::numerics::cell_vector::{at, chunks, held, minus, put, slices, within}
 use crate::parallel;
 use crate::report::Status;
 
-/// Number of outer steps without progress that count as a cycle; with curved bounds, sets settle sooner.
+/// Number of outer steps without progress that count as a cycle.
 const CYCLE: usize = 12;
+/// Number of such steps with curved bounds, for which sets settle sooner.
 const CYCLE_CURVED: usize = 5;
 
 /// Residual of a near start below which its gradient identifies the sets.
@@ -38,7 +39,8 @@ pub(super) trait NewtonSteps {
     /// Returns whether the steps make no progress: the sets cycle.
     fn has_stalled(&mut self, merit: f64) -> bool;
 
-    /// Sets up the linear problem for the current motion of the cells. Returns whether it has a solution.
+    /// Sets up the linear problem for the current motion of the cells. Returns whether the linear problem has a
+    /// solution.
     fn linearise(&mut self, merit: f64) -> ControlFlow<Status, bool>;
 
     /// Solves the linear problem and lets the cells leave their sets.
@@ -104,7 +106,7 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for ActiveSetSolve<'_, '_, K,
         self.check_termination(merit)?;
         self.shown = None;
         if !keeps_sets {
-            // Cells were far beyond their bounds, and have pushed other cells off their bounds.
+            // Some cells were far beyond their bounds, and moving them has pushed other cells off their bounds.
             self.mark_and_measure()?;
         }
         ControlFlow::Continue(merit)
@@ -148,8 +150,8 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for ActiveSetSolve<'_, '_, K,
         let (changes, sums) = self.reclassify();
         self.progress.changes = changes;
         if MotionOf::<K, N>::IS_CURVED || changes > 0 {
-            // Projection has moved unknowns in addition to the steps. Without changes, the correction below is round-off of the
-            // sums.
+            // Projection has moved unknowns in addition to the steps. If no cell has changed, the correction below is only
+            // round-off of the sums.
             self.gradient_error = f64::INFINITY;
             self.list_and_spread();
         }
@@ -294,7 +296,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         });
     }
 
-    /// Measures the stiffness of every curved bound from the current gradient. Passes it to the preconditioner only if `weighed`.
+    /// Measures the stiffness of every curved bound from the current gradient. Passes the stiffness to the preconditioner only if
+    /// `weighed`.
     fn measure(&mut self, weighed: bool) {
         if !MotionOf::<K, N>::IS_CURVED {
             return;
@@ -322,7 +325,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     /// Returns the number of changed cells and the sums of all unknowns.
     fn reclassify(&mut self) -> (usize, [f64; N]) {
         let problem = self.problem;
-        // A wrong sign below this value is noise of the inner solution; the cell would change its state back and forth.
+        // A gradient of the wrong sign below this value is noise of the inner solution. Without this threshold the cell
+        // would change its state back and forth.
         let noise = (0.01 * self.monitor.tolerance()).max(f64::EPSILON) * self.displacement;
         let self_compliance = self.self_compliance;
         self.product_error = f64::INFINITY;

@@ -1,8 +1,8 @@
 //! Method of Polonsky & Keer: a single loop of conjugate gradients with clipping, for bounds on both sides.
 //!
-//! With bounds `|q| <= mu p` it is the tangential loop of Wang et al. (2021), eqs 17-26, with three corrections of the paper.
-//! Entries inside the bounds are clipped as well (eq 21), an entry that becomes free is clipped on both sides (eq 22), and the
-//! conjugation term has a positive sign (eq 24).
+//! With bounds `|q| <= mu p` the method is the tangential loop of Wang et al. (2021), eqs 17-26, with three corrections to the
+//! paper. Entries inside the bounds are clipped as well (eq 21), an entry that becomes free is clipped on both sides (eq 22),
+//! and the conjugation term has a positive sign (eq 24).
 
 use std::ops::ControlFlow;
 

@@ -95,13 +95,13 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
 
     /// Marks a problem whose solution is only a start for another solve, or is examined by the caller with an exact product.
     /// Convergence may then be tested with a product whose error is a small fraction of the tolerance. The report and the stored
-    /// product have the same error, so that they do not certify the solution.
+    /// product have the same error, so they do not certify the solution.
     pub(crate) fn verified_by_caller(mut self) -> Self {
         self.is_examined_elsewhere = true;
         self
     }
 
-    /// Sets the layout of the cells; its ranks may also all solve the same problem.
+    /// Sets the layout of the cells. The ranks of the layout may also all solve the same problem.
     pub(crate) fn layout(mut self, layout: &Layout) -> Self {
         self.layout.clone_from(layout);
         self
@@ -279,7 +279,8 @@ impl<C: Operator, K: Constraint, P: Operator> Problem<'_, C, K, P> {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Minimum<const N: usize = 1> {
-    /// Multipliers of the totals. `C x + b - multiplier` vanishes on free cells. Zero for a component without a prescribed total.
+    /// Multipliers of the totals. `C x + b - multiplier` vanishes on free cells. The multiplier is zero for a component without a
+    /// prescribed total.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::array"))]
     pub multiplier: [f64; N],
     /// Status, cost and certified error.
@@ -305,7 +306,8 @@ pub fn minimise<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize
     settings: &Settings,
     x: [&mut [f64]; N],
 ) -> Result<Minimum<N>> {
-    // An operator may report any number of unknowns, whereas the start exists in memory: compare their lengths before allocating.
+    // An operator may report any number of unknowns, whereas the start exists in memory. Therefore the lengths are compared
+    // before any allocation.
     problem.posed().check(settings, &x)?;
     let mut workspace = problem.workspace()?;
     minimise_with(problem, settings, x, &mut workspace, &mut |_| {
@@ -319,7 +321,7 @@ pub fn minimise<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize
 
 /// Minimises like [`minimise`], with the caller's workspace and an observer. The workspace also stores the product, the
 /// multiplier and the report. The observer is called at every step and may cancel. Allocates nothing if the workspace was used
-/// for a solve with at least as many steps before.
+/// before for a solve with at least as many steps.
 ///
 /// # Errors
 /// The errors of [`minimise`].
@@ -392,7 +394,7 @@ pub(crate) fn minimise_from<K: Constraint<N>, const N: usize>(
     }
 }
 
-/// Numbers of projected-gradient steps after the first and the second cycle.
+/// Number of projected-gradient steps after the first cycle and after the second cycle.
 const GRADIENTS: [usize; 2] = [32, 64];
 
 /// Runs the selected method, with projected-gradient steps and finally proximal-point steps if its sets cycle.

@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crate::error::{Error, Result};
 
-/// The iteration that computes the constrained minimum.
+/// Iteration method that computes the constrained minimum.
 ///
 /// If the active sets start to cycle, the solve is completed by projected-gradient steps and, if necessary, by a sequence of
 /// better-conditioned problems.
@@ -13,14 +13,14 @@ use crate::error::{Error, Result};
 #[non_exhaustive]
 pub enum Method {
     /// Active sets in the outer loop and preconditioned conjugate gradients without clipping in the inner loop. The residual is
-    /// recomputed at every outer step, in double precision once it is small. This is the default; it needs 2 to 5 times fewer
-    /// products than [`Self::PolonskyKeer`].
+    /// recomputed at every outer step, in double precision once it is small. This method is the default. It needs 2 to 5 times
+    /// fewer products than [`Self::PolonskyKeer`].
     #[default]
     ActiveSet,
     /// A single loop that clips at every step: Polonsky & Keer, Wear 231 (1999) 206,
-    /// <https://doi.org/10.1016/S0043-1648(99)00113-1>, and eqs 17-26 of Wang et al. (2021) with corrected signs. It needs two
-    /// products per step unless nothing was clipped. The method requires a symmetric operator and one unknown per cell; other
-    /// problems return [`Error::Method`].
+    /// <https://doi.org/10.1016/S0043-1648(99)00113-1>, and eqs 17-26 of Wang et al. (2021) with corrected signs. The method
+    /// needs two products per step unless nothing was clipped. The method requires a symmetric operator and one unknown per
+    /// cell; other problems return [`Error::Method`].
     PolonskyKeer,
 }
 
@@ -153,8 +153,8 @@ macro_rules! settings_methods {
     };
 }
 
-/// Getter and setter of the settings of a solver, which stores them in `$($path).+`, accepts settings that pass `$check` and
-/// solves on the bodies `$($bodies).+`.
+/// Getter and setter of the settings of a solver. The solver stores the settings in `$($path).+`, accepts settings that pass
+/// `$check`, and solves on the bodies `$($bodies).+`.
 macro_rules! solver_settings {
     ($($path:ident).+, $($bodies:ident).+, $check:expr) => {
         /// Returns the settings of the next solve.

@@ -11,7 +11,7 @@ use crate::report::Status;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum InitialGuess<const N: usize> {
     Nothing,
-    /// The start was a solution with these multipliers; it is examined first.
+    /// The start was a solution with these multipliers. The solver examines it first.
     PreviousSolution([f64; N]),
     /// The start is near the solution, prolongated from a coarser grid or extrapolated: its gradient identifies the cells that
     /// become free.
@@ -49,7 +49,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         Some(self.monitor.finish(status, merit, report))
     }
 
-    /// Returns whether the unknowns are in their sets and have their totals, up to round-off.
+    /// Returns whether the unknowns are in their sets and meet their totals, up to round-off.
     fn is_feasible(&self, multiplier: [f64; N]) -> bool {
         let constraint = self.problem.constraint;
         let x = slices(&self.x);

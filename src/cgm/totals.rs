@@ -17,10 +17,10 @@
 //! (e_b' w_a + D_{ab})\,\eta_a = \varrho_b - e_b' M r .
 //! ```
 //!
-//! It is symmetric and positive definite. It tends to the system of a prescribed sum for a soft spring, and to a prescribed
-//! multiplier for a stiff spring. The directions `z = M r + w eta` of the conjugate gradients then keep the totals exactly. This
-//! is a constraint preconditioner: Keller, Gould & Wathen, SIAM J. Matrix Anal. Appl. 21 (2000) 1300,
-//! <https://doi.org/10.1137/S0895479899351805>.
+//! This system is symmetric and positive definite. It tends to the system of a prescribed sum for a soft spring, and to a
+//! prescribed multiplier for a stiff spring. The directions `z = M r + w eta` of the conjugate gradients then keep the totals
+//! exactly. Such a preconditioner is called a constraint preconditioner (Keller, Gould & Wathen, SIAM J. Matrix Anal. Appl.
+//! 21 (2000) 1300, <https://doi.org/10.1137/S0895479899351805>).
 
 use crate::cgm::active_set_solve::ActiveSetSolve;
 use crate::cgm::law::state::Row;
@@ -144,7 +144,7 @@ impl Total {
     }
 }
 
-/// Returns the sum of each component over all cells, and the sum of its magnitudes.
+/// Returns the sum of each component over all cells, and the sum of the magnitudes of the component.
 pub(super) fn sums_of<const N: usize>(layout: &Layout, x: &[&[f64]; N]) -> [[f64; 2]; N] {
     reduce::sum(layout, |i| at(x, i).map(|x| [x, x.abs()]))
 }
@@ -162,7 +162,7 @@ pub(super) struct TotalsSystem<const N: usize> {
 }
 
 impl<const N: usize> TotalsSystem<N> {
-    /// Initial value, before the moving cells have been determined.
+    /// System before the moving cells have been determined, as an initial value.
     pub(super) const NONE: Self = Self {
         totals: [Total::Free; N],
         patterns: Small([[0.0; N]; N]),
@@ -313,8 +313,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         self.product_error = f64::INFINITY;
     }
 
-    /// Sets the multipliers such that the mean residual vanishes, weighted with the patterns. Multipliers of springs stay within
-    /// round-off of the values of the springs for the current sums.
+    /// Sets the multipliers such that the mean of the residual, weighted with the patterns, vanishes. Multipliers of springs
+    /// stay within round-off of the values of the springs for the current sums.
     pub(super) fn set_multiplier(&mut self) {
         let system = self.totals;
         let prescribed = system.prescribed();

@@ -7,10 +7,10 @@ use crate::memory::fallible;
 use crate::operator::{Operator, Scratch};
 use crate::report::Report;
 
-/// Buffers of an iteration except `x`, created once and reused by every solve of the same size.
+/// Buffers of an iteration except `x`. They are created once and reused by every solve of the same size.
 ///
 /// `S` is the kind of set of each cell: an [`Interval`](crate::cgm::Interval) or a [`Disc`](crate::cgm::Disc).
-/// [`Problem::workspace`](crate::cgm::Problem::workspace) creates it.
+/// [`Problem::workspace`](crate::cgm::Problem::workspace) creates a workspace.
 #[derive(Debug, Clone)]
 pub struct Workspace<S: ConstraintSet<N>, const N: usize = 1> {
     pub(super) linear: LinearWorkspace<S::CellMotion, N>,

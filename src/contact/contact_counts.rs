@@ -53,7 +53,7 @@ struct Strip {
     closed: Spots,
 }
 
-/// Adjacent cells of a row that belong to one spot.
+/// Run of adjacent cells of a row that belong to one spot.
 #[derive(Debug, Clone)]
 struct RowSegment {
     columns: Range<usize>,
@@ -403,8 +403,8 @@ impl Joined {
     }
 }
 
-/// Returns the number of places from the first taken place to the last, or, on a periodic axis, the number of all places outside
-/// the longest free run.
+/// Returns the number of positions from the first occupied position to the last. On a periodic axis, returns the number of
+/// positions outside the longest free run.
 fn span(count: usize, [first, last, within]: [usize; 3], repeats: bool) -> usize {
     if repeats {
         count - within.max(first + last)
@@ -413,8 +413,8 @@ fn span(count: usize, [first, last, within]: [usize; 3], repeats: bool) -> usize
     }
 }
 
-/// Joins the strips of all ranks into one strip on the first rank; other ranks keep the partial strip that they have sent. Each
-/// step halves the number of strips, and messages contain only their ends.
+/// Joins the strips of all ranks into one strip on the first rank. Other ranks keep the partial strip that they have sent. Each
+/// step halves the number of strips, and messages contain only the ends of the strips.
 fn over_ranks(slab: Strip, width: usize, team: &RankGroup) -> Strip {
     let (me, ranks) = (team.rank(), team.size());
     let (mut strip, mut step) = (slab, 1);
@@ -447,7 +447,7 @@ type Counts = (
 );
 
 impl ContactCounts {
-    /// Returns the survey of the first rank.
+    /// Returns the counts of the first rank on all ranks.
     fn of_first(self, team: &RankGroup) -> Self {
         let found = self.spots;
         let (counts, extent, spots): Counts = team.of_first((

@@ -13,8 +13,8 @@ use crate::operator::Operator;
 use crate::parallel::layout::Layout;
 use crate::report::Report;
 
-/// Minimiser on a rectangle of cells, for one kind of set. It takes the buffers from a pool at the first solve and keeps them
-/// until [`rest`](Self::rest). All solvers of a rectangle that work sequentially share the same buffers.
+/// Minimiser on a rectangle of cells, for one kind of set. It acquires its buffers from a pool at the first solve and keeps
+/// them until [`rest`](Self::rest). All solvers of a rectangle that work sequentially share the same buffers.
 #[derive(Debug, Clone)]
 pub(crate) struct ElasticSolver<S: ConstraintSet<N>, const N: usize> {
     compliance: Compliance<N>,
@@ -24,7 +24,7 @@ pub(crate) struct ElasticSolver<S: ConstraintSet<N>, const N: usize> {
     report: Report,
 }
 
-/// Problem type of such a solver.
+/// Type of the problems of an [`ElasticSolver`].
 pub(crate) type ElasticProblem<'a, K, const N: usize> =
     Problem<'a, ElasticOperator<N>, K, ElasticPreconditioner<N>, N>;
 

@@ -17,7 +17,7 @@ pub(crate) type LoadPoint = [f64; 2];
 pub(crate) struct LoadTrend<const N: usize> {
     /// Change of every cell; empty before the first change.
     pub(crate) change: [Vec<f64>; N],
-    /// Change of sum and motion along each component; zero if it cannot be used.
+    /// Change of sum and motion along each component. A change that cannot be used is set to zero.
     pub(crate) by: [LoadPoint; N],
 }
 

@@ -119,8 +119,8 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
         warnings
     }
 
-    /// Returns the radius of a spot of mean size, or half the width for a line, as a number of cells (zero without spots), and
-    /// the number of spots.
+    /// Returns the radius of a spot of mean size as a number of cells, and the number of spots. For a line, half the width
+    /// replaces the radius. The radius is zero without spots.
     pub(crate) fn mean_spot(&self) -> (f64, usize) {
         let counts = self.counts();
         let cells = counts.cells as f64 / counts.spots.all.max(1) as f64;
@@ -157,7 +157,7 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
     }
 
     /// Calls `show` once for every cell of every spot (a set connected through cell sides) with the number of the spot and the
-    /// cell. Ends with the first error of `show`, or if the memory does not suffice.
+    /// cell. Ends at the first error of `show`, or with an error if the memory does not suffice.
     pub(crate) fn walk_spots(
         &self,
         mut show: impl FnMut(usize, usize) -> Result<()>,
@@ -254,8 +254,8 @@ mod tests {
             [Warning::ContactAtEdge { cells: 6 }, unresolved]
         );
 
-        // On the periodic grid the row at the bottom meets the L at the top; two cells of the row and its left end do not, which
-        // adds three switches.
+        // On the periodic grid the row at the bottom touches the L at the top. Two cells of the row and its left end do not
+        // touch the L, which adds three switches.
         map.repeats = [true; 2];
         assert_eq!(sizes(&map), [7, 2]);
         // Columns 4, 5 and 7 are free; no row is free.

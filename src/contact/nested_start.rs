@@ -58,7 +58,7 @@ pub(crate) trait MultilevelProblem<const N: usize>: Sized {
     ) -> Result<[Vec<f64>; N]>;
 }
 
-/// Rectangles of `size` cells and of cells twice as large, with the transfer of fields between them.
+/// Transfer of fields between a rectangle of `size` cells and the same rectangle with cells twice as large.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct GridTransfer<'a> {
     size: [usize; 2],
@@ -82,7 +82,7 @@ impl GridTransfer<'_> {
         self.bodies.refined_zone(self.coarser, self.size, field)
     }
 
-    /// Returns the area of a finer cell over the area of a coarser cell.
+    /// Returns the area of a finer cell divided by the area of a coarser cell.
     pub(crate) fn part_of_area(&self) -> f64 {
         self.bodies.grid().cell_area() / self.coarser.grid().cell_area()
     }
@@ -119,7 +119,7 @@ pub(crate) fn is_worth_coarsening(bodies: &HalfSpace, size: [usize; 2]) -> bool 
     !is_small && bodies.can_be_coarser()
 }
 
-/// Returns the knowledge about a start on these cells.
+/// Returns the prior knowledge about a start on these cells.
 pub(crate) fn known_of_start<const N: usize>(
     bodies: &HalfSpace,
     size: [usize; 2],
@@ -131,8 +131,9 @@ pub(crate) fn known_of_start<const N: usize>(
     }
 }
 
-/// Computes the [start](nested_start). Also returns the initial residual of the coarser solve, infinite if there is no coarser
-/// solve, or `None` if the observer or the clock ended it; no further level is then solved.
+/// Computes the [start](nested_start). Also returns the initial residual of the coarser solve, or infinity if there is no
+/// coarser solve. Returns `None` for the residual if the observer or the clock ended the coarser solve; no further level is
+/// then solved.
 fn descend<S: MultilevelProblem<N>, const N: usize>(
     bodies: &HalfSpace,
     size: [usize; 2],

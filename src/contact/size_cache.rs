@@ -1,6 +1,6 @@
 //! Cache of objects for rectangles of different sizes.
 
-/// Number of uses after which a size that was not requested is dropped.
+/// Number of uses after which an object whose size was not requested is dropped.
 const PATIENCE: u64 = 256;
 
 /// An object for rectangles of one size.

@@ -1,4 +1,4 @@
-//! Methods common to the reusable solvers of all contacts.
+//! Methods that the reusable solvers of all contacts have in common.
 
 /// Methods of a solver that create solutions of the right size and solve. The solver must have `try_new_solution` and
 /// `solve_checked`, and must store its bodies in `$($bodies).+`. The grid of a solution is the grid of its `$half`, if it has
@@ -25,8 +25,8 @@ macro_rules! solver_methods {
             self.solve_observed(solution, |_| std::ops::ControlFlow::Continue(()))
         }
 
-        /// Solves like [`Self::solve_into`] with an observer that is called at every step and may cancel. Once it has cancelled,
-        /// the solve returns [`Error::NotConverged`](crate::Error::NotConverged) with
+        /// Solves like [`Self::solve_into`] with an observer that is called at every step and may cancel. Once the observer has
+        /// cancelled, the solve returns [`Error::NotConverged`](crate::Error::NotConverged) with
         /// [`Status::Cancelled`](crate::Status::Cancelled), even if the iterate satisfies the tolerance.
         ///
         /// # Errors

@@ -1,11 +1,10 @@
 //! The exact minimum on a small grid, by pivoting between active sets that are each solved by Cholesky
 //! factorisation.
 //!
-//! For a given multiplier the method is block principal pivoting with Murty's single pivots as a fallback
-//! (Judice & Pires, Computers & Operations Research 21 (1994) 587,
-//! <https://doi.org/10.1016/0305-0548(94)90106-6>). It terminates for every symmetric positive definite
-//! matrix. A prescribed total is then one equation for the multiplier, increasing and piecewise linear. It is
-//! solved by Newton's method between brackets.
+//! For a given multiplier the method is block principal pivoting with Murty's single pivots as a fallback (Judice &
+//! Pires, Computers & Operations Research 21 (1994) 587, <https://doi.org/10.1016/0305-0548(94)90106-6>). It terminates
+//! for every symmetric positive definite matrix. A prescribed total gives one equation for the multiplier, whose
+//! left-hand side is increasing and piecewise linear. This equation is solved by Newton's method between brackets.
 
 use faer::linalg::cholesky::llt::factor::LltError;
 use faer::linalg::solvers::{Llt, Solve};
@@ -175,8 +174,8 @@ impl ActiveSetSearch<'_> {
         Err(not_converged())
     }
 
-    /// Returns the multiplier at which the first entry would leave its bound, and the stiffness of this
-    /// entry. The search needs them if no entry is free.
+    /// Returns the multiplier at which the first entry would leave its bound, and the stiffness of this entry. The
+    /// search needs both values if no entry is free.
     fn next_to_move(&self, x: &[f64], upward: bool) -> (f64, f64) {
         let from = if upward { Mark::Lower } else { Mark::Upper };
         let sign = if upward { 1.0 } else { -1.0 };

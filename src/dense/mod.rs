@@ -2,7 +2,7 @@
 //!
 //! [`DenseOperator`] computes the same products as [`Convolution`](crate::fft::Convolution), in `n^2` operations and
 //! without a transform. [`DenseOperator::minimise`] computes the same solutions as [`crate::cgm`] up to round-off, by
-//! Cholesky factorisation on active sets. Both are references for tests of the fast methods, and solve problems of a
+//! Cholesky factorisation on active sets. Both are references for tests of the fast methods. They solve problems of a
 //! few hundred cells without a tolerance.
 
 mod active_set;
@@ -121,7 +121,7 @@ impl DenseOperator {
         Self::from_rows(cells, entries)
     }
 
-    /// Returns the entry of a row and a column; `None` outside the matrix.
+    /// Returns the entry of a row and a column, or `None` outside the matrix.
     #[must_use]
     pub fn get(&self, row: usize, column: usize) -> Option<f64> {
         (row < self.len && column < self.len).then(|| self.row(row)[column])

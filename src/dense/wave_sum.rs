@@ -8,8 +8,8 @@ use crate::grid::Grid;
 use crate::grid::field::Field;
 use crate::influence::Symbols;
 
-/// Returns the coefficient at every distance `(i dx, j dy)` of a periodic grid, `0 <= i < nx`, `0 <= j < ny`.
-/// It is the sum of all waves, each multiplied by its symbol.
+/// Returns the coefficient at every distance `(i dx, j dy)` of a periodic grid, `0 <= i < nx`, `0 <= j < ny`. Each
+/// coefficient is the sum of all waves, each multiplied by its symbol.
 pub(super) fn coefficients(grid: Grid, kernel: &Kernel, component: Component) -> Field {
     let (nx, ny) = (grid.nx(), grid.ny());
     let symbols = Symbols::new(grid, kernel, component);

@@ -17,9 +17,9 @@ use crate::parallel::ranks::partition::RowPartition;
 /// cells make no difference (measured).
 const APART: usize = 2;
 
-/// Approximate inverse of a [`Convolution`](super::Convolution): the coefficients wrapped around the grid and two cells
-/// beyond its edge (Strang's circulant), inverted in Fourier space. On a periodic grid, which is not padded, the inverse is
-/// exact for tractions of mean zero. The mean has the weight of the largest eigenvalue.
+/// Approximate inverse of a [`Convolution`](super::Convolution). The coefficients are wrapped around the grid and two cells
+/// beyond its edge (Strang's circulant), and inverted in Fourier space. On a periodic grid, which is not padded, the
+/// inverse is exact for tractions of mean zero. The mean has the weight of the largest eigenvalue.
 ///
 /// All computations are in single precision. A product takes about a quarter of the time of an operator product.
 /// [`HalfSpace::preconditioner`](crate::HalfSpace::preconditioner) returns this preconditioner.
@@ -76,7 +76,7 @@ impl<const N: usize> CirculantInverse<N> {
         let [_, high] = symbol.extremes(false);
         // A single periodic cell has no wave except the mean, so any weight is valid.
         let high = if high > 0.0 { high } else { 1.0 };
-        // If the datum is too near, the mean has a negative eigenvalue on a grid that is periodic along y.
+        // On a grid that is periodic along y, the mean has a negative eigenvalue if the datum is too near.
         let is_mean_unbounded = repeats == [false, true] && symbol.least_of_mean() <= floor;
         let symbol = if is_up_to_mean {
             symbol.with_mean_of_longest_wave()

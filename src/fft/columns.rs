@@ -1,4 +1,4 @@
-//! The pass over the columns of all fields, in which the kernels are applied.
+//! Pass over the columns of all fields, in which the kernels are applied.
 
 use num_complex::Complex;
 
@@ -30,8 +30,8 @@ impl<T: Real> Plan<T> {
         })
     }
 
-    /// Returns the distance between padded columns in scratch memory. It includes space for whole tiles and
-    /// avoids powers of two, at which all columns would map to the same cache sets.
+    /// Returns the distance between padded columns in scratch memory. The distance includes space for whole tiles. It
+    /// is never a power of two, for which all columns would map to the same cache sets.
     fn column_stride(&self) -> usize {
         let end = self.tile_rows.iter().map(|row| row + TILE_ROWS).max();
         self.frame.torus[1]

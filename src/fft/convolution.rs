@@ -34,13 +34,13 @@ use crate::support::debug::shown;
 /// [`HalfSpace::tensor_operator`](crate::HalfSpace::tensor_operator).
 ///
 /// Tractions are pressures, displacements are lengths. The result equals the direct sum up to round-off (typically 1e-15 of
-/// the largest displacement). The operator is immutable, so threads can share it; each needs its own workspace.
+/// the largest displacement). The operator is immutable, so threads can share it. Each thread needs its own workspace.
 ///
 /// # Memory
 ///
 /// The operator takes 12 bytes per cell for each of the N (N + 1)/2 coefficients, and each workspace 16 N bytes per cell. On
 /// a grid that is periodic along y alone the coefficients take 6 bytes instead of 12. On a grid that is periodic along both
-/// axes they take 3 bytes, and each workspace 8 N bytes.
+/// axes the coefficients take 3 bytes, and each workspace 8 N bytes.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, Material, Operator, fft::Convolution, influence::Component};
@@ -78,8 +78,8 @@ pub struct Convolution<const N: usize = 1> {
 
 shown!(Convolution<const N: usize>: lower_bound, upper_bound);
 
-/// Ratio of the smallest to the largest eigenvalue below which single precision loses the smallest. Grids with long cells fall
-/// below this ratio, as do square grids of about 50 000 cells along a side.
+/// Ratio of the smallest to the largest eigenvalue below which single precision does not resolve the smallest. Grids with long
+/// cells fall below this ratio, as do square grids of about 50 000 cells along a side.
 const SINGLE_RANGE: f64 = 2e-6;
 
 impl Convolution {
@@ -99,8 +99,8 @@ impl Convolution {
     }
 
     /// Creates the operator on a grid that is periodic along x and y, with the symbols of the [`influence`](crate::influence)
-    /// page and no padding. It is exact for tractions that consist of the waves that fit the grid, down to two cells per
-    /// period. A mean traction causes no displacement, so displacements have mean zero.
+    /// page and no padding. The operator is exact for tractions that consist of the waves that fit the grid, down to two
+    /// cells per period. A mean traction causes no displacement, so displacements have mean zero.
     ///
     /// ```
     /// use std::f64::consts::TAU;
@@ -131,9 +131,9 @@ impl Convolution {
 }
 
 impl<const N: usize> Convolution<N> {
-    /// Creates the operator on `[nx, ny]` cells from a symmetric tensor of kernels (displacement, then traction) or from one
-    /// kernel of any parity. Tables must contain the [`samples`] of at least these cells. Symbols must belong to exactly
-    /// these cells.
+    /// Creates the operator on `[nx, ny]` cells from a symmetric tensor of kernels (indexed by displacement, then traction)
+    /// or from one kernel of any parity. Tables must contain the [`samples`] of at least these cells. Symbols must belong to
+    /// exactly these cells.
     ///
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
@@ -210,8 +210,8 @@ impl<const N: usize> Convolution<N> {
         }
     }
 
-    /// Returns the smallest eigenvalue of the periodic continuation, which can be negative; without the mean on a periodic
-    /// grid.
+    /// Returns the smallest eigenvalue of the periodic continuation, which can be negative. On a periodic grid the mean is
+    /// excluded.
     pub(crate) fn least_eigenvalue(&self) -> f64 {
         self.least
     }
@@ -347,9 +347,9 @@ impl<const N: usize> Operator<N> for Convolution<N> {
             .convolve(&self.symbol, x, out, [1.0; 2], tiles, double);
     }
 
-    /// Computes the product in single precision: the error is about 3e-7 of the largest displacement, at two thirds of the cost
-    /// of a product in double precision. Double precision is used if the smallest eigenvalue is too small relative to the largest
-    /// to be resolved with this error.
+    /// Computes the product in single precision. The error is about 3e-7 of the largest displacement, and the cost is two thirds
+    /// of the cost of a product in double precision. Double precision is used if the smallest eigenvalue is too small relative to
+    /// the largest to be resolved with this error.
     fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
         if !self.is_single_enough {
             return self.apply(x, out, scratch);

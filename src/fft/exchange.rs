@@ -18,7 +18,7 @@ const ROUND_TILES: usize = 2048;
 const TASK_TILES: usize = 16;
 
 impl<T: Real> Plan<T> {
-    /// Returns the range of tiles in a column that contain rows of a rank.
+    /// Returns the range of the tiles in a column that contain rows of a given rank.
     fn tile_rows_of(&self, share: &RowPartition, rank: usize) -> Range<usize> {
         let rows = share.rows_of(rank);
         let place = |row: usize| self.tile_rows.partition_point(|&first| first < row);

@@ -29,8 +29,8 @@ pub(crate) fn smooth_length(least: usize) -> usize {
     cheapest.map_or(most, |(_, n)| n)
 }
 
-/// Returns `n log n` times measured factors for factors of five and for a lack of factors of two. The length must have no
-/// prime factors except 2, 3, 5.
+/// Returns `n log n`, multiplied by measured penalties for factors of five and for a lack of factors of two. The length
+/// must have no prime factors except 2, 3, 5.
 fn cost(n: usize) -> f64 {
     let (mut fives, mut rest) = (0, n);
     while rest % 5 == 0 {

@@ -1,4 +1,4 @@
-//! The two-dimensional real transform of zero-padded fields, one pass over memory per stage.
+//! Two-dimensional real transform of zero-padded fields, with one pass over memory per stage.
 //!
 //! The transform has three stages:
 //!
@@ -187,8 +187,8 @@ impl<T: Real> Plan<T> {
         })
     }
 
-    /// Computes `out = inverse(symbol * forward(x))`; all fields are `nx` x `ny`. `scales` multiply the input and the
-    /// output.
+    /// Computes `out = inverse(symbol * forward(x))`; all fields are `nx` x `ny`. The input and the output are
+    /// multiplied by `scales`.
     pub(super) fn convolve<const N: usize>(
         &self,
         symbol: &Symbol<T, N>,

@@ -6,7 +6,7 @@ use bytemuck::Pod;
 use num_complex::Complex;
 use rustfft::{Fft, FftDirection, FftNum, FftPlanner};
 
-/// `f64`, or `f32` if an iteration needs no more accuracy.
+/// Number type of a transform: `f64`, or `f32` if an iteration needs no more accuracy.
 pub(super) trait Real: FftNum + Pod {
     /// Number of columns of a tile: the complex values in two cache lines.
     const TILE_COLUMNS: usize = 128 / size_of::<Complex<Self>>();

@@ -1,4 +1,4 @@
-//! The transforms of the rows of one field. Two real rows are transformed together as the real and imaginary parts of one
+//! Transforms of the rows of one field. Two real rows are transformed together as the real and imaginary parts of one
 //! complex row with the waves `Z = A + i B`. The waves of the real rows are
 //!
 //! ```math
@@ -21,7 +21,7 @@ use crate::memory::pool::Pool;
 /// Number of pairs of rows in a band of tiles.
 const PAIRS: usize = TILE_ROWS / 2;
 
-/// Number of columns of a tile in single precision, the larger of the numbers for the two precisions.
+/// Number of columns of a tile in single precision, which is larger than the number in double precision.
 const MOST_COLUMNS: usize = f32::TILE_COLUMNS;
 
 #[derive(Debug, Clone)]
@@ -41,8 +41,8 @@ impl<T: Real> Plan<T> {
         })
     }
 
-    /// Returns the distance between pairs of rows in scratch memory. It avoids powers of two, at which all pairs would
-    /// map to the same cache sets.
+    /// Returns the distance between pairs of rows in scratch memory. The distance is never a power of two, for which
+    /// all pairs would map to the same cache sets.
     fn row_stride(&self) -> usize {
         (self.frame.torus[0] + 1).next_multiple_of(T::TILE_COLUMNS) + T::TILE_COLUMNS
     }
@@ -108,7 +108,8 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    /// Transforms two rows, or a single last row, to half their waves, because [`Self::separate`] adds two of them.
+    /// Transforms two rows, or a single last row, to half their waves. The factor is one half because
+    /// [`Self::separate`] adds two waves.
     fn forward_pair(
         &self,
         rows: &[f64],
@@ -255,7 +256,7 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    /// Computes the whole product of fields that are lines; each line is paired with zeros.
+    /// Computes the whole product of fields that are lines. Each line is paired with zeros.
     pub(super) fn convolve_line<const N: usize>(
         &self,
         symbol: &Symbol<T, N>,

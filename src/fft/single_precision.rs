@@ -1,4 +1,4 @@
-//! A product in single precision for any system of units.
+//! Product in single precision for any system of units.
 
 use std::ops::Range;
 

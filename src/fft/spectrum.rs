@@ -13,15 +13,15 @@ use crate::memory::fallible;
 use crate::parallel::ranks::partition::RowPartition;
 use crate::parallel::{self, Blocks};
 
-/// Destination of values: the positions `entry` of each chunk of `stride` numbers.
+/// Destination of values: the range `entry` of each chunk of `stride` numbers.
 pub(super) struct StridedLines<'a> {
     pub(super) values: &'a mut [f64],
     pub(super) stride: usize,
     pub(super) entry: Range<usize>,
 }
 
-/// Writes the transform of a kernel on the `mx` x `my` torus of a frame, or its imaginary part, times `sign`. Each
-/// local wave number along x, of `0..=mx/2`, has a line of `my / 2 + 1` numbers.
+/// Writes the transform of a kernel on the `mx` x `my` torus of a frame, or the imaginary part of the transform,
+/// multiplied by `sign`. Each local wave number along x, of `0..=mx/2`, has a line of `my / 2 + 1` numbers.
 ///
 /// # Errors
 /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
@@ -57,9 +57,9 @@ pub(super) fn transform(
 /// Transforms a kernel whose samples reach at least half around the torus. `row` writes the samples of one distance
 /// along y.
 ///
-/// Along an axis the sample `d` of the torus is the sample at distance `min(d, m - d)`, with the sign of its parity. An
-/// odd kernel vanishes halfway around the torus. If the rows of the samples are distributed, each rank transforms its
-/// own rows along x and its own columns along y. A collective exchange takes place in between.
+/// Along an axis the sample `d` of the torus is the sample at distance `min(d, m - d)`, with the sign that the parity
+/// of the kernel requires. An odd kernel vanishes halfway around the torus. If the rows of the samples are distributed,
+/// each rank transforms its own rows along x and its own columns along y. A collective exchange takes place in between.
 ///
 /// # Errors
 /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
@@ -72,7 +72,7 @@ pub(super) fn of_samples(
     lines: StridedLines<'_>,
     row: impl Fn(usize, &mut [f64]) + Sync,
 ) -> Result<()> {
-    // An odd axis contributes -i. One odd axis makes the spectrum imaginary, two odd axes change its sign.
+    // An odd axis contributes -i. One odd axis makes the spectrum imaginary. Two odd axes change its sign.
     let sign = if is_odd_x || is_odd_y { -sign } else { sign };
 
     // The first transform is along x, with one row per distance along y. The second is along y, with one column per

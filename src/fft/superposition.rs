@@ -60,8 +60,8 @@ impl Torus {
         }
     }
 
-    /// Returns the number of waves along each axis. It is also the number of distances at which a kernel is sampled,
-    /// from zero to half the torus.
+    /// Returns the number of waves along each axis. This number is also the number of distances at which a kernel is
+    /// sampled, from zero to half the torus.
     pub(crate) fn quarter(&self) -> [usize; 2] {
         self.frame.torus.map(|m| m / 2 + 1)
     }
@@ -110,8 +110,8 @@ impl Torus {
     }
 }
 
-/// Transfers the memory of tiles, regardless of their content, to the other order. `width` is the number of tiles in a
-/// band of the first order.
+/// Transfers the memory of tiles to the other order, regardless of the content of the tiles. `width` is the number of
+/// tiles in a band of the first order.
 fn lend(plan: &Plan<f64>, width: usize, from: &mut [Tile], to: &mut [Tile], spare: &mut Vec<Tile>) {
     if plan.frame.share.is_none() {
         return exchange(from, to, width);

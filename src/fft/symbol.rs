@@ -1,4 +1,4 @@
-//! The transform of an N x N tensor of influence coefficients: one quarter plane of real symmetric matrices.
+//! Transform of an N x N tensor of influence coefficients: one quarter plane of real symmetric matrices.
 
 use std::array::from_fn;
 use std::ops::Range;
@@ -21,7 +21,8 @@ use crate::parallel;
 /// A kernel that is even in both axes, or odd in both, has a real spectrum. A kernel that is odd in one axis has an imaginary
 /// spectrum. The other three quarters of the plane follow from the parity. An imaginary entry couples an in-plane direction with
 /// the normal. A diagonal matrix D with entries 1 and i therefore gives the matrix of a wave as `A = D S D*` with S real and
-/// symmetric. This takes N (N + 1)/2 real numbers per wave of one quarter, each of 8 bytes per cell of the unpadded grid.
+/// symmetric. The matrices take N (N + 1)/2 real numbers per wave of one quarter. Each of these numbers takes 8 bytes per cell
+/// of the unpadded grid.
 #[derive(Debug, Clone)]
 pub(super) struct Symbol<T, const N: usize> {
     /// Values of S: for each local column of `0..=mx/2` and each entry of the upper triangle, row by row, `my / 2 + 1` values.
@@ -100,8 +101,8 @@ impl<const N: usize> SymbolShape<N> {
 }
 
 impl<const N: usize> Symbol<f64, N> {
-    /// Creates the symbol of a symmetric tensor of kernels (displacement, then traction), or of one kernel of any parity. Tables
-    /// must reach at least half around the torus.
+    /// Creates the symbol of a symmetric tensor of kernels (indexed by displacement, then traction), or of one kernel of any
+    /// parity. Tables must reach at least half around the torus.
     ///
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.

@@ -7,14 +7,14 @@ use crate::error::Result;
 use crate::fft::precision::Real;
 use crate::memory::fallible::{self, try_each};
 
-/// Number of rows of a tile; they are in pairs. With two cache lines per row, a tile is long enough for efficient memory
-/// access and small enough to be transposed in the cache.
+/// Number of rows of a tile. It is even because rows are transformed in pairs. With two cache lines per row, a tile is
+/// long enough for efficient memory access and small enough to be transposed in the cache.
 pub(super) const TILE_ROWS: usize = 16;
 
 /// Number of words of a tile, in either precision.
 pub(super) const TILE_WORDS: usize = TILE_ROWS * 128 / size_of::<u64>();
 
-/// Tile, stored row by row, in either precision. It is empty while its memory belongs to the other order.
+/// Tile, stored row by row, in either precision. The tile is empty while its memory belongs to the other order.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Tile(Box<[Complex<f64>]>);
 
@@ -44,8 +44,8 @@ impl Tile {
     }
 }
 
-/// Tiles of N fields for transforms of either precision: 16 bytes per cell and field. The next transform overwrites their
-/// content.
+/// Tiles of N fields for transforms of either precision: 16 bytes per cell and field. The next transform overwrites the
+/// content of the tiles.
 #[derive(Debug, Clone)]
 pub(super) struct Tiles<const N: usize> {
     /// All tiles of a band of rows, followed by the next band, while tasks own bands of rows.

@@ -17,8 +17,8 @@ pub(super) struct TorusLayout {
     pub(super) share: Option<Arc<RowPartition>>,
 }
 
-/// The number of columns of waves of a rank is a multiple of this step, so that tiles of both precisions are
-/// whole.
+/// Step of the number of columns of waves of a rank. The number is a multiple of this step, so that tiles of both
+/// precisions are whole.
 const COLUMN_STEP: usize = 16;
 
 impl TorusLayout {
@@ -48,7 +48,7 @@ impl TorusLayout {
         self.columns_of(rank)
     }
 
-    /// Runs work that may include collective calls. Returns an error on all ranks if it failed on any rank.
+    /// Runs work that may include collective calls. Returns an error on all ranks if the work failed on any rank.
     pub(super) fn run_collectively<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
         match &self.share {
             Some(share) => share.team().run_collectively(work),

@@ -17,9 +17,10 @@ use crate::parallel::reduce;
 /// (\xi e + w)' C (\xi e + w) \ge \sigma \xi^2 - 2 |\rho| |\xi| |v| + \lambda |v|^2 .
 /// ```
 ///
-/// The right side is positive if $`\sigma \lambda > |\rho|^2`$. For the traction of a flat punch as wide as the grid,
-/// $`\rho`$ vanishes. Conjugate gradients approximate this traction. The bound is then sharp: the compliance is positive
-/// definite if and only if the approach of this punch is positive. A change of the datum changes only $`\sigma`$.
+/// The right-hand side is positive if $`\sigma \lambda > |\rho|^2`$. For the traction of a flat punch as wide as the
+/// grid, $`\rho`$ vanishes. Conjugate gradients approximate this traction. For this traction the bound is sharp: the
+/// compliance is positive definite if and only if the approach of this punch is positive. A change of the datum changes
+/// only $`\sigma`$.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct UniformWave {
     /// Energy $`\sigma`$.

@@ -9,16 +9,17 @@ pub enum Boundary {
     /// grid as long as the contact stays inside it.
     #[default]
     NonPeriodic,
-    /// The grid is periodic along x and y, including its gap and tractions: for nominally flat surfaces, whose free
-    /// edges would sag and bias the contact.
+    /// Periodic surroundings: grid, gap and tractions are periodic along x and y. This boundary is intended for
+    /// nominally flat surfaces, whose free edges would sag and bias the contact.
     ///
     /// The displacement of a periodic half-space under a mean traction is undefined; here it is set to zero. A
     /// displacement therefore has zero mean. The approach is the mean of the initial gap minus the mean of the gap
     /// under load, and the shift is measured from the mean plane of the surface.
     Periodic,
-    /// The grid is periodic along y only, and unloaded half-space lies beyond its ends along x: for cylinders, rollers
-    /// and pads. A [line of cells](crate::Grid::line) is a line contact in plane strain with forces per length. A grid
-    /// of more rows is the same contact with roughness or texture along y, with the forces of one period.
+    /// Surroundings that are periodic along y only, with unloaded half-space beyond the ends of the grid along x. This
+    /// boundary is intended for cylinders, rollers and pads. A [line of cells](crate::Grid::line) is a line contact in
+    /// plane strain with forces per length. A grid of more rows represents the same contact with roughness or texture
+    /// along y, and forces refer to one period.
     ///
     /// Under a load that is infinitely long in y, the surface moves infinitely far relative to points deep inside the
     /// body. Displacements are therefore relative to a datum: a line load does not move the surface at the distance
@@ -29,10 +30,10 @@ pub enum Boundary {
     /// u_z(x) = -\frac{2 P}{\pi E^*} \ln\frac{|x|}{d} .
     /// ```
     ///
-    /// Approach and shift are relative to this datum. A different datum changes them by a multiple of the force and
-    /// changes nothing else. In one body, the point at the depth h below the load moves by the same distance as the
-    /// surface at the distance $`d = h \exp(-1/2(1-\nu))`$ from the load. The datum must be at least the length of the
-    /// grid along x.
+    /// Approach and shift are relative to this datum. A different datum changes approach and shift by a multiple of the
+    /// force and changes nothing else. In one body, the point at the depth h below the load moves by the same distance
+    /// as the surface at the distance $`d = h \exp(-1/2(1-\nu))`$ from the load. The datum must be at least the length
+    /// of the grid along x.
     ///
     /// A prescribed force has one solution for any datum. A prescribed approach or shift, and a spring, require a datum
     /// for which a flat punch as wide as the grid sinks in under its load. Homogeneous bodies always satisfy this

@@ -4,9 +4,9 @@
 ///
 /// The influence coefficients C of [uniformly loaded cells](crate::influence) smooth a traction. For a wave of wave
 /// number k they give $`1 - h^2 k^2/24`$ times the displacement of the wave with the same values at the centres, where
-/// h is the side of a cell. The error of a pressure computed with them is therefore $`h^2 \Delta p/24`$ inside a
-/// contact, and of the order of the square root of $`h^3`$ at its edge. The coefficients of [`CellValue::Centre`]
-/// remove this factor with a stencil over neighbouring distances,
+/// h is the side of a cell. The error of a pressure computed with these coefficients is therefore $`h^2 \Delta p/24`$
+/// inside a contact, and of the order of the square root of $`h^3`$ at its edge. The coefficients of
+/// [`CellValue::Centre`] remove this factor with a stencil over neighbouring distances,
 ///
 /// ```math
 /// C'(i, j) = C(i, j) + \frac{4\,C(i, j) - C(i - 1, j) - C(i + 1, j) - C(i, j - 1) - C(i, j + 1)}{24},
@@ -42,8 +42,8 @@
 /// 4/3 of its largest. As for C, the bounds that an operator reports are the eigenvalues of its periodic continuation, of
 /// which the grid is a part. The [certificate](crate::cgm) thus remains valid without change.
 ///
-/// The stencil is the correction of a corrected trapezoidal rule for 1/r. It is not part of the paper, and it is not
-/// the default: results of uniform cells can be compared to the last digit with the results of the paper and of
+/// The stencil is the correction of a corrected trapezoidal rule for 1/r. It is neither part of the paper nor the
+/// default, because results of uniform cells can be compared to the last digit with the results of the paper and of
 /// CONTACT.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -61,16 +61,16 @@ pub(crate) fn refined(
 }
 
 /// Prolongates a field that is positive in a zone and falls to zero at its edge like the square root of the distance,
-/// as a pressure does. The function interpolates the squares of the field, which are linear near the edge. For a part
-/// of the rows the coarse field must contain [`REACH`] rows beyond the nearest rows, within the grid.
+/// as a pressure does. The function interpolates the squares of the field, which are linear near the edge. If only some
+/// rows are prolongated, the coarse field must contain [`REACH`] rows beyond the nearest rows, within the grid.
 pub(crate) fn refined_zone(
     size: [usize; 2],
     rows: Range<usize>,
     coarse: &[f64],
     first: usize,
 ) -> Result<Vec<f64>> {
-    // The unit keeps the squares finite for any unit of pressure. A power of two causes no rounding, so that the
-    // results of all ranks are bitwise identical.
+    // The unit keeps the squares finite for any unit of pressure. A power of two causes no rounding, so the results of
+    // all ranks are bitwise identical.
     let largest = coarse.iter().copied().fold(0.0, f64::max);
     let unit = largest.log2().clamp(-1000.0, 1000.0).floor().exp2();
     let squares = continued_squares(halved(size)[0], coarse, unit)?;
@@ -143,7 +143,7 @@ fn continued_squares(width: usize, zone: &[f64], unit: f64) -> Result<Vec<f64>> 
     Ok(squares)
 }
 
-/// Creates rows of a field with the given number of columns. `write(row, samples)` fills each of them.
+/// Creates rows of a field with the given number of columns. `write(row, samples)` fills each row.
 fn by_rows(
     columns: usize,
     rows: Range<usize>,

@@ -12,7 +12,7 @@ use crate::parallel;
 use crate::parallel::layout::Layout;
 use crate::support::debug::shown;
 
-/// One number per cell of a [`Grid`], row-major with x fastest.
+/// Field with one number per cell of a [`Grid`], in row-major order with x fastest.
 ///
 /// The memory layout is that of a C-ordered NumPy array of shape `(ny, nx)`: sample `(ix, iy)` is stored at index
 /// `iy * nx + ix`. The unit is that of the sampled quantity.
@@ -95,7 +95,7 @@ impl From<&Field> for Arc<Field> {
     }
 }
 
-/// Replaces a shared field. Memory is allocated only if the old samples have a further owner.
+/// Replaces a shared field. Memory is allocated only if the old samples have another owner.
 ///
 /// # Errors
 /// - [`Error::Memory`](crate::Error::Memory) if memory runs out; the field is then unchanged.
@@ -124,7 +124,7 @@ impl Field {
         Self::constant(grid, 0.0)
     }
 
-    /// Like [`Self::zeros`], but returns an error if memory runs out.
+    /// Creates a field like [`Self::zeros`], but returns an error if memory runs out.
     pub(crate) fn try_zeros(grid: Grid) -> Result<Self> {
         let samples = fallible::zeros(grid.cells())?;
         Ok(Self { grid, samples })
@@ -145,7 +145,7 @@ impl Field {
         unwrap_or_abort(Self::try_from_fn(grid, f))
     }
 
-    /// Like [`Self::from_fn`], but returns an error if memory runs out.
+    /// Creates a field like [`Self::from_fn`], but returns an error if memory runs out.
     pub(crate) fn try_from_fn(grid: Grid, mut f: impl FnMut(f64, f64) -> f64) -> Result<Self> {
         let mut samples = fallible::with_room(grid.cells())?;
         for iy in 0..grid.ny() {

@@ -41,7 +41,7 @@ pub struct Grid {
     dx: f64,
     dy: f64,
     /// First row of this slab in the whole grid and number of rows of the whole grid; 0 and `ny` if the grid is whole.
-    /// They are not serialised, so a slab is read back as a whole grid.
+    /// These numbers are not serialised, so a slab is read back as a whole grid.
     #[cfg_attr(feature = "serde", serde(skip))]
     first_row: usize,
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -117,9 +117,9 @@ impl Grid {
         Self::new(n, 1, dx, 1.0)
     }
 
-    /// Returns a slab of some rows of this grid; the slab may have no rows. The cells are those of the slab, at their
-    /// positions in the whole grid. Each rank stores the fields of a [distributed](crate::HalfSpace::distributed)
-    /// contact on a slab.
+    /// Returns a slab of some rows of this grid; the slab may have no rows. The cells of the slab keep their positions
+    /// in the whole grid. Each rank stores the fields of a [distributed](crate::HalfSpace::distributed) contact on a
+    /// slab.
     pub(crate) fn slab(self, rows: Range<usize>) -> Self {
         Self {
             ny: rows.len(),

@@ -3,7 +3,7 @@
 use crate::error::Result;
 use crate::memory::fallible::TryClone;
 
-/// One number for all cells, or one number for each cell.
+/// Quantity with one number for all cells, or one number for each cell.
 #[derive(Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) enum PerCell<C> {
@@ -21,7 +21,7 @@ impl<C> PerCell<C> {
         }
     }
 
-    /// Like [`Self::map`], with a function that may fail.
+    /// Maps the values of the cells like [`Self::map`], with a function that may fail.
     pub(crate) fn try_map<D>(&self, of: impl FnOnce(&C) -> Result<D>) -> Result<PerCell<D>> {
         Ok(match self {
             Self::Uniform(value) => PerCell::Uniform(*value),

@@ -76,7 +76,7 @@ impl Window {
         }
     }
 
-    /// Returns the local part of the window, in local row numbers; it may have no rows.
+    /// Returns the local part of the window, in local row numbers. This part may have no rows.
     pub(crate) fn held(self, grid: Grid) -> Self {
         let (slab, [_, rows]) = (grid.rows(), self.ranges());
         let start = rows.start.clamp(slab.start, slab.end);
@@ -113,7 +113,7 @@ impl Window {
         both
     }
 
-    /// Returns the intersection with a different window, or `None` if it is empty.
+    /// Returns the intersection with another window, or `None` if the intersection is empty.
     pub(crate) fn intersection(self, other: Self) -> Option<Self> {
         let mut common = self;
         for axis in [0, 1] {

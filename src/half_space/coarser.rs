@@ -1,4 +1,4 @@
-//! Bodies on cells of twice the sides, and the transfer of fields between both grids.
+//! Bodies on cells with sides twice as long, and the transfer of fields between the two grids.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -137,7 +137,7 @@ impl HalfSpace {
             return make([nx, ny], 0..ny, field, 0);
         };
         let [width, height] = halved([nx, ny]);
-        // The coarse cells near the rows are needed too.
+        // The coarse cells near the rows are also needed.
         let rows = |rank: usize| {
             let fine = fine.rows_of(rank);
             if fine.is_empty() {

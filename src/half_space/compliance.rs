@@ -63,8 +63,8 @@ impl HalfSpace {
     }
 
     /// Returns the preconditioner of a [compliance](Self::compliance) for displacements that are determined up to a
-    /// uniform displacement. It does not depend on the datum of a grid that is periodic along y. For user-defined
-    /// operators it is the inverse of the compliance.
+    /// uniform displacement. The preconditioner does not depend on the datum of a grid that is periodic along y. For
+    /// user-defined operators it is the preconditioner of the compliance.
     pub(crate) fn inverse_up_to_mean<const N: usize>(
         &self,
         Compliance { operator, inverse }: Compliance<N>,
@@ -82,8 +82,8 @@ impl HalfSpace {
         Ok(made.0.clone())
     }
 
-    /// Checks that tractions along these directions can be solved for. User-defined operators must have all directions,
-    /// and must state a bound if `needs_bound` is set.
+    /// Checks that problems with tractions along these directions can be solved. User-defined operators must have all
+    /// directions, and must state a bound if `needs_bound` is set.
     pub(crate) fn check_directions<const N: usize>(
         &self,
         directions: [Direction; N],
@@ -92,7 +92,7 @@ impl HalfSpace {
         self.check_components(tensor(directions), needs_bound)
     }
 
-    /// Like [`Self::check_directions`], for components.
+    /// Checks components like [`Self::check_directions`].
     pub(crate) fn check_components<const N: usize>(
         &self,
         components: [[Component; N]; N],

@@ -35,8 +35,8 @@ pub(crate) use region::Region;
 ///
 /// Each component is sampled and transformed once, on first use by a problem, and shared by all clones. Contacts on
 /// windows of equal size share operators as long as any of these contacts exists. Contacts that are not solved
-/// concurrently share the buffers of a solve. The type is `Send + Sync`: many solvers may use one `HalfSpace` on many
-/// threads.
+/// concurrently share the buffers of a solve. The type is `Send + Sync`: several solvers on different threads may use
+/// the same `HalfSpace`.
 ///
 /// # Memory
 ///
@@ -44,9 +44,9 @@ pub(crate) use region::Region;
 /// 8 bytes per cell each. The coarser grids of nested starts use the same samples, except on a grid that is periodic
 /// along y only, whose coarser grids have separate samples. On grids of more than a million cells the samples are
 /// recomputed for each operator and not kept. Each operator takes 12 bytes per cell and its preconditioner one byte per
-/// cell; the operators of coarser grids add a third. An operator of two directions takes three times as much, and an
-/// operator of all three directions six times as much. With a periodic boundary there are no samples, and an operator
-/// takes three bytes per cell.
+/// cell; the operators of coarser grids add a third. An operator of two directions takes three times as much memory as
+/// an operator of one direction, and an operator of all three directions takes six times as much. With a periodic
+/// boundary there are no samples, and an operator takes three bytes per cell.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, HalfSpace, Material};
@@ -148,14 +148,14 @@ impl HalfSpace {
     }
 
     /// Sets the interpretation of cell values (default: [`CellValue::Uniform`]). No operator is computed yet. The call
-    /// is collective on ranks. On a grid with [`Boundary::Periodic`], values are always those at the centres, because
-    /// the symbols on such a grid are those of waves, which are not averaged over cells.
+    /// is collective on ranks. On a grid with [`Boundary::Periodic`], values always refer to the centres, because the
+    /// symbols on such a grid belong to waves and are not averaged over cells.
     ///
     /// With values at the centres and [`edges`](crate::edges), the pressure, the traction at 40 % of the sliding force
     /// and the areas of a sphere are accurate to 1 % with 11 cells per contact radius at a tolerance of 1e-3, and to
-    /// 0.1 % with 43. [Narrow slip rings](crate::edges#narrow-slip-rings) need more cells. Uniform cells without edges
-    /// need 21 to 43 cells per contact radius for 1 %. For 0.1 % they need 170 for the tractions and more for the
-    /// areas. [A table](crate#accuracy-and-cost) lists the times.
+    /// 0.1 % with 43 cells. [Narrow slip rings](crate::edges#narrow-slip-rings) need more cells. Uniform cells without
+    /// edges need 21 to 43 cells per contact radius for 1 %. For 0.1 % they need 170 cells per contact radius for the
+    /// tractions and more for the areas. [A table](crate#accuracy-and-cost) lists the times.
     ///
     /// # Cost
     ///
@@ -276,15 +276,15 @@ impl HalfSpace {
         self.tensor_preconditioner([direction]).map(Some)
     }
 
-    /// Returns the operator of several directions on the whole grid, which the first call creates. It maps tractions
-    /// along all of them to displacements along all of them,
+    /// Returns the operator of several directions on the whole grid, which the first call creates. The operator maps
+    /// tractions along all of these directions to displacements along all of them,
     ///
     /// ```math
     /// u_i = \sum_j C_{ij} * t_j .
     /// ```
     ///
     /// The operator is symmetric, by Betti's reciprocity: the odd coefficients satisfy $`C_{xz}(x) = C_{zx}(-x)`$. One
-    /// product costs N forward and N inverse transforms. The page of the type states the memory.
+    /// product costs N forward and N inverse transforms. The page of [`HalfSpace`] states the memory.
     ///
     /// ```
     /// use stickslip::influence::Direction::{X, Y, Z};
@@ -331,8 +331,8 @@ impl HalfSpace {
         Ok(inverse)
     }
 
-    /// Returns whether kernels are kept. The kernels of a large grid would take too much memory for the time that they
-    /// save.
+    /// Returns whether the kernels are kept for other operators. The kernels of a large grid would take too much memory
+    /// for the time that they save.
     fn keeps_kernels(&self) -> bool {
         self.shared.share.is_none() && self.grid().cells() <= KEPT_CELLS
     }
@@ -466,8 +466,8 @@ mod tests {
     use crate::bodies::material::Material;
     use crate::operator::Operator;
 
-    /// The products of both tractions are the sums of the products of each traction alone. The inverse is exact if
-    /// nothing is cut.
+    /// The product of both tractions is the sum of the products of each traction alone. The inverse is exact if nothing
+    /// is cut.
     #[test]
     fn products_in_the_plane_are_sums_of_products_along_the_axes() {
         let body = Material::new(1.0, 0.4).unwrap();

@@ -15,7 +15,7 @@ use crate::report::EigenvalueBound;
 #[derive(Debug, Clone)]
 pub struct ElasticOperator<const N: usize = 1>(OperatorKind<N>);
 
-/// A convolution or a user-defined operator.
+/// Kind of operator: a convolution or a user-defined operator.
 #[derive(Debug, Clone)]
 enum OperatorKind<const N: usize> {
     Convolution(Arc<Convolution<N>>),
@@ -23,7 +23,7 @@ enum OperatorKind<const N: usize> {
 }
 
 impl<const N: usize> ElasticOperator<N> {
-    /// Returns whether both share the same operator.
+    /// Returns whether `self` and `other` share the same operator.
     pub(crate) fn is(&self, other: &Self) -> bool {
         match (&self.0, &other.0) {
             (OperatorKind::Convolution(own), OperatorKind::Convolution(other)) => {
@@ -80,7 +80,7 @@ impl<const N: usize> ElasticOperator<N> {
         }
     }
 
-    /// Checks that a user-defined operator states a positive lower bound; other operators need no stated bound.
+    /// Checks that a user-defined operator states a positive lower bound. Other operators need no stated bound.
     pub(crate) fn check_bounded(&self) -> Result<()> {
         if let OperatorKind::User(part) = &self.0 {
             positive("lower bound of a user-defined operator", part.lower_bound())?;

@@ -18,11 +18,11 @@ use crate::parallel::ranks::partition::RowPartition;
 use crate::parallel::ranks::{CommunicationStats, Input, RankGroup, Ranks, WireFormat};
 
 impl HalfSpace {
-    /// Creates the bodies on `grid` with its rows distributed over ranks. The call is collective, with the same
-    /// arguments on every rank; each rank stores one slab of rows. [`HalfSpace::grid`] returns this slab. Fields,
-    /// problems and solutions contain its cells. Each rank states the problem for its slab, and all ranks solve it
-    /// together. Results are bitwise identical to the results of one process. The page of [`ranks`](crate::ranks) has
-    /// the details.
+    /// Creates the bodies on `grid` with its rows distributed over ranks. The call is collective and requires the same
+    /// arguments on every rank. Each rank stores one slab of rows. [`HalfSpace::grid`] returns this slab. Fields,
+    /// problems and solutions contain the cells of this slab. Each rank states the problem for its slab, and all ranks
+    /// solve it together. Results are bitwise identical to the results of one process. The page of
+    /// [`ranks`](crate::ranks) has the details.
     ///
     /// # Errors
     /// - All errors of [`HalfSpace::with_boundary`].
@@ -107,7 +107,7 @@ impl HalfSpace {
         RankGroup::agreed_of(self.team().map(|team| &**team), result)
     }
 
-    /// Like [`Self::collective_result`], for work that may contain collective calls.
+    /// Returns a result like [`Self::collective_result`], for work that may contain collective calls.
     pub(crate) fn run_collectively<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
         match self.team() {
             Some(team) => team.run_collectively(work),
@@ -115,8 +115,8 @@ impl HalfSpace {
         }
     }
 
-    /// Like [`Self::collective_result`], at the start of a call whose inputs must be equal on all ranks. Returns an error if an
-    /// input differs.
+    /// Returns a result like [`Self::collective_result`] at the start of a call whose inputs must be equal on all ranks.
+    /// Returns an error if an input differs.
     pub(crate) fn collective_result_checked<T>(
         &self,
         result: Result<T>,

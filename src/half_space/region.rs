@@ -106,8 +106,8 @@ impl Region {
         self.dealt.is_some()
     }
 
-    /// Returns whether some cells are stored and solved by different ranks. For a window of the whole grid this is not
-    /// the case, so fields need no copy.
+    /// Returns whether some cells are stored and solved by different ranks. For a window that covers the whole grid, no
+    /// cells are moved, so fields need no copy.
     pub(crate) fn is_moved(&self) -> bool {
         self.moving().is_some()
     }
@@ -135,7 +135,7 @@ impl Region {
         part.copy_from_slice(&outer.fetch(whole, grid.nx(), wanted));
     }
 
-    /// Like [`Self::gather`], for a function of the local cells of the grid.
+    /// Fills the region like [`Self::gather`], but from a function of the local cells of the grid.
     pub(crate) fn collect(&self, of: impl Fn(usize) -> f64, part: &mut [f64]) {
         if self.is_moved() {
             let held: Vec<f64> = self.held.indices().map(of).collect();

@@ -1,9 +1,9 @@
-//! The integrals far from the cell, by Taylor series of their kernels.
+//! Integrals far from the cell, computed with Taylor series of their kernels.
 
 use crate::influence::integrals::{Cell, Integral};
 
-/// Distance, in longer sides, beyond which the series replaces quadrature. The truncation error is below 6e-16 of every integral,
-/// measured against values with 60 digits.
+/// Distance, in units of the longer side, beyond which the series replaces quadrature. The truncation error is below 6e-16 of
+/// every integral, measured against values with 60 digits.
 const FAR: f64 = 20.0;
 
 /// Number of pairs of derivatives in the series.
@@ -13,7 +13,8 @@ const PAIRS: usize = 5;
 /// one.
 const EXPONENTS: usize = 2 * PAIRS + 3;
 
-/// Evaluation of an integral over a cell at the points of rows. Far from the cell it uses the series of its kernel $`f`$
+/// Evaluation of an integral over a cell at the points of rows. Far from the cell the evaluation uses the series of the
+/// kernel $`f`$ of the integral
 ///
 /// ```math
 /// 4 a b \sum_{i + j \le 5} \frac{a^{2 i}}{(2 i + 1)!} \frac{b^{2 j}}{(2 j + 1)!}
@@ -21,8 +22,8 @@ const EXPONENTS: usize = 2 * PAIRS + 3;
 /// ```
 ///
 /// All kernels are homogeneous of degree -1. With $`s = 1/r^2`$ and $`u = x^2 s`$, the sum is therefore
-/// $`\sum_n s^n P_n(u)`$ with polynomials of degree $`n + 1`$ or less. Its factor is one power of each coordinate in
-/// which $`f`$ is odd, divided by a power of $`r`$.
+/// $`\sum_n s^n P_n(u)`$ with polynomials of degree $`n + 1`$ or less. The factor of the sum is one power of each
+/// coordinate in which $`f`$ is odd, divided by a power of $`r`$.
 #[derive(Debug)]
 pub(super) struct FarFieldSeries {
     cell: Cell,
@@ -220,7 +221,7 @@ mod tests {
         }
     }
 
-    /// Compares the series with values of 40 digits, for large and for nearly vanishing integrals.
+    /// Compares the series with values that have 40 digits, for large and for nearly vanishing integrals.
     #[test]
     fn series_keep_their_relative_accuracy() {
         for (integral, [a, b], [x, y], expected) in [

@@ -26,8 +26,8 @@ pub(crate) const RULES: [(f64, QuadratureRule); 7] = [
     (3.9, &GAUSS_12),
 ];
 
-/// Returns the cheapest rule along a side of half length `a` for a cell centre at some distance. The functions have their
-/// nearest singularity at i times the scale. Returns `None` if the side is too long.
+/// Returns the cheapest rule along a side of half length `a` for a cell centre at the given distance. The nearest
+/// singularity of the functions is at i times the scale. Returns `None` if the side is too long.
 pub(crate) fn rule(a: f64, distance: f64, scale: f64) -> Option<usize> {
     let away = (distance - a).max(0.0).hypot(scale) / a;
     let ellipse = away + (away * away + 1.0).sqrt();

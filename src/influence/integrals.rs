@@ -38,7 +38,7 @@ impl Integral {
     }
 }
 
-/// Distance, in longer sides, beyond which quadrature replaces the closed form. Tables on grids use a
+/// Distance, in units of the longer side, beyond which quadrature replaces the closed form. Tables on grids use a
 /// [series](crate::influence::far_field) instead of quadrature far from the cell.
 const NEAR: f64 = 3.0;
 
@@ -133,7 +133,7 @@ impl Cell {
         near: &impl Fn(Self, f64, f64) -> f64,
         far: &impl Fn(f64, f64, f64) -> f64,
     ) -> f64 {
-        // Computing in one quadrant makes the parity exact, and so does the zero on an axis.
+        // Computing in one quadrant and returning zero on an axis makes the parity exact.
         if (is_odd[0] && point[0] == 0.0) || (is_odd[1] && point[1] == 0.0) {
             return 0.0;
         }

@@ -19,8 +19,8 @@ const SHELLS: i32 = 12;
 /// as a diagonal one.
 type HermitianPair = [f64; 3];
 
-/// Estimates from below the eigenvalues of the compliance of some directions, for any rectangle of the cells of a free
-/// grid.
+/// Returns a lower estimate of the eigenvalues of the compliance for some directions, valid for any rectangle of cells
+/// of a free grid.
 ///
 /// Let $`C_j`$ be the coefficients at all distances j of an infinite lattice, and
 /// $`S(\theta) = \sum_j C_j\,e^{-i\theta \cdot j}`$. Tractions t that vanish outside some cells have the energy
@@ -42,15 +42,15 @@ type HermitianPair = [f64; 3];
 /// alternate in sign and decrease as the cube of their number. The last shell of the sum therefore bounds the sum of all
 /// omitted shells. S is even in each phase, and smooth except at phase zero, where it has a pole, or a limit on a rigid
 /// base. It is sampled in steps of pi/16, and in twelve octaves below the first step. A sample that is a minimum along an
-/// axis is lowered by half of the second difference along this axis. This is at least 1.5 times the amount by which a
-/// parabola through the samples can be lower between them. If S decreases towards phase zero, the sample is lowered by the
-/// decrease over the last octave. The result is a conservative estimate of the smallest eigenvalue, not an enclosure. It
-/// is zero if S is NaN.
+/// axis is lowered by half of the second difference along this axis. This reduction is at least 1.5 times the amount by
+/// which a parabola through the samples can fall below the sample. If S decreases towards phase zero, the sample is
+/// lowered by the decrease over the last octave. The result is a conservative estimate of the smallest eigenvalue, not an
+/// enclosure. It is zero if S is NaN.
 ///
 /// On a grid that is periodic along y, tractions contain only the phases of its waves along y. These phases are sampled if
 /// there are few of them. Phase zero corresponds to a wave along x of infinite length, which tractions without a mean do
-/// not contain. Their energy is the integral over all other phases, so the result is the bound for tractions without a
-/// mean.
+/// not contain. The energy of tractions without a mean is the integral over all other phases, so the result is the bound
+/// for these tractions.
 pub(crate) fn least_of_lattice<const N: usize>(
     (grid, repeats_along_y): (Grid, bool),
     bodies: &Kernel,

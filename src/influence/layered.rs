@@ -1,4 +1,4 @@
-//! The correction that coated bodies add to the coefficients of their outermost layers.
+//! Correction that coated bodies add to the coefficients of their outermost layers.
 
 use std::sync::OnceLock;
 
@@ -30,8 +30,8 @@ use crate::influence::periodic_images::{FAR, pieces};
 pub(crate) struct LayerCorrection {
     kernel: Kernel,
     near: Response,
-    /// Depth H of each coated body, or of a kernel, and the difference between base and outermost layer; the pair uses their
-    /// sum.
+    /// For each coated body, or for a kernel: the depth H and the difference between the responses of the base and of the
+    /// outermost layer. The response of the pair includes the sum over both bodies.
     images: Vec<(f64, Response)>,
     /// Smallest depth H.
     scale: f64,
@@ -107,8 +107,9 @@ impl LayerCorrection {
         value[0]
     }
 
-    /// Computes this integral at the points `(x, y)` of a row, with ascending `x >= 0`. The values are as smooth along x as
-    /// the kernels. If a piece of the row contains many points, they are interpolated.
+    /// Computes the integral of [`Self::over_cell`] at the points `(x, y)` of a row, with ascending `x >= 0`. The values
+    /// are as smooth along x as the kernels. If a piece of the row contains many points, the values at these points are
+    /// interpolated.
     pub(crate) fn along_row(
         &self,
         component: Component,
@@ -163,7 +164,8 @@ impl LayerCorrection {
         }
     }
 
-    /// Returns the sum over the two halves of a cell. The side that is too long is halved, or the longer side if both are.
+    /// Returns the sum over the two halves of a cell. The side that is too long is halved. If both sides are too long, the
+    /// longer side is halved.
     fn halved(
         &self,
         component: Component,
@@ -411,7 +413,8 @@ pub(crate) fn slowest(body: &Material) -> f64 {
     thickness * (most / least)
 }
 
-/// Returns one of the functions of a table at some distances. The table of a piece is created at its first use.
+/// Returns the values of one of the tabulated functions at some distances. The table of a piece is created at its first
+/// use.
 fn sample<const N: usize>(
     table: &[OnceLock<ChebyshevPiece>; PIECES],
     scale: f64,
@@ -449,7 +452,8 @@ fn clenshaw<const N: usize>(terms: &[f64; TERMS], t: [f64; N]) -> [f64; N] {
     std::array::from_fn(|n| 0.5 * t[n] * next[n] - after[n] + terms[0])
 }
 
-/// Returns twice the position of a number between two ends, where the position is from -1 to 1.
+/// Returns twice the relative position of a number between two ends. The relative position is -1 at the start and 1 at
+/// the end.
 fn scaled([start, end]: [f64; 2], x: f64) -> f64 {
     4.0 * (x - 0.5 * (start + end)) / (end - start)
 }

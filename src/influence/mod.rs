@@ -44,8 +44,9 @@
 //! and correspondingly for `zy` and `yz`. The symbol of wave number zero, a mean traction, is undefined and set to zero.
 //!
 //! On a grid that is periodic along y alone, the integrals are summed over all images of the cell along y. On a line of
-//! cells, which is uniform along y, they are integrals over a strip of half width a, relative to the datum d (Johnson 1985,
-//! sections 2.2 and 2.3). Constant parts of $`S_X`$ and $`S_Y`$ are omitted, because they only displace the body as a whole:
+//! cells, which is uniform along y, the coefficients are integrals over a strip of half width a, relative to the datum d
+//! (Johnson 1985, sections 2.2 and 2.3). Constant parts of $`S_X`$ and $`S_Y`$ are omitted, because they only displace the
+//! body as a whole:
 //!
 //! ```math
 //! S_X + S_Y = -2 \int_{-a}^{a} \ln\frac{|x - s|}{d}\,\mathrm{d}s, \quad S_Y = S_{XY} = D_Y = 0, \quad
@@ -56,9 +57,10 @@
 //! outermost layers, and the correction described in [`layers`](crate::layers). Their symbols are the symbols of the
 //! responses described there.
 //!
-//! Source: Appendix A of Wang, De Boer, Neville & Ghanbarzadeh, Tribology International 159 (2021) 106947. These printed errors
-//! are corrected: in `C_xx`, `C_yy` and `C_zz` the numerator of the second logarithm is `(x+a) + hypot(x+a, y+b)`, the stray
-//! terms before the third are dropped, and the third term of `C_xx` has the factor `(1 - nu)(x - a)`.
+//! Source: Appendix A of Wang, De Boer, Neville & Ghanbarzadeh, Tribology International 159 (2021) 106947. The following
+//! printed errors are corrected: in `C_xx`, `C_yy` and `C_zz` the numerator of the second logarithm is
+//! `(x+a) + hypot(x+a, y+b)`, the stray terms before the third are dropped, and the third term of `C_xx` has the factor
+//! `(1 - nu)(x - a)`.
 
 mod coefficient;
 mod far_field;

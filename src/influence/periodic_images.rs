@@ -1,4 +1,4 @@
-//! The integrals over a cell and all its images along y.
+//! Integrals over a cell and all its images along y.
 
 use crate::influence::integrals::{Cell, Integral};
 use crate::numerics::gauss::GAUSS_4;
@@ -24,7 +24,7 @@ pub(super) struct Images {
 const WHOLE: i32 = 8;
 
 /// Differences between one and the weights of the images up to [`END`], starting at the end. They are also the weights
-/// of the images beyond it, which would otherwise be zero.
+/// of the images beyond the end, which would be zero without the correction.
 const CORRECTIONS: [f64; 8] = [
     5.984_979_299_564_494e-2,
     -8.555_555_935_044_48e-3,
@@ -104,8 +104,8 @@ impl Images {
     }
 }
 
-/// Cell of the same width. Its integrals, times the weight, contribute to the difference between a strip and a row of
-/// images.
+/// Piece of the same width as the cell. Its integrals, multiplied by the weight, contribute to the difference between a
+/// strip and a row of images.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct ImageStrip {
     /// Half side along y.
@@ -120,7 +120,7 @@ pub(crate) struct ImageStrip {
 /// Returns the pieces that must be added to a uniform strip to obtain the row of images of a cell with half side b.
 pub(crate) fn pieces(b: f64, period: f64) -> impl Iterator<Item = ImageStrip> {
     let share = 2.0 * b / period;
-    // A uniform strip that represents cells of a finite length has ends that are averaged over this length.
+    // A uniform strip represents cells of a finite length, so its ends are averaged over this length.
     let strip = GAUSS_4.into_iter().map(move |[node, part]| ImageStrip {
         half: (f64::from(END) + 0.5) * period,
         is_strip: true,

@@ -25,13 +25,13 @@ use crate::influence::integrals::Cell;
 pub struct Rectangle {
     /// Cell in units of its size, so that no power of a length overflows.
     pub(super) cell: Cell,
-    /// Largest power of two that does not exceed the longer side. Division by it is exact, so a point very close to an edge
-    /// keeps its distance to the edge.
+    /// Largest power of two that does not exceed the longer side. Division by this unit is exact, so a point very close to
+    /// an edge keeps its distance to the edge.
     pub(super) unit: f64,
 }
 
-/// The nine influence coefficients at one point (lengths over pressures). The first index is the displacement component, the
-/// second the traction component.
+/// The nine influence coefficients at one point (lengths over pressures). The first index denotes the displacement
+/// component, the second index the traction component.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[expect(missing_docs, reason = "the type says what the two letters mean")]
@@ -78,8 +78,8 @@ impl Rectangle {
 
     /// Returns the coefficients of one body at `(x, y)` from the centre of the loaded cell (lengths).
     ///
-    /// The error is about 1e-15 of `C_zz` at any distance. For coated bodies it is below 1e-12 of `C_zz` at the cell itself.
-    /// For coated bodies each call evaluates the integrals again. Use a [`Table`](crate::influence::Table) for many points.
+    /// The error is about 1e-15 of `C_zz` at any distance. For coated bodies the error is below 1e-12 of `C_zz` at the cell
+    /// itself, and each call evaluates the integrals again. Use a [`Table`](crate::influence::Table) for many points.
     #[must_use]
     pub fn tensor(&self, material: &Material, x: f64, y: f64) -> Tensor {
         match ElasticPair::new(*material, Material::rigid()) {

@@ -1,4 +1,4 @@
-//! The integrals sampled at every cell distance, shared by all coefficients and all coarser grids.
+//! Integrals sampled at every cell distance, shared by all coefficients and all coarser grids.
 
 use std::ops::Range;
 use std::sync::{Arc, OnceLock};
@@ -16,9 +16,9 @@ use crate::memory::fallible;
 use crate::parallel::ranks::partition::RowPartition;
 use crate::parallel::{self, get_or_make};
 
-/// Integrals over one cell at the distances `(i, j)` of a grid, `0 <= i < nx`, `0 <= j < ny`. They are in units of the cell
-/// size, so the same samples are valid for a cell twice as large. Each integral is sampled on first use and takes 8 bytes per
-/// distance.
+/// Integrals over one cell at the distances `(i, j)` of a grid, `0 <= i < nx`, `0 <= j < ny`. The integrals are in units of
+/// the cell size, so the same samples are valid for a cell twice as large. Each integral is sampled on first use and takes 8
+/// bytes per distance.
 #[derive(Debug)]
 pub(crate) struct Samples {
     rectangle: Rectangle,
@@ -211,8 +211,8 @@ impl Samples {
         Ok(values)
     }
 
-    /// Writes the correction by coated bodies to a coefficient at the points of a row. On a grid that is periodic along y it
-    /// includes all images.
+    /// Writes the correction by coated bodies to a coefficient at the points of a row. On a grid that is periodic along y
+    /// the correction includes all images.
     fn rests_along_row(&self, component: Component, row: usize, xs: &[f64], out: &mut [f64]) {
         let unit = self.rectangle.unit;
         let rest = match self.added.as_deref() {
@@ -242,7 +242,8 @@ impl Samples {
         }
     }
 
-    /// Returns the integral minus 1/24 of its second differences, from samples that extend by one distance on all sides.
+    /// Returns the integral minus 1/24 of its second differences, computed from samples that extend one distance further
+    /// on all sides.
     fn at_centres(&self, sampled: Sampled, rows: Range<usize>) -> Result<Vec<f64>> {
         let [nx, _] = self.size;
         let (width, [odd_x, odd_y]) = (nx + 1, sampled.is_odd());

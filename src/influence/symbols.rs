@@ -1,4 +1,4 @@
-//! The coefficients in Fourier space: the response of an infinite half-space to a wave of traction.
+//! Coefficients in Fourier space: the response of an infinite half-space to a wave of traction.
 
 use std::f64::consts::TAU;
 
@@ -43,8 +43,8 @@ impl Symbols {
         self.component
     }
 
-    /// Returns the symbol, or its imaginary part, of the wave of `periods` along x and y, up to half the
-    /// cells.
+    /// Returns the symbol, or its imaginary part, of the wave with the given numbers of periods along x and y, up to
+    /// half the number of cells.
     pub(crate) fn at(&self, periods: [usize; 2]) -> f64 {
         let odd = self.component.is_odd();
         // A wave of two cells per period has no direction, so odd components vanish there.

@@ -57,7 +57,7 @@ pub(crate) fn out_of_memory(bytes: usize) -> Error {
     }
 }
 
-/// Like `Vec::push`, but returns an error if memory runs out; the buffer is then unchanged.
+/// Appends an item like `Vec::push`, but returns an error if memory runs out. The buffer is then unchanged.
 pub(crate) fn push<T>(buffer: &mut Vec<T>, item: T) -> Result<()> {
     let outcome = buffer.try_reserve(1);
     outcome.map_err(|_| out_of_memory((buffer.len() + 1).saturating_mul(size_of::<T>())))?;
@@ -65,14 +65,14 @@ pub(crate) fn push<T>(buffer: &mut Vec<T>, item: T) -> Result<()> {
     Ok(())
 }
 
-/// Like `Vec::resize`, but returns an error if memory runs out; the buffer is then unchanged.
+/// Resizes a buffer like `Vec::resize`, but returns an error if memory runs out. The buffer is then unchanged.
 pub(crate) fn resize<T: Clone>(buffer: &mut Vec<T>, len: usize, value: T) -> Result<()> {
     make_room(buffer, len)?;
     buffer.resize(len, value);
     Ok(())
 }
 
-/// Like [`resize`] with zeros. An empty buffer receives pages like those of [`zeros`].
+/// Resizes a buffer with zeros like [`resize`]. An empty buffer receives pages in the same way as in [`zeros`].
 pub(crate) fn resize_with_zeros<T: Zeroable + Clone>(
     buffer: &mut Vec<T>,
     len: usize,
@@ -103,7 +103,8 @@ pub(crate) fn try_each<T, const N: usize>(
     }
 }
 
-/// Returns the value, or aborts the program if memory ran out, as `Vec` does; for signatures that cannot fail.
+/// Returns the value, or aborts the program if memory ran out, as `Vec` does. Functions whose signature has no error
+/// use it.
 pub(crate) fn unwrap_or_abort<T>(outcome: Result<T>) -> T {
     outcome.unwrap_or_else(|error| {
         let bytes = match error {
@@ -115,7 +116,7 @@ pub(crate) fn unwrap_or_abort<T>(outcome: Result<T>) -> T {
     })
 }
 
-/// Like `Clone`, but returns an error if memory runs out, whereas `Clone` aborts the program.
+/// Cloning that returns an error if memory runs out, whereas `Clone` aborts the program.
 ///
 /// ```
 /// use stickslip::{Field, Grid, TryClone};
@@ -135,7 +136,7 @@ pub trait TryClone: Clone {
     /// Returns whether `clone_from` can reuse the existing allocations.
     fn has_room_for(&self, source: &Self) -> bool;
 
-    /// Like `clone_from`, but returns an error if memory runs out.
+    /// Copies `source` into the value like `clone_from`, but returns an error if memory runs out.
     ///
     /// # Errors
     /// - [`Error::Memory`] if memory runs out; the value is then unchanged.

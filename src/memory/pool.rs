@@ -4,8 +4,8 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use crate::error::Result;
 
-/// Pool of free buffers; it grows to the number of buffers that were in use simultaneously. Users must not rely on the contents
-/// of a buffer.
+/// Pool of free buffers. The pool grows to the largest number of buffers that were in use simultaneously. Users must not rely
+/// on the contents of a buffer.
 #[derive(Debug)]
 pub(crate) struct Pool<T> {
     free: Mutex<Vec<T>>,
@@ -92,7 +92,7 @@ impl<T> PooledBuffer<T> {
         }
     }
 
-    /// Returns the buffer between first use and return, otherwise `None`.
+    /// Returns the buffer if it is in use, that is, between its first use and its return; otherwise returns `None`.
     pub(crate) fn held(&self) -> Option<&T> {
         self.piece.as_ref()
     }

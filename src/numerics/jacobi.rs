@@ -1,10 +1,11 @@
 //! Eigenvalues and eigenvectors of small real symmetric matrices.
 
-/// Number of sweeps of rotations, more than enough to diagonalise a matrix of three rows: convergence is quadratic.
+/// Number of sweeps of rotations. It is more than sufficient for a matrix of three rows because convergence is
+/// quadratic.
 const SWEEPS: usize = 20;
 
-/// Returns eigenvalues and, in columns, eigenvectors, by Jacobi's rotations (Golub & Van Loan, Matrix Computations, 4th
-/// ed. 2013, section 8.5).
+/// Returns the eigenvalues and, in columns, the eigenvectors, computed with Jacobi rotations (Golub & Van Loan, Matrix
+/// Computations, 4th ed. 2013, section 8.5).
 pub(crate) fn diagonalised<const N: usize>(mut a: [[f64; N]; N]) -> ([f64; N], [[f64; N]; N]) {
     let mut vectors = std::array::from_fn(|i| std::array::from_fn(|j| f64::from(u8::from(i == j))));
     let scale = a
@@ -17,7 +18,7 @@ pub(crate) fn diagonalised<const N: usize>(mut a: [[f64; N]; N]) -> ([f64; N], [
         for p in 0..N {
             for q in p + 1..N {
                 // An entry this small changes an eigenvalue by less than the last bit of the largest eigenvalue. An
-                // entry that is not finite is not small, so that it propagates into the result.
+                // entry that is not finite does not count as small, so it propagates into the result.
                 let is_small = a[p][q].abs() <= 0.25 * f64::EPSILON * scale;
                 if !is_small {
                     is_diagonal = false;
@@ -35,7 +36,7 @@ pub(crate) fn diagonalised<const N: usize>(mut a: [[f64; N]; N]) -> ([f64; N], [
 /// Rotates the axes `p` and `q` so that the entry between them vanishes.
 fn rotate<const N: usize>(a: &mut [[f64; N]; N], vectors: &mut [[f64; N]; N], p: usize, q: usize) {
     let slope = 0.5 * (a[q][q] - a[p][p]) / a[p][q];
-    // The entry is not small compared with the matrix, so that the square of the slope cannot overflow.
+    // The entry is not small compared with the matrix, so the square of the slope cannot overflow.
     let tangent = 1.0_f64.copysign(slope) / (slope.abs() + (1.0 + slope * slope).sqrt());
     let cosine = 1.0 / (1.0 + tangent * tangent).sqrt();
     let sine = tangent * cosine;

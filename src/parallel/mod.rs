@@ -1,6 +1,6 @@
 //! Thread parallelism of the crate.
 //!
-//! Work is split into tasks by index. The tasks of a sum do not depend on the number of threads, so that results are bitwise
+//! Work is split into tasks by index. The tasks of a sum do not depend on the number of threads, so results are bitwise
 //! identical for any number of threads. Only `rayon::join` is used: it runs in the caller's pool and allocates nothing there.
 //!
 //! Work enters a pool through [`enter`], or through [`enter_with`] if it has more than [`SERIAL_CELL_LIMIT`] cells. All other
@@ -23,9 +23,9 @@ pub(crate) const CHUNK: usize = 4096;
 /// Number of cells up to which all work on a contact runs on the calling thread, including its operators, fields and stresses.
 /// Sharing so little work between threads would cost more time than it saves.
 ///
-/// A program that runs solves in its own pool need not enter the pool for contacts with at most this number of cells. The work is
-/// shared if one call has many contacts ([`History::step_all`](crate::History::step_all)), or if it computes stresses at more
-/// points than this number ([`at_points`](crate::subsurface::at_points)).
+/// A program that runs solves in its own pool need not enter the pool for contacts with at most this number of cells. The work
+/// is still shared if one call has many contacts ([`History::step_all`](crate::History::step_all)), or if it computes stresses
+/// at more points than this number ([`at_points`](crate::subsurface::at_points)).
 ///
 /// ```
 /// assert!(stickslip::Grid::square(64, 1.0)?.cells() <= stickslip::SERIAL_CELL_LIMIT);
@@ -278,7 +278,7 @@ pub(crate) fn sweep<D: Split, T: Send>(
     combine(low, high)
 }
 
-/// Runs like [`sweep`] on the calling thread alone.
+/// Runs the tasks like [`sweep`], but on the calling thread alone.
 pub(crate) fn in_turn<D: Split, T>(
     tasks: Range<usize>,
     data: D,
@@ -293,7 +293,7 @@ pub(crate) fn in_turn<D: Split, T>(
     combine(low, in_turn(second, high, work, combine))
 }
 
-/// Runs like [`sweep`], on the calling thread alone if the number of cells is too small to share.
+/// Runs the tasks like [`sweep`], or on the calling thread alone if the number of cells is too small to share.
 pub(crate) fn sweep_cells<D: Split, T: Send>(
     cells: usize,
     tasks: Range<usize>,
@@ -388,9 +388,9 @@ pub(crate) fn rows<T: Send>(
     sweep(0..tasks, data, &work, &|(), ()| ());
 }
 
-/// Returns the value of the cell, or computes and stores it. The computation runs outside the lock of the cell to avoid a
-/// deadlock: a thread of the caller's pool could wait for the lock while the tasks of the computing thread wait for that thread.
-/// If two threads arrive together, both compute the value, and one result is kept.
+/// Returns the value of the cell, after computing and storing it if the cell is empty. The computation runs outside the lock of
+/// the cell to avoid a deadlock: a thread of the caller's pool could wait for the lock while the tasks of the computing thread
+/// wait for that thread. If two threads arrive together, both compute the value, and one result is kept.
 pub(crate) fn get_or_make<T>(cell: &OnceLock<T>, make: impl FnOnce() -> Result<T>) -> Result<&T> {
     if let Some(value) = cell.get() {
         return Ok(value);

@@ -11,7 +11,7 @@ use crate::parallel::ranks::partition::RowPartition;
 use crate::parallel::ranks::{RankGroup, WireFormat};
 use crate::tangential::Zone;
 
-/// Sums over cells in integer arithmetic, so that they are bitwise identical for any order of the cells.
+/// Sums over cells. They use integer arithmetic and are therefore bitwise identical for any order of the cells.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct SpotSums {
     pub(super) cells: usize,
@@ -98,13 +98,15 @@ pub(super) struct Fragments<'a> {
     sums: Vec<SpotSums>,
 }
 
-/// Places where fragments meet: across the end of a slab, or across the edge of the grid in x or in y.
+/// Place of links across the end of a slab.
 const SLABS: usize = 0;
+/// Place of links across the edge of the grid in x.
 const EDGE_X: usize = 1;
+/// Place of links across the edge of the grid in y.
 const EDGE_Y: usize = 2;
 
-/// Link of two fragments, by their numbers among those of all ranks: the second starts where the first ends. Also the place where
-/// they meet and the number of adjacent pairs of cells.
+/// Link of two fragments, the second of which starts where the first ends: the numbers of the fragments among the fragments of
+/// all ranks, the kind of place where they meet, and the number of adjacent pairs of cells.
 type Link = ([usize; 2], (usize, usize));
 
 impl<'a> Fragments<'a> {
@@ -444,8 +446,8 @@ mod tests {
         }
     }
 
-    /// Tests random cells under random pressures. One process finds the same spots as the walks, also across edges and for spots
-    /// that close around the grid. Ranks, some of which have few rows or none, find bitwise identical results.
+    /// Tests contacts of random cells under random pressures. One process finds the same spots as the walks, also across edges
+    /// and for spots that close around the grid. Ranks, some of which have few rows or none, find bitwise identical results.
     #[test]
     fn slabs_have_the_spots_of_the_whole() {
         let mut random = 1_u64;

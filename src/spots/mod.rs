@@ -17,7 +17,7 @@ use crate::support::debug::shown;
 use crate::support::serialise::checked;
 use crate::tangential::{TangentialSolution, Zone};
 
-/// The spots of a contact: sets of contact cells connected through their sides, also across the edges of a periodic grid. If
+/// Spots of a contact: sets of contact cells connected through their sides, also across the edges of a periodic grid. If
 /// [ranks](crate::ranks) share the contact, every rank has all spots, and the labels of its local cells.
 ///
 /// ```
@@ -89,16 +89,17 @@ pub struct Spot {
     pub area: f64,
     /// Normal force on the spot (a force).
     pub load: f64,
-    /// Load over area (a pressure).
+    /// Load divided by area (a pressure).
     pub mean_pressure: f64,
     /// Largest pressure of the cells of the spot (a pressure).
     pub max_pressure: f64,
     /// Centre of the area, in coordinates of the whole grid (lengths). For a spot across the edges of a periodic grid the centre
-    /// is given inside the grid; for a spot that spans the whole period the centre is not meaningful.
+    /// is given inside the grid; for a spot that spans the whole period, the centre is not meaningful.
     pub centroid: [f64; 2],
-    /// Length of the edge (a length), along the sides of the cells: longer than the edge of a round spot by a factor of 4/pi.
+    /// Length of the edge along the sides of the cells (a length). For a round spot it exceeds the true length by a factor of
+    /// 4/pi.
     pub perimeter: f64,
-    /// Number of sticking cells over the number of cells; `None` for a contact that is only pressed.
+    /// Number of sticking cells divided by the number of cells; `None` for a contact that is only pressed.
     pub stick_ratio: Option<f64>,
 }
 
@@ -132,7 +133,8 @@ impl ContactSpots {
         (label as usize).checked_sub(1)
     }
 
-    /// Returns the number of the spot of every cell, counted from one; zero outside the contact. Row-major with x fastest.
+    /// Returns the number of the spot of every cell, counted from one; zero outside the contact. The numbers are in
+    /// row-major order with x fastest.
     #[must_use]
     pub fn labels(&self) -> &[u32] {
         &self.labels

@@ -43,20 +43,20 @@ pub struct NormalStiffness {
 #[non_exhaustive]
 pub struct TangentialStiffness {
     /// Derivative of the force of the step with respect to the motion at the end of the step, if the motion continues in its
-    /// direction. For a ball that is sheared under a constant normal load it is
-    /// [Cattaneo's and Mindlin's](crate::analytical::CattaneoMindlin) $`8 G^* a\,(1 - F/\mu W)^{1/3}`$.
+    /// direction. For a ball that is sheared under a constant normal load, this stiffness is [Cattaneo's and
+    /// Mindlin's](crate::analytical::CattaneoMindlin) $`8 G^* a\,(1 - F/\mu W)^{1/3}`$.
     ///
     /// Cells that came into contact in the step follow the motion with their [entry compliance](crate::guide::load_steps). After
     /// a step that presses a ball from zero load, the loading stiffness is therefore about two thirds of Mindlin's stiffness,
     /// although all cells stick. The stiffness of the next step is an [option](crate::stiffness::StiffnessWorkspace::next_step):
     /// in that stiffness, these cells resist fully.
     pub loading: [[Option<f64>; 3]; 3],
-    /// Stiffness if the motion reverses: all cells of the contact stick. For a circle it is
+    /// Stiffness if the motion reverses: all cells of the contact stick. For a circular contact, this stiffness is
     /// [Mindlin's](crate::analytical::MindlinFullStick) $`8 G^* a`$.
     pub reversal: [[Option<f64>; 3]; 3],
-    /// Bound on the errors of the entries. No error exceeds this bound times the root of the product of the two diagonal entries,
-    /// for the matrix with the twist about the centre of the contact. Infinite if pressure and traction are coupled. As with
-    /// [`NormalStiffness::bound`], round-off and the errors of the contact solution are not included.
+    /// Bound on the errors of the entries. No error exceeds this bound times the square root of the product of the two diagonal
+    /// entries, for the matrix with the twist about the centre of the contact. The bound is infinite if pressure and traction are
+    /// coupled. As with [`NormalStiffness::bound`], round-off and the errors of the contact solution are not included.
     pub bound: f64,
 }
 
@@ -74,13 +74,14 @@ pub struct ContactStiffness {
     /// in the step of a history. They are valid if the shift grows in the same step, or if the approach decreases. If the bodies
     /// are pressed further at a constant shift, these cells stick and the derivative is zero.
     ///
-    /// The entries have no error bound. The underlying change of pressure has a relative error, in the energy norm, of at most
-    /// the root of the bound of `normal`. For problems with [one-way coupling](crate::Coupling::OneWay) the entries exclude the
-    /// tangential displacement caused by the pressure, which steps of histories include. `None` for loads that the model does not
-    /// have.
+    /// The entries have no error bound. The relative error of the underlying change of pressure in the energy norm is at most the
+    /// square root of the bound of `normal`. For problems with [one-way coupling](crate::Coupling::OneWay) the entries exclude
+    /// the tangential displacement caused by the pressure, which steps of histories include. An entry is `None` for a load that
+    /// the model does not have.
     pub by_approach: [Option<f64>; 3],
     /// Derivatives of the normal force (over a length, for the twist a force) with respect to the shifts along x and y and the
-    /// twist. They are zero unless pressure and shear are coupled. `None` for motions that the model does not have.
+    /// twist. The entries are zero unless pressure and shear are coupled. An entry is `None` for a motion that the model does
+    /// not have.
     pub normal_by_motion: [Option<f64>; 3],
 }
 
@@ -118,8 +119,8 @@ impl TangentialStiffness {
 impl NormalSolution {
     /// Computes the normal stiffness $`dW/d\delta_z`$ with one linear solve on the cells of the contact.
     ///
-    /// The set of contact cells is fixed, so that the stiffness jumps when a cell comes into contact. It is the stiffness of a
-    /// contact whose edge follows the sides of cells. On a periodic grid the approach is the approach of the mean planes.
+    /// The set of contact cells is fixed, so the stiffness jumps when a cell comes into contact. The result is the stiffness
+    /// of a contact whose edge follows the sides of cells. On a periodic grid the approach is the approach of the mean planes.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or

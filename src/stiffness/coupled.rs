@@ -27,7 +27,7 @@ use crate::stiffness::{
 use crate::tangential::{Axis, Friction, centre};
 use std::ops::ControlFlow;
 
-/// Number of components of a vector: along z, x and y.
+/// Number of components of a vector (z, x and y).
 const N: usize = 3;
 
 /// Value of an unknown bound.
@@ -64,7 +64,7 @@ pub(super) struct CoupledBuffers {
 }
 
 impl CoupledBuffers {
-    /// Returns the buffers for a window, reusing the existing buffers if they belong to it.
+    /// Returns the buffers for a window. Reuses the existing buffers if they belong to this window.
     fn get_or_create<'a>(
         slot: &'a mut Option<Self>,
         bodies: &HalfSpace,

@@ -6,7 +6,8 @@
 //!
 //! - **normal**: all cells that carry pressure follow a change of the approach;
 //! - **loading**: sticking cells follow a change of the shift, and slipping cells stay at their limit. In the scalar model their
-//!   traction is constant. In the vector model it turns, against the stiffness $`|s|/m`$ for the slip s and the limit m;
+//!   traction is constant. In the vector model their traction turns, against the stiffness $`|s|/m`$ for the slip s and the
+//!   limit m;
 //! - **reversal**: all cells of the contact stick, as they do initially when the shift reverses;
 //! - **by approach**: the limit of slipping cells follows the pressure while slip continues, and the tangential force follows the
 //!   limit. This holds if the shift grows in the same step, or if the approach decreases. If the bodies are pressed further at a
@@ -21,8 +22,8 @@
 //! - cells at the hardness carry no additional pressure while the bodies are pressed further;
 //! - with one-way coupling, pressing also shears the contact;
 //! - if pressure and shear are [coupled](crate::coupled), both respond to each motion: the normal force has a [derivative with
-//!   respect to the shift](ContactStiffness::normal_by_motion). That system is not symmetric. Its stiffness has no error bound
-//!   (the bound is infinite); only the residual satisfies the tolerance.
+//!   respect to the shift](ContactStiffness::normal_by_motion). That system is not symmetric. The stiffness of a coupled
+//!   contact has no error bound (the bound is infinite); only the residual satisfies the tolerance.
 //!
 //! Each stiffness is a solution of the [linear problem](crate::cgm) of the solver at its final sets. GMRES solves it with
 //! products in single precision, refined in double precision to a [tolerance](StiffnessWorkspace::tolerance). The bound applies

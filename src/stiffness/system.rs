@@ -11,7 +11,7 @@
 //! ```
 //!
 //! The last term is neglected. Its magnitude is at most $`\epsilon_a \epsilon_b`$ with $`\epsilon_a^2 = e_a' A\,e_a = e_a' r_a`$.
-//! No matrix of loads is inverted, so that nearly parallel motions do not reduce the accuracy.
+//! No matrix of loads is inverted, so nearly parallel motions do not reduce the accuracy.
 //!
 //! The bound $`\lambda`$ on the least eigenvalue of C may hold only for tractions with zero mean, as on periodic grids. The sums
 //! of the errors follow from the shifts c, whose motions are constant: $`b_c' e_a = y_c' r_a + e_c' A\,e_a`$. With n moving
@@ -58,7 +58,7 @@ pub(super) struct System<R, const N: usize> {
     compliance: Compliance<N>,
     layout: Layout,
     linear: LinearWorkspace<R, N>,
-    /// Entry compliance of the cells; empty if no cell has one.
+    /// Entry compliance of the cells; empty if no cell has any.
     own: Vec<f64>,
     columns: [ResponseColumn<N>; 3],
     /// Number of moving cells on all ranks.
@@ -67,7 +67,7 @@ pub(super) struct System<R, const N: usize> {
     /// Tractions imposed on cells, and their displacement.
     pub(super) forced: Vector<N>,
     pub(super) displacement: Vector<N>,
-    /// Tangential displacement by the pressure, created on first use.
+    /// Tangential displacement due to the pressure, created on first use.
     drawing: Option<CouplingDisplacement>,
 }
 
@@ -84,8 +84,8 @@ struct ResponseColumn<const N: usize> {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Stiffness {
     pub(super) matrix: [[f64; 3]; 3],
-    /// Bound on the errors: no entry has an error larger than this bound times the root of the product of the two diagonal
-    /// entries.
+    /// Bound on the errors: no entry has an error larger than this bound times the square root of the product of the two
+    /// diagonal entries.
     pub(super) bound: f64,
 }
 
@@ -96,7 +96,7 @@ pub(super) struct CellMotions<F> {
 }
 
 impl<R: Row<N>, const N: usize> System<R, N> {
-    /// Returns the system for a window, reusing the existing buffers if they belong to it.
+    /// Returns the system for a window. Reuses the existing buffers if they belong to this window.
     pub(super) fn get_or_create<'a>(
         slot: &'a mut Option<Self>,
         bodies: &HalfSpace,

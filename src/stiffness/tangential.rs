@@ -20,7 +20,7 @@ use crate::tangential::{Axis, CouplingDisplacement, Zone, centre};
 /// Friction set of `N` traction components.
 type BallOf<const N: usize> = <NormBound as Ball<N>>::Set;
 
-/// The stiffness, and the derivatives of the loads with respect to the approach.
+/// Tangential stiffness, and derivatives of the loads with respect to the approach.
 type FoundStiffness = (TangentialStiffness, [Option<f64>; 3]);
 
 /// Data of a sheared contact.

@@ -20,8 +20,8 @@ pub(super) type SystemOf<S, const N: usize> = System<<S as LinearisedSet<N>>::Ce
 /// Buffers, tolerance and report of stiffnesses that are computed repeatedly.
 ///
 /// Create one workspace for a Newton iteration around a [`History`](crate::History). The first stiffness allocates and creates
-/// the operators. Later stiffnesses reuse both if the contact is on the same bodies and was solved in a window of the same size;
-/// they allocate only for more cells or steps than before.
+/// the operators. Later stiffnesses reuse buffers and operators if the contact is on the same bodies and was solved in a window
+/// of the same size. They allocate only for more cells or steps than before.
 ///
 /// ```
 /// use stickslip::stiffness::StiffnessWorkspace;
@@ -92,8 +92,8 @@ impl StiffnessWorkspace {
         Ok(self)
     }
 
-    /// Sets whether to compute the stiffness at reversal (default: yes). Without it the cost is halved, and the entries at
-    /// reversal are `None`.
+    /// Sets whether to compute the stiffness at reversal (default: yes). Without this stiffness the cost is halved, and
+    /// the entries at reversal are `None`.
     #[must_use]
     pub fn reversal(mut self, has_reversal: bool) -> Self {
         self.has_reversal = has_reversal;
@@ -105,12 +105,12 @@ impl StiffnessWorkspace {
     ///
     /// [`loading`](crate::stiffness::TangentialStiffness::loading) is then the derivative of the force with respect to the motion
     /// of a next step that starts from the current state. Sticking cells resist fully, including cells that came into contact in
-    /// the last step. Cells at their limit continue to slip: in the scalar model they keep their traction, in the vector model
-    /// their traction can turn freely. [`by_approach`](crate::stiffness::ContactStiffness::by_approach) refers to the same cells.
+    /// the last step. Cells at their limit continue to slip: their traction is constant in the scalar model and can turn freely
+    /// in the vector model. [`by_approach`](crate::stiffness::ContactStiffness::by_approach) refers to the same cells.
     ///
     /// A simulation that shears the contact in its next step under the same normal load needs this stiffness. If [pressure and
     /// shear are coupled](crate::coupled), `loading` is the stiffness at a constant approach. For a constant normal force,
-    /// subtract `by_approach` times `normal_by_motion` over the normal stiffness.
+    /// subtract `by_approach` times `normal_by_motion`, divided by the normal stiffness.
     ///
     /// ```
     /// use std::ops::ControlFlow;
@@ -191,7 +191,7 @@ pub(super) struct LinearSolveContext<'a> {
 }
 
 impl LinearSolveContext<'_> {
-    /// Solves for a right side, to the tolerance or to the round-off limit.
+    /// Solves for a right-hand side, to the tolerance or to the round-off limit.
     pub(super) fn respond<R: Row<N>, const N: usize>(
         &mut self,
         held: &FixedSetSystem<'_, N>,

@@ -11,7 +11,8 @@ const MIRRORED: f64 = 1e-10;
 /// Meaning of the value 1 in checks of the allowed difference divided by the actual difference.
 pub(super) const AS_ALLOWED: &str = "a difference equal to the permitted difference";
 
-/// Least thickness of a layer divided by the diagonal of a grid: the range of the tables of coated bodies.
+/// Least thickness of a layer divided by the diagonal of a grid, as limited by the range of the tables of coated
+/// bodies.
 const THINNEST: f64 = 1e-25;
 
 /// Checks that the tables of a layer of this thickness cover the grid.

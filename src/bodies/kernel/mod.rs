@@ -1,9 +1,9 @@
 //! User-defined linear bodies, described by their response to waves, by influence coefficients, or by operators.
 //!
 //! A [`HalfSpace`](crate::HalfSpace) can be created from a [`Kernel`] instead of an [`ElasticPair`]. Pressure,
-//! traction, coupled problems, histories, wear and stiffness then work with it; rolling works with all kernels except
-//! operators. A kernel describes the relative displacement $`u_1 - u_2`$ of both bodies together, with the signs of the
-//! [`influence`](crate::influence) page, in one of four ways.
+//! traction, coupled problems, histories, wear and stiffness then work with the kernel. Rolling works with all kernels
+//! except operators. A kernel describes the relative displacement $`u_1 - u_2`$ of both bodies together, with the signs
+//! of the [`influence`](crate::influence) page, in one of four ways.
 //!
 //! | constructor | input | grids |
 //! |---|---|---|
@@ -50,14 +50,14 @@
 //! require a grid that is periodic along both axes, or a table.
 //!
 //! The coefficients of a table are used without change. For windows and coarser grids they are cropped and averaged.
-//! Beyond the last distance, which only the periodic continuation of the transform reaches, they are extrapolated
-//! linearly.
+//! Beyond the last distance, which only the periodic continuation of the transform reaches, the coefficients are
+//! extrapolated linearly.
 //!
 //! # Certificate
 //!
 //! The smallest eigenvalue of a response or a table on the grid is computed when an operator is planned. If it is
-//! positive, errors are certified as for other bodies. If it is not, isotropic kernels on free grids and on grids
-//! periodic along y use an estimate on the infinite lattice of the cells, as for coated bodies
+//! positive, errors are certified as for other bodies. If it is not positive, isotropic kernels on free grids and on
+//! grids periodic along y use an estimate on the infinite lattice of the cells, as for coated bodies
 //! ([`layers`](crate::layers#limits-of-the-model)). A solve returns [`Error::NotDefinite`] if this estimate is not
 //! positive either, and for all tables whose smallest eigenvalue is not positive. For coupled problems, the separate
 //! eigenvalues of pressure and traction must be positive. User-defined operators report their own
@@ -98,7 +98,8 @@ use crate::support::checksum;
 pub(crate) use check::check_thickness;
 use check::{AS_ALLOWED, check_mirrored, checked, checked_far, checked_tensor, ratio, stronger};
 
-/// Two bodies defined by their response, or an unmodified pair of materials; see the page of [`kernel`](crate::kernel).
+/// Two bodies defined by their response, or an unmodified pair of materials (see the page of
+/// [`kernel`](crate::kernel)).
 ///
 /// ```
 /// use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Kernel, Material, layers::Layer};
@@ -147,10 +148,10 @@ pub(crate) struct Isotropic {
 /// Displacements due to a wave of traction with one wave vector, in lengths over pressures, for bodies that are mirror
 /// images of themselves along x and along y.
 ///
-/// The fields are the real or imaginary parts of entries of the Hermitian matrix of a wave; the other entries follow,
-/// such as $`\hat C_{xz} = -\mathrm{i}\,C_{zx}`$. The entries are even in $`k_x`$ and $`k_y`$, except `xy`, which is
-/// odd in both, `zx`, which is odd in $`k_x`$, and `zy`, which is odd in $`k_y`$. For isotropic bodies they are the
-/// entries on the page of [`layers`](crate::layers).
+/// The fields are the real or imaginary parts of entries of the Hermitian matrix of a wave. The other entries follow
+/// from them, such as $`\hat C_{xz} = -\mathrm{i}\,C_{zx}`$. The entries are even in $`k_x`$ and $`k_y`$, except `xy`,
+/// which is odd in both, `zx`, which is odd in $`k_x`$, and `zy`, which is odd in $`k_y`$. For isotropic bodies, the
+/// page of [`layers`](crate::layers) lists the entries.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ResponseTensor {
     /// Displacement along x due to traction along x.
@@ -187,20 +188,21 @@ impl ResponseTensor {
     }
 }
 
-/// Longest wave that is evaluated, in thicknesses.
+/// Length of the longest wave that is evaluated, divided by the thickness.
 const LONGEST: f64 = 1e9;
-/// Value of k times the thickness at which a response must agree with its half-space, and the required agreement.
+/// Value of k times the thickness at which a response must agree with its half-space.
 const NEAR: f64 = 20.0;
+/// Required agreement of the response with its half-space, relative to the normal response of the half-space.
 const CLOSE: f64 = 1e-10;
 /// Largest permitted deviation of a stated long-wave limit from the extrapolated limit.
 const ALIKE: f64 = 1e-3;
 
 impl Kernel {
     /// Creates a kernel for bodies that are isotropic in their plane, from their response to waves of the positive wave
-    /// number k. The response has the definition of [`ElasticPair::response`] (not times k), for the relative
+    /// number k. The response is defined as in [`ElasticPair::response`] (not multiplied by k), for the relative
     /// displacement. The closure is called on many threads and must not wait for them. It is called for k from 5e-10 to
-    /// 64 divided by the thickness, and for the wave numbers of grids that are periodic along both axes. For all of
-    /// them the response must be finite and store positive energy.
+    /// 64 divided by the thickness, and for the wave numbers of grids that are periodic along both axes. At all of
+    /// these wave numbers the response must be finite and store positive energy.
     ///
     /// `near` is the pair of homogeneous half-spaces that determines the response to waves much shorter than
     /// `thickness` (a length); for a coating it is the outermost layer. The two responses must agree to 1e-10 at
@@ -244,9 +246,9 @@ impl Kernel {
     }
 
     /// Sets the limit of k times the response for k to zero to `base` (one over a pressure). The limit is zero on a
-    /// rigid base; for elastic bodies it contains the constants of the half-space [below](crate::layers). By default it
-    /// is extrapolated from the response at k = 1e-9 over the thickness and at half this k. `base` may differ from the
-    /// extrapolated limit by 1e-3 of the value for `near`. The method has no effect on other kernels.
+    /// rigid base; for elastic bodies it contains the constants of the half-space [below](crate::layers). By default
+    /// the limit is extrapolated from the response at k = 1e-9 over the thickness and at half this k. `base` may differ
+    /// from the extrapolated limit by 1e-3 of the value for `near`. The method has no effect on other kernels.
     ///
     /// # Errors
     /// - [`Error::NotFinite`] if `base` is not finite.
@@ -336,15 +338,15 @@ impl Kernel {
     }
 
     /// Creates a kernel from [operators](Operators) on the cells of a grid with any boundary. The operators may compute
-    /// any linear displacements from tractions. `near` is the pair of homogeneous half-spaces that approximates them
-    /// for waves a few cells long. The inverse of the pair preconditions the solves. A better approximation gives
-    /// faster convergence to the same solution. `near` also supplies hardness and moduli, whether pressure and traction
-    /// are [coupled](ElasticPair::is_coupled), and the strength of the coupling for
+    /// any linear displacements from tractions. `near` is the pair of homogeneous half-spaces that approximates the
+    /// operators for waves a few cells long. The inverse of the operator of this pair preconditions the solves. A
+    /// better approximation gives faster convergence to the same solution. `near` also supplies hardness and moduli,
+    /// whether pressure and traction are [coupled](ElasticPair::is_coupled), and the strength of the coupling for
     /// [`CoupledReport::error_estimate`](crate::coupled::CoupledReport::error_estimate).
     ///
     /// A contact is solved on all cells of the grid, without windows and coarser grids. The certificate requires a
     /// [lower bound](crate::Operator::lower_bound) of the operator. Without a bound,
-    /// [`Report::duality_gap`](crate::Report::duality_gap) is the duality gap, and it is not part of the convergence
+    /// [`Report::duality_gap`](crate::Report::duality_gap) is the duality gap, which is not part of the convergence
     /// test. Coupled problems, stiffnesses and jumps over cycles of wear are then not available. Rolling, ranks, dense
     /// matrices, edges inside the cells and stresses reject such bodies. On a grid that is periodic along both axes an
     /// operator must map constants to zero. A [cell value](crate::HalfSpace::with_cell_value) does not change an
@@ -400,7 +402,7 @@ impl Kernel {
         }
     }
 
-    /// Checks that the response of the bodies is available at any position. This is not the case for operators.
+    /// Checks that the response of the bodies is available at any position, which is not the case for operators.
     pub(crate) fn check_no_operators(&self, quantity: &'static str) -> Result<()> {
         match self.user_operators() {
             None => Ok(()),
@@ -517,8 +519,8 @@ fn waves_of(grid: Grid) -> impl Iterator<Item = f64> {
 }
 
 /// Returns a digest of a length and of values times k. Numbers are rounded to single precision, so that round-off
-/// differences between machines do not change the digest. They are in the units of the pair, so that they cannot over-
-/// or underflow in any system of units.
+/// differences between machines do not change the digest. They are in the units of the pair, so they cannot over- or
+/// underflow in any system of units.
 fn digest_of(near: &ElasticPair, length: f64, values: &[f64]) -> u64 {
     let unit = near.compliances().normal;
     let numbers = values.iter().map(|value| value / unit);

@@ -12,12 +12,12 @@ use crate::operator::Operator;
 /// Compliance of two bodies as operators on the cells of one grid: the argument of
 /// [`Kernel::operators`](crate::Kernel::operators).
 ///
-/// An operator has a component for each of its directions, in this order. A problem uses the first operator that has
-/// all required directions and the fewest others. [`NormalProblem`](crate::NormalProblem) requires Z and
-/// [`TangentialProblem`](crate::TangentialProblem) requires X, Y or both. Coupled problems require all three directions
-/// if `near` is [coupled](crate::ElasticPair::is_coupled). A problem that requires fewer directions than an operator
-/// has still pays for all of them. If several operators have the same direction, they must agree on it; this is not
-/// checked.
+/// An operator has a component for each of its directions, in the order of the directions. A problem uses the first
+/// operator that has all required directions and the fewest others. [`NormalProblem`](crate::NormalProblem) requires Z
+/// and [`TangentialProblem`](crate::TangentialProblem) requires X, Y or both. Coupled problems require all three
+/// directions if `near` is [coupled](crate::ElasticPair::is_coupled). A problem that requires fewer directions than an
+/// operator has still pays for all of them. If several operators have the same direction, they must agree on it. This
+/// agreement is not checked.
 ///
 /// ```
 /// use stickslip::influence::Direction::{X, Y, Z};
@@ -141,8 +141,8 @@ impl Operators {
 /// Name of the conditions for operators in error messages.
 const MODEL: &str = "a kernel of user-defined operators";
 
-/// Checks the products of two fields with zero mean and returns numbers that identify the operator. The numbers are
-/// both energies, and the work of one field on the displacements of the other divided by the geometric mean of the
+/// Checks the products of two fields with zero mean and returns numbers that identify the operator. The numbers are the
+/// two energies, and the work of one field on the displacements of the other, divided by the geometric mean of the
 /// energies.
 fn examined(given: &UserOperator) -> Result<[f64; 3]> {
     let directions = given.directions();

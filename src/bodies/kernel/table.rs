@@ -12,7 +12,7 @@ use crate::support::debug::shown;
 /// follow from the [parity](Component::is_odd) of bodies that are mirror images of themselves along x and y.
 ///
 /// `XX`, `YY` or `ZZ` are required for displacements along these directions. `XY`, `ZX` and `ZY` are zero if they are
-/// not given. `YX`, `XZ` and `YZ` follow from them by reciprocity.
+/// not given. `YX`, `XZ` and `YZ` follow from these components by reciprocity.
 ///
 /// ```
 /// use stickslip::influence::{Component, Table};
@@ -135,7 +135,7 @@ impl CoefficientTable {
         self.size
     }
 
-    /// Returns the values of a component in the order of [`Self::with`], or `None` if they are not given.
+    /// Returns the values of a component in the order of [`Self::with`], or `None` if the component is not given.
     #[must_use]
     pub fn get(&self, component: Component) -> Option<Vec<f64>> {
         let (place, is_negative) = place(component);
@@ -261,7 +261,8 @@ impl CoefficientTable {
     }
 }
 
-/// Returns the value of a function of `n` distances at one of them, or its linear extrapolation beyond the last.
+/// Returns the value of a function of `n` distances at the given distance, or its linear extrapolation beyond the last
+/// distance.
 fn continued(distance: usize, n: usize, at: impl Fn(usize) -> f64) -> f64 {
     let last = n - 1;
     if distance <= last {

@@ -16,9 +16,10 @@ use crate::bodies::layers::response::{Base, LayerWaves, Surface};
 /// ```
 ///
 /// Growing waves are not propagated. The bodies below a depth have a surface compliance C, computed from the minors on
-/// the [page](crate::layers), and their surface moves by C times the load that it carries. The load at the top of a
-/// layer is X times the load at its bottom, so the load at the bottom is adj X / det X times the load at the top. det X
-/// is the ratio of the first minors, a sum of positive terms. It grows as exp(2kh), and X grows as exp(kh).
+/// the [page](crate::layers), and the surface of these bodies moves by C times the load that it carries. The load at
+/// the top of a layer is X times the load at its bottom, so the load at the bottom is adj X / det X times the load at
+/// the top. det X is the ratio of the first minors, a sum of positive terms. It grows as exp(2kh), and X grows as
+/// exp(kh).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SubsurfaceResponse {
     pub(crate) by_pressure: [f64; 6],
@@ -42,8 +43,8 @@ impl SubsurfaceResponse {
 }
 
 impl LayerWaves<'_> {
-    /// Returns the index of the layer at a depth, and the distance from its top. At an interface it is the outer layer.
-    /// The index is `None` in the base, with the distance from the top of the base.
+    /// Returns the index of the layer at a depth, and the distance from its top. At an interface, returns the outer
+    /// layer. In the base, the index is `None` and the distance is measured from the top of the base.
     pub(crate) fn place(&self, depth: f64) -> (Option<usize>, f64) {
         let mut top = 0.0;
         for (number, layer) in self.layers.iter().enumerate() {
@@ -65,7 +66,7 @@ impl LayerWaves<'_> {
         }
     }
 
-    /// Returns the fields at a depth due to waves of the wave number k > 0; they are zero in a rigid base.
+    /// Returns the fields at a depth due to waves of the wave number k > 0. The fields are zero in a rigid base.
     pub(crate) fn at_depth(&self, k: f64, depth: f64) -> SubsurfaceResponse {
         let (number, from_top) = self.place(depth);
         let number_of = number.unwrap_or(self.layers.len());

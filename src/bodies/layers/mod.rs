@@ -70,9 +70,10 @@
 //!
 //! - Layers are bonded, and their surfaces are plane. There are at most [`LIMIT`] layers.
 //! - On a [grid periodic along y only](crate::Boundary::PeriodicAlongY), the displacement far from the load is that of
-//!   the substrate with the given datum, and tends to zero on a rigid base. There the error of a solve is certified by
-//!   the smallest eigenvalue for tractions with zero mean, and by the energy of a flat punch if no sum is prescribed. A
-//!   solve returns [`Error::DatumTooNear`] if the datum is too near for a prescribed approach, shift or spring.
+//!   the substrate with the given datum, and tends to zero on a rigid base. On such a grid the error of a solve is
+//!   certified by the smallest eigenvalue for tractions with zero mean, and by the energy of a flat punch if no sum is
+//!   prescribed. A solve returns [`Error::DatumTooNear`] if the datum is too near for a prescribed approach, shift or
+//!   spring.
 //! - The error of a solve on a free grid is certified by the smallest eigenvalue of a periodic continuation of the
 //!   kernel. For layers stiffer than the bodies below, on grids many thicknesses long, this eigenvalue can be negative
 //!   although the operator is positive. Examples are an incompressible layer of ten times the modulus of its base,
@@ -81,8 +82,8 @@
 //!   replaces this eigenvalue. The estimate is computed from sums over the aliases of waves with selected phases. For
 //!   coupled problems on such a grid, the separate problems of pressure and traction have bounds, and the coupled
 //!   problem has only an estimate and [no bound](crate::Report).
-//! - On a grid that is periodic along both axes a mean traction causes no displacement. This includes a rigid base,
-//!   where $`h (1-2\nu)/2G(1-\nu)`$ times the mean pressure could be added to the approach.
+//! - On a grid that is periodic along both axes a mean traction causes no displacement. This convention also applies to
+//!   a rigid base, where $`h (1-2\nu)/2G(1-\nu)`$ times the mean pressure could be added to the approach.
 //! - The law for cells that enter a growing or rolling contact uses the ratio of tangential to normal compliance of
 //!   waves with a period of two cells, $`k = \pi/h_{max}`$.
 //! - Scalar moduli of a pair ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus), Dundurs' beta) are
@@ -211,7 +212,7 @@ impl Layer {
     }
 }
 
-/// Layers of a body, the outermost first; a homogeneous body has no layers.
+/// Layers of a body, the outermost first. A homogeneous body has no layers.
 #[derive(Clone, Copy)]
 pub(crate) struct Coating {
     layers: [Layer; LIMIT],

@@ -2,7 +2,7 @@
 
 use crate::bodies::layers::Layer;
 
-/// Response of a surface to a wave of traction, in lengths over pressures; the page of [`layers`](crate::layers)
+/// Response of a surface to a wave of traction, in lengths over pressures. The page of [`layers`](crate::layers)
 /// defines the directions and signs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
@@ -19,7 +19,7 @@ pub struct Response {
 }
 
 impl Response {
-    /// Combines each function with the function of a different response.
+    /// Combines each function with the same function of a different response.
     pub(crate) fn with(self, other: Self, combine: impl Fn(f64, f64) -> f64) -> Self {
         Self {
             normal: combine(self.normal, other.normal),

@@ -16,7 +16,7 @@ const LEAST_TURN: f64 = 1e-13;
 /// Number of times that all cells of a contact whose tractions cannot turn are set to stick.
 const TRIALS: usize = 2;
 
-/// Selection of the least slipping cells among those that could carry more of the deficit.
+/// Selection of the cells with the least slip among the cells that could carry more of the deficit.
 #[derive(Debug, Clone, Copy)]
 struct NearestToStick {
     missing: [f64; 2],
@@ -73,8 +73,8 @@ impl<F: FrictionCone> ConeRun<'_, '_, F> {
         }
     }
 
-    /// Releases the pressures if all cells in contact are at their hardness and a normal force is prescribed. Otherwise the
-    /// approach could not change.
+    /// Releases the pressures if all cells in contact are at their hardness and a normal force is prescribed. If these
+    /// pressures stayed fixed, the approach could not change.
     pub(super) fn free_hardness_cells(&mut self) {
         if self.problem.totals[0] == Total::Free {
             return;
@@ -91,8 +91,8 @@ impl<F: FrictionCone> ConeRun<'_, '_, F> {
         }
     }
 
-    /// Sets slipping cells to stick if all cells slip in the same direction and tangential sums are prescribed: rotation of the
-    /// tractions alone could not carry a change along that direction.
+    /// Sets slipping cells to stick if all cells slip in the same direction and tangential sums are prescribed. Rotating the
+    /// tractions alone could not change the sums along that direction.
     pub(super) fn restore_stick(&mut self) {
         let totals = self.problem.totals;
         let w = &*self.workspace;
@@ -125,8 +125,8 @@ impl<F: FrictionCone> ConeRun<'_, '_, F> {
         });
     }
 
-    /// Selects the least slipping cells among those that could carry more of the deficit, after setting all cells to stick has
-    /// not helped. Returns `None` before that attempt, or if there is no such cell.
+    /// Selects the cells with the least slip among the cells that could carry more of the deficit, after setting all cells to
+    /// stick has not helped. Returns `None` before that attempt, or if there is no such cell.
     fn cell_with_least_slip(&self) -> Option<NearestToStick> {
         if self.times_held <= TRIALS {
             return None;

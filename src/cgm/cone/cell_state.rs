@@ -7,8 +7,8 @@ use crate::numerics::cell_vector::{dot, norm, plus};
 
 /// State of a cell in the linear system of a step.
 ///
-/// Its unknowns are the changes of the pressure and of the traction. A sticking cell has both components of the traction; a
-/// slipping cell has the component along the circle of its limit, which follows the pressure.
+/// The unknowns of the cell are the changes of the pressure and of the traction. A sticking cell has both components of the
+/// traction; a slipping cell has the component along the circle of its limit, which follows the pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ConeCellState {
     pub(super) kind: CellKind,
@@ -56,10 +56,11 @@ pub(super) enum CellKind {
 pub(super) struct Slip {
     /// Unit direction of the traction.
     pub(super) normal: [f64; 2],
-    /// Friction limit and its derivative with respect to the pressure.
+    /// Friction limit.
     limit: f64,
+    /// Derivative of the friction limit with respect to the pressure.
     slope: f64,
-    /// Slip over the limit: the stiffness added by the curvature of the circle.
+    /// Slip divided by the limit: the stiffness added by the curvature of the circle.
     stiffness: f64,
 }
 
@@ -86,7 +87,7 @@ pub(super) struct Noise {
     pub(super) gap: f64,
     /// Slip along the traction that counts as round-off of the inner solution.
     pub(super) slip: f64,
-    /// Lag of a cell that touches, per unit ratio of traction to pressure.
+    /// Lag of a cell that comes into contact, per unit ratio of traction to pressure.
     pub(super) lag: f64,
     /// Maximum pressure of the cell.
     pub(super) hardness: f64,
@@ -128,7 +129,7 @@ impl ConeCellState {
         Self::new(kind, p > 0.0 && p >= hardness)
     }
 
-    /// Returns whether the cell moves as in another state.
+    /// Returns whether the cell moves in the same way as in another state.
     pub(super) fn is_like(self, other: Self) -> bool {
         let [now, then] = [self, other].map(|law| (law.moves(), law.is_free(), law.is_held));
         now == then
@@ -145,12 +146,12 @@ impl ConeCellState {
         }
     }
 
-    /// Returns the change of the pressure or the equation of the gap, or zero if the pressure is fixed.
+    /// Returns `value`, a change of the pressure or an equation of the gap, or zero if the pressure is fixed.
     fn pressed(self, value: f64) -> f64 {
         if self.is_held { 0.0 } else { value }
     }
 
-    /// Returns the part of a uniform motion that the cell can follow, a matrix of x and y.
+    /// Returns the part of a uniform motion that the cell can follow, as a matrix in x and y.
     pub(super) fn mobility(self) -> [[f64; 2]; 2] {
         match self.kind {
             CellKind::Open | CellKind::Frictionless => [[0.0; 2]; 2],
@@ -162,8 +163,8 @@ impl ConeCellState {
         }
     }
 
-    /// Returns the state with limit, slope and stiffness at slip `s`. A limit below `least` is replaced by `least` in the
-    /// stiffness. `self_compliance` is the displacement of a cell under a unit traction on it.
+    /// Returns the state with limit, slope and stiffness at slip `s`. In the stiffness, `least` replaces a smaller limit.
+    /// `self_compliance` is the displacement of a cell under a unit traction on it.
     pub(super) fn measured(
         mut self,
         s: [f64; 2],

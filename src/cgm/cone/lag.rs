@@ -18,7 +18,7 @@ impl<F: FrictionCone> ConeProblem<'_, F> {
         self.closing.map_or(0.0, |closing| closing.mean(cell))
     }
 
-    /// Returns traction over pressure of a cell.
+    /// Returns the traction of a cell divided by its pressure.
     pub(super) fn ratio(&self, cell: usize, law: ConeCellState, [p, x, y]: [f64; N]) -> [f64; 2] {
         match law.kind {
             _ if p > 0.0 => [x / p, y / p],

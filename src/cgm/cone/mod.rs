@@ -10,8 +10,9 @@
 //! ```
 //!
 //! `C` is symmetric and positive definite, but the conditions are not the optimality conditions of a minimum: the limit `m` grows
-//! with the unknown pressure. The semismooth Newton method linearises both together, `dq = m'(p) n dp + t dtau` in a cell that
-//! slips along `n`. The resulting system is not symmetric; right-preconditioned GMRES solves it on the cells in contact.
+//! with the unknown pressure. The semismooth Newton method linearises limit and tractions together, `dq = m'(p) n dp + t dtau` in
+//! a cell that slips along `n`. The resulting system is not symmetric; right-preconditioned GMRES solves it on the cells in
+//! contact.
 //!
 //! A cell may have a hardness, `p <= H`. While its pressure is at the hardness the bodies may overlap, and the equation of its
 //! gap is dropped.
@@ -42,12 +43,12 @@ use crate::report::Status;
 pub(crate) use response::FrozenState;
 pub(crate) use workspace::ConeWorkspace;
 
-/// Number of components of a vector: along z, x and y.
+/// Number of components of a vector (z, x and y).
 const N: usize = 3;
 
 /// Friction limit of a cell as a function of its pressure.
 pub(crate) trait FrictionCone: Sync {
-    /// Returns the limit, non-negative and non-decreasing in the pressure.
+    /// Returns the friction limit, which must be non-negative and must not decrease with the pressure.
     fn limit(&self, cell: usize, pressure: f64) -> f64;
 
     /// Returns the derivative of the limit with respect to the pressure.
@@ -84,8 +85,8 @@ pub(crate) struct ConeMeasures {
     pub(crate) residual: f64,
     /// Relative deficit of the prescribed sums.
     pub(crate) load_error: f64,
-    /// Bounds of the errors of pressure and of traction in the energy norm, each with the other fixed, relative to the root of
-    /// `x' C x`.
+    /// Error bounds of the pressure and of the traction in the energy norm, each for a fixed value of the other, relative to
+    /// the square root of `x' C x`.
     pub(crate) bounds: [f64; 2],
     /// Number of sticking cells.
     free: usize,
@@ -133,7 +134,7 @@ pub(crate) struct ConeRun<'a, 'b, F> {
 }
 
 /// Solves from the tractions `x` and the multipliers of the workspace, and stores the solution in both. The status is `None` if
-/// the start is rejected or if the sets cycle; a different start may then succeed. The findings belong to the returned `x`.
+/// the start is rejected or if the sets cycle. A different start might then succeed. The findings belong to the returned `x`.
 ///
 /// # Errors
 /// - [`Error::Memory`](crate::Error::Memory) if the memory does not suffice.
@@ -163,7 +164,7 @@ pub(crate) fn solve<F: FrictionCone>(
     };
     let status = newton(&mut run);
     if !run.is_fresh && status.is_some() {
-        // The solve may have ended within a linear system, which lets cells leave their cones.
+        // The solve may have ended during a linear solve, which lets cells leave their cones.
         run.set_laws();
     }
     run.refresh();

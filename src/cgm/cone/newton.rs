@@ -16,10 +16,11 @@ use crate::parallel;
 use crate::parallel::layout::Layout;
 use crate::report::Status;
 
-/// Reductions of the inner residual: for sets from a coarser grid, for changing sets, and the lower limit for sets that no longer
-/// change.
+/// Reduction of the inner residual for sets from a coarser grid.
 const FIRST_REDUCTION: f64 = 0.3;
+/// Reduction of the inner residual for changing sets.
 const INNER_REDUCTION: f64 = 0.03;
+/// Lower limit of the reduction of the inner residual for sets that no longer change.
 const LEAST_REDUCTION: f64 = 1e-5;
 /// Residual above which a product in single precision identifies the sets as well as a product in double precision.
 const EARLY: f64 = 1e-3;
@@ -35,8 +36,9 @@ pub(super) const NOTHING: f64 = 1e-9;
 /// Progress of the outer steps of a solve.
 #[derive(Debug)]
 pub(super) struct NewtonProgress {
-    /// Least residual so far, and number of steps without halving it.
+    /// Least residual so far.
     best: f64,
+    /// Number of steps without halving the residual.
     without: usize,
     /// Least deficit of the totals so far.
     missing: f64,

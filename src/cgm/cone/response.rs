@@ -8,7 +8,8 @@ use crate::cgm::reduce;
 use crate::error::Result;
 use crate::numerics::cell_vector::at;
 
-/// State of the cells: tractions, slip of the last step, and entry compliance, which is empty if no cell has one.
+/// State of the cells: tractions, slip of the last step, and entry compliance. The entry compliance is empty if no cell
+/// has any.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FrozenState<'a> {
     pub(crate) x: [&'a [f64]; N],

@@ -9,7 +9,7 @@ use crate::memory::fallible;
 use crate::operator::Operator;
 use crate::report::Report;
 
-/// Buffers of a solve except its tractions, created once and reused by every solve of the same size.
+/// Buffers of a solve except its tractions. They are created once and reused by every solve of the same size.
 #[derive(Debug, Clone)]
 pub(crate) struct ConeWorkspace {
     /// Linear problem; its rows are the states of the cells.

@@ -230,8 +230,8 @@ impl LinearisedSet<2> for Disc {
 }
 
 /// Returns the shift `t` for which the vectors `P_i(q_i + t)` of the selected cells and the unchanged other vectors together have
-/// the sums. Also returns whether the sums are met, because the selected cells might not suffice. The sums are the gradient of a
-/// convex function of `t`, and the method is a damped Newton iteration.
+/// the sums. Also returns whether the sums are met: the selected cells might not suffice. The sums are the gradient of a convex
+/// function of `t`, and the method is a damped Newton iteration.
 fn shift_to_sums(
     layout: &Layout,
     q: &[&[f64]; 2],
@@ -312,7 +312,7 @@ fn shifted(
 }
 
 impl ShiftedSums {
-    /// Returns Newton's step in the components whose sum is prescribed.
+    /// Returns the Newton step in the components whose sum is prescribed.
     fn step(&self, sums: [Option<f64>; 2]) -> [f64; 2] {
         let prescribed = sums.map(|sum| sum.is_some());
         let trace = self.slope.0[0][0] + self.slope.0[1][1];
@@ -330,7 +330,7 @@ mod tests {
     use super::*;
     use crate::cgm::AbsBound;
 
-    /// Restores the sums of three cells with limit one, two of them at their limits, as at the end of a solve.
+    /// Restores the sums of three cells with limit one. Two of the cells are at their limits, as at the end of a solve.
     fn restored(sums: [f64; 2]) -> [[f64; 3]; 2] {
         let [mut x, mut y] = [[1.0, 0.0, 0.2], [0.0, 1.0, 0.3]];
         let layout = Layout::of([3, 1]);

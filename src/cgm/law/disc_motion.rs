@@ -16,7 +16,8 @@ pub enum DiscMotion {
     Tangential {
         /// Direction of the circle at the traction.
         tangent: [f64; 2],
-        /// Component of the gradient against the traction over the radius: the stiffness added by the curvature of the circle.
+        /// Component of the gradient against the traction, divided by the radius: the stiffness added by the curvature of the
+        /// circle.
         stiffness: f64,
         /// Weight of the cell in the preconditioner.
         weight: Weight,
@@ -29,27 +30,27 @@ pub enum DiscMotion {
 ///
 /// The inverse operator $`M`$ does not include the stiffness $`k`$ of the circles, nor the additional compliance of the cells,
 /// which is a part of $`k`$. The inverse of the system $`C + k`$ is known in two limits: it is $`M`$ for $`k \ll C`$, and
-/// $`1 / (c_1 + k)`$ in each cell for $`k \gg C`$, with $`c_1`$ the compliance of a cell that moves alone. Between them the
-/// preconditioner is
+/// $`1 / (c_1 + k)`$ in each cell for $`k \gg C`$, with $`c_1`$ the compliance of a cell that moves alone. Between these
+/// limits the preconditioner is
 ///
 /// ```math
 /// W M W + (1 - W^2)\, (c_1 + k)^{-1}, \qquad W = \frac{e}{e + k} ,
 /// ```
 ///
-/// with the weights $`0 < W \le 1`$ of the cells. It is symmetric and positive definite like both parts, and exact in both
-/// limits. The stiffness $`e`$ at which a pattern has the weight one quarter is chosen from measurements as half of $`c_1`$. With
-/// $`e`$ from two fifths to three fifths of $`c_1`$, and with $`c_1`$ from four to six times the least eigenvalue of a
-/// half-space, the number of steps changes by 2 % on smooth and rough balls in growing contact. The square root of this weight
-/// would require a tenth more steps, and a third more if cells come into contact.
+/// with the weights $`0 < W \le 1`$ of the cells. The preconditioner is symmetric and positive definite like both parts, and
+/// exact in both limits. The stiffness $`e`$ at which a pattern has the weight one quarter is chosen from measurements as half of
+/// $`c_1`$. With $`e`$ from two fifths to three fifths of $`c_1`$, and with $`c_1`$ from four to six times the least eigenvalue
+/// of a half-space, the number of steps changes by 2 % on smooth and rough balls in growing contact. The square root of this
+/// weight would require a tenth more steps, or a third more if cells come into contact.
 #[expect(
     unnameable_types,
     reason = "it appears in the sealed traits of the sets alone"
 )]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Weight {
-    /// Factor of the residual before, and of the result after the inverse operator.
+    /// Factor by which the residual is multiplied before, and the result after, the inverse operator.
     pattern: f64,
-    /// Factor of the residual for the cell alone.
+    /// Factor of the residual in the term of the cell alone.
     own: f64,
 }
 

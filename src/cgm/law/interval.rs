@@ -8,7 +8,7 @@ use crate::numerics::cell_vector::update_cells;
 use crate::parallel::layout::Layout;
 use crate::report::Status;
 
-/// The numbers from `lower` to `upper`; equal bounds fix the cell.
+/// The interval from `lower` to `upper`. Equal bounds fix the cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interval {
     /// Lower bound; may be minus infinity.
@@ -140,7 +140,8 @@ impl LinearisedSet<1> for Interval {
 
     #[inline]
     fn duality_gap(self, [x]: [f64; 1], [g]: [f64; 1]) -> f64 {
-        // The signs of gradients near the solution are unordered: selecting a value costs less than a branch.
+        // Near the solution the signs of the gradients alternate irregularly, so selecting a value costs less than a
+        // branch.
         let bound = if g > 0.0 { self.lower } else { self.upper };
         let least = if g == 0.0 { 0.0 } else { bound * g };
         g * x - least
@@ -268,12 +269,13 @@ pub(in crate::cgm) fn shift_to_total(
     selected: impl Fn(usize) -> bool + Sync,
     total: f64,
 ) -> bool {
-    // A shift `t` much larger than the resulting values loses them to round-off; the second pass then needs only a small shift.
+    // If the shift `t` is much larger than the resulting values, they are lost to round-off. A second pass, which needs only a
+    // small shift, restores them.
     (0..2).any(|_| shift(layout, x, constraint, &selected, total))
 }
 
-/// Performs one shift. The sum is piecewise linear and non-decreasing in `t`, so Newton's method with bracketing ends after a few
-/// passes.
+/// Performs one shift. The total is piecewise linear and non-decreasing in `t`, so Newton's method with bracketing ends after a
+/// few passes.
 fn shift(
     layout: &Layout,
     x: &mut [f64],

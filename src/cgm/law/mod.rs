@@ -40,7 +40,8 @@ pub trait Constraint<const N: usize = 1>: Sync {
     /// The kind of set.
     type Set: ConstraintSet<N>;
 
-    /// Returns the number of cells of the constraint, or `None` (the default) if it fits any number.
+    /// Returns the number of cells of the constraint, or `None` (the default) if the constraint fits any number of
+    /// cells.
     fn cells(&self) -> Option<usize> {
         None
     }
@@ -105,7 +106,7 @@ impl Constraint for BoundedPressure<'_> {
     }
 }
 
-/// Unlimited pressure.
+/// Hardness of cells whose pressure is unlimited.
 pub(crate) const UNLIMITED: PerCell<&[f64]> = PerCell::Uniform(f64::INFINITY);
 
 /// The bounds `lower_i <= x_i <= upper_i`.

@@ -23,7 +23,7 @@ pub trait Row<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
     const IS_CURVED: bool;
     /// Whether the same cells move throughout the solve: all cells whose set has more than one point.
     const IS_STEADY: bool;
-    /// Whether a row can have an additional displacement of its cell, see [`lag`](Self::lag).
+    /// Whether a row can have an additional displacement of its cell (see [`lag`](Self::lag)).
     const HAS_LAG: bool = false;
     /// Row of a cell that moves in any direction.
     const FREE: Self;
@@ -45,7 +45,8 @@ pub trait Row<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
     /// Returns the term that the curvature of a bound adds to the equations for a change of the unknowns.
     fn bend(self, v: [f64; N]) -> [f64; N];
 
-    /// Returns the displacement of the cell, in addition to the displacement by the operator, for a change `d` of its tractions.
+    /// Returns the displacement of the cell that a change `d` of its tractions causes in addition to the displacement by the
+    /// operator.
     fn lag(self, _d: [f64; N]) -> [f64; N] {
         [0.0; N]
     }
@@ -68,7 +69,8 @@ pub trait CellMotion<const N: usize>: Row<N> {
     #[must_use]
     fn with_preconditioner_weight(self, self_compliance: f64, diagonal: f64) -> Self;
 
-    /// Returns the motion of a cell released from its bound if a gradient `g` pushes it away from there.
+    /// Returns the motion of a cell after its release from its bound if a gradient `g` pushes the cell away from the
+    /// bound.
     #[must_use]
     fn released_from_bound(self, g: [f64; N]) -> Self;
 }
@@ -106,12 +108,12 @@ pub trait LinearisedSet<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 
     /// Returns whether a point is inside the bounds, where the whole gradient must vanish.
     fn is_inside(self, x: [f64; N]) -> bool;
 
-    /// Returns the part of a gradient `g` at a point `x` of the set that is not an inward normal of a bound. It must vanish at
-    /// the minimum. Returns NaN if `g` is NaN.
+    /// Returns the part of a gradient `g` at a point `x` of the set that is not an inward normal of a bound. This part must
+    /// vanish at the minimum. Returns NaN if `g` is NaN.
     #[must_use]
     fn forbidden(self, x: [f64; N], g: [f64; N]) -> [f64; N];
 
-    /// Returns `g.x` minus the least `g.y` over the points `y` of the set; infinite if there is no least value.
+    /// Returns `g.x` minus the least `g.y` over the points `y` of the set, or infinity if there is no least value.
     #[must_use]
     fn duality_gap(self, x: [f64; N], g: [f64; N]) -> f64;
     /// Returns the distance of a point from the set, or zero within round-off.
@@ -120,7 +122,7 @@ pub trait LinearisedSet<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 
     /// Returns the extreme point along a direction.
     fn extreme(self, direction: [f64; N]) -> [f64; N];
 
-    /// Returns `x + d`, exactly on a bound if it reaches the bound up to round-off.
+    /// Returns `x + d`, or the point of a bound if `x + d` reaches the bound up to round-off.
     fn arrive(self, x: [f64; N], d: [f64; N]) -> [f64; N];
 
     /// Returns the motion of a cell at `x` before its gradient is known.
@@ -151,9 +153,9 @@ pub trait LinearisedSet<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 
     where
         Self: ConstraintSet<N>;
 
-    /// Moves the cells within their sets to the nearest points that have the sums. Moves only the cells of `preferred` if they
-    /// suffice; if all cells [move](Row::IS_STEADY), also the cells inside their bounds. Otherwise moves all cells. Returns
-    /// whether the cells keep their motion states.
+    /// Moves the values of the cells to the nearest points of their sets at which the prescribed sums are met. Moves only the
+    /// cells of `preferred` if they suffice. If all cells [move](Row::IS_STEADY), the cells inside their bounds are moved as
+    /// well. Otherwise moves all cells. Returns whether the cells keep their motion states.
     fn restore(
         layout: &Layout,
         x: [&mut [f64]; N],

@@ -12,7 +12,7 @@ use crate::report::Status;
 /// Maximum number of steps before the sets are updated again.
 const INNER_LIMIT: usize = 60;
 
-/// Returns the components of one kind, and zero for the others.
+/// Returns the values of the components selected by `kind`, and zero for the other components.
 fn only<const N: usize>(kind: [bool; N], values: [f64; N]) -> [f64; N] {
     std::array::from_fn(|c| if kind[c] { values[c] } else { 0.0 })
 }
@@ -205,7 +205,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         let change = totals.balance(sum);
         Correction {
             change,
-            // For a prescribed sum, z has zero sum, so that its product with the change of the multiplier vanishes.
+            // For a prescribed sum, z has zero sum, so its product with the change of the multiplier vanishes.
             product: product + dot(change, products),
             overlap: overlap + dot(change, last_products),
         }
@@ -247,7 +247,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             })
     }
 
-    /// Returns `d' (C + K) d`, with the product in `image` and the stiffness `K` of curved bounds, and `d' d`.
+    /// Returns `d' (C + K) d` and `d' d`. The product `C d` is in `image`; `K` is the stiffness of curved bounds.
     fn curvature(&self) -> (f64, f64) {
         let w = &*self.workspace;
         let (motions, direction, image) = (

@@ -22,7 +22,7 @@ pub(in crate::cgm) trait Equations<R, const N: usize> {
     /// Writes the residual of the equations to the workspace.
     fn set_residual(&mut self, linear: &mut Linear<'_, '_, R, N>) -> ControlFlow<Status>;
 
-    /// Applies the correction, with changes of the multipliers.
+    /// Applies the correction and the changes of the multipliers.
     fn advance(
         &mut self,
         linear: &mut Linear<'_, '_, R, N>,
@@ -31,8 +31,8 @@ pub(in crate::cgm) trait Equations<R, const N: usize> {
 }
 
 impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
-    /// Distributes the deficit of the totals and solves until the residual has fallen by this factor, with at most the given
-    /// number of bases. Returns the final residual relative to the first.
+    /// Distributes the deficit of the totals and solves until the residual has fallen by the given factor, with at most the
+    /// given number of bases. Returns the final residual relative to the first.
     pub(in crate::cgm) fn solve(
         &mut self,
         border: &Border<N>,
@@ -64,8 +64,8 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         ControlFlow::Continue(if left == 0.0 { 0.0 } else { left / start })
     }
 
-    /// Builds a Krylov basis from a residual of this size until the least-squares residual reaches `aim`. Returns the
-    /// coefficients.
+    /// Builds a Krylov basis from a residual of the given size until the least-squares residual reaches `aim`. Returns
+    /// the coefficients.
     fn arnoldi(
         &mut self,
         border: &Border<N>,
@@ -131,7 +131,7 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         })
     }
 
-    /// Adds the spread of changes of the multipliers to the correction.
+    /// Adds the spread of the given changes of the multipliers to the correction.
     fn add_spread(&mut self, change: [f64; N]) {
         if norm(change) == 0.0 {
             return;
@@ -203,7 +203,7 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         });
     }
 
-    /// Orthogonalises vector `j + 1` of the basis against the previous vectors, twice, and normalises it. Returns the products
+    /// Orthogonalises vector `j + 1` of the basis twice against the previous vectors, and normalises it. Returns the products
     /// and the length before normalisation.
     fn orthogonalise(&mut self, j: usize) -> ([f64; RESTART], f64) {
         let w = &mut *self.workspace;
@@ -243,8 +243,8 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
     }
 }
 
-/// Returns the products of a piece of a vector with the same range of each basis vector, several vectors together so that
-/// additions overlap.
+/// Returns the products of a piece of a vector with the same range of each basis vector. Several basis vectors are read
+/// together, so that additions overlap.
 fn products_with<const N: usize>(
     piece: &[[f64; N]],
     basis: &[Vec<[f64; N]>],
@@ -331,8 +331,8 @@ impl Hessenberg {
         }
     }
 
-    /// Appends the products of the next vector with the basis and the length of its remainder. Returns the least-squares
-    /// residual.
+    /// Appends a column: the products of the next vector with the basis and the length of its remainder. Returns the
+    /// least-squares residual.
     pub(super) fn push(&mut self, products: &[f64; RESTART], rest: f64) -> f64 {
         let j = self.len;
         let column = &mut self.columns[j];

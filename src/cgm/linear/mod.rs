@@ -1,16 +1,17 @@
 //! Linear problem at fixed sets, as solved by a semismooth Newton step and for the stiffness of a contact.
 //!
-//! Each moving cell has unknowns and the same number of equations. Its [row](Row) relates them to tractions and displacements.
-//! Let $`E`$ extend the unknowns to tractions, $`R`$ restrict displacements to equations, and $`B`$ be the local terms of the
-//! cells. Together with the multipliers of the totals, the system is
+//! Each moving cell has unknowns and the same number of equations. The [row](Row) of a cell relates them to tractions and
+//! displacements. Let $`E`$ extend the unknowns to tractions, $`R`$ restrict displacements to equations, and $`B`$ be the
+//! local terms of the cells. Together with the multipliers of the totals, the system is
 //!
 //! ```math
 //! \begin{pmatrix} R\,C E + B & -R\,e \\ e' E & D \end{pmatrix} \begin{pmatrix} v \\ \eta \end{pmatrix}
 //! = \begin{pmatrix} r \\ \varrho \end{pmatrix} .
 //! ```
 //!
-//! Conjugate gradients solve it for a symmetric problem, GMRES for other problems and for stiffnesses. The preconditioner is the
-//! inverse of the operator between $`R`$ and its transpose, with the [weights](Weight) of cells whose local terms are large.
+//! Conjugate gradients solve the system of a symmetric problem. GMRES solves the systems of other problems and of stiffnesses.
+//! The preconditioner is the inverse of the operator between $`R`$ and its transpose, with the [weights](Weight) of cells whose
+//! local terms are large.
 
 mod cg;
 mod gmres;
@@ -115,12 +116,13 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
 pub(in crate::cgm) struct Border<const N: usize> {
     /// Whether the cells can change each total.
     pub(in crate::cgm) active: [bool; N],
-    /// The change of the sum of each component by the spread of each multiplier, plus one over the compliance of a spring.
+    /// Change of the sum of each component due to the spread of each multiplier. The diagonal also contains the reciprocal
+    /// of the compliance of a spring.
     pub(in crate::cgm) matrix: Small<N>,
 }
 
 impl<const N: usize> Border<N> {
-    /// Border for prescribed motions.
+    /// Border of a problem with prescribed motions, in which no total is active.
     pub(in crate::cgm) const NONE: Self = Self {
         active: [false; N],
         matrix: Small([[0.0; N]; N]),

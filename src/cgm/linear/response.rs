@@ -20,12 +20,13 @@ use crate::report::{Report, Status};
 /// Maximum number of bases before a response counts as not found.
 const BASES: usize = 100;
 
-/// Right side of the equations and their solution.
+/// Right-hand side of the equations and their solution.
 struct LinearResponse<'a, const N: usize> {
     right: &'a [[f64; N]],
     unknowns: &'a mut [[f64; N]],
-    /// Size of the right side, and of the residual before the last basis.
+    /// Size of the right-hand side.
     first: f64,
+    /// Size of the residual before the last basis.
     last: f64,
 }
 
@@ -84,9 +85,9 @@ pub(crate) struct FixedSetSystem<'a, const N: usize> {
 }
 
 impl<const N: usize> FixedSetSystem<'_, N> {
-    /// Solves for a right side with GMRES in double precision, to a given relative residual. If a basis does not halve the
-    /// residual, the current unknowns are kept and the report has [`Status::Stalled`]. The residual is then in
-    /// [`LinearWorkspace::residual_rows`], and the tractions are in [`LinearWorkspace::tractions`].
+    /// Solves for a right-hand side with GMRES in double precision, to a given relative residual. If a basis does not
+    /// halve the residual, the current unknowns are kept and the report has [`Status::Stalled`]. Afterwards the residual
+    /// is in [`LinearWorkspace::residual_rows`], and the tractions are in [`LinearWorkspace::tractions`].
     ///
     /// # Errors
     /// - [`Error::NotConverged`] if the observer cancels or the iteration fails.
@@ -161,7 +162,7 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
         self.list()
     }
 
-    /// Restricts displacements of the cells to the right side of the equations.
+    /// Restricts displacements of the cells to the right-hand side of the equations.
     ///
     /// # Errors
     /// - [`Error::Memory`] if the memory does not suffice.

@@ -14,7 +14,7 @@ use crate::cgm::{Constraint, ConstraintSet, reduce};
 use crate::numerics::cell_vector::{at, dot, minus, plus, slices, slices_mut, update_cells};
 use crate::report::Status;
 
-/// Behaviour of the objective at the end of the steps.
+/// Behaviour of the objective in the last step.
 pub(in crate::cgm) enum Objective {
     Falls,
     /// The objective no longer decreases by more than round-off.
@@ -68,7 +68,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     }
 
     /// Sets the multipliers of the springs, and the multipliers of prescribed sums to the mean gradient. The mean does not affect
-    /// the steps, but unless it is subtracted, round-off would dominate the products.
+    /// the steps, but round-off would dominate the products if the mean were not subtracted.
     fn set_multiplier_of_all(&mut self) {
         let totals = self.problem.totals;
         if totals == [Total::Free; N] {

@@ -52,7 +52,7 @@ mod tests {
             assert_eq!(of(1, &[(variable, "some")]), Ok(()));
         }
         assert_eq!(of(1, &[]), Ok(()));
-        // One process, started by its launcher in a batch job with room for many.
+        // A launcher started one process in a batch job that has room for many processes.
         let queued = [("SLURM_NTASKS", "64"), ("OMPI_COMM_WORLD_SIZE", "1")];
         assert_eq!(of(1, &queued), Ok(()));
     }

@@ -9,11 +9,12 @@
 //!
 //! - Building, solving and stepping; changing a problem or history; returning to a state.
 //! - Displacements, energies, contact spots, statistics and files.
-//! - Cycles (begin, add) and jumps over them ([`CycleJump::new`](crate::history::wear::CycleJump::new),
+//! - Starting cycles, adding to cycles, and jumps over cycles
+//!   ([`CycleJump::new`](crate::history::wear::CycleJump::new),
 //!   [`max_stable_cycles`](crate::history::wear::max_stable_cycles)).
 //!
 //! Other results for the whole contact (force, area, stick ratio, report, ...) are stored on every rank and need no
-//! communication. The fields of a solution are those of the slab.
+//! communication. The fields of a solution cover only the slab.
 //!
 //! # Consistent inputs
 //!
@@ -59,16 +60,15 @@
 //! The state of a history contains the rows of the slab. All ranks save it together in one file, which replaces the earlier file
 //! when every rank has written its rows ([`History::save`](crate::History::save)). Any number of ranks can continue from it, with
 //! bitwise identical results ([`History::load`](crate::History::load)), or from the [bytes](crate::History::to_bytes) of the
-//! slabs ([`State::from_slabs`](crate::history::State::from_slabs)). A step sends tractions and offsets of the window of the
-//! contact to the ranks that share its rows, and returns the solution: about ten numbers per cell of the window and component.
-//! Gap, friction and settings must be changed by all ranks in the same way. Energies and sums of cycles refer to the whole
-//! contact, slip and wear to the slab. An observer of a [`FrettingLoop`](crate::history::FrettingLoop) is called on all ranks,
-//! and the first rank decides.
+//! slabs ([`State::from_slabs`](crate::history::State::from_slabs)). A step sends the tractions and offsets in the window of the
+//! contact to the ranks that share the rows of the window, and sends the solution back. This communication amounts to about ten
+//! numbers per cell of the window and component. Gap, friction and settings must be changed by all ranks in the same way.
+//! Energies and sums of cycles refer to the whole contact, slip and wear to the slab. An observer of a
+//! [`FrettingLoop`](crate::history::FrettingLoop) is called on all ranks, and the first rank decides.
 //!
 //! # Communication volume
 //!
-//! A product on $`n \times n`$ cells exchanges the transforms of its rows for the transforms of its columns and back. All ranks
-//! together send
+//! A product on $`n \times n`$ cells redistributes the transforms from rows to columns and back. All ranks together send
 //!
 //! ```math
 //! 32\,n^2 \Bigl(1 - \frac1P\Bigr) \text{ bytes}
@@ -76,8 +76,8 @@
 //!
 //! on a non-periodic grid, half of this on a periodic grid, and in single precision half of either. Bands of 16 rows without
 //! traction are not sent in the first direction. In each direction a rank sends one block to every other rank, all in one
-//! exchange ([`Ranks::all_to_all`]), packed on all threads. Blocks of more than 4 MB are sent in up to 16 rounds, so that they
-//! take little memory compared with their source. The rows of a window of the contact are distributed over all ranks again. An
+//! exchange ([`Ranks::all_to_all`]), packed on all threads. Blocks of more than 4 MB are sent in up to 16 rounds, so they take
+//! little memory compared with their source. The rows of a window of the contact are distributed over all ranks again. An
 //! iteration reduces seven partial results, each in $`\lceil\log_2 P\rceil`$ messages of a few hundred bytes.
 //! [`HalfSpace::traffic`](crate::HalfSpace::traffic) counts exchanges and reductions.
 //!
@@ -90,7 +90,7 @@
 //! share. Ranks without rows or columns have no work in that stage and only wait.
 //!
 //! A rank stores only counts of the whole contact. Each rank counts its slab, and joins the spots at the ends of its slab with
-//! those of the next slab in $`\lceil\log_2 P\rceil`$ exchanges of two rows. For a list of all spots
+//! the spots of the next slab in $`\lceil\log_2 P\rceil`$ exchanges of two rows. For a list of all spots
 //! ([`NormalSolution::spots`](crate::NormalSolution::spots) and similar methods), each rank labels its slab and sends the labels
 //! of its last row to the next rank. All ranks then gather the sums of all spots: 72 bytes for each spot and for each part of a
 //! spot that a slab cuts.
@@ -101,8 +101,8 @@
 //! others. The same holds for a kernel that one rank cannot compute, because of a lack of memory or a failure of its response. If
 //! a rank ends or is silent for too long, the calls of the other ranks return [`RankFailure::Disconnected`] or
 //! [`RankFailure::Timeout`], and so do all later calls on the same bodies. If a block has an unexpected length, its sender makes
-//! different calls ([`RankFailure::CollectiveMismatch`]). A file that the ranks were writing together is then the old file, or
-//! the new file if it was complete.
+//! different calls, and the receiver returns [`RankFailure::CollectiveMismatch`]. A file that the ranks were writing together is
+//! then the old file, or the new file if it was complete.
 
 pub(crate) mod partition;
 
@@ -138,8 +138,8 @@ pub trait Ranks: Debug + Send + Sync {
     /// Returns the number of ranks.
     fn size(&self) -> usize;
 
-    /// Sends a block to the rank `to` and receives a block from the rank `from`, which calls at the same time. Neither is this
-    /// rank itself. The received block may have any length.
+    /// Sends a block to the rank `to` and receives a block from the rank `from`, which calls at the same time. Neither `to`
+    /// nor `from` may be this rank itself. The received block may have any length.
     ///
     /// # Errors
     /// - [`RankFailure::Disconnected`] if the other rank has ended.
@@ -174,7 +174,7 @@ pub trait Ranks: Debug + Send + Sync {
     /// Gathers the words of all ranks in their order. Rank `r` contributes `counts[r]` words, with the same counts on all ranks.
     ///
     /// In the default implementation each step doubles the number of ranks whose words a rank has: the rank sends these words to
-    /// the rank that is this number of places before it (Bruck et al., IEEE Trans. Parallel Distrib. Syst. 8 (1997) 1143,
+    /// the rank that precedes it by this number (Bruck et al., IEEE Trans. Parallel Distrib. Syst. 8 (1997) 1143,
     /// <https://doi.org/10.1109/71.642949>).
     ///
     /// # Errors

@@ -35,7 +35,7 @@ use crate::parallel::ranks::{RankFailure, Ranks, launcher};
 pub struct Mpi {
     rank: usize,
     size: usize,
-    /// State shared with [`Mpi::run`]. The lock makes the rank `Sync` and separates calls of MPI; this lock is never contended.
+    /// State shared with [`Mpi::run`]. The lock makes the rank `Sync` and separates calls of MPI. It is never contended.
     post: Arc<Mutex<PeerQueues>>,
 }
 
@@ -43,9 +43,9 @@ pub struct Mpi {
 const BLOCK: i32 = 1;
 const LEFT: i32 = 2;
 
-/// Number of probes for a message after each of which the thread yields; after later probes it sleeps.
+/// Number of probes for a message after each of which the thread yields. After later probes the thread sleeps.
 const EAGER: u32 = 1 << 12;
-/// Duration of such a sleep.
+/// Duration of the sleep between later probes for a message.
 const NAP: Duration = Duration::from_micros(50);
 
 impl Mpi {
@@ -57,7 +57,7 @@ impl Mpi {
     /// derivatives do.
     ///
     /// All messages of an exchange are sent and received concurrently, but as individual messages and not by collective calls of
-    /// MPI. Collective calls cannot be tested for one rank and cannot be cancelled, so that a lost rank would block the others
+    /// MPI. Collective calls cannot be tested for one rank and cannot be cancelled, so a lost rank would block the others
     /// forever.
     ///
     /// MPI can be finalised only by all ranks together. This function does not return if a call has timed out waiting for a rank,
@@ -70,9 +70,9 @@ impl Mpi {
     /// - [`RankFailure::MpiAlreadyInitialised`] if MPI is already initialised.
     /// - [`RankFailure::InsufficientThreadLevel`] if the MPI library does not grant the thread level.
     /// - [`RankFailure::SeparateMpiJobs`] if the process is alone in its communicator although several processes were started,
-    ///   for example by the launcher of a different MPI library or by a batch job of several tasks. Their number is the value of
-    ///   the first variable that is set, of `OMPI_COMM_WORLD_SIZE`, `PMI_SIZE`, `MV2_COMM_WORLD_SIZE`, `SLURM_STEP_NUM_TASKS` and
-    ///   `SLURM_NTASKS`.
+    ///   for example by the launcher of a different MPI library or by a batch job of several tasks. The number of processes is
+    ///   the value of the first variable that is set among `OMPI_COMM_WORLD_SIZE`, `PMI_SIZE`, `MV2_COMM_WORLD_SIZE`,
+    ///   `SLURM_STEP_NUM_TASKS` and `SLURM_NTASKS`.
     ///
     /// # Panics
     /// Panics if the work panics, or if more than 2^31 ranks are started.
@@ -281,7 +281,8 @@ impl PeerQueues {
             let process = world.process_at_rank(rank_of(rank));
             process.send_with_tag(&last[..], LEFT);
         }
-        // Receives from all ranks together: while one rank is silent, others may wait for this rank to receive a block.
+        // The rank receives from all others together: while one rank is silent, others may wait for this rank to
+        // receive a block.
         let mut left: Vec<usize> = others.collect();
         while !left.is_empty() {
             let received = self.receive(&world, left.clone(), &mut |_, _| ());

@@ -29,7 +29,7 @@ pub(crate) struct RowPartition {
     nodes: Vec<usize>,
 }
 
-/// Compares whether the same ranks have the same rows.
+/// Two partitions are equal if the same ranks have the same rows.
 impl PartialEq for RowPartition {
     fn eq(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.team, &other.team) && self.size == other.size
@@ -41,7 +41,8 @@ impl RowPartition {
     pub(crate) fn new(team: &Arc<RankGroup>, size: [usize; 2]) -> Self {
         let [columns, all_rows] = size;
         let (ranks, chunk) = (team.size(), chunk_of(size));
-        // The smallest number of rows that is a whole number of chunks and even, because rows are transformed two at a time.
+        // Smallest even number of rows that is a whole number of chunks. It is even because rows are transformed two at a
+        // time.
         let step = chunk / greatest_common_divisor(chunk, columns);
         let step = step * (1 + step % 2);
         let steps = all_rows.div_ceil(step);
@@ -163,7 +164,7 @@ impl RowPartition {
         own.for_each(|value| value.write(&mut words));
         let counts: Vec<usize> = self.nodes.iter().map(|nodes| nodes * T::COUNT).collect();
         let all = self.team.gather(&words, &counts);
-        // After a failure a rank without a node has no values; zeros end its work soon.
+        // After a failure a rank without a node has no values. Zeros let it finish its work soon.
         let mut all = &all.unwrap_or(words)[..];
         self.finish(0..self.all_chunks(), &mut all, combine)
     }
@@ -240,8 +241,8 @@ impl RowPartition {
         (0..self.team.size()).map(block).collect()
     }
 
-    /// Fetches like [`RowPartition::fetch`] into existing memory. `blocks` has one block for each rank, see
-    /// [`RowPartition::blocks`].
+    /// Fetches columns and rows like [`RowPartition::fetch`], but into existing memory. `blocks` has one block for each
+    /// rank (see [`RowPartition::blocks`]).
     pub(crate) fn fetch_into(
         &self,
         field: &[f64],

@@ -69,8 +69,8 @@ impl RankGroup {
         }
     }
 
-    /// Sends a block to each rank and returns the received blocks, as [`Ranks::all_to_all`]. The blocks are empty once a call has
-    /// failed.
+    /// Sends a block to each rank and returns the received blocks, like [`Ranks::all_to_all`]. The blocks are empty once a call
+    /// has failed.
     pub(crate) fn all_to_all(&self, blocks: Vec<Vec<u64>>, is_expected: &[bool]) -> Vec<Vec<u64>> {
         let none = || vec![Vec::new(); self.size()];
         if self.has_failed() {
@@ -102,7 +102,8 @@ impl RankGroup {
         self.kept(self.ranks.all_gather(own, counts))
     }
 
-    /// Gathers the values of all ranks of a team, if there is one, in their order, with the number of values of each rank.
+    /// Gathers the values of all ranks of a team, if there is a team, in the order of the ranks. Also returns the number
+    /// of values of each rank.
     pub(crate) fn gathered_of<T: WireFormat>(
         team: Option<&Self>,
         own: Vec<T>,

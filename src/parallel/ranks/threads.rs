@@ -42,8 +42,8 @@ pub struct Threads {
     office: Arc<Mailboxes>,
 }
 
-/// Number of checks for a block after each of which the thread yields. Afterwards it sleeps until a block arrives: waking up
-/// takes longer than most blocks need to arrive.
+/// Number of checks for a block after each of which the thread yields. Afterwards the thread sleeps until a block arrives.
+/// It yields first because waking up takes longer than most blocks need to arrive.
 const EAGER: u32 = 100;
 
 /// Mailboxes of all ranks.

@@ -5,7 +5,7 @@ pub(crate) trait WireFormat: Copy + Send {
     /// Number of words.
     const COUNT: usize;
 
-    /// Zero value: zero, false or none.
+    /// Neutral value: zero, false or none.
     const ZERO: Self;
 
     /// Appends the words.
@@ -15,7 +15,7 @@ pub(crate) trait WireFormat: Copy + Send {
     fn read(words: &mut &[u64]) -> Self;
 }
 
-/// Returns the next word, or zero at the end, which is reached only after a failure.
+/// Returns the next word, or zero at the end of the words. The end is reached only after a failure.
 fn next(words: &mut &[u64]) -> u64 {
     let Some((first, rest)) = words.split_first() else {
         return 0;
