@@ -61,7 +61,8 @@ impl BentallJohnson {
     /// [`dundurs_beta`](crate::ElasticPair::dundurs_beta) is zero.
     ///
     /// # Errors
-    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not
+    ///   finite.
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if the friction limit, the creepage or the dissipation is not
     ///   finite.
     pub fn new(hertz: HertzLine, friction: f64) -> Result<Self> {

@@ -55,7 +55,8 @@ impl CattaneoMindlin {
     /// is neglected.
     ///
     /// # Errors
-    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not
+    ///   finite.
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if the force or a result is not finite.
     /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force exceeds $`\mu W`$.
     pub fn new(hertz: HertzSphere, friction: f64, force: f64) -> Result<Self> {
@@ -256,7 +257,8 @@ impl CattaneoMindlinEllipse {
     /// bodies is neglected.
     ///
     /// # Errors
-    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not
+    ///   finite.
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if the force or a result is not finite.
     /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force exceeds $`\mu W`$.
     pub fn new(hertz: HertzEllipse, friction: f64, force: f64) -> Result<Self> {

@@ -196,7 +196,8 @@ impl ConePartialSlip {
     /// is neglected.
     ///
     /// # Errors
-    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not
+    ///   finite.
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if the force or a result is not finite.
     /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force exceeds $`\mu W`$.
     pub fn new(cone: Cone, friction: f64, force: f64) -> Result<Self> {

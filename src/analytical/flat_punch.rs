@@ -121,7 +121,8 @@ impl FlatPunch {
     /// $`|F| = \mu W`$, and then slides everywhere simultaneously.
     ///
     /// # Errors
-    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not
+    ///   finite.
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if the force or a result is not finite.
     /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the force exceeds $`\mu W`$.
     pub fn full_stick(&self, friction: f64, force: f64) -> Result<MindlinFullStick> {

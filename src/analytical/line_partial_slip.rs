@@ -96,8 +96,8 @@ impl CattaneoMindlinLine {
     /// # Errors
     /// - [`Error::NotFinite`] if the strain is not finite.
     /// - [`Error::NotPositive`] if the strain is not zero and the coefficient of friction is zero.
-    /// - [`Error::BelowMinimum`] if the stick strip would leave the contact, $`|e| + c > a`$. Slip then reverses at one end, and the
-    ///   formulas are not valid.
+    /// - [`Error::BelowMinimum`] if the stick strip would leave the contact, $`|e| + c > a`$. Slip then reverses at one end, and
+    ///   the formulas are not valid.
     pub fn with_strain(mut self, strain: f64) -> Result<Self> {
         finite("bulk strain", strain)?;
         (self.centre, self.bulk) = (0.0, [0.0; 2]);

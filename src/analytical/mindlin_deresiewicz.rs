@@ -61,7 +61,8 @@ impl MindlinDeresiewicz {
     /// pressure and traction of dissimilar bodies is neglected.
     ///
     /// # Errors
-    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not
+    ///   finite.
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if a force or a result is not finite.
     /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if a force exceeds $`\mu W`$.
     pub fn new(hertz: HertzSphere, friction: f64, path: &[f64]) -> Result<Self> {

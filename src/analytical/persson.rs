@@ -129,7 +129,8 @@ impl Persson {
     /// light loads and is never smaller. Superposition after Ciavarella (1998) and Jaeger (1998).
     ///
     /// # Errors
-    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not finite.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not
+    ///   finite.
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if the traction or the limit is not finite.
     /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity), with forces per nominal area, if the
     ///   magnitude of the traction exceeds $`\mu\bar p`$.

@@ -61,7 +61,8 @@ impl PopovLimitingShape {
     /// # Errors
     /// - [`Error::NotPositive`](crate::Error::NotPositive) if the radius, the approach or the contact radius $`a`$ is
     ///   not positive and finite.
-    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the stick radius or the load is negative or not finite.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the stick radius or the load is negative or not
+    ///   finite.
     /// - [`Error::BelowMinimum`](crate::Error::BelowMinimum) if the stick radius exceeds $`a`$.
     /// - [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) if a body is coated.
     pub fn new(pair: &ElasticPair, radius: f64, approach: f64, stick_radius: f64) -> Result<Self> {

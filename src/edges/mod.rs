@@ -228,7 +228,8 @@ impl NormalSolution {
     /// # Errors
     /// - [`Error::Memory`] if memory runs out.
     /// - [`Error::Ranks`] for a slab of a grid that is distributed over ranks.
-    /// - [`Error::UnsupportedForCoatings`] if an outermost layer is thinner than four cells, or if the bodies are defined by a kernel.
+    /// - [`Error::UnsupportedForCoatings`] if an outermost layer is thinner than four cells, or if the bodies are defined by a
+    ///   kernel.
     pub fn edges(&self) -> Result<Edges> {
         let grid = self.grid();
         check_whole(grid)?;

@@ -176,7 +176,8 @@ impl HistoryBuilder<'_> {
     /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the grid of the gap, friction, hardness or relative
     ///   displacement differs.
     /// - [`Error::Sample`](crate::Error::Sample) if the gap is not finite, or for a bulk strain along a periodic axis.
-    /// - [`Error::UnsupportedByModel`](crate::Error::UnsupportedByModel) for a relative displacement along an axis without tractions.
+    /// - [`Error::UnsupportedByModel`](crate::Error::UnsupportedByModel) for a relative displacement along an axis without
+    ///   tractions.
     /// - [`Error::Method`](crate::Error::Method) if the model does not support the method.
     /// - [`Error::Tolerance`](crate::Error::Tolerance) or [`Error::IterationLimit`](crate::Error::IterationLimit) if a
     ///   setting is out of range.

@@ -136,7 +136,8 @@ impl Planes {
     /// # Errors
     /// - [`Error::Sample`](crate::Error::Sample) for a depth that is negative, not finite, or larger than 1e60 times the shorter
     ///   side of a cell.
-    /// - [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for bodies defined by a [`Kernel`](crate::Kernel).
+    /// - [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for bodies defined by a
+    ///   [`Kernel`](crate::Kernel).
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     /// - [`Error::Ranks`](crate::Error::Ranks) if a rank fails or the ranks disagree.
     pub fn new(bodies: &HalfSpace, depths: &[f64]) -> Result<Self> {

@@ -194,8 +194,8 @@ impl GaussianFilter {
     ///
     /// # Errors
     /// - [`Error::NotPositive`] if a nesting index is not positive and finite.
-    /// - [`Error::BelowMinimum`] if a nesting index is shorter than two cells or longer than the side of the surface along a filtered
-    ///   axis, or if the index of the S filter exceeds the index of the L filter.
+    /// - [`Error::BelowMinimum`] if a nesting index is shorter than two cells or longer than the side of the surface along a
+    ///   filtered axis, or if the index of the S filter exceeds the index of the L filter.
     /// - [`Error::Sample`] with the first infinite height.
     /// - [`Error::Undetermined`] if all heights are missing.
     /// - [`Error::NotFinite`] if the range of the heights overflows.

@@ -41,8 +41,8 @@ pub fn ellipsoid(grid: Grid, radius_x: f64, radius_y: f64) -> Result<Field> {
 /// lengths.
 ///
 /// For a cylinder of a different direction use [`paraboloid`]. On a grid that is not periodic the cylinder ends at the edges of
-/// the grid, and the pressure has peaks at its ends; see [`Warning::ContactSpansGrid`](crate::Warning::ContactSpansGrid). For a line
-/// contact in plane strain use bodies with [`Boundary::PeriodicAlongY`](crate::Boundary::PeriodicAlongY).
+/// the grid, and the pressure has peaks at its ends; see [`Warning::ContactSpansGrid`](crate::Warning::ContactSpansGrid). For a
+/// line contact in plane strain use bodies with [`Boundary::PeriodicAlongY`](crate::Boundary::PeriodicAlongY).
 ///
 /// # Errors
 /// - [`Error::NotPositive`] if the radius is not positive and finite.

@@ -1,8 +1,8 @@
 //! Program for the comparison of stickslip with its peers. It writes the gaps that all codes read, solves them with
 //! stickslip, and computes the errors of the solutions of all codes in the same norm.
 //!
-//! `stickslip-bench-peers write FOLDER CELLS..` writes the gaps and prints one line of JSON for each. `stickslip-bench-peers serve`
-//! reads one request per line and prints one line of JSON for each request.
+//! `stickslip-bench-peers write FOLDER CELLS..` writes the gaps and prints one line of JSON for each. `stickslip-bench-peers
+//! serve` reads one request per line and prints one line of JSON for each request.
 //!
 //! Lengths are in units of the side of the grid, and pressures in units of the contact modulus, so that no code
 //! receives a system of units for which it was not tuned.

@@ -204,7 +204,8 @@ pub(crate) unsafe fn free<T: Opaque>(pointer: *mut T) -> Outcome {
     if pointer.is_null() {
         return Ok(());
     }
-    // SAFETY: the caller follows the safety contract of this function. The count of users is not restored, because no object remains.
+    // SAFETY: the caller follows the safety contract of this function. The count of users is not restored, because no object
+    // remains.
     std::mem::forget(unsafe { changing(pointer.cast_const())? });
     // SAFETY: the box comes from `give`, and the caller no longer uses it.
     drop(unsafe { Box::from_raw(pointer) });

@@ -69,11 +69,11 @@
 //!
 //! The pair `near` supplies the scalar constants: its hardness, its moduli, and the ratio of tangential to normal
 //! compliance in the law for cells that come into contact in a step. Closed forms, edges inside the cells and stresses
-//! below the surface [reject](Error::UnsupportedForCoatings) kernels. Two kernels count as the same bodies if `near` and a digest of
-//! their values are the same. The digest of a closure contains its values at 41 wave numbers in single precision, and
-//! the digest of a table contains all values. The digest of operators contains their directions and the work of two
-//! fields of tractions, also in single precision. States of histories store the digest, so that a history can continue
-//! only with the same kernel.
+//! below the surface [reject](Error::UnsupportedForCoatings) kernels. Two kernels count as the same bodies if `near` and a digest
+//! of their values are the same. The digest of a closure contains its values at 41 wave numbers in single precision, and the
+//! digest of a table contains all values. The digest of operators contains their directions and the work of two fields of
+//! tractions, also in single precision. States of histories store the digest, so that a history can continue only with the same
+//! kernel.
 
 mod check;
 mod operators;

@@ -24,8 +24,8 @@ impl State {
     /// - The first error among the slabs.
     /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::MaterialMismatch`] if a slab belongs to other
     ///   bodies.
-    /// - [`Error::Ranks`] with [`RankFailure::MissingSlab`] if a row is missing, or with [`RankFailure::InconsistentSlabs`] if the
-    ///   slabs were not saved together.
+    /// - [`Error::Ranks`] with [`RankFailure::MissingSlab`] if a row is missing, or with [`RankFailure::InconsistentSlabs`] if
+    ///   the slabs were not saved together.
     ///
     /// ```
     /// use std::{sync::Arc, time::Duration};

@@ -99,7 +99,8 @@ pub fn energy<'a>(
 /// ```
 ///
 /// # Errors
-/// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the uniform coefficient or the threshold is negative or not finite.
+/// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the uniform coefficient or the threshold is negative or
+///   not finite.
 /// - [`Error::Sample`](crate::Error::Sample) at a coefficient or energy that is negative or not finite.
 /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the grids differ.
 /// - [`Error::NotFinite`](crate::Error::NotFinite) if the greatest depth overflows.

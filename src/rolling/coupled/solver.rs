@@ -141,8 +141,8 @@ impl CoupledRollingSolver {
     /// Sets the normal load for the next solve.
     ///
     /// # Errors
-    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`], [`Error::NoPressureToHold`] or [`Error::ApproachBeyondMeanGap`]. The load
-    ///   is then unchanged.
+    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`], [`Error::NoPressureToHold`] or [`Error::ApproachBeyondMeanGap`].
+    ///   The load is then unchanged.
     pub fn set_load(&mut self, normal: NormalControl) -> Result<()> {
         let CoupledRollingProblem { controls, spin, .. } = self.problem;
         self.problem.check(normal, controls, spin)?;

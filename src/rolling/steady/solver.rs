@@ -193,8 +193,8 @@ impl RollingSolver {
     /// Sets the controls of the next solve: forces or creepages along x and y, and the spin or moment.
     ///
     /// # Errors
-    /// - [`Error::NotFinite`], [`Error::UnsupportedByModel`], [`Error::BeyondFrictionCapacity`] or [`Error::BeyondFrictionMoment`].
-    ///   All controls are then unchanged.
+    /// - [`Error::NotFinite`], [`Error::UnsupportedByModel`], [`Error::BeyondFrictionCapacity`] or
+    ///   [`Error::BeyondFrictionMoment`]. All controls are then unchanged.
     pub fn set_control(
         &mut self,
         controls: [RollingControl; 2],
