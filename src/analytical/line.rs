@@ -76,7 +76,7 @@ impl HertzLine {
         &self.pair
     }
 
-    /// Returns the radius of the cylinder R (a length).
+    /// Returns the radius R of the cylinder (a length).
     #[must_use]
     pub fn radius(&self) -> f64 {
         self.radius

@@ -557,7 +557,7 @@ impl ElasticPair {
         self.coupling.abs() > UNCOUPLED
     }
 
-    /// Returns Dundurs' beta, or its equivalent for the waves with the strongest coupling of coated bodies.
+    /// Returns Dundurs' beta, or, for coated bodies, its equivalent for the most strongly coupled waves.
     pub(crate) fn coupling_strength(&self) -> f64 {
         self.coupling
     }

@@ -13,7 +13,7 @@ pub(crate) trait HasSize {
     }
 }
 
-/// Cache of the object for the current size and of objects for sizes that were left recently. A contact that alternates between
+/// Cache of the object for the current size and of the objects for recently used sizes. A contact that alternates between
 /// sizes reuses their objects. If a new size is larger than all earlier sizes, the other objects are dropped.
 ///
 /// A clone contains only the current object.
@@ -104,7 +104,7 @@ impl<T: HasSize> SizeCache<T> {
             self.largest = next;
             self.left.clear();
         }
-        // The retired objects may have at most twice the number of cells of the largest size.
+        // Together, the retired objects may have at most twice as many cells as the largest size.
         let mut waiting: usize = self.left.iter().map(|left| left.made.cells()).sum();
         while waiting > 2 * self.largest {
             waiting -= self.left.remove(0).made.cells();

@@ -111,7 +111,7 @@ fn shared_part<'a>(path: &'a Path, team: Option<&RankGroup>) -> Result<PartialFi
     let made = team.collective_result(made)?;
     let id = team.decided(made.as_ref().map_or(0, |part| part.id));
     team.check()?;
-    // If the number did not arrive, the default number belongs to no existing file.
+    // If the number was not received, the default number is used, which belongs to no existing file.
     Ok(made.unwrap_or_else(|| PartialFile::of_another(path, id.unwrap_or_default())))
 }
 

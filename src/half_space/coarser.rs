@@ -54,7 +54,7 @@ impl HalfSpace {
         })
     }
 
-    /// Returns whether cells of twice the sides fit and the bodies are defined on them.
+    /// Returns whether cells with doubled sides fit the grid and the bodies are defined on such cells.
     pub(crate) fn can_be_coarser(&self) -> bool {
         if self.kernel().user_operators().is_some() {
             return false;

@@ -308,9 +308,9 @@ impl PressureSolver {
         outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
     }
 
-    /// Solves again from scratch if a pressure that was found without the hardness exceeds it, because the contact with
-    /// the hardness is wider. If the solve has reached its limits or was cancelled, the pressure is only projected onto
-    /// the limits and no step is taken.
+    /// Solves again from scratch if a pressure computed without the hardness limit exceeds it, because the limit widens the
+    /// contact. If the solve has reached its limits or was cancelled, the pressure is only projected onto the limits and no step
+    /// is taken.
     fn bring_within_limits(
         &mut self,
         bodies: &HalfSpace,

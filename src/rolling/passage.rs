@@ -153,7 +153,7 @@ impl RollingShift {
         Ok(())
     }
 
-    /// Returns the shift through a rectangle of cells.
+    /// Returns the motion of the particles through a rectangle of cells in one step.
     pub(crate) fn through(&self, size: [usize; 2]) -> WindowShift {
         WindowShift {
             size,

@@ -84,8 +84,8 @@ impl<'de> serde::Deserialize<'de> for ContactSpots {
 pub struct Spot {
     /// Number of cells of the spot.
     pub cells: usize,
-    /// Area, by counting cells (a length squared). The [areas of the edges](crate::edges::Edges::areas_of) include the fractions
-    /// of the cells at the edge.
+    /// Area, computed by counting cells (a length squared). The [areas of the edges](crate::edges::Edges::areas_of) include the
+    /// fractions of the cells at the edge.
     pub area: f64,
     /// Normal force on the spot (a force).
     pub load: f64,

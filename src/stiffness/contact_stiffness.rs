@@ -34,10 +34,10 @@ pub struct NormalStiffness {
 /// Tangential stiffness of a contact: derivatives of the forces along x and y and of the moment with respect to the shifts along
 /// x and y and the twist.
 ///
-/// Rows are loads, columns are motions. The upper left two by two entries are forces over lengths, the last entry is a moment
-/// over radians, and the entries between are forces (over radians). Entries are `None` for loads and motions that the model does
-/// not have: in the scalar model the direction across its axis and the twist, on periodic grids the twist. The entries of a
-/// reversal that was [left out](crate::stiffness::StiffnessWorkspace::reversal) are also `None`.
+/// Rows are loads, columns are motions. The entries of the upper left 2 x 2 block are forces over lengths. The last diagonal
+/// entry is a moment over radians. The other entries are forces (over radians). Entries are `None` for loads and motions that the
+/// model does not have: in the scalar model the direction across its axis and the twist, on periodic grids the twist. The entries
+/// of a reversal that was [left out](crate::stiffness::StiffnessWorkspace::reversal) are also `None`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

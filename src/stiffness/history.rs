@@ -62,8 +62,8 @@ impl History {
     ) -> Result<ContactStiffness> {
         let (pair, grid) = (self.bodies.pair(), self.grid());
         let memory = self.state.contact.as_ref();
-        // Without contact there is no memory of a step. For the stiffness of the next step, no cell has slipped or come
-        // into contact yet.
+        // If there is no contact, the state contains no last step. For the stiffness of the next step, no cell has slipped or
+        // come into contact yet.
         let step = memory.filter(|_| !workspace.is_of_next_step());
         let window = memory.map_or(Window::whole(grid), |memory| memory.window);
         let last = LastStep {

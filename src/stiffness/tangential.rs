@@ -59,7 +59,7 @@ impl<'a> LastStep<'a> {
     }
 }
 
-/// Sensitivity to the approach: changes of the cells per unit of approach, and the data of the contact on the local cells of a
+/// Sensitivity to the approach: changes of the cell values per unit of approach, and the contact data for the local cells of a
 /// window.
 #[derive(Debug, Default)]
 pub(super) struct ApproachSensitivity {

@@ -61,7 +61,7 @@ impl Filled {
 /// The solver is the conjugate gradient method with a modified incomplete factorisation (Gustafsson 1978). The initial
 /// guess is the mean height. The iteration ends when the error, in the norm of the mean-square slope, has fallen to
 /// 1e-15 of its initial value. Holes of up to 1000 cells across in a plane are then filled with an error of 1e-14 of
-/// the range of the plane. If the sides of the cells differ, the square of their ratio multiplies the round-off.
+/// the range of the plane. If the sides of the cells differ, the round-off is multiplied by the square of their ratio.
 ///
 /// # Errors
 /// - [`Error::Sample`] with the first infinite height.

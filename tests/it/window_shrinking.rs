@@ -36,7 +36,7 @@ fn new_history(
     builder.entry_rule(EntryRule::WholeStep).build().unwrap()
 }
 
-/// Returns a history of every kind.
+/// Returns one history of each kind.
 fn histories() -> Vec<History> {
     let grid = Grid::square(96, 96.0).unwrap();
     let mut bumpy = sphere_gap(grid);

@@ -15,8 +15,8 @@ use crate::operator::Operator;
 /// An operator has a component for each of its directions, in the order of the directions. A problem uses the first
 /// operator that has all required directions and the fewest others. [`NormalProblem`](crate::NormalProblem) requires Z
 /// and [`TangentialProblem`](crate::TangentialProblem) requires X, Y or both. Coupled problems require all three
-/// directions if `near` is [coupled](crate::ElasticPair::is_coupled). A problem that requires fewer directions than an
-/// operator has still pays for all of them. If several operators have the same direction, they must agree on it. This
+/// directions if `near` is [coupled](crate::ElasticPair::is_coupled). If a problem requires fewer directions than the operator
+/// has, each product still computes all of them. If several operators have the same direction, they must agree on it. This
 /// agreement is not checked.
 ///
 /// ```

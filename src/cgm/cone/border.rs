@@ -13,7 +13,7 @@ use crate::parallel;
 
 /// Fraction of the mobility along an axis below which slipping cells cannot carry a change along it.
 const LEAST_TURN: f64 = 1e-13;
-/// Number of times that all cells of a contact whose tractions cannot turn are set to stick.
+/// Maximum number of times that the cells of a contact are all set to stick if their tractions cannot turn.
 const TRIALS: usize = 2;
 
 /// Selection of the cells with the least slip among the cells that could carry more of the deficit.

@@ -217,7 +217,7 @@ impl LinearisedSet<2> for Disc {
             };
             constraint.of(i).project(plus(q, 1.0, shift))
         });
-        // All cells keep moving, each in its previous way.
+        // Every cell keeps its previous motion.
         true
     }
 

@@ -55,8 +55,8 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
     }
 
     /// Stops after the first cycle whose [residual](Cycle::cyclic_residual) is at most `tolerance`, in `(0, 1)`
-    /// (default: never). The residual includes the largest change of traction over all cells; energies become steady
-    /// cycles earlier.
+    /// (default: never). The residual includes the largest change of traction over all cells. Energies become steady several
+    /// cycles before the tractions do.
     pub fn until_steady(mut self, tolerance: f64) -> Self {
         self.tolerance = Some(tolerance);
         self

@@ -133,7 +133,7 @@ impl TryFrom<Vec<u8>> for State {
 
 impl History {
     /// Returns the bytes of the [state](History::state). They contain everything that the next step requires except for
-    /// the bodies. Grid, boundary, meaning of the values and elastic constants identify the bodies. See
+    /// the bodies. The bodies are identified by their grid, boundary, cell value and elastic constants. See
     /// [`State::to_bytes`].
     #[doc(alias = "checkpoint")]
     #[must_use]

@@ -172,8 +172,8 @@ impl History {
     }
 
     /// Restores a state of this history, or of another history on equal bodies, including its gap, friction and
-    /// settings. The state is copied into the existing buffers. The function allocates memory only if the contact has
-    /// moved to a different box since, or if only one of the two states has a relative displacement.
+    /// settings. The state is copied into the existing buffers. The function allocates memory only if the contact has moved to a
+    /// different window since the state was saved, or if only one of the two states has a relative displacement.
     /// [`last_step`](Self::last_step) remains the last step taken.
     ///
     /// # Errors

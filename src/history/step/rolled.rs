@@ -57,7 +57,7 @@ pub struct Rolling {
 }
 
 impl Rolling {
-    /// Creates rolling by `cells` cells, at least 1. The particles of both surfaces move by this number of cells
+    /// Creates a rolling step of `cells` cells (at least 1). The particles of both surfaces move by this number of cells
     /// through the contact. The guide has [remedies for fractions of a
     /// cell](crate::guide::rolling#steps-of-whole-cells).
     #[must_use]

@@ -26,9 +26,9 @@
 //! - model, coupling and settings of a problem or a history, including later changes;
 //! - the load of each step, and the state that a history starts from or returns to.
 //!
-//! If an input differs on any rank, all ranks return an error with its name ([`RankFailure::InconsistentInput`]) and remain
-//! unchanged. Fields cannot be compared, because each rank has different rows. A gap, or a coefficient per cell, must therefore
-//! be computed from the same numbers on every rank.
+//! If an input differs between ranks, all ranks return an error that names the input ([`RankFailure::InconsistentInput`]) and
+//! remain unchanged. Fields cannot be compared, because each rank has different rows. A gap, or a coefficient per cell, must
+//! therefore be computed from the same numbers on every rank.
 //!
 //! Normal, tangential and coupled problems and their histories can be distributed, on all boundaries, with hardness, friction
 //! that varies between cells, relative displacements, wear and stiffnesses. Stresses on planes below the surface

@@ -103,7 +103,7 @@ impl Mpi {
         Ok(result.unwrap_or_else(|panic| resume_unwind(panic)))
     }
 
-    /// Makes a call of MPI, or returns an error if this rank has sent its last messages.
+    /// Calls MPI, or returns an error if this rank has already sent its last messages.
     fn call<T>(
         &self,
         call: impl FnOnce(&mut PeerQueues) -> Result<T, RankFailure>,

@@ -75,7 +75,7 @@ impl Mailbox {
     }
 
     fn post(&self) -> MutexGuard<'_, MessageQueue> {
-        // A panic under the lock leaves queues of complete blocks.
+        // If a thread panics while it holds the lock, the queues still contain only complete blocks.
         self.post.lock().unwrap_or_else(PoisonError::into_inner)
     }
 

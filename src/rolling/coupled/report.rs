@@ -22,9 +22,9 @@ pub struct CoupledRollingReport {
     pub rolling: Report,
     /// Number of passes. Each pass solves for the pressure and then for the tractions.
     pub passes: usize,
-    /// Residual of the coupling. It is half the range, within the contact, of the lift that the last pass has added,
-    /// divided by the largest normal displacement. If the approach is prescribed, the largest absolute value of that lift
-    /// replaces half its range.
+    /// Residual of the coupling. It is half the range of the lift added by the last pass, taken over the contact and divided by
+    /// the largest normal displacement. If the approach is prescribed, the largest absolute value of that lift replaces half its
+    /// range.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub coupling_residual: f64,
     /// Change of the pressure in the last pass divided by the pressure (root mean squares). The change is zero if a

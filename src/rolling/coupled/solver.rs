@@ -349,7 +349,7 @@ impl CoupledRollingSolver {
             posed.settings.tolerance = (posed.noise() * tolerance).max(LEAST_TOLERANCE);
         }
         let mut solver = RollingSolver::new(posed)?;
-        // The coupled solve neglects no lift.
+        // The coupled solve takes the whole lift into account.
         solver.lifting = None;
         if self.report.passes > 0 {
             solver.take_start(solution.rolling.traction().map(Field::as_slice), self.spin);

@@ -208,7 +208,7 @@ impl RollingProblem {
             }
         }
         let round_off = BALANCED * lever * total;
-        // The rounding smooths out a kink of the bound at which the middle of a path rests.
+        // The bound has a kink where the middle of a path does not move. The rounding smooths out this kink.
         let motion = SlidingMotion { turn, shift };
         let snapped = self.slowest_cell(motion).map(|(_, index)| {
             let moved = self.moved(motion, index);

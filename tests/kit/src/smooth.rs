@@ -52,7 +52,7 @@ impl Smooth {
         }
     }
 
-    /// Returns a Hertzian contact with semi-axes of about 2 to 1, rotated by 45 degrees.
+    /// Returns a Hertzian contact with a semi-axis ratio of about 2 to 1, rotated by 45 degrees.
     pub fn ellipse() -> Self {
         let of = |scale: f64, load| HertzEllipse::new(&unit_pair(0.0), scale, 0.309 * scale, load);
         // Lengths scale with the radii if the load scales with their square.

@@ -26,7 +26,7 @@ fn gauss(n: u32) -> Vec<[f64; 2]> {
     (0..n).map(node).collect()
 }
 
-/// Returns the functions under the integrals, as obtained by differentiation.
+/// Returns the integrands, obtained by differentiation.
 fn integrands([x, y, z]: [f64; 3]) -> [f64; PotentialIntegral::COUNT] {
     let r = (x * x + y * y + z * z).sqrt();
     let s = r + z;
