@@ -200,7 +200,7 @@ def test_wear_laws_accept_cycle_arrays(scene):
     depth = ss.wear.archard(1e-14, cycle.slip_pressure, cycle.slip_distance)
     assert np.allclose(depth, 1e-14 * cycle.slip_pressure * cycle.slip_distance, rtol=1e-12, atol=0.0) and depth.max() > 0.0
     assert np.array_equal(depth, ss.wear.archard(1e-14, cycle.slip_pressure, cycle.slip_distance, grid=history.grid))
-    with pytest.raises(TypeError, match=r"sides of its cells: give grid= \(history.grid"):
+    with pytest.raises(TypeError, match=r"sides of its cells: give grid= \(such as history.grid"):
         ss.wear.energy(1e-14, cycle.dissipated_energy)
     depth = ss.wear.energy(1e-14, cycle.dissipated_energy, grid=history.grid)
     assert np.allclose(depth, 1e-14 * cycle.dissipated_energy / history.grid.cell_area, rtol=1e-12, atol=0.0)

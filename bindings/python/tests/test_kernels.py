@@ -97,7 +97,7 @@ def test_invalid_kernels_are_rejected():
     kernel = ss.Kernel.isotropic(OUTERMOST, 0.4, response)
     with pytest.raises(ss.errors.IncompleteKernel) as caught:
         ss.HalfSpace(GRID, kernel.pair)
-    assert "hand over the kernel" in caught.value.part
+    assert "pass the kernel itself" in caught.value.part
     with pytest.raises(TypeError, match="cannot be pickled"):
         pickle.dumps(ss.HalfSpace(GRID, kernel))
 
