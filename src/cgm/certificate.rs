@@ -440,3 +440,29 @@ fn ratio(a: f64, b: f64) -> f64 {
         a / b
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Uniform gradients behind a spring of compliance c have the exact value `B^2 = 1 / c`. A computed value below it would not
+    /// bound the error, and a negative value has no square root.
+    #[test]
+    fn spring_bound_of_uniform_gradients_is_not_below_exact_bound() {
+        let (cells, lower_bound) = (64.0, 1.0);
+        for mean in [MeanBound::Operator, MeanBound::Springs] {
+            for decade in -6..=20 {
+                let compliance = 10_f64.powi(decade);
+                if matches!(mean, MeanBound::Operator) && cells * compliance < lower_bound {
+                    continue;
+                }
+                let square =
+                    cells / lower_bound + by_spring(cells, cells, compliance, (lower_bound, mean));
+                assert!(
+                    square >= 1.0 / compliance,
+                    "{mean:?} {compliance:e}: {square:e}"
+                );
+            }
+        }
+    }
+}
