@@ -57,7 +57,7 @@
 //! | solve partial slip along x or y | [`TangentialProblem`] with [`TangentialLoad::force`] or [`Shift`](TangentialLoad::shift) |
 //! | solve partial slip in any direction, with both components of the traction | [`TangentialProblem`] with [`TangentialModel::Vector`] |
 //! | solve normal or tangential contact repeatedly | [`NormalSolver`], [`TangentialSolver`] |
-//! | press bodies of different materials, in as many steps as a tolerance requires | [`History::press`], the page on [dissimilar bodies](guide::dissimilar_bodies) |
+//! | press bodies of different materials, in as many steps as a tolerance requires | [`History::press`], the page on [dissimilar bodies](guide::load_steps#dissimilar-bodies) |
 //! | press and shear bodies of different materials | [`CoupledProblem`], [`History`]; [`coupled`] |
 //! | apply loads step by step with memory of slip | [`History`], [`LoadStep`] |
 //! | press and shear simultaneously, with step sizes that meet a tolerance | [`history::AdaptiveSteps`], the page on [growing contacts](guide::load_steps) |

@@ -20,7 +20,7 @@ impl History {
     /// Takes a load in steps of equal growth of the contact, as many as a tolerance requires, and returns their number.
     ///
     /// Use this method to press dissimilar bodies, because their stick and slip zones depend on how the contact grows
-    /// ([dissimilar bodies](crate::guide::dissimilar_bodies#load-steps)). The history takes the load in 1, 2, 4, 8, ...
+    /// ([dissimilar bodies](crate::guide::load_steps#load-steps-of-dissimilar-bodies)). The history takes the load in 1, 2, 4, 8, ...
     /// steps, each time from its present state. It stops at the first number of steps whose tractions differ from the
     /// tractions of half as many steps by at most the tolerance.
     /// [`StepErrorEstimate::traction`](crate::history::StepErrorEstimate::traction) defines this difference. The
@@ -28,7 +28,7 @@ impl History {
     ///
     /// The error of the tractions decreases with an order between 1 and 1.5, so the error of the steps taken is at most
     /// about half of the tolerance. This value is an estimate, not a bound. The stick ratio has a first-order error
-    /// ([table](crate::guide::dissimilar_bodies#load-steps)).
+    /// ([table](crate::guide::load_steps#load-steps-of-dissimilar-bodies)).
     ///
     /// Between its initial and final values, a normal force grows as the cube of a length that increases in equal
     /// steps. An approach beyond the first touch grows as the square of such a length. On a sphere this length is the
