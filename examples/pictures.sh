@@ -27,4 +27,8 @@ embed creep_curves "Stick and slip zones of a rolling ellipse with its tractions
 embed dissimilar "Pressure of an aluminium ball on steel, the tractions that pressing leaves, and a loop of force and shift"
 embed hardness "Contact area, approach and pressure of rough steel, elastic and with a hardness"
 embed wear_loop "Gap and pressure of a ball in wear, towards the limiting shape"
+# A drawing without data, embedded as it is.
+printf '<img alt="%s" src="data:image/svg+xml;base64,%s">\n' \
+    "Signs of gap, approach, pressure, traction, shift and slip, with contact radius a and stick radius c" \
+    "$(base64 --wrap=0 docs/figures/signs.svg)" >src/pictures/signs.html
 du --bytes --total src/pictures/*.html | tail -1
