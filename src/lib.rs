@@ -2,9 +2,9 @@
 //!
 //! Two elastic bodies are pressed together and loaded tangentially. The crate computes pressure and contact area, then
 //! shear traction, stick zone and slip zone under Coulomb friction, for one load or a history of loads. It is written
-//! for tribologists and for authors of simulators of fretting, wear, joints and rolling. The model is that of [Wang et
-//! al. (2021)](https://doi.org/10.1016/j.triboint.2021.106947), with the [errors in its formulas
-//! corrected](guide::errata). The page on [theory](guide::theory) derives the equations of each cell:
+//! for tribologists and for authors of simulators of fretting, wear, joints and rolling. The page on
+//! [theory](guide::theory) derives the equations and their solution on rectangular cells. The model is that of [Wang et
+//! al. (2021)](https://doi.org/10.1016/j.triboint.2021.106947), with [errors corrected](guide::errata):
 //! ```math
 //! g = h + C_{zz}\,p - \delta \ge 0, \quad p \ge 0, \quad p\,g = 0,
 //! ```
@@ -28,14 +28,13 @@
 //!     ElasticPair, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
 //!     TangentialLoad, TangentialProblem, analytical, surface,
 //! };
-//! // A steel ball of radius 3.5 mm on steel, in SI units, on 128 x 128 cells of a 0.40 mm square.
+//! // A steel ball of radius 3.5 mm on steel, in SI units. The grid has 128 x 128 cells.
 //! let grid = Grid::square(128, 0.40e-3)?;
 //! let steel = Material::new(213e9, 0.29)?;
 //! let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
 //! let ball = surface::sphere(grid, 3.5e-3)?; // the gap before loading
 //!
-//! // A normal force of 100 N: Hertz.
-//! let load = NormalControl::Force(100.0);
+//! let load = NormalControl::Force(100.0); // normal force, N
 //! let normal = NormalProblem::builder(&bodies, &ball, load).build()?.solve()?;
 //! let hertz = analytical::HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
 //! assert!((normal.approach() / hertz.approach() - 1.0).abs() < 1e-4);
@@ -58,9 +57,9 @@
 //! Heights are positive away from their body. Traction and tangential force act on body 1, and body 2 exerts them
 //! through the contact. Displacements are relative: body 1 minus body 2. The shift is the rigid motion of body 2
 //! relative to body 1, far from the contact. If body 2 is dragged along +x, its shift is positive, and it pulls body 1
-//! along with a positive force. Slip is `s = u - shift`, the motion of the surface of body 1 over the surface of body 2.
-//! Its direction is opposite to the traction. Fields are row-major with x fastest, as NumPy arrays of shape `(ny, nx)`.
-//! The page on [nomenclature](guide::nomenclature) lists all symbols.
+//! along with a positive force. Slip `s = u - shift` is the motion of the surface of body 1 over the surface of body 2,
+//! opposite to the traction. Fields are row-major with x fastest, like NumPy arrays of shape `(ny, nx)`. The page on
+//! [nomenclature](guide::nomenclature) lists all symbols.
 #![cfg_attr(doc, doc = include_str!("pictures/signs.html"))]
 //!
 //! # Tasks
