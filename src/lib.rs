@@ -79,8 +79,8 @@
 //!
 //! # Accuracy
 //!
-//! A solve converges only if its residual and a bound on its error in the energy norm are below the tolerance. Every
-//! other outcome is an error that contains the [`Report`]. The [bound](cgm#the-certified-error) excludes the
+//! A solve converges only if its residual and a bound on its error in the energy norm are below the tolerance. A
+//! solve without convergence returns an error that contains the [`Report`]. The [bound](cgm#the-certified-error) excludes the
 //! [discretisation error](guide::accuracy). On a periodic grid with a prescribed approach or shift, it refers to the
 //! contact under the computed force. A [coupled contact](coupled::CoupledReport) has a bound for each half. Its whole
 //! error has a bound only for weak friction, and otherwise at most an estimate. On stiff coatings the bound may rely on
