@@ -155,7 +155,7 @@ impl HalfSpace {
     /// and the areas of a sphere are accurate to 1 % with 11 cells per contact radius at a tolerance of 1e-3, and to
     /// 0.1 % with 43 cells. [Narrow slip rings](crate::edges#narrow-slip-rings) need more cells. Uniform cells without
     /// edges need 21 to 43 cells per contact radius for 1 %. For 0.1 % they need 170 cells per contact radius for the
-    /// tractions and more for the areas. [A table](crate#accuracy-and-cost) lists the times.
+    /// tractions and more for the areas. [A table](crate::guide::accuracy) lists the times.
     ///
     /// # Cost
     ///
