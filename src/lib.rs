@@ -195,7 +195,7 @@ pub use bodies::material::{ElasticPair, Material};
 pub use coupled::{CoupledProblem, CoupledSolution, CoupledSolver};
 #[doc(no_inline)]
 pub use error::Place;
-pub use error::{Error, Result};
+pub use error::{Error, ErrorKind, Result, SystemError};
 pub use grid::Grid;
 pub use grid::boundary::Boundary;
 pub use grid::cell_value::CellValue;

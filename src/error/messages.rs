@@ -1,15 +1,5 @@
 //! Error messages that are not a fixed sentence of their variant.
 
-use std::fmt;
-
-use crate::error::Error;
-
-impl fmt::Debug for Error {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        fmt::Display::fmt(self, formatter)
-    }
-}
-
 /// Returns the name of a file as a prefix for the description of a problem in the file.
 pub(super) fn prefix(file: Option<&str>) -> String {
     file.map_or_else(String::new, |file| format!("{file}: "))

@@ -1,10 +1,12 @@
 //! Error type: the reasons why a call can fail, with the offending numbers.
 
 mod check;
+mod kind;
 mod messages;
 mod place;
 mod ranks;
 mod result;
+mod system;
 #[cfg(test)]
 pub(crate) mod tests;
 
@@ -12,14 +14,14 @@ pub(crate) use check::{
     SLIDE, all_finite, all_non_negative, at_least, finite, has_squares, length, memory,
     non_negative, not_converged, of_rolling, poisson_ratio, positive, samples_obey,
 };
-pub use {place::Place, ranks::RankFailure, result::Result};
+pub use {kind::ErrorKind, place::Place, ranks::RankFailure, result::Result, system::SystemError};
 
 use crate::report::Report;
 
 /// Reason why a call failed. There is one variant per violated rule, with the offending number.
 ///
-/// `Debug` writes the same sentence as `Display`, because a program whose `main` returns the error prints it with
-/// `Debug`. Arguments are checked before any work, and a failed call leaves the state of the caller unchanged.
+/// `Debug` writes the name of the variant and the sentence of `Display`, because a program whose `main` returns the
+/// error prints it with `Debug`. [`kind`](Self::kind) groups the variants by the reaction of a program. Arguments are checked before any work, and a failed call leaves the state of the caller unchanged.
 /// [`Error::NotConverged`] is the exception: `solve_into` and `solve_observed` then leave the last feasible iterate in
 /// the solution.
 #[derive(Clone, PartialEq, thiserror::Error)]
@@ -460,14 +462,12 @@ pub enum Error {
         reached: [f64; 2],
     },
     /// The operating system could not read or write a file.
-    #[error("{path}: {problem}")]
+    #[error("{path}: {source}")]
     File {
         /// Path of the file.
         path: String,
-        /// The message of the operating system.
-        problem: String,
-        /// Error number of the operating system, if any.
-        code: Option<i32>,
+        /// The error of the operating system.
+        source: SystemError,
     },
     /// A file violates the rules of its format, or uses an unsupported part of it.
     #[error("{}{format}, {place}: {problem}", messages::prefix(.file.as_deref()))]

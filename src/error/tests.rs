@@ -385,8 +385,7 @@ fn every_error_has_its_text() {
         (
             Error::File {
                 path: "a.npy".into(),
-                problem: "No such file or directory (os error 2)".into(),
-                code: Some(2),
+                source: std::io::Error::from_raw_os_error(2).into(),
             },
             "a.npy: No such file or directory (os error 2)",
         ),

@@ -57,10 +57,9 @@ pub(crate) fn in_file(path: &Path, mut error: Error) -> Error {
     error
 }
 
-pub(crate) fn refused(path: &Path, error: &std::io::Error) -> Error {
+pub(crate) fn refused(path: &Path, error: std::io::Error) -> Error {
     Error::File {
         path: path.display().to_string(),
-        problem: error.to_string(),
-        code: error.raw_os_error(),
+        source: error.into(),
     }
 }

@@ -29,7 +29,7 @@ impl<'a> PartialFile<'a> {
             match File::create_new(&path) {
                 Ok(_) => return Ok(Self { target, path, id }),
                 Err(error) if error.kind() == ErrorKind::AlreadyExists => {}
-                Err(error) => return Err(refused(target, &error)),
+                Err(error) => return Err(refused(target, error)),
             }
         }
     }
@@ -50,19 +50,19 @@ impl<'a> PartialFile<'a> {
     /// Opens the file for writing.
     pub(crate) fn open(&self) -> Result<File> {
         let file = OpenOptions::new().write(true).open(&self.path);
-        file.map_err(|error| refused(self.target, &error))
+        file.map_err(|error| refused(self.target, error))
     }
 
     /// Writes to the file and flushes it to the disk.
     pub(crate) fn write(&self, write: impl FnOnce(&mut File) -> IoResult<()>) -> Result<()> {
         let mut file = self.open()?;
         let written = write(&mut file).and_then(|()| file.sync_all());
-        written.map_err(|error| refused(self.target, &error))
+        written.map_err(|error| refused(self.target, error))
     }
 
     /// Renames the file to the target and flushes the renaming to the disk.
     pub(crate) fn take_name(&self) -> Result<()> {
-        std::fs::rename(&self.path, self.target).map_err(|error| refused(self.target, &error))?;
+        std::fs::rename(&self.path, self.target).map_err(|error| refused(self.target, error))?;
         // Some systems cannot open a folder.
         let folder = self.target.parent();
         let folder = folder.filter(|folder| !folder.as_os_str().is_empty());

@@ -172,11 +172,11 @@ impl Sides {
 
 /// Reads and parses a file, and adds its path to an error in its contents.
 fn parse_file<T>(path: &Path, parse: impl FnOnce(&[u8]) -> Result<T>) -> Result<T> {
-    let bytes = std::fs::read(path).map_err(|error| refused(path, &error))?;
+    let bytes = std::fs::read(path).map_err(|error| refused(path, error))?;
     parse(&bytes).map_err(|error| in_file(path, error))
 }
 
 /// Creates or replaces a file.
 fn write_bytes(path: &Path, bytes: &[u8]) -> Result<()> {
-    std::fs::write(path, bytes).map_err(|error| refused(path, &error))
+    std::fs::write(path, bytes).map_err(|error| refused(path, error))
 }

@@ -97,13 +97,13 @@ pub(crate) fn read_slab(path: &Path, slab: Grid) -> Result<Field> {
         return Err(in_file(path, FORMAT.at_byte(array.start, problem)));
     }
     let bytes = array.rows(&mut file, slab.rows());
-    let bytes = bytes.map_err(|error| refused(path, &error))?;
+    let bytes = bytes.map_err(|error| refused(path, error))?;
     Field::from_vec(slab, array.samples(slab.ny(), &bytes))
 }
 
 /// Opens a file and parses its header.
 fn open(path: &Path) -> Result<(File, ArrayHeader)> {
-    let refuse = |error: std::io::Error| refused(path, &error);
+    let refuse = |error: std::io::Error| refused(path, error);
     let file = File::open(path).map_err(refuse)?;
     let length = file.metadata().map_err(refuse)?.len();
     let head = head(&file).map_err(refuse)?;

@@ -81,7 +81,7 @@ fn written<'a>(path: &'a Path, bytes: &[u8]) -> Result<PartialFile<'a>> {
 /// Removes a file if it exists.
 fn removed(path: &Path) -> Result<()> {
     match std::fs::remove_file(path) {
-        Err(error) if error.kind() != ErrorKind::NotFound => Err(refused(path, &error)),
+        Err(error) if error.kind() != ErrorKind::NotFound => Err(refused(path, error)),
         _ => Ok(()),
     }
 }

@@ -53,7 +53,7 @@ impl PlaneValues<'_> {
             let mut values = values;
             values.try_for_each(|value| file.write_all(&value.to_le_bytes()))
         });
-        written.map_err(|error| refused(self.path, &error))
+        written.map_err(|error| refused(self.path, error))
     }
 }
 
@@ -78,7 +78,7 @@ pub(crate) fn write(
         file.write_all(b"\n  </AppendedData>\n</VTKFile>\n")?;
         file.into_inner()?.sync_all()
     });
-    closed.map_err(|error| refused(path, &error))?;
+    closed.map_err(|error| refused(path, error))?;
     part.take_name()
 }
 
@@ -131,7 +131,7 @@ impl PlaneValues<'_> {
                 file.write_all(&(8 * *per_plane * planes as u64).to_le_bytes())
             })
         });
-        written.map_err(|error| refused(self.path, &error))?;
+        written.map_err(|error| refused(self.path, error))?;
         Ok(start + offset)
     }
 }

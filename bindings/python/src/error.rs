@@ -202,19 +202,12 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
             };
             one(&attributes, "Ranks", "rank", rank)?
         }
-        (
-            _,
-            Error::File {
-                path,
-                problem,
-                code,
-            },
-        ) => {
+        (_, Error::File { path, source }) => {
             attributes.set_item("path", path)?;
             attributes.set_item("filename", path)?;
-            attributes.set_item("strerror", problem)?;
-            attributes.set_item("errno", code)?;
-            one(&attributes, "File", "problem", problem)?
+            attributes.set_item("strerror", source.to_string())?;
+            attributes.set_item("errno", source.code())?;
+            one(&attributes, "File", "problem", source.to_string())?
         }
         (_, Error::NotConverged(report)) => {
             attributes.set_item("last_iterate", py.None())?;

@@ -134,7 +134,7 @@ fn local_slabs<'a>(
 
 /// Returns the byte ranges of the slabs in a file; the whole range for a file with a single state.
 fn parts_of(path: &Path) -> Result<Vec<Range<u64>>> {
-    let about = std::fs::metadata(path).map_err(|error| refused(path, &error))?;
+    let about = std::fs::metadata(path).map_err(|error| refused(path, error))?;
     let length = about.len();
     let start = bytes_in(path, &(0..length.min(TABLE as u64)))?;
     if !start.starts_with(MAGIC) {
@@ -199,5 +199,5 @@ fn bytes_in(path: &Path, part: &Range<u64>) -> Result<Vec<u8>> {
         file.take(part.end - part.start).read_to_end(&mut bytes)?;
         Ok(bytes)
     };
-    read().map_err(|error| refused(path, &error))
+    read().map_err(|error| refused(path, error))
 }
