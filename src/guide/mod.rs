@@ -45,6 +45,10 @@
 #[doc = include_str!("first_steps.md")]
 pub mod first_steps {}
 
+/// Choice of a model and of a type: a decision figure, costs and errors, types by task, and combinations.
+///
+#[cfg_attr(doc, doc = include_str!("../pictures/which_model.html"))]
+///
 #[doc = include_str!("which_model.md")]
 pub mod which_model {}
 
