@@ -52,6 +52,8 @@ pub mod first_steps {}
 #[doc = include_str!("which_model.md")]
 pub mod which_model {}
 
+/// Symbols, units and signs, with the terms of the literature.
+///
 #[doc = include_str!("nomenclature.md")]
 pub mod nomenclature {}
 
