@@ -54,6 +54,8 @@ pub mod which_model {}
 
 /// Symbols, units and signs, with the terms of the literature.
 ///
+#[cfg_attr(doc, doc = include_str!("../pictures/signs.html"))]
+///
 #[doc = include_str!("nomenclature.md")]
 pub mod nomenclature {}
 
