@@ -45,9 +45,17 @@
 #[doc = include_str!("first_steps.md")]
 pub mod first_steps {}
 
+/// Choice of a model and of a type: a decision figure, costs and errors, types by task, and combinations.
+///
+#[cfg_attr(doc, doc = include_str!("../pictures/which_model.html"))]
+///
 #[doc = include_str!("which_model.md")]
 pub mod which_model {}
 
+/// Symbols, units and signs, with the terms of the literature.
+///
+#[cfg_attr(doc, doc = include_str!("../pictures/signs.html"))]
+///
 #[doc = include_str!("nomenclature.md")]
 pub mod nomenclature {}
 
