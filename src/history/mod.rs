@@ -55,6 +55,7 @@
 //! tolerance requires. The page on [load steps](crate::guide::load_steps#number-of-steps) lists the number of steps for
 //! a given accuracy.
 //!
+//! # Rolling
 //! In a step with [`LoadStep::roll`] the bodies roll by a length d, a whole number of cells. The particles of both
 //! surfaces move through the contact from its [leading edge](LeadingEdge). Let $`T f(x) = f(x + d)`$ be the value at
 //! the position of a particle before the step, and $`u_n`$ the previous displacement, inside and outside the contact.
