@@ -34,6 +34,41 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
+//! Operators describe bodies whose properties vary along the surface, or whose displacements a different code computes.
+//! [`Kernel::operators`] accepts any operator that converts tractions on the cells into displacements. In Python,
+//! `Kernel.isotropic` takes a callable of the wave number and `Kernel.tabulated` takes arrays.
+//!
+//! This example presses an elastic sheet on springs:
+//!
+//! ```
+//! use stickslip::layers::Response;
+//! use stickslip::{
+//!     Boundary, ElasticPair, Field, Grid, HalfSpace, Kernel, Material, NormalControl, NormalProblem,
+//! };
+//!
+//! // An elastic sheet of bending stiffness D on springs of stiffness s: a wave with deflection w needs p = (D k^4 + s) w.
+//! let (bending, springs) = (2e-4, 1.0);
+//! let stiffness = move |k: f64| bending * k.powi(4) + springs;
+//! let near = ElasticPair::new(Material::new(1.0, 0.5)?, Material::rigid())?;
+//! let sheet = Kernel::isotropic(near, 0.1, move |k| Response {
+//!     normal: 1.0 / stiffness(k),
+//!     along: 1.0 / k, // no effect on the pressure
+//!     across: 1.0 / k,
+//!     coupling: 0.0,
+//! })?;
+//! let grid = Grid::new(64, 1, 1.0 / 64.0, 1.0)?;
+//! let bodies = HalfSpace::with_boundary(grid, &sheet, Boundary::Periodic)?;
+//! // A wave-shaped gap that closes everywhere under the load.
+//! let k = std::f64::consts::TAU;
+//! let gap = Field::from_fn(grid, |x, _| 0.01 * (1.0 - (k * x).cos()));
+//! let load = NormalControl::Force(1.5 * 0.01 * stiffness(k));
+//! let contact = NormalProblem::builder(&bodies, &gap, load).build()?.solve()?;
+//! assert_eq!(contact.contact_cells(), 64);
+//! let half = 0.5 * (contact.pressure().max() - contact.pressure().min());
+//! assert!((half / (0.01 * stiffness(k)) - 1.0).abs() < 2e-3); // the crest is between two cells
+//! # Ok::<(), stickslip::Error>(())
+//! ```
+//!
 //! # How a free grid is computed
 //!
 //! Isotropic kernels are treated like [coatings](crate::layers#from-waves-to-cells). Let A be the constant value of
