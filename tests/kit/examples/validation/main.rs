@@ -42,8 +42,20 @@ fn groups() -> Result<Vec<Group>, Box<dyn Error>> {
     ])
 }
 
+/// Use of the tables.
+enum Mode {
+    Print,
+    Write,
+    Check,
+}
+
 fn main() -> Result<ExitCode, Box<dyn Error>> {
-    let option = std::env::args().nth(1);
+    let mode = match std::env::args().nth(1).as_deref() {
+        None => Mode::Print,
+        Some("--write") => Mode::Write,
+        Some("--check") => Mode::Check,
+        Some(other) => return Err(format!("{other}: expected --write, --check or nothing").into()),
+    };
     let groups = groups()?;
     for row in groups.iter().flat_map(|group| &group.rows) {
         if !has_test(row.test)? {
@@ -51,10 +63,10 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
         }
     }
     let tables = page::tables(&groups);
-    match option.as_deref() {
-        None => println!("{tables}"),
-        Some("--write") => page::write(&tables)?,
-        Some("--check") => {
+    match mode {
+        Mode::Print => println!("{tables}"),
+        Mode::Write => page::write(&tables)?,
+        Mode::Check => {
             let differences = page::differences(&tables)?;
             for difference in &differences {
                 println!("{difference}");
@@ -64,7 +76,6 @@ fn main() -> Result<ExitCode, Box<dyn Error>> {
                 return Ok(ExitCode::FAILURE);
             }
         }
-        Some(other) => return Err(format!("{other}: expected --write, --check or nothing").into()),
     }
     Ok(ExitCode::SUCCESS)
 }
