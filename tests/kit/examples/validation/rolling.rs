@@ -23,7 +23,7 @@ pub(crate) fn group() -> Result<Group> {
         caption: "The errors of force and traction of Carter's cylinder are means over three positions. The creepage is 0.4 of the creepage at\n\
                   sliding in these rows, and the force is half of the sliding force in the row on the creepage. Kalker's\n\
                   coefficients are printed with three digits. The creep curve of Vermeulen and Johnson is approximate and is compared\n\
-                  at a third of the creepage at sliding. The free rollers have moduli of 1 and 100 GPa.",
+                  at a third of the creepage at sliding. The free rollers have moduli of 1e3 and 1e5 MPa.",
         rows,
     })
 }

@@ -158,7 +158,7 @@ fn cylinder() -> Result<Vec<Row>> {
         ("largest shear stress, 0.300 p0", largest[1]),
     ];
     Ok(rows(
-        "cylinder, McEwen (1949); Johnson (1985), 4.3",
+        "cylinder, M'Ewen (1949); Johnson (1985), 4.3",
         "512 x 1",
         "subsurface_planes::cylinder_stresses_match_mcewen",
         quantities,
