@@ -14,7 +14,7 @@ for source in examples/*.rs examples/*/main.rs; do
 done
 # Examples that test and time the library. The campaign over random problems is omitted, because its duration is
 # arbitrary.
-for example in hard_cases speed_against_error grid_against_error; do
+for example in validation hard_cases speed_against_error grid_against_error; do
     printf '\n== %s\n' "$example"
     cargo run --quiet --release -p stickslip-testkit --example "$example"
 done
