@@ -19,9 +19,9 @@
 //! | paraboloid of revolution, limiting shape under fretting wear | [`PopovLimitingShape`] | Popov (2014) |
 //! | rigid flat-ended cylinder, also in full stick | [`FlatPunch`], [`FlatPunch::full_stick`] | Johnson (1985), sections 3.4 and 3.7 |
 //! | cone under a normal load | [`Cone`] | Sneddon (1965) |
-//! | cone in partial slip under a tangential load | [`ConePartialSlip`] | Ciavarella (1998), Jaeger (1998) |
+//! | cone in partial slip under a tangential load | [`ConePartialSlip`] | Ciavarella (1998b), Jaeger (1998) |
 //! | waves along x, in partial and in full contact | [`Westergaard`] | Westergaard (1939); Johnson (1985), section 13.2 |
-//! | waves in partial slip | [`WestergaardPartialSlip`] | Ciavarella (1998), Jaeger (1998) |
+//! | waves in partial slip | [`WestergaardPartialSlip`] | Ciavarella (1998a), Jaeger (1998) |
 //! | contact area of a rough sphere | [`RoughSphere`] | equation 32 of the paper, after Müser (2016) |
 //! | contact area and stick ratio of a nominally flat rough surface | [`Persson`], [`linear_stick_ratio`] | Persson (2001), Paggi et al. (2014) |
 //!
@@ -50,8 +50,9 @@
 //!   Naz. Lincei* 27 (1938) 342-348, 434-436, 474-478.
 //! - K. L. Johnson, *Contact Mechanics*, Cambridge University Press, 1985,
 //!   [doi:10.1017/CBO9781139171731](https://doi.org/10.1017/CBO9781139171731).
-//! - M. Ciavarella, The generalized Cattaneo partial slip plane contact problem, *Int. J. Solids
-//!   Struct.* 35 (1998) 2349-2362, [doi:10.1016/S0020-7683(97)00154-6](https://doi.org/10.1016/S0020-7683(97)00154-6).
+//! - M. Ciavarella, The generalized Cattaneo partial slip plane contact problem, *Int. J. Solids Struct.* 35 (1998a) 2349-2362,
+//!   [doi:10.1016/S0020-7683(97)00154-6](https://doi.org/10.1016/S0020-7683(97)00154-6).
+//! - M. Ciavarella, Tangential loading of general three-dimensional contacts, *J. Appl. Mech.* 65 (1998b) 998-1003.
 //! - M. Ciavarella, D. A. Hills, G. Monno, The influence of rounded edges on indentation by a flat punch,
 //!   *Proc. Inst. Mech. Eng. C* 212 (1998) 319-327.
 //! - J. Jaeger, A new principle in contact mechanics, *J. Tribology* 120 (1998) 677-684,
