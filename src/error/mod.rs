@@ -279,12 +279,13 @@ pub enum Error {
     /// The moment about the normal does not lie between the moments for large spins of both signs, given the prescribed
     /// creepages and forces.
     #[error(
-        "the moment {moment:?} reaches or exceeds the friction limit {limit:?} in its direction for the prescribed creepages and forces: prescribe a moment between {:?} and {:?}, or the spin", .range[0], .range[1]
+        "the moment {moment:?} reaches or exceeds the friction limit {limit:?} for the prescribed creepages and forces: prescribe a moment between {:?} and {:?}, or the spin", .range[0], .range[1]
     )]
     BeyondFrictionMoment {
-        /// The requested moment, positive in the direction of the limit.
+        /// The requested moment.
         moment: f64,
-        /// The moment of full sliding in the same direction.
+        /// The end of the range that the moment reaches or exceeds: the largest moment, or the smallest moment for a
+        /// moment at or below it.
         limit: f64,
         /// The smallest and the largest moment of full sliding.
         range: [f64; 2],

@@ -340,7 +340,8 @@
 // iterate and its report. A history is unchanged, and stickslip_last_error_report writes the report.
 #define STICKSLIP_NOT_CONVERGED 1
 
-// The tangential force or moment (value) exceeds the friction capacity (limit): no equilibrium exists.
+// The tangential force exceeds the friction capacity, or the moment about the normal is at or beyond an end of the range that
+// friction can carry (value and limit): no equilibrium exists.
 #define STICKSLIP_BEYOND_FRICTION_CAPACITY 2
 
 // The normal force (value) exceeds the largest force that the cells can carry at their hardness (limit).

@@ -311,9 +311,9 @@ class BeyondFrictionMoment(StickslipError, ValueError):
     forces."""
 
     moment: float
-    """The requested moment, positive in the direction of the limit."""
+    """The requested moment."""
     limit: float
-    """The moment of a contact that slides as a whole, in the same direction."""
+    """The end of the range that the moment reaches or exceeds."""
     range: list[float]
     """The smallest and the largest moment of a contact that slides as a whole."""
 
