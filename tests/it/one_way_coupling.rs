@@ -252,8 +252,8 @@ fn one_way_energies_balance_and_restarts_are_bitwise() {
     assert!(restored.to_bytes() == again.to_bytes());
 }
 
-/// The error of one-way coupling is of the order of beta: in all steps the tractions approach the tractions of full
-/// coupling.
+/// The error of the tractions with one-way coupling is of the order of beta: in all steps they approach the tractions of
+/// full coupling.
 #[test]
 fn one_way_error_vanishes_with_beta() {
     let differences = [0.2, 0.1, 0.05].map(|beta| {
