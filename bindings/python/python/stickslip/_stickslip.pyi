@@ -2001,7 +2001,9 @@ class FlatPunch:
     def full_stick(self, /, friction: float, force: float) -> MindlinFullStick:
         """
         Returns the solution for the punch in full stick under a tangential force along x. Traction and pressure have
-        the same distribution. The whole contact therefore sticks up to the force mu W and then slides.
+        the same distribution. The whole contact therefore sticks up to the force mu W and then slides. This is valid if
+        pressure and traction are uncoupled: on a rigid punch, if Poisson's ratio is 1/2. Otherwise the edge of the
+        contact slips under pressing alone (:class:`SpencePressing`).
 
         Parameters
         ----------
@@ -3703,9 +3705,10 @@ class MindlinFullStick:
     """
     A contact circle in full stick under a tangential force along x.
 
-    For a sphere, this is the limit of :class:`CattaneoMindlin` for large friction; under a :class:`FlatPunch` it is
-    valid up to sliding. The circle moves along x only, for any nu. The coupling between pressure and traction of
-    dissimilar bodies is neglected. Mindlin (1949); Johnson (1985), 3.82 and section 7.2.
+    For a sphere, this is the limit of :class:`CattaneoMindlin` for large friction. Under a :class:`FlatPunch` of bodies
+    whose pressure and traction are uncoupled, it is valid up to sliding. The circle moves along x only, for any nu. The
+    coupling between pressure and traction of dissimilar bodies is neglected. Mindlin (1949); Johnson (1985), 3.82 and
+    section 7.2.
 
     Parameters
     ----------
