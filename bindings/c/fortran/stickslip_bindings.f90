@@ -933,7 +933,8 @@ module stickslip_bindings
         real(c_double) :: residual = 0
         ! Certified bound on the squared relative error in the energy norm.
         real(c_double) :: duality_gap = 0
-        ! Certified bound on the relative error in the energy norm, the square root of duality_gap.
+        ! Certified bound on the relative error in the energy norm, the square root of duality_gap. On a periodic grid under
+        ! a prescribed approach or shift, the bound excludes the error of the computed force.
         real(c_double) :: energy_error_bound = 0
         ! Relative error of the prescribed total force.
         real(c_double) :: load_error = 0

@@ -901,7 +901,8 @@ typedef struct {
     double residual;
     // Certified bound on the squared relative error in the energy norm.
     double duality_gap;
-    // Certified bound on the relative error in the energy norm, the square root of duality_gap.
+    // Certified bound on the relative error in the energy norm, the square root of duality_gap. On a periodic grid under
+    // a prescribed approach or shift, the bound excludes the error of the computed force.
     double energy_error_bound;
     // Relative error of the prescribed total force.
     double load_error;

@@ -4626,6 +4626,8 @@ class Report:
     def energy_error_bound(self, /) -> float:
         """
         Certified bound on the relative error in the energy norm, the square root of the duality gap.
+        On a periodic grid under a prescribed approach or shift, the bound is relative to the contact under the computed
+        force and excludes the error of this force.
         """
     @property
     def history(self, /) -> list[Iteration]:
