@@ -1735,6 +1735,9 @@ class ElasticPair:
 class EnergyBalance:
     """
     Energy balance of the work of the tangential load in a step or in the steps of a cycle (energies).
+
+    The balance holds for any two states. A balance that closes verifies the bookkeeping of the step, and not the laws of
+    contact.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
