@@ -14,7 +14,8 @@
 //! creepages $`\xi, \eta`$ and the spin $`\varphi`$ about the origin of the grid. Creepages and spin are per length rolled, and x
 //! and y are in the middle of the path of the particle. Coulomb's law is satisfied in every cell: $`|q| \le \mu p`$, and the cell
 //! slips against the traction only if $`|q| = \mu p`$. A positive creepage moves body 2 along the axis over body 1 and causes a
-//! positive force, as a positive [shift](crate::TangentialSolution::shift) does.
+//! positive force, as a positive [shift](crate::TangentialSolution::shift) does. Kalker's creepage is the
+//! motion of body 1 over body 2. It has the opposite sign, and causes a force of the opposite sign on body 1.
 //!
 //! Along each axis either the creepage or the force is prescribed. If the force is prescribed, the same solve determines the
 //! creepage as its multiplier. A moment can be prescribed instead of the spin.
@@ -125,8 +126,16 @@
 //! No correction is necessary without spin if the creepage is along or across the rolling direction. Rolling steps of a
 //! [`History`](crate::History) have no correction.
 //!
+//! # Sources
+//!
 //! The formulation follows J. J. Kalker, Three-dimensional elastic bodies in rolling contact (1990),
 //! <https://doi.org/10.1007/978-94-015-7889-9>. The entry rule and the bound are derived here.
+//!
+//! Line contacts were solved by Carter (1926) and by H. Fromm, Z. Angew. Math. Mech. 7 (1927) 27
+//! ([`Carter`](crate::analytical::Carter)). D. J. Haines and E. Ollerton, Proc. Inst. Mech. Eng. 177 (1963) 95, divide an
+//! ellipse into strips, each of which follows this solution. FASTSIM (J. J. Kalker, Vehicle Syst. Dyn. 11 (1982) 1,
+//! <https://doi.org/10.1080/00423118208968684>) replaces the half-space by independent springs. The example `wheel` compares
+//! it with this crate.
 
 #[cfg(all(feature = "history", feature = "rolling"))]
 mod coupled;
