@@ -325,7 +325,7 @@ pub enum Error {
         model: &'static str,
         /// The load or property, in words.
         quantity: &'static str,
-        /// The given value.
+        /// The value of the load or property. If it has no value, a related number that `quantity` names, or zero.
         value: f64,
         /// The options that add the load or property to the model, in words, or a statement that there is no such
         /// option.
@@ -415,7 +415,8 @@ pub enum Error {
     /// The Hurst exponent lies outside `[0, 1]`.
     #[error("the Hurst exponent must lie in [0, 1], got {0:?}")]
     Hurst(f64),
-    /// A quantity is below its lower limit.
+    /// A quantity is below its lower limit. A check of an upper limit reports the ratio of the permitted to the actual
+    /// value, whose lower limit is 1.
     #[error("{quantity} must be at least {least:?} ({least_is}), got {value:?}")]
     BelowMinimum {
         /// The quantity, in words.
