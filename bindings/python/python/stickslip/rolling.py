@@ -3,8 +3,8 @@
 The contact is at rest, and the particles of both surfaces move through it, starting at the leading edge. A creepage is
 the motion of body 2 over body 1 per unit length rolled; it is given, or follows from a force. Cells that enter the
 contact follow the motion by the law of growing contacts. The grid must extend beyond the leading edge by at least one
-step, otherwise the call raises :class:`stickslip.errors.GridTooShort`. The law also uses slopes of the gap, which need two more cells; if
-these cells are missing, the slopes are one-sided.
+step; otherwise a call raises :class:`~stickslip.errors.GridTooShort`. The law also uses slopes of the gap, which need
+two more cells. If these cells are missing, the slopes are one-sided.
 """
 
 from ._enums import LeadingEdge, EntryRule
