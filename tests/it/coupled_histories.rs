@@ -100,9 +100,7 @@ fn against_rigid(poisson_ratio: f64) -> ElasticPair {
 fn pressed_punch_slips_unless_incompressible() {
     let grid = Grid::square(kit::thorough(48, 64), 2.4).unwrap();
     let gap = Field::from_fn(grid, |x, y| if x.hypot(y) < 1.0 { 0.0 } else { 1e3 });
-    for (poisson_ratio, stick, ratios) in
-        [(0.5, 1.0, [1.0, 1.0]), (0.3, 0.8, [1.03, 1.08])]
-    {
+    for (poisson_ratio, stick, ratios) in [(0.5, 1.0, [1.0, 1.0]), (0.3, 0.8, [1.03, 1.08])] {
         let pair = against_rigid(poisson_ratio);
         let bodies = HalfSpace::new(grid, pair).unwrap();
         let builder = History::builder(&bodies, &gap, Friction::coulomb(0.3).unwrap())
