@@ -119,6 +119,10 @@ pub struct Report {
     /// `(x - x*)' C (x - x*) <= duality_gap * x' C x`. If `lambda x' x` is larger than `x' C x`, it replaces `x' C x`,
     /// where `lambda` is the available bound on the smallest eigenvalue of the operator. Dimensionless. The value is a
     /// duality gap and not a distance.
+    ///
+    /// On a grid that is periodic along both axes, `x*` is the exact solution for the total of `x`, even if an approach or
+    /// a shift is prescribed. The bound is then relative to the contact under the computed force. It does not bound the
+    /// error of this force, which can be several times larger than the bound.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub duality_gap: f64,
     /// Origin of the eigenvalue bound on which [`Self::duality_gap`] and the other certified bounds, of a coupled

@@ -165,7 +165,7 @@ impl Cone {
 /// ```
 ///
 /// The stick ratio decreases linearly with the force, as it does for a contact of many asperities. This is the solution
-/// of the scalar model, with traction along x only, for every $`\nu`$. Ciavarella (1998); Jaeger (1998).
+/// of the scalar model, with traction along x only, for every $`\nu`$. Ciavarella (1998b); Jaeger (1998).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{Cone, ConePartialSlip}};

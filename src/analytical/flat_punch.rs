@@ -19,6 +19,10 @@ use crate::error::{Result, positive};
 /// The solution describes a real punch only if body 2 is rigid. For two elastic bodies it is the half-space solution
 /// for this gap. Johnson (1985), section 3.4 and 3.36-3.37.
 ///
+/// The coupling of pressure and traction is neglected. A body on a rigid punch is uncoupled only if its Poisson's ratio is
+/// 1/2. For other bodies, pressing alone causes tractions, and the edge of the contact slips
+/// ([`SpencePressing`](super::SpencePressing), and [`NoSlipPunch`](super::NoSlipPunch) for infinite friction).
+///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::FlatPunch};
 /// let rubber = Material::new(3.0, 0.5)?;
@@ -119,6 +123,11 @@ impl FlatPunch {
     ///
     /// Traction and pressure have the same distribution, $`q/p = F/W`$. The whole contact therefore sticks until
     /// $`|F| = \mu W`$, and then slides everywhere simultaneously.
+    ///
+    /// This is valid if pressure and traction are uncoupled; on a rigid punch, if Poisson's ratio is 1/2. Otherwise
+    /// tractions caused by pressing add to $`q`$, and slip spreads from the edge. For $`\nu = 0.3`$ and $`\mu = 0.3`$, a
+    /// [history](crate::History) with full coupling on 64 x 64 cells slips on 20 % of the contact under pressing alone. Its
+    /// shift exceeds this solution by 3 % at 0.3 of the sliding force, by 8 % at 0.6 and by 27 % at 0.9.
     ///
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not

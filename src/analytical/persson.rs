@@ -126,7 +126,7 @@ impl Persson {
     /// ```
     ///
     /// The stick area is the contact area under $`1-f`$ of the load. The ratio tends to [`linear_stick_ratio`] for
-    /// light loads and is never smaller. Superposition after Ciavarella (1998) and Jaeger (1998).
+    /// light loads and is never smaller. Superposition after Ciavarella (1998b) and Jaeger (1998).
     ///
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not
@@ -174,7 +174,7 @@ fn argument(reduced_pressure: f64, area_coefficient: f64) -> f64 {
 /// to the load as long as it is a small fraction of the nominal area. This ratio is the straight line in figures 25 and
 /// 26 of the paper. The line is exact for a [`Cone`](super::Cone); for a smooth sphere the ratio is $`(1-F/\mu
 /// W)^{2/3}`$ ([`CattaneoMindlin`](super::CattaneoMindlin)). Without friction the function returns zero. The ratio
-/// computed for a single surface is within about 0.05 of the line. Paggi, Pohrt and Popov (2014); Ciavarella (1998).
+/// computed for a single surface is within about 0.05 of the line. Paggi, Pohrt and Popov (2014); Ciavarella (1998b).
 ///
 /// # Errors
 /// - [`Error::NotPositive`](crate::Error::NotPositive) if the load is not positive and finite.

@@ -24,7 +24,8 @@ use crate::error::{Result, non_negative, positive};
 /// The law is valid if the roughness is small and fine: the height of the roughness is well below the approach
 /// $`a^2/R`$ of the smooth sphere, and there are many asperities within the circle. If the load is too light for this,
 /// contact spreads beyond the Hertz circle and the area is less certain. The law is given by equations 32, 33 and 37 of
-/// the paper, after Müser (2016), without the mean-field approximation of Pastewka and Robbins (2016).
+/// the paper, after Müser (2016), without the mean-field approximation of Pastewka and Robbins (2016). Greenwood and Tripp
+/// (1967) treat the rough sphere as independent asperities.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{HertzSphere, RoughSphere}};

@@ -21,8 +21,8 @@ use crate::error::{Result, non_negative};
 /// full coupling, a larger coefficient of friction leads to the same $`k`$. At $`k = 0.5`$ it is larger by 0.5 % for
 /// $`\beta = 0.1`$, by 5 % for $`\beta = 2/7`$ and by 17 % for $`\beta = 1/2`$.
 ///
-/// D. A. Spence, *J. Elasticity* 5 (1975) 297-319, [doi:10.1007/BF00126993](https://doi.org/10.1007/BF00126993); Johnson
-/// (1985), section 5.4.
+/// Round: D. A. Spence, *J. Elasticity* 5 (1975) 297-319, [doi:10.1007/BF00126993](https://doi.org/10.1007/BF00126993).
+/// Plane: D. A. Spence, *Proc. Camb. Phil. Soc.* 73 (1973) 249-268. See also Johnson (1985), section 5.4.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::SpencePressing};

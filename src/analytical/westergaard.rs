@@ -218,7 +218,7 @@ fn root(alpha: f64, beta: f64) -> f64 {
 ///
 /// where $`c`$ is the half-width of a stick strip. A full contact sticks everywhere, under the uniform traction
 /// $`\bar q`$, until $`(1-f)\,\bar p = p^*`$. The bodies are in plane strain and the traction acts along x, across the
-/// crests, so the solution is exact for every $`\nu`$. Ciavarella (1998); Jaeger (1998).
+/// crests, so the solution is exact for every $`\nu`$. Ciavarella (1998a); Jaeger (1998).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{Westergaard, WestergaardPartialSlip}};

@@ -33,8 +33,19 @@ pub enum Coupling {
     /// Mech. 29 (1962) 515, <https://doi.org/10.1115/1.3640599>). Pressure and traction are solved one after the other.
     /// Each solution is the minimum of a convex energy and has a certified error.
     OneWay,
-    /// Pressure and traction do not affect each other, which causes an error of order beta in the pressure. Pressing
-    /// alone then causes no traction.
+    /// Pressure and traction do not affect each other. Pressing alone then causes neither traction nor slip.
+    ///
+    /// The following errors are root mean square differences from [`Full`](Self::Full), relative to the root mean square of
+    /// the pressure. The contact is a sphere on 48 x 48 cells.
+    ///
+    /// - Under pressing alone, the error of the pressure is of the order of $`\beta^2`$, or of $`\mu\beta`$ if friction is
+    ///   so weak that most of the contact slips. It is $`0.8\,\beta^2`$ for $`\mu = \beta`$ or more, and
+    ///   $`1.1\,\mu\beta`$ for $`\mu = 0.1\,\beta`$.
+    /// - The missing tractions of pressing are of the order of $`\beta`$: $`0.66\,\beta`$ for $`\mu = 3\beta`$ or more.
+    /// - Under shear, the error of the pressure is of the order of $`\mu\beta`$. At 0.6 of the sliding force and
+    ///   $`\beta = 0.1`$ it is 1.9 % for $`\mu = 0.3`$ and 5.8 % for $`\mu = 1`$.
+    /// - The shift under a force has an error of the order of $`(\beta/\mu)^2`$. At 0.6 of the sliding force and
+    ///   $`\beta = 0.1`$ it is 8 % for $`\mu = 0.1`$ and 1 % for $`\mu = 0.3`$.
     Neglected,
 }
 

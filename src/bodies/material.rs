@@ -526,7 +526,8 @@ impl ElasticPair {
     }
 
     /// Returns the shear modulus of a single body that is as compliant as both bodies, `1/G = 1/G_1 + 1/G_2` (a
-    /// pressure); see [`tangential_modulus`](Self::tangential_modulus) for `G*`.
+    /// pressure); see [`tangential_modulus`](Self::tangential_modulus) for `G*`. For two bodies of the same material it is
+    /// half of their modulus.
     #[must_use]
     pub fn equivalent_shear_modulus(&self) -> f64 {
         1.0 / (self.compliances.normal + self.compliances.lateral)
@@ -541,9 +542,10 @@ impl ElasticPair {
     /// Returns Dundurs' second parameter `beta`, the strength of the coupling between pressure and traction.
     ///
     /// `beta = ((1-2 nu_1)/G_1 - (1-2 nu_2)/G_2) / (2 ((1-nu_1)/G_1 + (1-nu_2)/G_2))`. It vanishes for identical
-    /// bodies, for two incompressible bodies, and for an incompressible body on a rigid body. Its magnitude is at most
-    /// 1/2 if no Poisson's ratio is negative, and below 3/4 for auxetic bodies (2/3 for a body with Poisson's ratio
-    /// -1/2 on a rigid body).
+    /// bodies, for two incompressible bodies, and for an incompressible body on a rigid body. A positive value means that
+    /// pressure draws the surface of body 1 inwards over the surface of body 2. This is the sign of Johnson (1985), section
+    /// 5.1. Texts on interface cracks often use the opposite sign. The magnitude of beta is at most 1/2 if no Poisson's
+    /// ratio is negative, and below 3/4 for auxetic bodies (2/3 for a body with Poisson's ratio -1/2 on a rigid body).
     #[must_use]
     pub fn dundurs_beta(&self) -> f64 {
         0.5 * self.compliances.coupling / self.compliances.normal

@@ -57,8 +57,12 @@
 //!
 //! A deviation of a total due to round-off is reported separately: here `x*` is the minimiser for the total of `x`. If the
 //! operator maps constants to zero and `lambda` bounds the other eigenvalues, `x*` is also the minimiser for the total of `x`,
-//! whether or not a total is prescribed: `x - x*` then has sum zero. All these statements hold up to the round-off of the
-//! product.
+//! whether or not a total is prescribed: `x - x*` then has sum zero. Such an operator belongs to a periodic grid. Under a
+//! prescribed approach the bound is then relative to the contact under the computed force, and excludes the error of this force.
+//! A bowl at 0.999 of the mean gap, on 64 x 64 cells and with a tolerance of 1e-2, has a bound of 0.9 % and an error of the force
+//! of 3.8 %.
+//!
+//! All these statements hold up to the round-off of the product.
 //!
 //! # Round-off
 //!

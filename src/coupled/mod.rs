@@ -44,9 +44,12 @@
 //! # Certificates
 //!
 //! A friction limit that depends on the unknown pressure is not the optimality condition of any energy, and the
-//! solution is known to be unique for weak friction only. The report contains the residual of both laws. It also
-//! contains a rigorous bound for each half (the normal or the tangential problem), given the present solution of the
-//! other half. See [`CoupledReport`].
+//! solution is known to be unique for weak friction only. A. Klarbring, Ingenieur-Archiv 60 (1990) 529, gives examples without
+//! a solution and with several. G. De Saxcé and Z.-Q. Feng, Math. Comput. Modelling 28 (1998) 225,
+//! <https://doi.org/10.1016/S0895-7177(98)00119-8>, state both laws as one with a bipotential.
+//!
+//! The report contains the residual of both laws. It also contains a rigorous bound for each half (the normal or the
+//! tangential problem), given the present solution of the other half. See [`CoupledReport`].
 //!
 //! If friction is weak enough for the grid and no tangential force is prescribed, these bounds also bound the whole
 //! error ([`CoupledReport::error_bounds`]). On 64 x 64 cells this holds up to $`\mu = 0.29`$ for aluminium on steel, up

@@ -281,12 +281,13 @@ pub enum Error {
     /// The moment about the normal does not lie between the moments for large spins of both signs, given the prescribed
     /// creepages and forces.
     #[error(
-        "the moment {moment:?} reaches or exceeds the friction limit {limit:?} in its direction for the prescribed creepages and forces: prescribe a moment between {:?} and {:?}, or the spin", .range[0], .range[1]
+        "the moment {moment:?} reaches or exceeds the friction limit {limit:?} for the prescribed creepages and forces: prescribe a moment between {:?} and {:?}, or the spin", .range[0], .range[1]
     )]
     BeyondFrictionMoment {
-        /// The requested moment, positive in the direction of the limit.
+        /// The requested moment.
         moment: f64,
-        /// The moment of full sliding in the same direction.
+        /// The end of the range that the moment reaches or exceeds: the largest moment, or the smallest moment for a
+        /// moment at or below it.
         limit: f64,
         /// The smallest and the largest moment of full sliding.
         range: [f64; 2],
@@ -326,7 +327,7 @@ pub enum Error {
         model: &'static str,
         /// The load or property, in words.
         quantity: &'static str,
-        /// The given value.
+        /// The value of the load or property. If it has no value, a related number that `quantity` names, or zero.
         value: f64,
         /// The options that add the load or property to the model, in words, or a statement that there is no such
         /// option.
@@ -416,7 +417,8 @@ pub enum Error {
     /// The Hurst exponent lies outside `[0, 1]`.
     #[error("the Hurst exponent must lie in [0, 1], got {0:?}")]
     Hurst(f64),
-    /// A quantity is below its lower limit.
+    /// A quantity is below its lower limit. A check of an upper limit reports the ratio of the permitted to the actual
+    /// value, whose lower limit is 1.
     #[error("{quantity} must be at least {least:?} ({least_is}), got {value:?}")]
     BelowMinimum {
         /// The quantity, in words.

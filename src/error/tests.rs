@@ -261,7 +261,7 @@ fn every_error_has_its_text() {
                 limit: 0.25,
                 range: [-0.25, 0.25],
             },
-            "the moment 0.5 reaches or exceeds the friction limit 0.25 in its direction for the prescribed creepages and forces: prescribe a moment between -0.25 and 0.25, or the spin",
+            "the moment 0.5 reaches or exceeds the friction limit 0.25 for the prescribed creepages and forces: prescribe a moment between -0.25 and 0.25, or the spin",
         ),
         (
             Error::BeyondHardness {

@@ -19,9 +19,10 @@ use crate::parallel::ranks::WireFormat;
 /// \; \underbrace{- \; A \textstyle\sum \bar q\,(\Delta u - \Delta\delta)}_{\text{the rest}}
 /// ```
 ///
-/// holds for any two states, because the operator is symmetric. In the plane the products are scalar products of
-/// vectors. If body 2 turns, the motion of a cell is $`\delta + \varphi\,(-y, x)`$, and the moment adds the work
-/// $`\tfrac12 (M_n + M_{n+1})\,\Delta\varphi`$.
+/// holds for any two states, because the operator is symmetric. A balance that closes therefore verifies the bookkeeping
+/// of the step. It verifies neither the laws of contact nor the accuracy of the tractions. In the plane the products are
+/// scalar products of vectors. If body 2 turns, the motion of a cell is $`\delta + \varphi\,(-y, x)`$, and the moment adds
+/// the work $`\tfrac12 (M_n + M_{n+1})\,\Delta\varphi`$.
 ///
 /// A cell that comes into contact within the step follows only a part of the motion
 /// ([`EntryRule`](crate::history::EntryRule)). This part replaces $`\Delta\delta`$ on both sides. If a [relative

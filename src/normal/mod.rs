@@ -11,6 +11,21 @@
 //! active-set method of [`crate::cgm`] computes the pressure. With a [`Hardness`] H the pressure is at most H, and
 //! cells at the limit overlap.
 //!
+//! This is the minimum principle of Kalker and van Randen, J. Eng. Math. 6 (1972) 193. Stanley and Kato, J. Tribology
+//! 119 (1997) 481, <https://doi.org/10.1115/1.2833523>, solved it on periodic grids with Fourier transforms. Müser et
+//! al., Tribol. Lett. 65 (2017) 118, <https://doi.org/10.1007/s11249-017-0900-2>, compare methods for rough contacts with
+//! adhesion, which this crate does not model (Contact-Mechanics Challenge).
+//!
+//! # Assumptions
+//!
+//! - Bodies are linear elastic half-spaces, with small strains and small slopes. A solution has a
+//!   [warning](NormalSolution::warnings) if the contact radius exceeds 0.3 of the radius of curvature, or if the rms slope
+//!   of the surface within the contact exceeds 0.5. Both limits are conventional and do not bound an error.
+//! - Loads are quasi-static: the contact has no inertia and no viscosity, and its state does not depend on the rate.
+//! - Surfaces do not adhere, and do not overlap except at their hardness.
+//! - On a periodic grid under a prescribed approach, the [certified bound](crate::Report::duality_gap) is relative to the
+//!   contact under the computed force.
+//!
 //! [`NormalProblem`] validates and stores the input, [`NormalSolver`] owns the buffers and starts each solve from its
 //! last solution, and [`NormalSolution`] is the result.
 //!

@@ -14,7 +14,8 @@
 //! creepages $`\xi, \eta`$ and the spin $`\varphi`$ about the origin of the grid. Creepages and spin are per length rolled, and x
 //! and y are in the middle of the path of the particle. Coulomb's law is satisfied in every cell: $`|q| \le \mu p`$, and the cell
 //! slips against the traction only if $`|q| = \mu p`$. A positive creepage moves body 2 along the axis over body 1 and causes a
-//! positive force, as a positive [shift](crate::TangentialSolution::shift) does.
+//! positive force, as a positive [shift](crate::TangentialSolution::shift) does. Kalker's creepage is the
+//! motion of body 1 over body 2. It has the opposite sign, and causes a force of the opposite sign on body 1.
 //!
 //! Along each axis either the creepage or the force is prescribed. If the force is prescribed, the same solve determines the
 //! creepage as its multiplier. A moment can be prescribed instead of the spin.
@@ -81,14 +82,17 @@
 //! | $`F/\mu P`$ without the entry rule | 0.7477 | 0.7324 | 0.7262 | 0.7234 |
 //! | products, cold | 46 | 62 | 83 | 114 |
 //!
-//! After an increase of the creepage by one per cent, a solve takes 27, 37, 49 and 64 products. The products are in double
-//! precision, and each product includes one application of the preconditioner in single precision. On 32, 64 and 128 cells, a
-//! cold solve therefore takes as much time as 1.0, 1.4 and 1.6 times the listed number of products.
+//! A product is one application of the compliance of both directions to the tractions of a window around the contact. All
+//! products are computed in double precision, also the products that the report counts as
+//! [single-precision products](crate::Report::single_precision_products). One application of the preconditioner in single
+//! precision follows each product. After an increase of the creepage by one per cent, a solve takes 27, 37, 49 and 64 products.
 //!
 //! For Carter's cylinder at 0.64 of the sliding force, the error of the force is 9e-5, 4e-5, 8e-6, 3e-6 and 4e-7 of
 //! $`\mu P`$ on 32, 64, 128, 256 and 512 cells. Without the entry rule the error is 9e-3, 4e-3, 2e-3, 1e-3 and 6e-4.
-//! The entry rule requires the slope of the gap two cells ahead of the contact, so the grid must extend at least this
-//! far.
+//!
+//! The grid must extend beyond the leading edge by at least one step; otherwise the problem is rejected
+//! ([`Error::GridTooShort`](crate::Error::GridTooShort)). The entry rule also uses slopes of the gap around the previous
+//! positions of entering particles, which need two more cells. If these cells are missing, the slopes are one-sided.
 //!
 //! ```
 //! use stickslip::rolling::RollingProblem;
@@ -125,8 +129,16 @@
 //! No correction is necessary without spin if the creepage is along or across the rolling direction. Rolling steps of a
 //! [`History`](crate::History) have no correction.
 //!
+//! # Sources
+//!
 //! The formulation follows J. J. Kalker, Three-dimensional elastic bodies in rolling contact (1990),
 //! <https://doi.org/10.1007/978-94-015-7889-9>. The entry rule and the bound are derived here.
+//!
+//! Line contacts were solved by Carter (1926) and by H. Fromm, Z. Angew. Math. Mech. 7 (1927) 27
+//! ([`Carter`](crate::analytical::Carter)). D. J. Haines and E. Ollerton, Proc. Inst. Mech. Eng. 177 (1963) 95, divide an
+//! ellipse into strips, each of which follows this solution. FASTSIM (J. J. Kalker, Vehicle Syst. Dyn. 11 (1982) 1,
+//! <https://doi.org/10.1080/00423118208968684>) replaces the half-space by independent springs. The example `wheel` compares
+//! it with this crate.
 
 #[cfg(all(feature = "history", feature = "rolling"))]
 mod coupled;

@@ -7,7 +7,8 @@
 //! ```
 //!
 //! (eqs 13-16 of Wang et al. 2021). Here `q` is the traction on body 1 along one axis, `C` is `C_xx` or `C_yy`, `delta`
-//! the shift of the bodies and `s` the slip. `m = min(mu p, tau_max)` is the friction limit of each cell, and `Delta`
+//! the shift of the bodies and `s` the slip. The shift is the relative rigid tangential displacement of the literature,
+//! and `s` is the relative slip or microslip. `m = min(mu p, tau_max)` is the friction limit of each cell, and `Delta`
 //! the area of a cell. Consider one monotonic load step with a pressure that shear does not change. If the force is
 //! prescribed, the traction minimises `1/2 q'Cq` over `|q| <= m` with `Delta sum q = F`. If the shift is prescribed,
 //! the traction minimises `1/2 q'Cq - delta sum q` over `|q| <= m`.
@@ -28,6 +29,22 @@
 //! | 0 | 0 | 0 | 0 | 0 |
 //! | 0.29 | 1.3, 2.7, 3.7 % | 7.2 degrees | 6e-5, 2.4e-4, 4.7e-4 | 8 of 3200 cells at 0.9 |
 //! | 0.5 | 2.5, 5.4, 7.4 % | 14.6 degrees | 2.4e-4, 9e-4, 1.8e-3 | 20 of 3200 cells at 0.9 |
+//!
+//! # Assumptions
+//!
+//! - Friction is quasi-static and independent of the rate. A cell has one [coefficient](Friction), for sticking and for
+//!   sliding (static equals kinetic).
+//! - Tractions do not enlarge the contact: there is no junction growth and no adhesion.
+//! - The shift does not carry the gap along. It must be small compared with the contact, and on rough surfaces compared
+//!   with the shortest wave. For larger shifts, a [`History`](crate::History) takes a
+//!   [new gap](crate::History::set_gap) in each step.
+//! - The assumptions of the [normal contact](crate::normal#assumptions) apply.
+//!
+//! Under a force oblique to the surface, normal and tangential force grow together. For elastic bodies of the same material
+//! such a contact does not slip if $`F/W < \mu`$ (Mindlin and Deresiewicz, J. Appl. Mech. 20 (1953) 327,
+//! <https://doi.org/10.1115/1.4010702>, for spheres; Deresiewicz, J. Appl. Mech. 24 (1957) 623, for nonspherical bodies). A
+//! problem of this module applies the tangential load after the normal load; a [`History`](crate::History) applies both
+//! together.
 //!
 //! [`TangentialProblem`] validates and stores the input. [`TangentialSolver`] owns the buffers and starts each solve
 //! from its last solution. [`TangentialSolution`] is the result, with one [`Zone`] per cell. [`JaegerSuperposition`] is

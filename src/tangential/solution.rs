@@ -249,9 +249,9 @@ impl TangentialSolution {
         self.axis
     }
 
-    /// Returns the shift delta, the rigid motion of body 2 relative to body 1 (lengths, with the sign of the force). It
-    /// is the prescribed shift or the multiplier of the force. On a periodic grid the shift is measured from the mean
-    /// plane of the surface.
+    /// Returns the shift delta, the rigid motion of body 2 relative to body 1 (lengths, with the sign of the force).
+    /// The literature calls it the relative rigid tangential displacement. It is the prescribed shift or the multiplier of
+    /// the force. On a periodic grid the shift is measured from the mean plane of the surface.
     ///
     /// Under a force that slides the whole contact, the shift is the value at which the last cell starts to slip. In
     /// the vector model it is then the displacement of that cell, and the slip of the other cells is not yet parallel

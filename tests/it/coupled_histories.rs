@@ -4,7 +4,7 @@
 use kit::contact::{Case, Normal};
 use kit::{Random, max_difference};
 use std::ops::ControlFlow;
-use stickslip::analytical::{HertzSphere, SpencePressing};
+use stickslip::analytical::{FlatPunch, HertzSphere, SpencePressing};
 use stickslip::history::wear::{self, CycleJump};
 use stickslip::history::{AdaptiveSteps, Cycle, EntryRule, FrettingLoop, LoadPath};
 use stickslip::{
@@ -92,6 +92,34 @@ fn against_rigid(poisson_ratio: f64) -> ElasticPair {
         Material::rigid(),
     )
     .unwrap()
+}
+
+/// On a rigid punch, the closed form in full stick is valid for Poisson's ratio 1/2. For other bodies, pressing alone
+/// slips at the edge, and shear moves the bodies farther than the closed form.
+#[test]
+fn pressed_punch_slips_unless_incompressible() {
+    let grid = Grid::square(kit::thorough(48, 64), 2.4).unwrap();
+    let gap = Field::from_fn(grid, |x, y| if x.hypot(y) < 1.0 { 0.0 } else { 1e3 });
+    for (poisson_ratio, stick, ratios) in [(0.5, 1.0, [1.0, 1.0]), (0.3, 0.8, [1.03, 1.08])] {
+        let pair = against_rigid(poisson_ratio);
+        let bodies = HalfSpace::new(grid, pair).unwrap();
+        let builder = History::builder(&bodies, &gap, Friction::coulomb(0.3).unwrap())
+            .model(TangentialModel::Vector);
+        let mut history = builder.build().unwrap();
+        history.step(&press_to(1.0)).unwrap();
+        let found = history.last_step().stick_ratio();
+        assert!((found - stick).abs() < 0.03, "{poisson_ratio}: {found}");
+        for (part, ratio) in [0.3, 0.6].into_iter().zip(ratios) {
+            let drag = TangentialControl::Force(0.3 * part);
+            history
+                .step(&press_to(1.0).tangential(Axis::X, drag))
+                .unwrap();
+            let punch = FlatPunch::new(&pair, 1.0, 1.0).unwrap();
+            let closed = punch.full_stick(0.3, 0.3 * part).unwrap().shift();
+            let found = history.shift()[0] / closed;
+            assert!((found - ratio).abs() < 0.01, "{poisson_ratio}: {found}");
+        }
+    }
 }
 
 fn ball_problem(cells: usize) -> (HalfSpace, Field) {

@@ -56,7 +56,7 @@ fn one_way_punch_sticks_as_in_spence() {
     }
 }
 
-/// Rows of equal cells that are pressed all over slide outwards on both sides of the middle. The tractions of the two
+/// Rows of equal cells that are pressed all over slide inwards on both sides of the middle. The tractions of the two
 /// halves are at opposite limits and sum to zero, so that hardly any cell sticks.
 #[test]
 fn pressed_flat_surface_slides_in_both_halves() {
@@ -101,8 +101,8 @@ fn pressed_flat_surface_slides_in_both_halves() {
     assert!(sliding >= 8, "{sliding} of 20 cases slide");
 }
 
-/// If the cells of a row slide away from its middle on both sides, rotations of their tractions are too small to carry
-/// a small force along the row. One cell must therefore stick.
+/// If the cells of a row slide towards its middle on both sides, their tractions point away from it. Rotations of these
+/// tractions are too small to carry a small force along the row. One cell must therefore stick.
 #[test]
 fn small_force_along_diverging_row_leaves_a_cell_sticking() {
     let pair = ElasticPair::new(Material::new(1.0, 0.05).unwrap(), Material::rigid()).unwrap();
@@ -252,8 +252,8 @@ fn one_way_energies_balance_and_restarts_are_bitwise() {
     assert!(restored.to_bytes() == again.to_bytes());
 }
 
-/// The error of one-way coupling is of the order of beta: in all steps the tractions approach the tractions of full
-/// coupling.
+/// The error of the tractions with one-way coupling is of the order of beta: in all steps they approach the tractions of
+/// full coupling.
 #[test]
 fn one_way_error_vanishes_with_beta() {
     let differences = [0.2, 0.1, 0.05].map(|beta| {

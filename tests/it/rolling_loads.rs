@@ -154,6 +154,16 @@ fn moment_beyond_friction_is_rejected() {
     let of = |moment: f64| scene.rolling().spin(SpinControl::Moment(moment)).build();
     let beyond = of(1.02 * capacity);
     assert!(matches!(beyond, Err(Error::BeyondFrictionMoment { .. })));
+    // A negative moment is reported with its sign, and with the end of the range that it exceeds.
+    let Err(Error::BeyondFrictionMoment {
+        moment,
+        limit,
+        range,
+    }) = of(-1.02 * capacity)
+    else {
+        panic!("the negative moment is accepted")
+    };
+    assert!(moment == -1.02 * capacity && limit == range[0] && range[0] < 0.0);
     assert!(matches!(of(f64::NAN), Err(Error::NotFinite { .. })));
     let mut solver = of(0.97 * capacity).unwrap().into_solver().unwrap();
     let mut rolling = solver.new_solution();

@@ -399,7 +399,8 @@ module stickslip_bindings
     ! The tolerance was not reached, or the observer or a limit ended the solve. The solution contains the last feasible
     ! iterate and its report. A history is unchanged, and stickslip_last_error_report writes the report.
     integer(c_int32_t), parameter, public :: STICKSLIP_NOT_CONVERGED = 1
-    ! The tangential force or moment (value) exceeds the friction capacity (limit): no equilibrium exists.
+    ! The tangential force exceeds the friction capacity, or the moment about the normal is at or beyond an end of the range that
+    ! friction can carry (value and limit): no equilibrium exists.
     integer(c_int32_t), parameter, public :: STICKSLIP_BEYOND_FRICTION_CAPACITY = 2
     ! The normal force (value) exceeds the largest force that the cells can carry at their hardness (limit).
     integer(c_int32_t), parameter, public :: STICKSLIP_BEYOND_HARDNESS = 3
@@ -932,7 +933,8 @@ module stickslip_bindings
         real(c_double) :: residual = 0
         ! Certified bound on the squared relative error in the energy norm.
         real(c_double) :: duality_gap = 0
-        ! Certified bound on the relative error in the energy norm, the square root of duality_gap.
+        ! Certified bound on the relative error in the energy norm, the square root of duality_gap. On a periodic grid under
+        ! a prescribed approach or shift, the bound excludes the error of the computed force.
         real(c_double) :: energy_error_bound = 0
         ! Relative error of the prescribed total force.
         real(c_double) :: load_error = 0
@@ -2665,8 +2667,9 @@ module stickslip_bindings
         end function stickslip_rolling_options_default
 
         ! Creates a solver under the pressure of a solved normal contact on the same bodies. The grid must extend beyond the
-        ! leading edge of the contact by the cells of one step; otherwise the call returns STICKSLIP_GRID_TOO_SHORT. load and
-        ! options may be NULL. A NULL load means no creepage and no spin, and NULL options mean the defaults.
+        ! leading edge of the contact by the cells of one step; otherwise the call returns STICKSLIP_GRID_TOO_SHORT. The entry rule
+        ! uses two more cells; if they are missing, its slopes of the gap are one-sided. load and options may be NULL. A NULL load
+        ! means no creepage and no spin, and NULL options mean the defaults.
         function stickslip_rolling_solver_new(half_space, normal, friction, load, options, &
             solver) result(answer) bind(c)
             import

@@ -340,7 +340,8 @@
 // iterate and its report. A history is unchanged, and stickslip_last_error_report writes the report.
 #define STICKSLIP_NOT_CONVERGED 1
 
-// The tangential force or moment (value) exceeds the friction capacity (limit): no equilibrium exists.
+// The tangential force exceeds the friction capacity, or the moment about the normal is at or beyond an end of the range that
+// friction can carry (value and limit): no equilibrium exists.
 #define STICKSLIP_BEYOND_FRICTION_CAPACITY 2
 
 // The normal force (value) exceeds the largest force that the cells can carry at their hardness (limit).
@@ -900,7 +901,8 @@ typedef struct {
     double residual;
     // Certified bound on the squared relative error in the energy norm.
     double duality_gap;
-    // Certified bound on the relative error in the energy norm, the square root of duality_gap.
+    // Certified bound on the relative error in the energy norm, the square root of duality_gap. On a periodic grid under
+    // a prescribed approach or shift, the bound excludes the error of the computed force.
     double energy_error_bound;
     // Relative error of the prescribed total force.
     double load_error;
@@ -2129,8 +2131,9 @@ uint64_t *stickslip_block_room(stickslip_block *block, size_t words);
 stickslip_rolling_options stickslip_rolling_options_default(void);
 
 // Creates a solver under the pressure of a solved normal contact on the same bodies. The grid must extend beyond the
-// leading edge of the contact by the cells of one step; otherwise the call returns STICKSLIP_GRID_TOO_SHORT. load and
-// options may be NULL. A NULL load means no creepage and no spin, and NULL options mean the defaults.
+// leading edge of the contact by the cells of one step; otherwise the call returns STICKSLIP_GRID_TOO_SHORT. The entry rule
+// uses two more cells; if they are missing, its slopes of the gap are one-sided. load and options may be NULL. A NULL load
+// means no creepage and no spin, and NULL options mean the defaults.
 stickslip_status stickslip_rolling_solver_new(const stickslip_half_space *half_space,
                                               const stickslip_normal_solution *normal,
                                               const stickslip_friction *friction,

@@ -49,7 +49,8 @@ pub struct stickslip_report {
     pub residual: f64,
     /// Certified bound on the squared relative error in the energy norm.
     pub duality_gap: f64,
-    /// Certified bound on the relative error in the energy norm, the square root of duality_gap.
+    /// Certified bound on the relative error in the energy norm, the square root of duality_gap. On a periodic grid under
+    /// a prescribed approach or shift, the bound excludes the error of the computed force.
     pub energy_error_bound: f64,
     /// Relative error of the prescribed total force.
     pub load_error: f64,

@@ -8,7 +8,8 @@ pub const STICKSLIP_OK: i32 = 0;
 /// The tolerance was not reached, or the observer or a limit ended the solve. The solution contains the last feasible
 /// iterate and its report. A history is unchanged, and stickslip_last_error_report writes the report.
 pub const STICKSLIP_NOT_CONVERGED: i32 = 1;
-/// The tangential force or moment (value) exceeds the friction capacity (limit): no equilibrium exists.
+/// The tangential force exceeds the friction capacity, or the moment about the normal is at or beyond an end of the range that
+/// friction can carry (value and limit): no equilibrium exists.
 pub const STICKSLIP_BEYOND_FRICTION_CAPACITY: i32 = 2;
 /// The normal force (value) exceeds the largest force that the cells can carry at their hardness (limit).
 pub const STICKSLIP_BEYOND_HARDNESS: i32 = 3;

@@ -117,6 +117,8 @@ impl Report {
     }
 
     /// Certified bound on the relative error in the energy norm, the square root of the duality gap.
+    /// On a periodic grid under a prescribed approach or shift, the bound is relative to the contact under the computed
+    /// force and excludes the error of this force.
     #[getter]
     fn energy_error_bound(&self) -> f64 {
         self.0.energy_error_bound()

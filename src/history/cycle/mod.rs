@@ -422,7 +422,8 @@ fn widen(least: &mut Field, amplitude: &mut Field, slip: &Field) {
     parallel::sweep(0..slip.len().div_ceil(CHUNK), data, &work, &|(), ()| ());
 }
 
-/// Sliding regime of a cycle.
+/// Sliding regime of a cycle, as in the fretting maps of O. Vingsbo and S. Söderberg, Wear 126 (1988) 131,
+/// <https://doi.org/10.1016/0043-1648(88)90134-2>.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

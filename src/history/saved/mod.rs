@@ -49,10 +49,10 @@ impl State {
     /// | each cell of the grid, for a permanent set | 8 | 8 |
     /// | each cell of the grid, for a relative displacement | 32 | 32 |
     ///
-    /// A contact that fills the grid requires 89 to 121 bytes per cell in the scalar model and 145 to 177 in the vector
-    /// model, without a relative displacement. A state with coupled pressure and traction requires 129 bytes per cell
-    /// of the grid. The remaining data require less than a kilobyte. The call temporarily needs the same amount of
-    /// memory again for a copy of the state.
+    /// A contact that fills the grid requires at least 81 bytes per cell in the scalar model and 137 in the vector model.
+    /// The last seven rows add to these numbers. A state with coupled pressure and traction requires 121 bytes per cell of
+    /// the grid before the first contact and 129 later, in either model, plus the last five rows. The remaining data
+    /// require less than a kilobyte. The call temporarily needs the same amount of memory again for a copy of the state.
     ///
     /// # Content
     /// All numbers are stored exactly. The wall time and the convergence history of the report of the pressure

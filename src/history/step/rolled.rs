@@ -78,8 +78,8 @@ impl Rolling {
     }
 
     /// Sets the creepages $`[\xi, \eta]`$ along x and y, the motion of body 2 over body 1 per length rolled
-    /// (dimensionless, default zero). Positive creepages cause positive forces. If the step prescribes a force along an
-    /// axis, the creepage along it follows and must be zero here.
+    /// (dimensionless, default zero). Positive creepages cause positive forces; Kalker's creepages have the opposite sign.
+    /// If the step prescribes a force along an axis, the creepage along it follows and must be zero here.
     #[must_use]
     pub fn creepage(mut self, creepage: [f64; 2]) -> Self {
         self.creepage = creepage;

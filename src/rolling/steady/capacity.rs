@@ -118,8 +118,8 @@ impl RollingProblem {
         }
         if moment <= range[0] + margin || is_point {
             return Err(Error::BeyondFrictionMoment {
-                moment: -moment,
-                limit: -range[0],
+                moment,
+                limit: range[0],
                 range,
             });
         }

@@ -7,7 +7,7 @@ use crate::error::{Result, finite};
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum RollingControl {
-    /// Creepage: motion of body 2 over body 1 per length rolled (dimensionless).
+    /// Creepage: motion of body 2 over body 1 per length rolled (dimensionless), with the sign opposite to Kalker's.
     Creepage(f64),
     /// Tangential force on body 1 (a force); the creepage follows. The resultant of the forces along both axes must be
     /// less than the friction capacity. Without friction no force is allowed.

@@ -124,8 +124,8 @@ impl Smooth {
     /// of the sliding force. The result is the pressure minus the pressure of the contact that is as large as the stick
     /// zone.
     ///
-    /// Sources: J. Jaeger, Arch. Appl. Mech. 65 (1995) 478, <https://doi.org/10.1007/BF00835661>; M. Ciavarella, Int. J.
-    /// Solids Struct. 35 (1998) 2349, <https://doi.org/10.1016/S0020-7683(97)00154-6>.
+    /// Sources: J. Jaeger, Arch. Appl. Mech. 65 (1995) 478, <https://doi.org/10.1007/BF00835661>; M. Ciavarella, J. Appl.
+    /// Mech. 65 (1998) 998.
     pub fn traction_at(&self, part: f64, x: f64, y: f64) -> f64 {
         let radius = self.stick_radius(part);
         let power = if self.name == "quartic" { 3 } else { 1 };

@@ -734,7 +734,7 @@ class ConePartialSlip:
     The traction is mu times the difference between the pressure under W and the pressure under the reduced load (1 -
     f) W, with f = |F| / (mu W). The contact circle under the reduced load is the stick disc. This is the solution of
     the scalar model, with traction along x only. The coupling between pressure and traction of dissimilar bodies is
-    neglected. Ciavarella (1998); Jaeger (1998).
+    neglected. Ciavarella, J. Appl. Mech. 65 (1998) 998; Jaeger, J. Tribology 120 (1998) 677.
 
     Parameters
     ----------
@@ -1735,6 +1735,9 @@ class ElasticPair:
 class EnergyBalance:
     """
     Energy balance of the work of the tangential load in a step or in the steps of a cycle (energies).
+
+    The balance holds for any two states. A balance that closes verifies the bookkeeping of the step, and not the laws of
+    contact.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -2001,7 +2004,9 @@ class FlatPunch:
     def full_stick(self, /, friction: float, force: float) -> MindlinFullStick:
         """
         Returns the solution for the punch in full stick under a tangential force along x. Traction and pressure have
-        the same distribution. The whole contact therefore sticks up to the force mu W and then slides.
+        the same distribution. The whole contact therefore sticks up to the force mu W and then slides. This is valid if
+        pressure and traction are uncoupled: on a rigid punch, if Poisson's ratio is 1/2. Otherwise the edge of the
+        contact slips under pressing alone (:class:`SpencePressing`).
 
         Parameters
         ----------
@@ -3703,9 +3708,10 @@ class MindlinFullStick:
     """
     A contact circle in full stick under a tangential force along x.
 
-    For a sphere, this is the limit of :class:`CattaneoMindlin` for large friction; under a :class:`FlatPunch` it is
-    valid up to sliding. The circle moves along x only, for any nu. The coupling between pressure and traction of
-    dissimilar bodies is neglected. Mindlin (1949); Johnson (1985), 3.82 and section 7.2.
+    For a sphere, this is the limit of :class:`CattaneoMindlin` for large friction. Under a :class:`FlatPunch` of bodies
+    whose pressure and traction are uncoupled, it is valid up to sliding. The circle moves along x only, for any nu. The
+    coupling between pressure and traction of dissimilar bodies is neglected. Mindlin (1949); Johnson (1985), 3.82 and
+    section 7.2.
 
     Parameters
     ----------
@@ -4230,8 +4236,8 @@ class Persson:
     def stick_ratio(self, /, friction: float, mean_traction: float) -> float:
         """
         Returns the fraction of the real contact area that sticks. It is the ratio of the contact area under 1 - f of
-        the load to the contact area under the full load, with f = |mean_traction| / (mu mean_pressure). Ciavarella
-        (1998); Jaeger (1998).
+        the load to the contact area under the full load, with f = |mean_traction| / (mu mean_pressure). Ciavarella,
+        J. Appl. Mech. 65 (1998) 998; Jaeger, J. Tribology 120 (1998) 677.
 
         Parameters
         ----------
@@ -4623,6 +4629,8 @@ class Report:
     def energy_error_bound(self, /) -> float:
         """
         Certified bound on the relative error in the energy norm, the square root of the duality gap.
+        On a periodic grid under a prescribed approach or shift, the bound is relative to the contact under the computed
+        force and excludes the error of this force.
         """
     @property
     def history(self, /) -> list[Iteration]:
@@ -5321,8 +5329,9 @@ class SpencePressing:
     The stick zone of bodies of different materials that are pressed together by a growing load alone.
 
     The surfaces slip inwards near the rim of the contact and stick within k times its radius or half-width. Shear does
-    not change the pressure here (one-way coupling). Spence, J. Elasticity 5 (1975) 297; Johnson (1985), section 5.4.
-    The solution is created by :meth:`round` or :meth:`plane`.
+    not change the pressure here (one-way coupling). Spence, J. Elasticity 5 (1975) 297, and for plane
+    contacts Proc. Camb. Phil. Soc. 73 (1973) 249; Johnson (1985), section 5.4. The solution is created by :meth:`round` or
+    :meth:`plane`.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -6544,8 +6553,8 @@ class WestergaardPartialSlip:
     The traction is mu times the difference between the pressure and the pressure under 1 - f of the load, with f =
     |mean_traction| / (mu mean_pressure). The contact strips under 1 - f of the load stick. A full contact sticks
     everywhere, under a uniform traction, as long as 1 - f of the load causes full contact. The solution is exact for
-    every nu, except that the coupling between pressure and traction of dissimilar bodies is neglected. Ciavarella
-    (1998); Jaeger (1998).
+    every nu, except that the coupling between pressure and traction of dissimilar bodies is neglected. Ciavarella,
+    Int. J. Solids Struct. 35 (1998) 2349; Jaeger, J. Tribology 120 (1998) 677.
 
     Parameters
     ----------

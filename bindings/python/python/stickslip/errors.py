@@ -311,9 +311,9 @@ class BeyondFrictionMoment(StickslipError, ValueError):
     forces."""
 
     moment: float
-    """The requested moment, positive in the direction of the limit."""
+    """The requested moment."""
     limit: float
-    """The moment of a contact that slides as a whole, in the same direction."""
+    """The end of the range that the moment reaches or exceeds."""
     range: list[float]
     """The smallest and the largest moment of a contact that slides as a whole."""
 
@@ -353,7 +353,7 @@ class UnsupportedByModel(StickslipError, ValueError):
     quantity: str
     """The load or the property, in words."""
     value: float
-    """The value given."""
+    """The value of the load or property. If it has no value, a related number that `quantity` names, or zero."""
     remedy: str
     """The options that add it to the model, or that there is no such option, in words."""
 
@@ -444,7 +444,8 @@ class Hurst(StickslipError, ValueError):
 
 
 class BelowMinimum(StickslipError, ValueError):
-    """A quantity is below its lower limit."""
+    """A quantity is below its lower limit. A check of an upper limit reports the ratio of the permitted to the actual value,
+    whose lower limit is 1."""
 
     quantity: str
     """The quantity, in words."""
@@ -457,7 +458,7 @@ class BelowMinimum(StickslipError, ValueError):
 
 
 class GridTooShort(StickslipError, ValueError):
-    """The grid ends too near the contact for a step of rolling."""
+    """The grid ends less than one step of rolling ahead of the contact or behind it."""
 
     side: str
     """The side of the contact: "ahead of" or "behind"."""

@@ -2,8 +2,9 @@
 
 The contact is at rest, and the particles of both surfaces move through it, starting at the leading edge. A creepage is
 the motion of body 2 over body 1 per unit length rolled; it is given, or follows from a force. Cells that enter the
-contact follow the motion by the law of growing contacts. This law needs the slope of the gap two cells ahead of the
-contact, so the grid must extend at least that far.
+contact follow the motion by the law of growing contacts. The grid must extend beyond the leading edge by at least one
+step; otherwise a call raises :class:`~stickslip.errors.GridTooShort`. The law also uses slopes of the gap, which need
+two more cells. If these cells are missing, the slopes are one-sided.
 """
 
 from ._enums import LeadingEdge, EntryRule

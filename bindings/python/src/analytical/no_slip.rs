@@ -71,8 +71,9 @@ closed_form! {
 /// The stick zone of bodies of different materials that are pressed together by a growing load alone.
 ///
 /// The surfaces slip inwards near the rim of the contact and stick within k times its radius or half-width. Shear does
-/// not change the pressure here (one-way coupling). Spence, J. Elasticity 5 (1975) 297; Johnson (1985), section 5.4.
-/// The solution is created by :meth:`round` or :meth:`plane`.
+/// not change the pressure here (one-way coupling). Spence, J. Elasticity 5 (1975) 297, and for plane
+/// contacts Proc. Camb. Phil. Soc. 73 (1973) 249; Johnson (1985), section 5.4. The solution is created by :meth:`round` or
+/// :meth:`plane`.
 #[pyclass(frozen, eq, module = "stickslip.analytical")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct SpencePressing(stickslip::analytical::SpencePressing);

@@ -225,7 +225,7 @@ closed_form! {
     /// The traction is mu times the difference between the pressure under W and the pressure under the reduced load (1 -
     /// f) W, with f = |F| / (mu W). The contact circle under the reduced load is the stick disc. This is the solution of
     /// the scalar model, with traction along x only. The coupling between pressure and traction of dissimilar bodies is
-    /// neglected. Ciavarella (1998); Jaeger (1998).
+    /// neglected. Ciavarella, J. Appl. Mech. 65 (1998) 998; Jaeger, J. Tribology 120 (1998) 677.
     ///
     /// Parameters
     /// ----------

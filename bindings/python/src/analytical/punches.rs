@@ -105,7 +105,9 @@ closed_form! {
     }
     also {
         /// Returns the solution for the punch in full stick under a tangential force along x. Traction and pressure have
-        /// the same distribution. The whole contact therefore sticks up to the force mu W and then slides.
+        /// the same distribution. The whole contact therefore sticks up to the force mu W and then slides. This is valid if
+        /// pressure and traction are uncoupled: on a rigid punch, if Poisson's ratio is 1/2. Otherwise the edge of the
+        /// contact slips under pressing alone (:class:`SpencePressing`).
         ///
         /// Parameters
         /// ----------

@@ -53,8 +53,8 @@ closed_form! {
         }
 
         /// Returns the fraction of the real contact area that sticks. It is the ratio of the contact area under 1 - f of
-        /// the load to the contact area under the full load, with f = |mean_traction| / (mu mean_pressure). Ciavarella
-        /// (1998); Jaeger (1998).
+        /// the load to the contact area under the full load, with f = |mean_traction| / (mu mean_pressure). Ciavarella,
+        /// J. Appl. Mech. 65 (1998) 998; Jaeger, J. Tribology 120 (1998) 677.
         ///
         /// Parameters
         /// ----------

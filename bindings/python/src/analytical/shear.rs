@@ -7,9 +7,10 @@ use crate::material::ElasticPair;
 closed_form! {
     /// A contact circle in full stick under a tangential force along x.
     ///
-    /// For a sphere, this is the limit of :class:`CattaneoMindlin` for large friction; under a :class:`FlatPunch` it is
-    /// valid up to sliding. The circle moves along x only, for any nu. The coupling between pressure and traction of
-    /// dissimilar bodies is neglected. Mindlin (1949); Johnson (1985), 3.82 and section 7.2.
+    /// For a sphere, this is the limit of :class:`CattaneoMindlin` for large friction. Under a :class:`FlatPunch` of bodies
+    /// whose pressure and traction are uncoupled, it is valid up to sliding. The circle moves along x only, for any nu. The
+    /// coupling between pressure and traction of dissimilar bodies is neglected. Mindlin (1949); Johnson (1985), 3.82 and
+    /// section 7.2.
     ///
     /// Parameters
     /// ----------

@@ -71,8 +71,8 @@ closed_form! {
     /// The traction is mu times the difference between the pressure and the pressure under 1 - f of the load, with f =
     /// |mean_traction| / (mu mean_pressure). The contact strips under 1 - f of the load stick. A full contact sticks
     /// everywhere, under a uniform traction, as long as 1 - f of the load causes full contact. The solution is exact for
-    /// every nu, except that the coupling between pressure and traction of dissimilar bodies is neglected. Ciavarella
-    /// (1998); Jaeger (1998).
+    /// every nu, except that the coupling between pressure and traction of dissimilar bodies is neglected. Ciavarella,
+    /// Int. J. Solids Struct. 35 (1998) 2349; Jaeger, J. Tribology 120 (1998) 677.
     ///
     /// Parameters
     /// ----------

@@ -6,6 +6,9 @@ use crate::digits::{rough, short};
 use crate::pickle::picklable;
 
 /// Energy balance of the work of the tangential load in a step or in the steps of a cycle (energies).
+///
+/// The balance holds for any two states. A balance that closes verifies the bookkeeping of the step, and not the laws of
+/// contact.
 #[pyclass(frozen, eq, module = "stickslip.history")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct EnergyBalance(pub(crate) stickslip::history::EnergyBalance);
