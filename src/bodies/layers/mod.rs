@@ -86,6 +86,7 @@
 //!   convention also applies to a rigid base, where both displacements are finite. For one layer, add
 //!   $`h (1-2\nu)/2G(1-\nu)`$ times the mean pressure to the approach, and $`h/G`$ times the mean traction to the shift.
 //!   Several layers contribute the sum.
+//! - [Edges](crate::edges) inside the cells need an outermost layer at least four cells thick.
 //! - The law for cells that enter a growing or rolling contact uses the ratio of tangential to normal compliance of
 //!   waves with a period of two cells, $`k = \pi/h_{max}`$.
 //! - Scalar moduli of a pair ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus), Dundurs' beta) are

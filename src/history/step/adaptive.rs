@@ -33,7 +33,7 @@ pub struct StepErrorEstimate {
 /// step.
 ///
 /// The state after a step belongs to a load that varied linearly from start to end, up to an error whose order is given
-/// in [growing contacts](crate::guide::load_steps). Each step is compared with two half steps of the same load, and the
+/// in [the entry rule](crate::history#entry-rule). Each step is compared with two half steps of the same load, and the
 /// result of the halves is used. The halves are accepted if [`StepErrorEstimate::traction`] is at most the tolerance
 /// times the square root of the fraction of the load that the step covers. Otherwise the step is shortened. This
 /// criterion is an estimate and not a bound. For a ball whose shift turned while the contact grew, the error after the
