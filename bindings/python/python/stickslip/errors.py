@@ -457,7 +457,7 @@ class BelowMinimum(StickslipError, ValueError):
 
 
 class GridTooShort(StickslipError, ValueError):
-    """The grid ends too near the contact for a step of rolling."""
+    """The grid ends less than one step of rolling ahead of the contact or, in a history, behind it."""
 
     side: str
     """The side of the contact: "ahead of" or "behind"."""
