@@ -32,7 +32,9 @@ pub struct stickslip_pair {
     /// Mindlin's tangential modulus G* (a pressure): 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2. The tangential stiffness of a
     /// circular stick contact of radius a is 8 G* a.
     pub tangential_modulus: f64,
-    /// Dundurs' second parameter; zero if pressure and traction are not coupled.
+    /// Dundurs' second parameter beta; zero if pressure and traction are not coupled: beta = ((1 - 2 nu_1)/G_1 - (1 - 2
+    /// nu_2)/G_2) / (2 ((1 - nu_1)/G_1 + (1 - nu_2)/G_2)). It is positive if body 1 has the larger value of (1 - 2 nu)/G,
+    /// and an exchange of the bodies reverses its sign.
     pub dundurs_beta: f64,
     /// Nonzero if pressure and traction are coupled.
     pub is_coupled: i32,

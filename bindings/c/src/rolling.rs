@@ -23,7 +23,8 @@ use crate::solver::{self, Solver};
 use crate::status::stickslip_status;
 use crate::text_fields::{show, tell, warn};
 
-/// Prescribes a creepage, the motion of body 2 over body 1 per unit length rolled (dimensionless).
+/// Prescribes a creepage, the motion of body 2 over body 1 per unit length rolled (dimensionless). A positive creepage
+/// causes a positive force. Kalker and CONTACT define creepage and spin with the opposite sign.
 pub const STICKSLIP_CREEPAGE: i32 = 0;
 /// Prescribes the spin, the rotation of body 2 relative to body 1 about the origin of the grid per unit length rolled (one
 /// over a length, positive from x to y).
@@ -145,8 +146,10 @@ pub struct stickslip_rolling_solution(Handle<RollingSolution>);
 opaque!(stickslip_rolling_solution holds RollingSolution, named "rolling solution");
 
 /// Creates a solver under the pressure of a solved normal contact on the same bodies. The grid must extend beyond the
-/// leading edge of the contact by the cells of one step; otherwise the call returns STICKSLIP_GRID_TOO_SHORT. load and
-/// options may be NULL. A NULL load means no creepage and no spin, and NULL options mean the defaults.
+/// leading edge of the contact by the cells of one step; otherwise the call returns STICKSLIP_GRID_TOO_SHORT.
+/// STICKSLIP_SINCE_TOUCH needs the slope of the gap two cells further ahead. If the grid ends before, this slope is
+/// one-sided. load and options may be NULL. A NULL load means no creepage and no spin, and NULL options mean the
+/// defaults.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_new(
     half_space: *const stickslip_half_space,
