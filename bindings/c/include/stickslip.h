@@ -1874,9 +1874,9 @@ stickslip_status stickslip_half_space_new_coated(const stickslip_grid *grid,
                                                  stickslip_half_space **half_space);
 
 // Creates half-spaces whose rows are distributed over ranks, which solve contacts together. Results are bitwise identical
-// to those of one process. Every rank passes the whole grid, and all ranks then make the same calls in the same order. The
-// grid of the object contains only the local rows, starting at the row that stickslip_half_space_first_row returns. Arrays
-// and labels contain the local cells; sums, reports and spots describe the whole contact.
+// to the results of one process. Every rank passes the whole grid, and all ranks then make the same calls in the same
+// order. The grid of the object contains only the local rows, starting at the row that stickslip_half_space_first_row
+// returns. Arrays and labels contain the local cells; sums, reports and spots describe the whole contact.
 //
 // Functions that return or accept only a grid do not account for the distribution, so the program must compute the local
 // gap itself. If the ranks are threads of one process, the program must call stickslip_set_num_threads(1), which keeps the
