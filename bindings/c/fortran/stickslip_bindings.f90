@@ -829,8 +829,8 @@ module stickslip_bindings
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_tangential_load
 
-    ! Tangential displacement of body 1 relative to body 2 with a cause other than the contact, for example bulk strain.
-    ! The call copies the values of the cells.
+    ! Tangential displacement of body 1 relative to body 2 that the contact does not cause, for example bulk strain. The
+    ! call copies the values of the cells.
     type, bind(c), public :: stickslip_relative_displacement
         ! Displacement along x of each cell (lengths).
         type(c_ptr) :: x = c_null_ptr

@@ -794,8 +794,8 @@ typedef struct {
     uint64_t reserved[8];
 } stickslip_tangential_load;
 
-// Tangential displacement of body 1 relative to body 2 with a cause other than the contact, for example bulk strain.
-// The call copies the values of the cells.
+// Tangential displacement of body 1 relative to body 2 that the contact does not cause, for example bulk strain. The
+// call copies the values of the cells.
 typedef struct {
     // Displacement along x of each cell (lengths).
     const double *x;
