@@ -2169,10 +2169,9 @@ uint64_t *stickslip_block_room(stickslip_block *block, size_t words);
 stickslip_rolling_options stickslip_rolling_options_default(void);
 
 // Creates a solver under the pressure of a solved normal contact on the same bodies. The grid must extend beyond the
-// leading edge of the contact by the cells of one step; otherwise the call returns STICKSLIP_GRID_TOO_SHORT.
-// STICKSLIP_SINCE_TOUCH needs the slope of the gap two cells further ahead. If the grid ends before, this slope is
-// one-sided. load and options may be NULL. A NULL load means no creepage and no spin, and NULL options mean the
-// defaults.
+// leading edge of the contact by the cells of one step; otherwise the call returns STICKSLIP_GRID_TOO_SHORT. The entry rule
+// uses two more cells; if they are missing, its slopes of the gap are one-sided. load and options may be NULL. A NULL load
+// means no creepage and no spin, and NULL options mean the defaults.
 stickslip_status stickslip_rolling_solver_new(const stickslip_half_space *half_space,
                                               const stickslip_normal_solution *normal,
                                               const stickslip_friction *friction,

@@ -146,10 +146,9 @@ pub struct stickslip_rolling_solution(Handle<RollingSolution>);
 opaque!(stickslip_rolling_solution holds RollingSolution, named "rolling solution");
 
 /// Creates a solver under the pressure of a solved normal contact on the same bodies. The grid must extend beyond the
-/// leading edge of the contact by the cells of one step; otherwise the call returns STICKSLIP_GRID_TOO_SHORT.
-/// STICKSLIP_SINCE_TOUCH needs the slope of the gap two cells further ahead. If the grid ends before, this slope is
-/// one-sided. load and options may be NULL. A NULL load means no creepage and no spin, and NULL options mean the
-/// defaults.
+/// leading edge of the contact by the cells of one step; otherwise the call returns STICKSLIP_GRID_TOO_SHORT. The entry rule
+/// uses two more cells; if they are missing, its slopes of the gap are one-sided. load and options may be NULL. A NULL load
+/// means no creepage and no spin, and NULL options mean the defaults.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_new(
     half_space: *const stickslip_half_space,

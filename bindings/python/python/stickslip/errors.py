@@ -457,7 +457,7 @@ class BelowMinimum(StickslipError, ValueError):
 
 
 class GridTooShort(StickslipError, ValueError):
-    """The grid ends less than one step of rolling ahead of the contact or, in a history, behind it."""
+    """The grid ends less than one step of rolling ahead of the contact or behind it."""
 
     side: str
     """The side of the contact: "ahead of" or "behind"."""

@@ -1,11 +1,12 @@
 """Steady rolling: traction, slip and creepage of two bodies that roll over each other, in the frame of the contact.
 
-The contact is at rest, and the particles of both surfaces move through it, starting at the leading edge. A creepage is
-the motion of body 2 over body 1 per unit length rolled, opposite to the creepage of Kalker and CONTACT. It is given, or
-follows from a force. Cells that enter the contact follow the motion by the law of growing contacts.
+Creepages and spin are motions of body 2 over body 1, opposite to the definition of Kalker and CONTACT.
 
-The grid must extend ahead of the contact by one step. The law needs the slope of the gap two cells further ahead. If the
-grid ends before, this slope is one-sided.
+The contact is at rest, and the particles of both surfaces move through it, starting at the leading edge. A creepage is
+the motion of body 2 over body 1 per unit length rolled; it is given, or follows from a force. Cells that enter the
+contact follow the motion by the law of growing contacts. The grid must extend beyond the leading edge by at least one
+step; otherwise a call raises :class:`~stickslip.errors.GridTooShort`. The law also uses slopes of the gap, which need
+two more cells. If these cells are missing, the slopes are one-sided.
 """
 
 from ._enums import LeadingEdge, EntryRule
