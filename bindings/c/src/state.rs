@@ -65,7 +65,8 @@ pub unsafe extern "C" fn stickslip_history_set_state(
 
 /// Writes the state of a history as bytes. A history created from these bytes by stickslip_history_from_bytes takes
 /// further steps with bitwise identical results. The number of bytes for each cell is 57 (small contact, scalar model) to
-/// 177 (contact on the whole grid, vector model); a relative displacement adds 32.
+/// 137 (contact on the whole grid, vector model). Changes of the contact or the gap, values for each cell and a relative
+/// displacement add up to 80.
 ///
 /// length receives the number of bytes. With a NULL buffer and a capacity of 0 only the number is written. If the buffer
 /// is too small, the call returns STICKSLIP_BUFFER_TOO_SMALL and writes nothing to it. A call without a buffer also
