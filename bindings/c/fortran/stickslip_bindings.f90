@@ -3030,7 +3030,7 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_history_spots
 
-        ! Creates a copy of the state of a history. The guide page memory_and_errors states its number of bytes per cell.
+        ! Creates a copy of the state of a history. The guide page embedding states its number of bytes per cell.
         function stickslip_state_new(history, state) result(answer) bind(c)
             import
             type(stickslip_history), value :: history

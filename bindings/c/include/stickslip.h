@@ -2368,7 +2368,7 @@ stickslip_status stickslip_history_spots(const stickslip_history *history,
                                          uint32_t *labels,
                                          size_t cells);
 
-// Creates a copy of the state of a history. The guide page memory_and_errors states its number of bytes per cell.
+// Creates a copy of the state of a history. The guide page embedding states its number of bytes per cell.
 stickslip_status stickslip_state_new(const stickslip_history *history, stickslip_state **state);
 
 // Frees a state; does nothing if it is NULL.

@@ -16,7 +16,7 @@ pub struct stickslip_state(Handle<State>);
 
 opaque!(stickslip_state holds State, named "state");
 
-/// Creates a copy of the state of a history. The guide page memory_and_errors states its number of bytes per cell.
+/// Creates a copy of the state of a history. The guide page embedding states its number of bytes per cell.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_state_new(
     history: *const stickslip_history,

@@ -5443,7 +5443,7 @@ class State:
     """
     A state of a history, which can be restored, continued or saved. It contains gap, friction and settings, but not
     the bodies. Arrays are read-only views of the memory of this object, except for the zones, which are copies.
-    Vectors are (x, y). The guide page ``memory_and_errors`` states the number of bytes per cell.
+    Vectors are (x, y). The guide page ``embedding`` states the number of bytes per cell.
     """
     def __reduce__(self, /) -> tuple[Any, tuple[type, bytes]]: ...
     def __repr__(self, /) -> str: ...
