@@ -1,6 +1,7 @@
-"""Creates the pages of the site from other sources: READMEs, the guide and the module docs of the crate, the C header, and
-the Python examples, which are executed."""
+"""Creates the pages of the site from other sources: READMEs, the guide and the module docs of the crate with their pictures, the
+C header, and the Python examples, which are executed."""
 
+import base64
 import contextlib
 import importlib
 import io
@@ -17,6 +18,29 @@ CRATE = "https://docs.rs/stickslip/latest/stickslip"
 # The address of the project, or None if Cargo.toml does not state it; files outside the site then have no link.
 REPOSITORY = next(iter(re.findall(r'^repository = "(.*)"', (ROOT / "Cargo.toml").read_text(), re.M)), None)
 
+# The pages of the guide with their titles, in the order of src/guide/mod.rs.
+GUIDE = {
+    "first_steps": "First steps",
+    "which_model": "Which model",
+    "nomenclature": "Nomenclature",
+    "troubleshooting": "Results that look wrong",
+    "theory": "Theory",
+    "grids_and_steps": "Grids and load steps",
+    "accuracy": "Accuracy and speed",
+    "validation": "Validation",
+    "hard_cases": "Hard cases",
+    "errata": "Errata of the paper",
+    "rough_surfaces": "Rough surfaces",
+    "load_steps": "Growing contacts and dissimilar bodies",
+    "fretting_and_wear": "Fretting and wear",
+    "rolling": "Rolling",
+    "coatings": "Coatings",
+    "subsurface_stress": "Stresses below the surface",
+    "embedding": "Contacts in a simulator",
+    "memory_and_errors": "Memory, time and errors",
+    "studies": "Parameter studies",
+    "distributed": "One contact on several machines",
+}
 # Each page with its file and, if only a part is included, its first heading and the heading after it.
 INCLUDED = {
     "introduction": ("README.md", "# stickslip", "## Two commands"),
@@ -26,22 +50,19 @@ INCLUDED = {
     "comparison": ("README.md", "## Speed against error", "## What is modelled, and what is not"),
     "measurements": ("benches/README.md",),
     "changes": ("CHANGELOG.md",),
-    "faq": ("src/guide/troubleshooting.md",),
-    "errata": ("src/guide/errata.md",),
-    "theory/solver": ("src/cgm/mod.rs",),
-    "theory/influence": ("src/influence/mod.rs",),
-    "theory/layers": ("src/bodies/layers/mod.rs",),
-    "theory/edges": ("src/edges/mod.rs",),
-    "theory/rolling": ("src/rolling/mod.rs",),
-    "theory/stiffness": ("src/stiffness/mod.rs",),
-    "theory/subsurface": ("src/subsurface/mod.rs",),
-    "theory/history": ("src/history/mod.rs",),
-    "guide/rough_surfaces": ("src/guide/rough_surfaces.md",),
-    "guide/fretting_and_wear": ("src/guide/fretting_and_wear.md",),
-    "guide/load_steps": ("src/guide/load_steps.md",),
-    "guide/coatings": ("src/guide/coatings.md",),
-    "guide/rolling": ("src/guide/rolling.md",),
-    "guide/hard_cases": ("src/guide/hard_cases.md",),
+    **{f"guide/{name}": (f"src/guide/{name}.md",) for name in GUIDE},
+    "methods/solver": ("src/cgm/mod.rs",),
+    "methods/influence": ("src/influence/mod.rs",),
+    "methods/normal": ("src/normal/mod.rs",),
+    "methods/tangential": ("src/tangential/mod.rs",),
+    "methods/coupled": ("src/coupled/mod.rs",),
+    "methods/history": ("src/history/mod.rs",),
+    "methods/wear": ("src/history/wear/mod.rs",),
+    "methods/rolling": ("src/rolling/mod.rs",),
+    "methods/layers": ("src/bodies/layers/mod.rs",),
+    "methods/edges": ("src/edges/mod.rs",),
+    "methods/stiffness": ("src/stiffness/mod.rs",),
+    "methods/subsurface": ("src/subsurface/mod.rs",),
 }
 TITLES = {
     "python": "Python",
@@ -49,25 +70,29 @@ TITLES = {
     "gallery": "Gallery",
     "measurements": "Measurements",
     "comparison": "Speed, and comparison with other codes",
-    "faq": "Results that look wrong",
-    "errata": "Errata of the paper",
-    "theory/solver": "Solver and certificate",
-    "theory/influence": "Influence coefficients",
-    "theory/layers": "Coated bodies",
-    "theory/edges": "Edges inside the cells",
-    "theory/rolling": "Steady rolling",
-    "theory/stiffness": "Stiffness",
-    "theory/subsurface": "Stresses below the surface",
-    "theory/history": "Histories",
-    "guide/rough_surfaces": "Rough surfaces",
-    "guide/fretting_and_wear": "Fretting and wear",
-    "guide/load_steps": "Growing contacts",
-    "guide/coatings": "Coatings and kernels",
-    "guide/rolling": "Rolling",
-    "guide/hard_cases": "Hard cases",
+    **{f"guide/{name}": title for name, title in GUIDE.items()},
+    "methods/solver": "Solver and certificate",
+    "methods/influence": "Influence coefficients",
+    "methods/normal": "Normal contact",
+    "methods/tangential": "Tangential contact",
+    "methods/coupled": "Bodies of different materials",
+    "methods/history": "Histories",
+    "methods/wear": "Wear",
+    "methods/rolling": "Steady rolling",
+    "methods/layers": "Coated bodies",
+    "methods/edges": "Edges inside the cells",
+    "methods/stiffness": "Stiffness",
+    "methods/subsurface": "Stresses and displacements",
 }
+RUST = (
+    "The code on this page is in Rust. The [tutorials]({up}tutorials/press.md), the [Python reference]({up}api/index.md) and the "
+    "[C reference]({up}c_reference.md) show the calls of the other languages."
+)
 TUTORIALS = ("press", "shear", "rough", "dissimilar", "subsurface", "wear")
 PAGE_OF = {files[0]: page for page, files in INCLUDED.items() if len(files) == 1}
+# A part of a page in a source file: a line of its docs, or a file. The pictures are files that contain an element with their data.
+DOCS = re.compile(r'^ *//[/!](?P<line>.*)$|^ *#!?\[.*include_str!\("(?P<file>[^"]+)"\).*\]$', re.M)
+DATA = re.compile(r'<img alt="(?P<alt>[^"]*)" src="data:image/(?P<kind>\w+)[^,]*;base64,(?P<data>[^"]*)"[^>]*>')
 IMAGE = re.compile(r'(?:!\[(?P<text>[^\]]*)\]\((?P<file>[^)]*)\)|<img src="(?P<source>[^"]*)"[^>]*alt="(?P<alt>[^"]*)">)')
 # A link whose text can be code, and whose target can contain parentheses: `[`sum`](crate::surface::sum())`.
 LINK = re.compile(r"(?<!!)\[(?P<words>`[^`]*`|[^\]\[]+)\]\((?P<target>[^()\s]*(?:\(\))?[^()\s]*)\)")
@@ -78,6 +103,9 @@ NAME = re.compile(r"(?<!\])\[`(?P<name>[\w:]+(?:\(\))?)`\](?![(\[:])")
 
 def write(folder: pathlib.Path) -> None:
     """Writes all pages into the folder, in addition to the existing pages."""
+    listed = re.findall(r"^pub mod (\w+) \{\}$", (ROOT / "src/guide/mod.rs").read_text(), re.M)
+    if listed != list(GUIDE):
+        sys.exit(f"docs/site/pages.py: the guide has the pages {', '.join(listed)}")
     for page, (file, *part) in INCLUDED.items():
         put(folder / f"{page}.md", included(folder, page, file, *part))
     for name in TUTORIALS:
@@ -93,10 +121,16 @@ def put(file: pathlib.Path, text: str) -> None:
 
 
 def included(folder: pathlib.Path, page: str, file: str, first: str = "", end: str = "") -> str:
-    text = (ROOT / file).read_text()
-    if file.endswith(".rs"):
-        lines = [line for line in text.splitlines() if line.startswith("//!")]
-        text = "\n".join(line.removeprefix("//!").removeprefix(" ") for line in lines)
+    if page.startswith("guide/"):
+        name = page.removeprefix("guide/")
+        guide = (ROOT / "src/guide/mod.rs").read_text()
+        attributes = re.search(rf"((?:^(?:///|#\[).*\n)+)^pub mod {name} \{{\}}$", guide, re.M)[1]
+        text = docs(folder, page, "src/guide/mod.rs", attributes)
+    elif file.endswith(".rs"):
+        lines = (ROOT / file).read_text().splitlines()
+        text = docs(folder, page, file, "\n".join(line for line in lines if line.startswith(("//!", "#![cfg_attr(doc, "))))
+    else:
+        text = (ROOT / file).read_text()
     if first:
         text = text[text.index(first) + len(first) : text.index(end)]
     if page in TITLES:
@@ -107,7 +141,28 @@ def included(folder: pathlib.Path, page: str, file: str, first: str = "", end: s
     parts[::2] = [prose(folder, page, file, re.sub(r"^#", "##", part, flags=re.M) if below else part) for part in parts[::2]]
     parts[1::2] = [code(part) for part in parts[1::2]]
     title = f"# {TITLES[page]}\n\n" if page in TITLES else ""
-    return title + "".join(parts)
+    is_rust = any(part.startswith("```rust") for part in parts[1::2])
+    note = f"{RUST.format(up=up(page))}\n\n" if is_rust and page.startswith(("guide/", "methods/")) else ""
+    return title + note + "".join(parts)
+
+
+def docs(folder: pathlib.Path, page: str, file: str, source: str) -> str:
+    """Returns the docs that consist of lines and of included files: text, and pictures, which become files of the site."""
+    parts = []
+    for match in DOCS.finditer(source):
+        if match["file"] is None:
+            parts.append(match["line"].removeprefix(" "))
+        elif match["file"].endswith(".html"):
+            included = ROOT / pathlib.Path(file).parent / match["file"]
+            picture = DATA.search(included.read_text())
+            # The gallery has pictures of the same names.
+            copy = folder / "pictures" / "docs" / f"{included.stem}.{picture['kind']}"
+            copy.parent.mkdir(parents=True, exist_ok=True)
+            copy.write_bytes(base64.b64decode(picture["data"]))
+            parts.append(f"\n![{picture['alt']}]({up(page)}pictures/docs/{copy.name})\n")
+        else:
+            parts.append((ROOT / pathlib.Path(file).parent / match["file"]).read_text())
+    return "\n".join(parts)
 
 
 def code(block: str) -> str:
@@ -132,6 +187,8 @@ def prose(folder: pathlib.Path, page: str, file: str, text: str) -> str:
 
 def picture(folder: pathlib.Path, page: str, file: str, match: re.Match) -> str:
     """Copies a picture of the repository to the pages and returns its Markdown."""
+    if (match["file"] or "").startswith(f"{up(page)}pictures/docs/"):
+        return match[0]
     source = (ROOT / file).parent / (match["file"] or match["source"])
     copy = folder / "pictures" / source.name
     copy.parent.mkdir(exist_ok=True)
@@ -171,7 +228,7 @@ def of_crate(page: str, target: str) -> str:
     names = [name for name in path.split("::") if name not in {"crate", "self", "super"}]
     inside = "/".join(names)
     anchor = f"#{place}" if place else ""
-    for file in (f"src/{inside}.md", f"src/{inside}/mod.rs"):
+    for file in (f"src/{inside}.md", f"src/{inside}/mod.rs", f"src/bodies/{inside}/mod.rs"):
         if file in PAGE_OF:
             return f"{up(page)}{PAGE_OF[file]}.md{anchor}"
     is_module = any((ROOT / "src" / (inside + end)).exists() for end in (".md", ".rs", "/mod.rs"))

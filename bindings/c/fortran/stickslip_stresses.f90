@@ -47,7 +47,7 @@ contains
     end function all_fit
 
     ! Computes displacement and stress of STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at points, one response for each point, under
-    ! a pressure with optional tractions x and y.
+    ! a pressure with optional tractions x and y. The body must not be coated.
     subroutine stress_at_points(bodies, body, points, responses, pressure, x, y, observer, status)
         class(half_space), intent(in) :: bodies
         integer(c_int32_t), intent(in) :: body

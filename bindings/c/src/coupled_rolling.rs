@@ -73,8 +73,9 @@ impl From<&CoupledRollingReport> for stickslip_coupled_rolling_report {
     }
 }
 
-/// Creates a solver for a gap before loading (lengths, count entries, copied) under a normal load. load and options may be
-/// NULL. A NULL load means no creepage and no spin, and NULL options mean the defaults.
+/// Creates a solver for a gap before loading (lengths, count entries, copied) under a normal load. load and options may
+/// be NULL. A NULL load means no creepage and no spin, and NULL options mean the defaults. For the extent of the grid
+/// ahead of the contact, see stickslip_rolling_solver_new; here the solve returns STICKSLIP_GRID_TOO_SHORT.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solver_new(
     half_space: *const stickslip_half_space,

@@ -32,7 +32,9 @@ pub struct stickslip_pair {
     /// Mindlin's tangential modulus G* (a pressure): 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2. The tangential stiffness of a
     /// circular stick contact of radius a is 8 G* a.
     pub tangential_modulus: f64,
-    /// Dundurs' second parameter; zero if pressure and traction are not coupled.
+    /// Dundurs' second parameter beta; zero if pressure and traction are not coupled: beta = ((1 - 2 nu_1)/G_1 - (1 - 2
+    /// nu_2)/G_2) / (2 ((1 - nu_1)/G_1 + (1 - nu_2)/G_2)). It is positive if body 1 has the larger value of (1 - 2 nu)/G,
+    /// and an exchange of the bodies reverses its sign.
     pub dundurs_beta: f64,
     /// Nonzero if pressure and traction are coupled.
     pub is_coupled: i32,
@@ -96,9 +98,9 @@ pub unsafe extern "C" fn stickslip_half_space_new_coated(
 }
 
 /// Creates half-spaces whose rows are distributed over ranks, which solve contacts together. Results are bitwise identical
-/// to those of one process. Every rank passes the whole grid, and all ranks then make the same calls in the same order. The
-/// grid of the object contains only the local rows, starting at the row that stickslip_half_space_first_row returns. Arrays
-/// and labels contain the local cells; sums, reports and spots describe the whole contact.
+/// to the results of one process. Every rank passes the whole grid, and all ranks then make the same calls in the same
+/// order. The grid of the object contains only the local rows, starting at the row that stickslip_half_space_first_row
+/// returns. Arrays and labels contain the local cells; sums, reports and spots describe the whole contact.
 ///
 /// Functions that return or accept only a grid do not account for the distribution, so the program must compute the local
 /// gap itself. If the ranks are threads of one process, the program must call stickslip_set_num_threads(1), which keeps the

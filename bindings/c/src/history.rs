@@ -274,8 +274,8 @@ pub unsafe extern "C" fn stickslip_history_set_relative_displacement(
     })
 }
 
-/// Computes the stiffness of the contact after the last step: normal stiffness, and tangential stiffness on loading and at
-/// reversal.
+/// Computes the stiffness of the contact after the last step: normal stiffness, and tangential stiffness on loading and
+/// at reversal. It is the derivative of the last step with respect to the motions at its end.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_stiffness(
     history: *const stickslip_history,

@@ -17,15 +17,19 @@ use crate::text_fields::{show, tell, warn};
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_energy {
-    /// Work of the tangential load.
+    /// Work of the tangential load: mean force times change of the shift, plus mean moment times change of the twist.
+    /// Cells that come into contact contribute only the part of the motion that they follow. The work of a changing
+    /// relative displacement is included, and so is the work of the normal load if pressure and traction are coupled.
     pub work: f64,
-    /// Elastic energy of shear before the step or the cycle.
+    /// Elastic energy of shear before the step or the cycle; energy of pressure and traction if both are coupled.
     pub elastic_before: f64,
-    /// Elastic energy of shear after the step or the cycle.
+    /// Elastic energy of shear after the step or the cycle; energy of pressure and traction if both are coupled.
     pub elastic_after: f64,
-    /// Energy dissipated, computed with the tractions at the ends of steps.
+    /// Dissipated energy, computed from the tractions at the ends of steps; not negative. If pressure and friction do not
+    /// change and the load does not turn within a step, this value is exact for any length of the step.
     pub dissipated_energy: f64,
-    /// Energy dissipated, computed with the mean tractions of steps; this value closes the energy balance.
+    /// Dissipated energy, computed from the mean of the tractions before and after each step. This value closes the
+    /// energy balance. It is not negative if pressure and friction do not change.
     pub dissipated_energy_midpoint: f64,
     /// Energy released by the tractions of cells that leave the contact.
     pub released: f64,
@@ -63,9 +67,10 @@ pub struct stickslip_step_result {
     pub approach: f64,
     /// Tangential force that body 2 exerts on body 1.
     pub force: [f64; 2],
-    /// Shift of body 2 relative to body 1 since the start (lengths).
+    /// Shift since the start (lengths): the rigid motion of body 2 relative to body 1.
     pub shift: [f64; 2],
-    /// Moment about z that the tractions exert on body 1.
+    /// Moment about z at the origin of the grid that the tractions exert on body 1 (a force times a length, positive from
+    /// x to y).
     pub moment: f64,
     /// Rotation of body 2 relative to body 1 since the start (radians).
     pub twist: f64,

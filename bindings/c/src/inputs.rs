@@ -247,8 +247,8 @@ impl stickslip_friction {
     }
 }
 
-/// Tangential displacement of body 1 relative to body 2 with a cause other than the contact, for example bulk strain.
-/// The call copies the values of the cells.
+/// Tangential displacement of body 1 relative to body 2 that the contact does not cause, for example bulk strain. The
+/// call copies the values of the cells.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_relative_displacement {

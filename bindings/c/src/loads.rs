@@ -8,13 +8,14 @@ use crate::error::Failure;
 use crate::reserved::known;
 use crate::rolling::{STICKSLIP_PLUS_X, leading_edge};
 
-/// Holds the current pressure or shift.
+/// Holds the pressure or the shift. A held shift does not hold the tangential force.
 pub const STICKSLIP_HOLD: i32 = 0;
 /// Prescribes a force.
 pub const STICKSLIP_FORCE: i32 = 1;
 /// Prescribes the approach of the bodies (a length), measured from the datum of the gap.
 pub const STICKSLIP_APPROACH: i32 = 2;
-/// Prescribes the shift, the rigid motion of body 2 relative to body 1 since the unloaded state (a length).
+/// Prescribes the shift, the rigid motion of body 2 relative to body 1 far from the contact since the unloaded state (a
+/// length): the relative rigid tangential displacement.
 pub const STICKSLIP_SHIFT: i32 = 3;
 /// Prescribes a spring that drags body 2: the force is stiffness * (value - shift).
 pub const STICKSLIP_SPRING: i32 = 4;
@@ -46,7 +47,8 @@ impl stickslip_normal_load {
 pub struct stickslip_control {
     /// Kind of load: STICKSLIP_HOLD, STICKSLIP_FORCE, STICKSLIP_SHIFT or STICKSLIP_SPRING.
     pub kind: i32,
-    /// Force that body 2 exerts on body 1, shift, or position of the far end of the spring.
+    /// Force that body 2 exerts on body 1, shift (a length), or position of the far end of the spring (a length). In a
+    /// history, shift and position are measured since its start, and a later step without a spring holds the shift.
     pub value: f64,
     /// Stiffness of the spring (a force over a length).
     pub stiffness: f64,
@@ -98,12 +100,16 @@ impl stickslip_tangential_load {
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_roll {
-    /// Number of cells by which the particles of both surfaces move through the contact, one or more.
+    /// Number of cells by which the particles of both surfaces move through the contact, one or more. The grid must
+    /// extend by this number of cells ahead of and behind the contact; otherwise the step returns
+    /// STICKSLIP_GRID_TOO_SHORT. The entry rule needs the slope of the gap two cells further ahead. If the grid ends
+    /// before, this slope is one-sided.
     pub cells: u32,
     /// Edge at which particles enter the contact: STICKSLIP_PLUS_X, STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or
     /// STICKSLIP_MINUS_Y.
     pub leading_edge: i32,
-    /// Creepages along x and y: motion of body 2 over body 1 per unit length rolled (dimensionless).
+    /// Creepages along x and y: motion of body 2 over body 1 per unit length rolled (dimensionless). A positive creepage
+    /// causes a positive force. Kalker and CONTACT define creepage and spin with the opposite sign.
     pub creepage: [f64; 2],
     /// Spin: rotation of body 2 relative to body 1 about the origin of the grid per unit length rolled (one over a length,
     /// positive from x to y); only for the vector model.
@@ -133,7 +139,13 @@ impl stickslip_roll {
     }
 }
 
-/// Step of a history: the load prescribed at its end. A step whose members are all zero holds all quantities.
+/// Step of a history: the load prescribed at its end. A step whose members are all zero holds pressure, shift, twist and
+/// relative displacement.
+///
+/// A held shift does not hold the tangential force, which decreases if a lower pressure or less friction cannot carry it.
+/// To keep the force constant, prescribe it in every step. If pressure and traction are coupled, a step without a normal
+/// load holds the normal force instead of the pressure. After a change of the gap, prescribe the normal load in every
+/// step; otherwise the pressure of the old gap is held.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_load_step {

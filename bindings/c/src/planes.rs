@@ -40,9 +40,10 @@ impl Solved {
     }
 }
 
-/// Creates planes at count depths (lengths, zero or positive, copied) below the surface of either body. Displacements
-/// are also computed if with_displacements is nonzero. The kernels of a depth, 112 bytes for each cell (152 with
-/// displacements), are computed at the first solve at that depth and kept.
+/// Creates planes at count depths (lengths, zero or positive, copied) below the surface of either body. In coated bodies
+/// the planes may lie in the layers or below them. Displacements are also computed if with_displacements is nonzero. The
+/// kernels of a depth are computed at the first solve at that depth and kept. They need 112 bytes for each cell (152 with
+/// displacements), and in coated bodies 144 bytes (216 with displacements).
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_planes_new(
     half_space: *const stickslip_half_space,

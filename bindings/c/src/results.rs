@@ -290,13 +290,14 @@ impl From<&NormalSolution> for stickslip_normal_result {
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_tangential_result {
-    /// Shift of body 2 relative to body 1 (lengths).
+    /// Shift (lengths): the rigid motion of body 2 relative to body 1 far from the contact, with the sign of the force.
     pub shift: [f64; 2],
     /// Tangential force that body 2 exerts on body 1.
     pub force: [f64; 2],
     /// Rotation of body 2 relative to body 1 (radians).
     pub twist: f64,
-    /// Moment about z that the tractions exert on body 1 (a force times a length).
+    /// Moment about z at the origin of the grid that the tractions exert on body 1 (a force times a length, positive from
+    /// x to y).
     pub moment: f64,
     /// Ratio of stick cells to contact cells.
     pub stick_ratio: f64,
@@ -304,7 +305,7 @@ pub struct stickslip_tangential_result {
     pub stick_area: f64,
     /// Area of the slip zone.
     pub slip_area: f64,
-    /// Energy dissipated by slip.
+    /// Energy dissipated by slip (a force times a length).
     pub dissipated_energy: f64,
     /// Nonzero if the whole contact is at its friction limit.
     pub is_gross_slip: i32,

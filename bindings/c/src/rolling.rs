@@ -23,7 +23,8 @@ use crate::solver::{self, Solver};
 use crate::status::stickslip_status;
 use crate::text_fields::{show, tell, warn};
 
-/// Prescribes a creepage, the motion of body 2 over body 1 per unit length rolled (dimensionless).
+/// Prescribes a creepage, the motion of body 2 over body 1 per unit length rolled (dimensionless). A positive creepage
+/// causes a positive force. Kalker and CONTACT define creepage and spin with the opposite sign.
 pub const STICKSLIP_CREEPAGE: i32 = 0;
 /// Prescribes the spin, the rotation of body 2 relative to body 1 about the origin of the grid per unit length rolled (one
 /// over a length, positive from x to y).

@@ -90,7 +90,7 @@ pub struct stickslip_point {
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_response {
-    /// Displacement of the body along x, y and z (lengths), zero at infinity.
+    /// Displacement of the body itself along x, y and z (lengths), not relative to the other body; zero at infinity.
     pub displacement: [f64; 3],
     /// Stresses xx, yy and zz (pressures, positive in tension).
     pub normal_stress: [f64; 3],
@@ -116,9 +116,10 @@ impl From<PointResult> for stickslip_response {
 }
 
 /// Computes displacement and stress of body STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at count points and writes them to
-/// responses. The sums over all loaded cells are exact for a uniform traction on each cell. Returns STICKSLIP_RIGID_BODY
-/// for a rigid body, and STICKSLIP_DIVERGENT_PERIODIC_SUM on a grid that is periodic along both axes. For whole planes,
-/// stickslip_planes_solve is faster.
+/// responses. The body must not be coated. The sums over all loaded cells are exact for a uniform traction on each cell.
+/// Returns STICKSLIP_RIGID_BODY for a rigid body, STICKSLIP_INVALID_ARGUMENT for a coated body, and
+/// STICKSLIP_DIVERGENT_PERIODIC_SUM on a grid that is periodic along both axes. Use stickslip_planes_solve for coated
+/// bodies, for periodic grids and for whole planes.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_stress_at_points(
     half_space: *const stickslip_half_space,

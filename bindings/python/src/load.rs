@@ -201,8 +201,9 @@ fn one_of<T>(object: Option<T>, is_without_keywords: bool, by_keywords: T) -> Py
 /// Parameters
 /// ----------
 /// force, shift : pair of float, optional
-///     Components along x and y, of either sign: the force that body 2 exerts on body 1, or the shift of body 2 relative
-///     to body 1 (lengths).
+///     Components along x and y, of either sign: the force that body 2 exerts on body 1, or the shift (lengths).
+///     The shift is the rigid motion of body 2 relative to body 1 far from the contact, the relative rigid
+///     tangential displacement.
 /// spring : ((x, y), stiffness), optional
 ///     Springs along both axes that drag body 2, given by the position of their far ends (lengths) and their stiffness (a
 ///     force over a length, positive). The force is stiffness (position - shift).
@@ -318,19 +319,27 @@ fn keywords(
     shown
 }
 
-/// Load prescribed at the end of a step of a history. Every quantity without a keyword is held constant.
+/// Load prescribed at the end of a step of a history. A quantity without a keyword is held: the pressure, the
+/// shift, the twist and the relative displacement.
+///
+/// A held shift does not hold the tangential force, which decreases if a lower pressure or less friction cannot
+/// carry it. If pressure and traction are solved simultaneously, a step without a normal load holds the normal
+/// force instead of the pressure. After a change of the gap, prescribe the normal load again in every step;
+/// otherwise the pressure of the old gap is held.
 ///
 /// Parameters
 /// ----------
 /// normal_force, approach : float, optional
-///     The normal force (not negative) or the approach of the bodies from the datum of the gap (a length, positive when
-///     they move together). At most one of the two may be given; without either, the pressure is held constant.
+///     The normal force (not negative) or the approach of the bodies from the datum of the gap (a length, positive
+///     when they move together). At most one of the two may be given; without either, the pressure is held.
 /// force, shift : pair of float, optional
-///     Components along x and y, of either sign, as totals since the start of the history: the force that body 2 exerts
-///     on body 1, or the shift of body 2 relative to body 1 (lengths).
+///     Components along x and y, of either sign, as totals since the start of the history: the force that body 2
+///     exerts on body 1, or the shift (lengths). The shift is the rigid motion of body 2 relative to body 1 far
+///     from the contact, the relative rigid tangential displacement.
 /// spring : ((x, y), stiffness), optional
-///     Springs along both axes that drag body 2, given by the position of their far ends (lengths) and their stiffness (a
-///     force over a length, positive).
+///     Springs along both axes that drag body 2, given by the position of their far ends (lengths since the start
+///     of the history) and their stiffness (a force over a length, positive). The force is stiffness (position -
+///     shift). A later step without a spring holds the shift, not the far end.
 /// force_x, force_y, shift_x, shift_y : float, optional
 ///     Force or shift along one axis.
 /// spring_x, spring_y : (position, stiffness), optional
@@ -339,7 +348,7 @@ fn keywords(
 ///     Rotation of body 2 relative to body 1 since the start (radians, positive from x to y). Only the vector model
 ///     supports a twist.
 /// relative_displacement : float, optional
-///     Factor by which the pattern of the relative displacement of the history is multiplied.
+///     Factor by which the pattern of the relative displacement of the history is multiplied; held by default.
 /// roll : stickslip.history.Rolling, optional
 ///     Rolling during the step: the memory of the particles moves through the contact while body 2 creeps over body 1.
 ///     Along an axis with a prescribed force, the creepage follows from the force. A shift, a spring or a twist is not
@@ -387,7 +396,7 @@ impl LoadStep {
         keywords.step(normal, relative_displacement, roll).map(Self)
     }
 
-    /// Returns a step with the tangential load and its twist only; the pressure is held constant.
+    /// Returns a step with the tangential load and its twist only; the pressure is held.
     #[staticmethod]
     fn of(load: TangentialLoad) -> Self {
         Self(load.0.into())

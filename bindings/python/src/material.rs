@@ -249,7 +249,8 @@ impl ElasticPair {
         self.0.tangential_modulus()
     }
 
-    /// Shear modulus G of the single body with the compliance of both bodies (a pressure), 1/G = 1/G_1 + 1/G_2.
+    /// Shear modulus G of the single body with the compliance of both bodies (a pressure), 1/G = 1/G_1 + 1/G_2. It is
+    /// half of the modulus of each of two equal bodies.
     #[getter]
     fn equivalent_shear_modulus(&self) -> f64 {
         self.0.equivalent_shear_modulus()
@@ -262,6 +263,10 @@ impl ElasticPair {
     }
 
     /// Dundurs' second parameter, which measures the coupling of pressure and traction; zero if they are not coupled.
+    ///
+    /// beta = ((1 - 2 nu_1) / G_1 - (1 - 2 nu_2) / G_2) / (2 ((1 - nu_1) / G_1 + (1 - nu_2) / G_2)). It is positive if
+    /// body 1 has the larger value of (1 - 2 nu) / G, and an exchange of the bodies reverses its sign. It is zero for
+    /// bodies of the same material, for two incompressible bodies, and for an incompressible body on a rigid body.
     #[getter]
     fn dundurs_beta(&self) -> f64 {
         self.0.dundurs_beta()

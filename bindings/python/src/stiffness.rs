@@ -11,8 +11,8 @@ use crate::normal::NormalSolution;
 use crate::tangential::TangentialSolution;
 use crate::work::{observed_on, watch};
 
-/// Derivative of the normal force with respect to the approach (a force over a length), with a bound on its relative
-/// error.
+/// Derivative of the normal force with respect to the approach (a force over a length), with a bound on its
+/// relative error. The set of contact cells is fixed. On a sphere the derivative is 2 E* a (Hertz).
 #[pyclass(frozen, eq, module = "stickslip.stiffness")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct NormalStiffness(pub(crate) stickslip::stiffness::NormalStiffness);
@@ -25,7 +25,8 @@ impl NormalStiffness {
         self.0.value
     }
 
-    /// Bound on the relative error; infinite if pressure and traction are solved simultaneously.
+    /// Bound on the relative error of the linear solve; infinite if pressure and traction are solved simultaneously. It
+    /// excludes the effect of errors of the pressure.
     #[getter]
     fn bound(&self) -> f64 {
         self.0.bound
@@ -44,11 +45,12 @@ impl NormalStiffness {
     }
 }
 
-/// Derivatives of the tangential forces along x and y and of the moment (rows) with respect to the shifts along x and y
-/// and the twist (columns), for continued loading and at its reversal. The first two rows and columns are forces over
-/// lengths; the last diagonal entry is a moment over radians. An entry is NaN if the model does not have the load or the
-/// motion. Such entries are those of the direction across the axis and of the twist in the scalar model, and of the twist
-/// on periodic grids.
+/// Derivatives of the tangential forces along x and y and of the moment (rows) with respect to the shifts along x
+/// and y and the twist (columns), for continued loading and at its reversal. The sets of stick and slip cells are
+/// fixed, and the pressure is constant unless it is solved simultaneously. The first two rows and columns are
+/// forces over lengths; the last diagonal entry is a moment over radians, and the other entries are forces over
+/// radians. An entry is NaN if the model does not have the load or the motion. Such entries are those of the
+/// direction across the axis and of the twist in the scalar model, and of the twist on periodic grids.
 #[pyclass(frozen, eq, module = "stickslip.stiffness")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct TangentialStiffness(pub(crate) stickslip::stiffness::TangentialStiffness);
@@ -56,8 +58,12 @@ pub(crate) struct TangentialStiffness(pub(crate) stickslip::stiffness::Tangentia
 #[pymethods]
 impl TangentialStiffness {
     /// Derivative of the forces of the last step with respect to the motions at its end, if the motion continues in its
-    /// direction. Cells that came into contact in the step follow the motion only partially. After a step that presses a
-    /// ball, the derivative is about two thirds of Mindlin's stiffness, although all cells stick.
+    /// direction. Stick cells follow the motion, and slip cells stay at their friction limit. In the vector model the
+    /// traction of slip cells turns with the slip. On a ball under a constant normal load, the derivative is 8 G* a (1
+    /// - F / (mu W))^(1/3) (Cattaneo and Mindlin).
+    ///
+    /// Cells that came into contact in the step follow the motion only partially. After a step that presses a ball from
+    /// zero load, the derivative is about two thirds of Mindlin's stiffness 8 G* a, although all cells stick.
     /// ``history.stiffness(next_step=True)`` computes the derivative for the next step, in which these cells resist
     /// fully.
     #[getter]
@@ -65,14 +71,16 @@ impl TangentialStiffness {
         numbers(&self.0.loading)
     }
 
-    /// Derivative for a reversal of the motion, at which all contact cells stick.
+    /// Derivative for a reversal of the motion, at which all contact cells stick. For a circular contact it is
+    /// Mindlin's stiffness 8 G* a.
     #[getter]
     fn reversal(&self) -> [[f64; 3]; 3] {
         numbers(&self.0.reversal)
     }
 
     /// Bound on the errors, relative to the square root of the product of the diagonal entries of the row and the
-    /// column; infinite if pressure and traction are solved simultaneously.
+    /// column, for the twist about the centre of the contact; infinite if pressure and traction are solved
+    /// simultaneously. It excludes the effect of errors of pressure and traction.
     #[getter]
     fn bound(&self) -> f64 {
         self.0.bound
@@ -94,6 +102,10 @@ impl TangentialStiffness {
 }
 
 /// Derivatives of all forces of a contact with respect to its motions.
+///
+/// The sets of contact, stick and slip cells are fixed. The pressure is constant while the bodies are sheared,
+/// unless pressure and traction are solved simultaneously. This class computes the stiffness of a contact that was
+/// loaded from rest; :meth:`History.stiffness` computes the stiffness after load steps.
 ///
 /// Parameters
 /// ----------
@@ -149,15 +161,22 @@ impl ContactStiffness {
         TangentialStiffness(self.0.tangential)
     }
 
-    /// Derivatives of the tangential forces and the moment with respect to the approach; NaN for components that the
-    /// model does not have.
+    /// Derivatives of the tangential forces (forces over lengths) and the moment (a force) with respect to the
+    /// approach, while slip continues. The friction limit of slip cells follows the pressure, and the tangential force
+    /// follows the limit. NaN for components that the model does not have.
+    ///
+    /// The derivatives are valid if the shift grows in the same step, or if the approach decreases. If the bodies are
+    /// pressed further at a constant shift, the slip cells stick and the derivatives are zero. The derivatives have no
+    /// error bound. After a solve with one-way coupling they exclude the tangential displacement due to the pressure;
+    /// after steps of a history they include it.
     #[getter]
     fn by_approach(&self) -> (f64, f64, f64) {
         present(self.0.by_approach).into()
     }
 
-    /// Derivatives of the normal force with respect to the shifts along x and y and the twist. They are zero unless
-    /// pressure and traction are solved simultaneously, and NaN for motions that the model does not have.
+    /// Derivatives of the normal force with respect to the shifts along x and y (forces over lengths) and the twist (a
+    /// force). They are zero unless pressure and traction are solved simultaneously, and NaN for motions that the model
+    /// does not have.
     #[getter]
     fn normal_by_motion(&self) -> (f64, f64, f64) {
         present(self.0.normal_by_motion).into()

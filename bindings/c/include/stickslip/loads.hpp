@@ -27,13 +27,15 @@ inline stickslip_tangential_load tangential(stickslip_control x, stickslip_contr
     return {x, y, twist, {}};
 }
 
-/// Returns a step of a history; quantities that it does not prescribe are held.
+/// Returns a step of a history, which holds pressure, shift and twist if it does not prescribe them. A held shift does not hold
+/// the tangential force (see stickslip_load_step).
 inline LoadStep step(stickslip_normal_load normal, stickslip_control x = held(), stickslip_control y = held()) {
     return {normal, x, y, 0, 0.0, 0, 0.0, {}, {}};
 }
 
 /// Returns the step with rolling by a number of cells and with creepages; the leading edge is at the largest x by default.
-/// Along an axis with a prescribed force, the creepage is a result and must be zero here.
+/// A creepage is a motion of body 2 over body 1, opposite to Kalker's. Along an axis with a prescribed force, the creepage is a
+/// result and must be zero here.
 inline LoadStep rolled(LoadStep step, std::uint32_t cells, double creepage_x = 0.0, double creepage_y = 0.0,
                        double spin = 0.0, std::int32_t leading_edge = STICKSLIP_PLUS_X) {
     step.roll = {cells, leading_edge, {creepage_x, creepage_y}, spin};

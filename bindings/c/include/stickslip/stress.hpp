@@ -27,7 +27,7 @@ inline Tractions tractions(Field pressure, Field x, Field y) {
     return {pressure.data(), x.data(), y.data(), pressure.size()};
 }
 
-/// Returns displacement and stress of STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at points.
+/// Returns displacement and stress of STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at points; the body must not be coated.
 inline std::vector<Response> stress_at(const HalfSpace &bodies, std::int32_t body, const Tractions &tractions,
                                        const std::vector<Point> &points) {
     std::vector<Response> responses(points.size());

@@ -1,4 +1,4 @@
-"""Normal and stick-slip contact of smooth and rough elastic bodies, fast and with certified error bounds.
+"""Normal and stick-slip contact of smooth and rough elastic bodies, with error bounds.
 
 Two elastic bodies are pressed together and loaded tangentially. The package computes the pressure and the contact area,
 then the shear traction, the stick zone and the slip zone under Coulomb friction, for one load or a history of loads.
@@ -14,8 +14,10 @@ then the shear traction, the stick zone and the slip zone under Coulomb friction
 (0.71, (128, 128))
 
 Any consistent system of units can be used. The z axis points into body 1, and pressure is positive in compression.
-Traction and tangential force are those that body 2 exerts on body 1; the shift is the rigid motion of body 2 relative to
-body 1. Fields are arrays of shape (ny, nx), x fastest.
+Traction and tangential force are those that body 2 exerts on body 1. The shift is the rigid motion of body 2 relative to
+body 1 far from the contact (the relative rigid tangential displacement). Twist, creepage and spin are motions of body 2
+relative to body 1, opposite to the creepage of Kalker and CONTACT. Slip is the motion of the surface of body 1 over the
+surface of body 2. Fields are arrays of shape (ny, nx), x fastest.
 
 Arrays of solutions are read-only views of their memory. Every argument that accepts a field accepts an array, which is
 copied, or a :class:`Field`, which is created once and shared. The GIL is released during solves. Ctrl-C ends a solve at

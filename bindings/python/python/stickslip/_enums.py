@@ -47,8 +47,10 @@ class CellValue(_Name):
 
     "uniform": uniform over the cell, as in the paper. "centre": the value, at the centre of the cell, of a traction that
     is smooth between the centres. For "centre", the smoothing by uniform cells is removed from the influence
-    coefficients. Pressures inside a contact then have only a fraction of the error of uniform cells, at no additional
-    cost. On a grid that is periodic along x and y, values are those at the centres.
+    coefficients. On a sphere of one material with 128 x 128 cells, the error of the pressure inside the contact is then a
+    sixth of the error of uniform cells. The gain decreases with Dundurs' beta, and for a beta of 0.5 or more the tractions
+    of the cells become less accurate. The cost of a product does not change. On a grid that is periodic along x and y, the
+    values are always values at the centres.
     """
 
     UNIFORM = "uniform"
@@ -59,7 +61,8 @@ class EntryRule(_Name):
     """Part of the motion of a step that a cell follows if it comes into contact within the step.
 
     "since_touch": the motion since the cell touched, so that a step may press and shear simultaneously. "whole_step": the
-    whole motion, as in codes that use only the state at the start of the step.
+    whole motion, as in codes that use only the state at the start of the step, such as CONTACT. The error of "whole_step"
+    is of first order in the length of the steps in which the contact grows.
     """
 
     SINCE_TOUCH = "since_touch"
@@ -115,7 +118,11 @@ class EigenvalueBound(_Name):
 
 
 class Regime(_Name):
-    """Regime of a cycle."""
+    """Regime of a cycle.
+
+    "full_stick": no cell slipped. "partial_slip": some cells slipped, and some cells stuck at the end of each step.
+    "gross_slip": the whole contact was at its friction limit at the end of a step.
+    """
 
     FULL_STICK = "full_stick"
     PARTIAL_SLIP = "partial_slip"

@@ -825,6 +825,10 @@ class ContactStiffness:
     """
     Derivatives of all forces of a contact with respect to its motions.
 
+    The sets of contact, stick and slip cells are fixed. The pressure is constant while the bodies are sheared,
+    unless pressure and traction are solved simultaneously. This class computes the stiffness of a contact that was
+    loaded from rest; :meth:`History.stiffness` computes the stiffness after load steps.
+
     Parameters
     ----------
     bodies : HalfSpace
@@ -849,8 +853,14 @@ class ContactStiffness:
     @property
     def by_approach(self, /) -> tuple[float, float, float]:
         """
-        Derivatives of the tangential forces and the moment with respect to the approach; NaN for components that the
-        model does not have.
+        Derivatives of the tangential forces (forces over lengths) and the moment (a force) with respect to the
+        approach, while slip continues. The friction limit of slip cells follows the pressure, and the tangential force
+        follows the limit. NaN for components that the model does not have.
+
+        The derivatives are valid if the shift grows in the same step, or if the approach decreases. If the bodies are
+        pressed further at a constant shift, the slip cells stick and the derivatives are zero. The derivatives have no
+        error bound. After a solve with one-way coupling they exclude the tangential displacement due to the pressure;
+        after steps of a history they include it.
         """
     @property
     def normal(self, /) -> NormalStiffness:
@@ -860,8 +870,9 @@ class ContactStiffness:
     @property
     def normal_by_motion(self, /) -> tuple[float, float, float]:
         """
-        Derivatives of the normal force with respect to the shifts along x and y and the twist. They are zero unless
-        pressure and traction are solved simultaneously, and NaN for motions that the model does not have.
+        Derivatives of the normal force with respect to the shifts along x and y (forces over lengths) and the twist (a
+        force). They are zero unless pressure and traction are solved simultaneously, and NaN for motions that the model
+        does not have.
         """
     @property
     def tangential(self, /) -> TangentialStiffness:
@@ -1690,6 +1701,10 @@ class ElasticPair:
     def dundurs_beta(self, /) -> float:
         """
         Dundurs' second parameter, which measures the coupling of pressure and traction; zero if they are not coupled.
+
+        beta = ((1 - 2 nu_1) / G_1 - (1 - 2 nu_2) / G_2) / (2 ((1 - nu_1) / G_1 + (1 - nu_2) / G_2)). It is positive if
+        body 1 has the larger value of (1 - 2 nu) / G, and an exchange of the bodies reverses its sign. It is zero for
+        bodies of the same material, for two incompressible bodies, and for an incompressible body on a rigid body.
         """
     @property
     def equivalent_poisson_ratio(self, /) -> float:
@@ -1699,7 +1714,8 @@ class ElasticPair:
     @property
     def equivalent_shear_modulus(self, /) -> float:
         """
-        Shear modulus G of the single body with the compliance of both bodies (a pressure), 1/G = 1/G_1 + 1/G_2.
+        Shear modulus G of the single body with the compliance of both bodies (a pressure), 1/G = 1/G_1 + 1/G_2. It is
+        half of the modulus of each of two equal bodies.
         """
     @property
     def hardness(self, /) -> float:
@@ -1746,17 +1762,20 @@ class EnergyBalance:
     @property
     def dissipated_energy(self, /) -> float:
         """
-        Dissipated energy, from the tractions at the end of the step.
+        Dissipated energy, computed from the tractions at the end of the step, not negative. If pressure and friction do
+        not change and the load does not turn within the step, this value is exact for any length of the step.
         """
     @property
     def elastic_after(self, /) -> float:
         """
-        Elastic energy of shear after the step or cycle.
+        Elastic energy of shear after the step or cycle; energy of pressure and traction if both are solved
+        simultaneously.
         """
     @property
     def elastic_before(self, /) -> float:
         """
-        Elastic energy of shear before the step or cycle.
+        Elastic energy of shear before the step or cycle; energy of pressure and traction if both are solved
+        simultaneously.
         """
     @property
     def imbalance(self, /) -> float:
@@ -1766,7 +1785,8 @@ class EnergyBalance:
     @property
     def dissipated_energy_midpoint(self, /) -> float:
         """
-        Dissipated energy, from the mean tractions of the step; this value closes the balance.
+        Dissipated energy, computed from the mean of the tractions before and after the step. This value closes the
+        balance. It is not negative if pressure and friction do not change.
         """
     @property
     def released(self, /) -> float:
@@ -1781,7 +1801,10 @@ class EnergyBalance:
     @property
     def work(self, /) -> float:
         """
-        Work of the tangential load.
+        Work of the tangential load: mean force times change of the shift, plus mean moment times change of the twist.
+        Cells that come into contact contribute only the part of the motion that they follow. The work of a changing
+        relative displacement is included, and so is the work of the normal load if pressure and traction are solved
+        simultaneously.
         """
 
 @final
@@ -2804,11 +2827,12 @@ class History:
         """
     def step(self, /, load: LoadStep | None = None, *, normal_force: float | None = None, approach: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, relative_displacement: float | None = None, roll: Rolling | None = None, progress: Any | None = None, warn: bool = True) -> StepResult:
         """
-        Takes a step, given as a :class:`LoadStep` or by its keywords. A load without a keyword is held constant.
-        Dissimilar bodies must be pressed by :meth:`press`.
+        Takes a step, given as a :class:`LoadStep` or by its keywords. A quantity without a keyword is held: the
+        pressure, the shift, the twist and the relative displacement. Dissimilar bodies must be pressed by
+        :meth:`press`.
 
         A step without a tangential load holds the shift, not the tangential force. The force decreases if a lower
-        pressure or friction cannot carry it. To keep the force constant, prescribe it in each step.
+        pressure or less friction cannot carry it. To keep the force constant, prescribe it in each step.
 
         Parameters
         ----------
@@ -3339,19 +3363,27 @@ class LoadPath:
 @final
 class LoadStep:
     """
-    Load prescribed at the end of a step of a history. Every quantity without a keyword is held constant.
+    Load prescribed at the end of a step of a history. A quantity without a keyword is held: the pressure, the
+    shift, the twist and the relative displacement.
+
+    A held shift does not hold the tangential force, which decreases if a lower pressure or less friction cannot
+    carry it. If pressure and traction are solved simultaneously, a step without a normal load holds the normal
+    force instead of the pressure. After a change of the gap, prescribe the normal load again in every step;
+    otherwise the pressure of the old gap is held.
 
     Parameters
     ----------
     normal_force, approach : float, optional
-        The normal force (not negative) or the approach of the bodies from the datum of the gap (a length, positive when
-        they move together). At most one of the two may be given; without either, the pressure is held constant.
+        The normal force (not negative) or the approach of the bodies from the datum of the gap (a length, positive
+        when they move together). At most one of the two may be given; without either, the pressure is held.
     force, shift : pair of float, optional
-        Components along x and y, of either sign, as totals since the start of the history: the force that body 2 exerts
-        on body 1, or the shift of body 2 relative to body 1 (lengths).
+        Components along x and y, of either sign, as totals since the start of the history: the force that body 2
+        exerts on body 1, or the shift (lengths). The shift is the rigid motion of body 2 relative to body 1 far
+        from the contact, the relative rigid tangential displacement.
     spring : ((x, y), stiffness), optional
-        Springs along both axes that drag body 2, given by the position of their far ends (lengths) and their stiffness (a
-        force over a length, positive).
+        Springs along both axes that drag body 2, given by the position of their far ends (lengths since the start
+        of the history) and their stiffness (a force over a length, positive). The force is stiffness (position -
+        shift). A later step without a spring holds the shift, not the far end.
     force_x, force_y, shift_x, shift_y : float, optional
         Force or shift along one axis.
     spring_x, spring_y : (position, stiffness), optional
@@ -3360,7 +3392,7 @@ class LoadStep:
         Rotation of body 2 relative to body 1 since the start (radians, positive from x to y). Only the vector model
         supports a twist.
     relative_displacement : float, optional
-        Factor by which the pattern of the relative displacement of the history is multiplied.
+        Factor by which the pattern of the relative displacement of the history is multiplied; held by default.
     roll : stickslip.history.Rolling, optional
         Rolling during the step: the memory of the particles moves through the contact while body 2 creeps over body 1.
         Along an axis with a prescribed force, the creepage follows from the force. A shift, a spring or a twist is not
@@ -3380,7 +3412,7 @@ class LoadStep:
     @staticmethod
     def of(load: TangentialLoad) -> LoadStep:
         """
-        Returns a step with the tangential load and its twist only; the pressure is held constant.
+        Returns a step with the tangential load and its twist only; the pressure is held.
         """
 
 @final
@@ -4150,8 +4182,8 @@ class NormalSolver:
 @final
 class NormalStiffness:
     """
-    Derivative of the normal force with respect to the approach (a force over a length), with a bound on its relative
-    error.
+    Derivative of the normal force with respect to the approach (a force over a length), with a bound on its
+    relative error. The set of contact cells is fixed. On a sphere the derivative is 2 E* a (Hertz).
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __float__(self, /) -> float: ...
@@ -4160,7 +4192,8 @@ class NormalStiffness:
     @property
     def bound(self, /) -> float:
         """
-        Bound on the relative error; infinite if pressure and traction are solved simultaneously.
+        Bound on the relative error of the linear solve; infinite if pressure and traction are solved simultaneously. It
+        excludes the effect of errors of the pressure.
         """
     @property
     def value(self, /) -> float:
@@ -4326,8 +4359,9 @@ class Plane:
 @final
 class Planes:
     """
-    Stresses on planes at chosen depths below the surface of each body, computed by fast Fourier transforms. The kernels
-    of a depth are created at its first solve and kept.
+    Stresses on planes at chosen depths below the surface of each body, computed by fast Fourier transforms. In
+    coated bodies the planes may lie in the layers or below them. The kernels of a depth are created at its first
+    solve and kept.
 
     Parameters
     ----------
@@ -4690,7 +4724,7 @@ class PointResult:
     @property
     def displacement(self, /) -> tuple[float, float, float]:
         """
-        Displacement along x, y and z (lengths).
+        Displacement of the body itself along x, y and z (lengths), not relative to the other body.
         """
     @property
     def stress(self, /) -> Stress:
@@ -4714,7 +4748,7 @@ class PointResults:
     @property
     def displacement(self, /) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64]]:
         """
-        Displacement along x, y and z (lengths).
+        Displacement of the body itself along x, y and z (lengths), not relative to the other body.
         """
     @property
     def hydrostatic(self, /) -> NDArray[float64]:
@@ -4751,10 +4785,14 @@ class Rolling:
     Parameters
     ----------
     cells : int
-        Number of cells by which the particles of both surfaces move through the contact, one or more.
+        Number of cells by which the particles of both surfaces move through the contact, one or more. The grid must
+        extend by this number of cells ahead of and behind the contact; otherwise the step raises
+        :class:`~stickslip.errors.GridTooShort`. The entry rule needs the slope of the gap two cells further ahead. If
+        the grid ends before, this slope is one-sided.
     creepage : pair of float, optional
         The creepages along x and y, the motion of body 2 over body 1 per unit length rolled (dimensionless, default
-        zero). A positive creepage causes a positive force. Along an axis with a prescribed force, the creepage follows
+        zero). A positive creepage causes a positive force. Kalker and CONTACT define creepage and spin as motions
+        of body 1 over body 2, with the opposite sign. Along an axis with a prescribed force, the creepage follows
         from the force and must not be given here.
     creepage_x, creepage_y : float, optional
         Creepage along one axis.
@@ -4798,8 +4836,9 @@ class RollingProblem:
     friction : Friction, float or array_like of shape (ny, nx)
         Coulomb friction; a number or an array is the coefficient of friction (dimensionless, not negative).
     creepage, creepage_x, creepage_y : pair of float, float, optional
-        The creepages, the motion of body 2 over body 1 per unit length rolled (dimensionless). A positive creepage causes
-        a positive force.
+        The creepages, the motion of body 2 over body 1 per unit length rolled (dimensionless). A positive creepage
+        causes a positive force. Kalker and CONTACT define creepage and spin as motions of body 1 over body 2, with
+        the opposite sign.
     force, force_x, force_y : pair of float, float, optional
         The tangential force that body 2 exerts on body 1, less than the friction capacity; the creepage follows from it.
     spin : float, default 0
@@ -4811,7 +4850,10 @@ class RollingProblem:
     leading_edge : LeadingEdge or str, default "plus_x"
         The edge where particles enter the contact.
     step : int, default 1
-        Number of cells that a particle passes in a step. Longer steps cost less and are less accurate.
+        Number of cells that a particle passes in a step. Longer steps cost less and are less accurate. The grid
+        must extend by this number of cells ahead of the contact; otherwise the problem raises
+        :class:`~stickslip.errors.GridTooShort`. The entry rule needs the slope of the gap two cells further ahead. If
+        the grid ends before, this slope is one-sided.
     entry_rule : EntryRule or str, default "since_touch"
         Rule for the motion of cells that enter the contact; "whole_step", the rule of CONTACT, is less accurate.
     slip_corrections : int, default 0
@@ -5408,8 +5450,9 @@ class Spot:
 @final
 class State:
     """
-    A state of a history, which can be restored, continued or saved. Arrays are read-only views of the memory of this
-    object, except for the zones, which are copies. Vectors are (x, y).
+    A state of a history, which can be restored, continued or saved. It contains gap, friction and settings, but not
+    the bodies. Arrays are read-only views of the memory of this object, except for the zones, which are copies.
+    Vectors are (x, y). The guide page ``embedding`` states the number of bytes per cell.
     """
     def __reduce__(self, /) -> tuple[Any, tuple[type, bytes]]: ...
     def __repr__(self, /) -> str: ...
@@ -5706,7 +5749,8 @@ class StepResult:
     @property
     def dissipated_energy_midpoint(self, /) -> NDArray[float64]:
         """
-        Energy dissipated in each cell, from the mean of its tractions before and after the step (forces times lengths).
+        Energy dissipated in each cell, computed from the mean of its tractions before and after the step (forces times
+        lengths). Its sum closes the energy balance; see :attr:`EnergyBalance.dissipated_energy_midpoint`.
         """
     @property
     def moment(self, /) -> float:
@@ -5726,7 +5770,8 @@ class StepResult:
     @property
     def shift(self, /) -> tuple[float, float]:
         """
-        Shift of body 2 relative to body 1 along x and y at the end of the step (lengths).
+        Shift at the end of the step since the start, along x and y (lengths): the rigid motion of body 2 relative to
+        body 1.
         """
     @property
     def slip(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
@@ -5952,8 +5997,9 @@ class TangentialLoad:
     Parameters
     ----------
     force, shift : pair of float, optional
-        Components along x and y, of either sign: the force that body 2 exerts on body 1, or the shift of body 2 relative
-        to body 1 (lengths).
+        Components along x and y, of either sign: the force that body 2 exerts on body 1, or the shift (lengths).
+        The shift is the rigid motion of body 2 relative to body 1 far from the contact, the relative rigid
+        tangential displacement.
     spring : ((x, y), stiffness), optional
         Springs along both axes that drag body 2, given by the position of their far ends (lengths) and their stiffness (a
         force over a length, positive). The force is stiffness (position - shift).
@@ -6121,7 +6167,8 @@ class TangentialSolution:
     @property
     def shift(self, /) -> tuple[float, float]:
         """
-        Shift, the rigid motion of body 2 relative to body 1 along x and y (lengths).
+        Shift along x and y (lengths): the rigid motion of body 2 relative to body 1 far from the contact, with the sign
+        of the force.
         """
     @property
     def slip(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
@@ -6233,11 +6280,12 @@ class TangentialSolver:
 @final
 class TangentialStiffness:
     """
-    Derivatives of the tangential forces along x and y and of the moment (rows) with respect to the shifts along x and y
-    and the twist (columns), for continued loading and at its reversal. The first two rows and columns are forces over
-    lengths; the last diagonal entry is a moment over radians. An entry is NaN if the model does not have the load or the
-    motion. Such entries are those of the direction across the axis and of the twist in the scalar model, and of the twist
-    on periodic grids.
+    Derivatives of the tangential forces along x and y and of the moment (rows) with respect to the shifts along x
+    and y and the twist (columns), for continued loading and at its reversal. The sets of stick and slip cells are
+    fixed, and the pressure is constant unless it is solved simultaneously. The first two rows and columns are
+    forces over lengths; the last diagonal entry is a moment over radians, and the other entries are forces over
+    radians. An entry is NaN if the model does not have the load or the motion. Such entries are those of the
+    direction across the axis and of the twist in the scalar model, and of the twist on periodic grids.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -6246,21 +6294,27 @@ class TangentialStiffness:
     def bound(self, /) -> float:
         """
         Bound on the errors, relative to the square root of the product of the diagonal entries of the row and the
-        column; infinite if pressure and traction are solved simultaneously.
+        column, for the twist about the centre of the contact; infinite if pressure and traction are solved
+        simultaneously. It excludes the effect of errors of pressure and traction.
         """
     @property
     def loading(self, /) -> list[list[float]]:
         """
         Derivative of the forces of the last step with respect to the motions at its end, if the motion continues in its
-        direction. Cells that came into contact in the step follow the motion only partially. After a step that presses a
-        ball, the derivative is about two thirds of Mindlin's stiffness, although all cells stick.
+        direction. Stick cells follow the motion, and slip cells stay at their friction limit. In the vector model the
+        traction of slip cells turns with the slip. On a ball under a constant normal load, the derivative is 8 G* a (1
+        - F / (mu W))^(1/3) (Cattaneo and Mindlin).
+
+        Cells that came into contact in the step follow the motion only partially. After a step that presses a ball from
+        zero load, the derivative is about two thirds of Mindlin's stiffness 8 G* a, although all cells stick.
         ``history.stiffness(next_step=True)`` computes the derivative for the next step, in which these cells resist
         fully.
         """
     @property
     def reversal(self, /) -> list[list[float]]:
         """
-        Derivative for a reversal of the motion, at which all contact cells stick.
+        Derivative for a reversal of the motion, at which all contact cells stick. For a circular contact it is
+        Mindlin's stiffness 8 G* a.
         """
     def in_series_with(self, /, springs: Sequence[float] | NDArray[Any]) -> TangentialStiffness:
         """
@@ -6650,7 +6704,10 @@ def asc_read(path: str | PathLike[str]) -> Field:
 
 def at_points(bodies: HalfSpace, body: Body | str, tractions: Any, points: ArrayLike, *, uniform_stress: Stress | None = None) -> PointResults:
     """
-    Computes stress and displacement at points by summing over all cells.
+    Computes stress and displacement at points of a body without a coating, by summing over all cells. For coated
+    bodies, and on grids that are periodic along x and y, use :class:`Planes`.
+
+    The tractions are uniform on each cell. Values at depth zero are the limits from inside the body.
 
     Parameters
     ----------
@@ -6671,6 +6728,14 @@ def at_points(bodies: HalfSpace, body: Body | str, tractions: Any, points: Array
     -------
     PointResults
         The results at the points, as a sequence and as arrays.
+
+    Raises
+    ------
+    Sample, GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, RigidBody, Memory, Ranks
+    UnsupportedForCoatings
+        If the body is coated.
+    DivergentPeriodicSum
+        If the grid is periodic along x and y.
     """
 
 def bisinusoidal(grid: Grid, amplitude: float, wavelengths: Sequence[float] | NDArray[Any]) -> Field:

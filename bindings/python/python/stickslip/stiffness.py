@@ -1,4 +1,4 @@
-"""Derivatives of the forces with respect to approach, shift and twist."""
+"""Derivatives of the forces with respect to approach, shift and twist, at fixed sets of contact, stick and slip cells."""
 
 from ._stickslip import ContactStiffness, NormalStiffness, TangentialStiffness
 

@@ -1,4 +1,4 @@
-"""Stresses and displacements below the surface: at points, on planes, as a volume for ParaView."""
+"""Stresses and displacements below the surface: at points of uncoated bodies, on planes, as a volume for ParaView."""
 
 from ._enums import Body
 from ._stickslip import Plane, Planes, Principal, PointResult, PointResults, Stress, at_points

@@ -15,31 +15,38 @@ pub(crate) struct EnergyBalance(pub(crate) stickslip::history::EnergyBalance);
 
 #[pymethods]
 impl EnergyBalance {
-    /// Work of the tangential load.
+    /// Work of the tangential load: mean force times change of the shift, plus mean moment times change of the twist.
+    /// Cells that come into contact contribute only the part of the motion that they follow. The work of a changing
+    /// relative displacement is included, and so is the work of the normal load if pressure and traction are solved
+    /// simultaneously.
     #[getter]
     fn work(&self) -> f64 {
         self.0.work
     }
 
-    /// Elastic energy of shear before the step or cycle.
+    /// Elastic energy of shear before the step or cycle; energy of pressure and traction if both are solved
+    /// simultaneously.
     #[getter]
     fn elastic_before(&self) -> f64 {
         self.0.elastic_before
     }
 
-    /// Elastic energy of shear after the step or cycle.
+    /// Elastic energy of shear after the step or cycle; energy of pressure and traction if both are solved
+    /// simultaneously.
     #[getter]
     fn elastic_after(&self) -> f64 {
         self.0.elastic_after
     }
 
-    /// Dissipated energy, from the tractions at the end of the step.
+    /// Dissipated energy, computed from the tractions at the end of the step, not negative. If pressure and friction do
+    /// not change and the load does not turn within the step, this value is exact for any length of the step.
     #[getter]
     fn dissipated_energy(&self) -> f64 {
         self.0.dissipated_energy
     }
 
-    /// Dissipated energy, from the mean tractions of the step; this value closes the balance.
+    /// Dissipated energy, computed from the mean of the tractions before and after the step. This value closes the
+    /// balance. It is not negative if pressure and friction do not change.
     #[getter]
     fn dissipated_energy_midpoint(&self) -> f64 {
         self.0.dissipated_energy_midpoint

@@ -17,10 +17,14 @@ use crate::real::Real;
 /// Parameters
 /// ----------
 /// cells : int
-///     Number of cells by which the particles of both surfaces move through the contact, one or more.
+///     Number of cells by which the particles of both surfaces move through the contact, one or more. The grid must
+///     extend by this number of cells ahead of and behind the contact; otherwise the step raises
+///     :class:`~stickslip.errors.GridTooShort`. The entry rule needs the slope of the gap two cells further ahead. If
+///     the grid ends before, this slope is one-sided.
 /// creepage : pair of float, optional
 ///     The creepages along x and y, the motion of body 2 over body 1 per unit length rolled (dimensionless, default
-///     zero). A positive creepage causes a positive force. Along an axis with a prescribed force, the creepage follows
+///     zero). A positive creepage causes a positive force. Kalker and CONTACT define creepage and spin as motions
+///     of body 1 over body 2, with the opposite sign. Along an axis with a prescribed force, the creepage follows
 ///     from the force and must not be given here.
 /// creepage_x, creepage_y : float, optional
 ///     Creepage along one axis.

@@ -162,7 +162,8 @@ impl StepResult {
         Self::field(slf, |step| step.dissipated_energy())
     }
 
-    /// Energy dissipated in each cell, from the mean of its tractions before and after the step (forces times lengths).
+    /// Energy dissipated in each cell, computed from the mean of its tractions before and after the step (forces times
+    /// lengths). Its sum closes the energy balance; see :attr:`EnergyBalance.dissipated_energy_midpoint`.
     #[getter]
     fn dissipated_energy_midpoint<'py>(slf: &Bound<'py, Self>) -> PyResult<Array<'py>> {
         Self::field(slf, |step| step.dissipated_energy_midpoint())
@@ -198,7 +199,8 @@ impl StepResult {
         self.numbers.moment
     }
 
-    /// Shift of body 2 relative to body 1 along x and y at the end of the step (lengths).
+    /// Shift at the end of the step since the start, along x and y (lengths): the rigid motion of body 2 relative to
+    /// body 1.
     #[getter]
     fn shift(&self) -> (f64, f64) {
         pair(self.numbers.shift)

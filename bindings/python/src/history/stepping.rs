@@ -20,11 +20,12 @@ use crate::work::solve;
 
 #[pymethods]
 impl History {
-    /// Takes a step, given as a :class:`LoadStep` or by its keywords. A load without a keyword is held constant.
-    /// Dissimilar bodies must be pressed by :meth:`press`.
+    /// Takes a step, given as a :class:`LoadStep` or by its keywords. A quantity without a keyword is held: the
+    /// pressure, the shift, the twist and the relative displacement. Dissimilar bodies must be pressed by
+    /// :meth:`press`.
     ///
     /// A step without a tangential load holds the shift, not the tangential force. The force decreases if a lower
-    /// pressure or friction cannot carry it. To keep the force constant, prescribe it in each step.
+    /// pressure or less friction cannot carry it. To keep the force constant, prescribe it in each step.
     ///
     /// Parameters
     /// ----------

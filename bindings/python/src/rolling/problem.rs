@@ -33,8 +33,9 @@ use crate::work::unobserved_on;
 /// friction : Friction, float or array_like of shape (ny, nx)
 ///     Coulomb friction; a number or an array is the coefficient of friction (dimensionless, not negative).
 /// creepage, creepage_x, creepage_y : pair of float, float, optional
-///     The creepages, the motion of body 2 over body 1 per unit length rolled (dimensionless). A positive creepage causes
-///     a positive force.
+///     The creepages, the motion of body 2 over body 1 per unit length rolled (dimensionless). A positive creepage
+///     causes a positive force. Kalker and CONTACT define creepage and spin as motions of body 1 over body 2, with
+///     the opposite sign.
 /// force, force_x, force_y : pair of float, float, optional
 ///     The tangential force that body 2 exerts on body 1, less than the friction capacity; the creepage follows from it.
 /// spin : float, default 0
@@ -46,7 +47,10 @@ use crate::work::unobserved_on;
 /// leading_edge : LeadingEdge or str, default "plus_x"
 ///     The edge where particles enter the contact.
 /// step : int, default 1
-///     Number of cells that a particle passes in a step. Longer steps cost less and are less accurate.
+///     Number of cells that a particle passes in a step. Longer steps cost less and are less accurate. The grid
+///     must extend by this number of cells ahead of the contact; otherwise the problem raises
+///     :class:`~stickslip.errors.GridTooShort`. The entry rule needs the slope of the gap two cells further ahead. If
+///     the grid ends before, this slope is one-sided.
 /// entry_rule : EntryRule or str, default "since_touch"
 ///     Rule for the motion of cells that enter the contact; "whole_step", the rule of CONTACT, is less accurate.
 /// slip_corrections : int, default 0

@@ -123,8 +123,9 @@ impl Plane {
     }
 }
 
-/// Stresses on planes at chosen depths below the surface of each body, computed by fast Fourier transforms. The kernels
-/// of a depth are created at its first solve and kept.
+/// Stresses on planes at chosen depths below the surface of each body, computed by fast Fourier transforms. In
+/// coated bodies the planes may lie in the layers or below them. The kernels of a depth are created at its first
+/// solve and kept.
 ///
 /// Parameters
 /// ----------

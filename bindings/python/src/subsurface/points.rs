@@ -23,7 +23,7 @@ pub(crate) struct PointResult(subsurface::PointResult);
 
 #[pymethods]
 impl PointResult {
-    /// Displacement along x, y and z (lengths).
+    /// Displacement of the body itself along x, y and z (lengths), not relative to the other body.
     #[getter]
     fn displacement(&self) -> (f64, f64, f64) {
         self.0.displacement.into()
@@ -67,7 +67,7 @@ impl PointResults {
 
 #[pymethods]
 impl PointResults {
-    /// Displacement along x, y and z (lengths).
+    /// Displacement of the body itself along x, y and z (lengths), not relative to the other body.
     #[getter]
     fn displacement<'py>(&self, py: Python<'py>) -> (Array<'py>, Array<'py>, Array<'py>) {
         (
@@ -134,7 +134,10 @@ impl PointResults {
 
 picklable!(PointResults: Vec<subsurface::PointResult>);
 
-/// Computes stress and displacement at points by summing over all cells.
+/// Computes stress and displacement at points of a body without a coating, by summing over all cells. For coated
+/// bodies, and on grids that are periodic along x and y, use :class:`Planes`.
+///
+/// The tractions are uniform on each cell. Values at depth zero are the limits from inside the body.
 ///
 /// Parameters
 /// ----------
@@ -155,6 +158,14 @@ picklable!(PointResults: Vec<subsurface::PointResult>);
 /// -------
 /// PointResults
 ///     The results at the points, as a sequence and as arrays.
+///
+/// Raises
+/// ------
+/// Sample, GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, RigidBody, Memory, Ranks
+/// UnsupportedForCoatings
+///     If the body is coated.
+/// DivergentPeriodicSum
+///     If the grid is periodic along x and y.
 #[pyfunction]
 #[pyo3(signature = (bodies, body, tractions, points, *, uniform_stress=None))]
 pub(crate) fn at_points(

@@ -99,7 +99,8 @@ impl TangentialSolution {
         self.get().axis().map(Choice)
     }
 
-    /// Shift, the rigid motion of body 2 relative to body 1 along x and y (lengths).
+    /// Shift along x and y (lengths): the rigid motion of body 2 relative to body 1 far from the contact, with the sign
+    /// of the force.
     #[getter]
     fn shift(&self) -> (f64, f64) {
         pair(self.get().shift())
