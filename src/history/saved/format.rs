@@ -400,7 +400,8 @@ fn visit_normal<C: Codec>(codec: &mut C, normal: &mut NormalSolution) -> Result<
     codec.numbers("pressure", pressure.as_mut_slice(), NOT_NEGATIVE)?;
     codec.numbers("gap under load", gap.as_mut_slice(), FINITE)?;
     codec.number("approach", approach, FINITE)?;
-    // The state contains only reports with these statuses; a step that ends otherwise does not change it.
+    // A state contains only reports with these statuses, because a step that ends with a different status does not
+    // change the state.
     let statuses = [Status::Unsolved, Status::Converged];
     codec.kind("status", &mut report.status, &statuses)?;
     for count in [
