@@ -31,9 +31,9 @@ use crate::tangential::{Axis, Friction, RigidMotion, Zone, check_axes};
 /// State of a [`History`](crate::History). It contains everything that the next step starts from, except for the bodies
 /// and the buffers.
 ///
-/// [`History::state`](crate::History::state) returns a reference to the state. A clone saves it, and
-/// [`History::set_state`](crate::History::set_state) restores it; `clone_from` and `set_state` copy into existing
-/// memory. Vectors are `[x, y]`; in the scalar model the component across its axis is zero.
+/// [`History::state`](crate::History::state) returns a reference to the state. A clone saves the state, and
+/// [`History::set_state`](crate::History::set_state) restores it. `clone_from` and `set_state` copy into existing
+/// memory. Vectors are `[x, y]`. In the scalar model the component across the axis of the tractions is zero.
 ///
 /// ```
 /// use stickslip::*;

@@ -162,7 +162,7 @@ impl CycleJump {
         self
     }
 
-    /// Sets the number of cycles that are left to simulate, an upper limit of the jump (default: no limit).
+    /// Sets the remaining number of cycles of the simulation, which is an upper limit of the jump (no limit by default).
     pub fn cycles_left(mut self, cycles: f64) -> Self {
         self.cycles_left = Some(cycles);
         self
