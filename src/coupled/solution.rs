@@ -15,8 +15,8 @@ use crate::support::serialise::checked;
 use crate::tangential::TangentialSolution;
 use crate::warning::Warning;
 
-/// Normal and tangential part of a coupled contact, with the displacements that pressure and tractions cause together.
-/// Equality compares the results and ignores the report.
+/// Normal and tangential solution of a coupled contact, with the displacements that pressure and tractions cause
+/// together. Equality compares the results and ignores the report.
 #[derive(Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CoupledSolution {
@@ -127,9 +127,9 @@ impl CoupledSolution {
     }
 
     /// Returns the displacements of all cells along x, y and z due to pressure and traction together (lengths). Along x
-    /// and y they are the displacement of body 1 minus the displacement of body 2; along z they are the sum for both
-    /// bodies. The `displacement` functions of the two parts compute the displacements due to the pressure or the
-    /// tractions alone.
+    /// and y they are the displacement of body 1 minus the displacement of body 2. Along z they are the sum of the
+    /// displacements of both bodies. The `displacement` functions of the two parts compute the displacements due to the
+    /// pressure or the tractions alone.
     #[must_use]
     pub fn displacement(&self) -> [&Field; 3] {
         let [z, x, y] = &self.displacement;
@@ -158,7 +158,7 @@ impl CoupledSolution {
         &self.report
     }
 
-    /// Returns warnings that the result may be misleading; see [`Warning`].
+    /// Returns the warnings about results that may be misleading. See [`Warning`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         unwrap_or_abort(self.try_warnings())

@@ -36,9 +36,9 @@ pub(crate) struct ShearedContact<'a> {
 #[derive(Clone, Copy)]
 pub(crate) struct LastStep<'a> {
     pub(crate) window: Window,
-    /// Slip of the step; empty along axes on which it has no influence.
+    /// Slip of the step. A component is empty if it has no influence.
     pub(crate) slip: [&'a [f64]; 2],
-    /// Entry compliance of the cells that came into contact in the step; empty if there are none.
+    /// Entry compliance of the cells that came into contact in the step. Empty if no cell came into contact.
     pub(crate) entered: &'a [f64],
 }
 
@@ -59,8 +59,8 @@ impl<'a> LastStep<'a> {
     }
 }
 
-/// Sensitivity to the approach: changes of the cell values per unit of approach, and the contact data for the local cells of a
-/// window.
+/// Sensitivity to the approach: changes of the cell values per unit of approach, and zones, tractions and slips of the local
+/// cells of a window.
 #[derive(Debug, Default)]
 pub(super) struct ApproachSensitivity {
     /// Change of the pressures of the local cells of the grid.
@@ -72,7 +72,7 @@ pub(super) struct ApproachSensitivity {
 
 #[derive(Debug, Default)]
 struct Cells {
-    /// Zero in separated cells, one in sticking cells, two in slipping cells.
+    /// Zone of each cell: zero for separated cells, one for sticking cells, two for slipping cells.
     zone: Vec<f64>,
     traction: [Vec<f64>; 2],
     slip: [Vec<f64>; 2],
@@ -275,8 +275,8 @@ impl Cells {
 }
 
 impl ShearedContact<'_> {
-    /// Computes the stiffness. If the pressed contact is given, also computes the derivatives of the loads with respect to the
-    /// approach, from the change of the pressures in the buffers.
+    /// Computes the stiffness. If the pressed contact is given, the function also computes the derivatives of the loads with
+    /// respect to the approach. These follow from the change of the pressures in the buffers.
     pub(super) fn stiffness(
         &self,
         bodies: &HalfSpace,
