@@ -7,9 +7,9 @@ use crate::coupled::ErrorEstimate;
 /// Sensitivities of the normal and the tangential half of a coupled problem to each other.
 ///
 /// Let $`P(q)`$ be the pressure for given tractions $`q`$. Let $`Q(p)`$ be the tractions for a given pressure $`p`$
-/// under a given shift. Define $`\kappa = |C_{zz}^{-1/2} B\, C_{tt}^{-1/2}|`$ and $`c^2 = \lambda_{max}(C_{tt}) /
-/// \lambda_{min}(C_{zz})`$. In the energy norms of $`C_{zz}`$ and $`C_{tt}`$, the variational inequalities of the
-/// halves give
+/// under a given shift. Define $`\kappa = |C_{zz}^{-1/2} B\, C_{tt}^{-1/2}|`$ and
+/// $`c^2 = \lambda_{max}(C_{tt}) / \lambda_{min}(C_{zz})`$. In the energy norms of $`C_{zz}`$ and $`C_{tt}`$, the
+/// variational inequalities of the halves give
 ///
 /// ```math
 /// |P(q_1) - P(q_2)| \le \kappa\,|q_1 - q_2|, \qquad |Q(p_1) - Q(p_2)| \le L\,|p_1 - p_2|, \qquad

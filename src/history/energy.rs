@@ -42,8 +42,8 @@ use crate::parallel::ranks::WireFormat;
 ///
 /// For bodies of the same material, and for neglected or one-way coupling, all energies are energies of shear. The
 /// balance then excludes the work of the pressure. For dissimilar bodies with full coupling, the work has the additional
-/// term $`A \sum \bar p\,\Delta u_z`$. `elastic_before` and `elastic_after` then have the additional term $`\tfrac A2
-/// \sum p\,u_z`$. The dissipated energy is the dissipation by slip in all cases.
+/// term $`A \sum \bar p\,\Delta u_z`$. `elastic_before` and `elastic_after` then have the additional term
+/// $`\tfrac A2 \sum p\,u_z`$. The dissipated energy is the dissipation by slip in all cases.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

@@ -2,8 +2,8 @@
 //! contact.
 //!
 //! The contact is fixed in this frame. The particles of both surfaces enter it at the [leading edge](LeadingEdge) and move
-//! through it by $`d`$ per step, a whole number of cells. With $`T f(x) = f(x + d)`$, the value at the position of a particle
-//! before the step, the slip of a cell over a step is
+//! through it. The distance $`d`$ per step is a whole number of cells. Let $`T f(x) = f(x + d)`$ be the value at the position of
+//! a particle before the step. The slip of a cell over a step is
 //!
 //! ```math
 //! s = (1 - T)\,(C q + u_p) + B q - w, \qquad
@@ -22,11 +22,11 @@
 //! # Entering cells
 //!
 //! A particle ahead of the contact moves with the free surface. Its displacement is smaller than the displacement of a
-//! sticking particle by B q, with $`B = \kappa\,g/p`$. Here g is the gap at the previous position of the particle, and
-//! p is the pressure of the cell that the particle enters. The factor $`\kappa`$ varies from 1 across the edge of the
-//! contact to $`1/(1 - \nu)`$ along the edge (for bodies of the same material). This is the entry rule of [growing
-//! contacts](crate::guide::load_steps). With this rule the error of the force decreases with the square of the cell
-//! size. Without it ([`EntryRule::WholeStep`], as in CONTACT) the error decreases in proportion to the cell size.
+//! sticking particle by B q, with $`B = \kappa\,g/p`$. Here g is the gap at the previous position of the particle. p is the
+//! pressure of the cell that the particle enters. The factor $`\kappa`$ varies from 1 across the edge of the contact to
+//! $`1/(1 - \nu)`$ along the edge (for bodies of the same material). This is the entry rule of [growing
+//! contacts](crate::guide::load_steps). With this rule the error of the force decreases with the square of the cell size. Without
+//! it ([`EntryRule::WholeStep`], as in CONTACT) the error decreases in proportion to the cell size.
 //!
 //! # Loads
 //!
@@ -39,10 +39,10 @@
 //! # Bodies of different materials
 //!
 //! Tractions lift the surfaces of such bodies, and the pressure changes. A [`RollingProblem`] requires a given pressure, which
-//! ignores the lift; its solution then has the warning [`SteadyLift`](crate::Warning::NeglectedLift). A
-//! [`CoupledRollingProblem`] alternates between two solves: for the pressure over the lifted gap, and for the tractions under
-//! this pressure. The passes were a contraction in all measured contacts. The table is for a sphere on a rigid plane ($`\nu`$ of
-//! 0.45, 0.25 and 0), 24 cells over 2.6 contact radii, longitudinal creepage 0.05, spin 0.1 and a tolerance of 1e-9:
+//! ignores the lift. Its solution then has the warning [`SteadyLift`](crate::Warning::NeglectedLift). A [`CoupledRollingProblem`]
+//! alternates between two solves: for the pressure over the lifted gap, and for the tractions under this pressure. The passes
+//! were a contraction in all measured contacts. The table is for a sphere on a rigid plane ($`\nu`$ of 0.45, 0.25 and 0), 24
+//! cells over 2.6 contact radii, longitudinal creepage 0.05, spin 0.1 and a tolerance of 1e-9:
 //!
 //! | $`\beta`$ | $`\mu`$ | error of a pass divided by the error of the previous pass | passes | products |
 //! |---|---|---|---|---|
@@ -51,9 +51,8 @@
 //! | 0.5 | 0.3 | 0.13 | 15 | 741 |
 //! | 0.5 | 1 | 0.22 | 21 | 802 |
 //!
-//! [`CoupledRollingReport`] contains a rigorous bound for each half, the residual of the coupling, and an estimate for
-//! the coupled contact as a whole.
-//! [`CoupledRollingSolver::stiffness`] includes the pressure that follows the tractions.
+//! [`CoupledRollingReport`] contains a rigorous bound for each half, the residual of the coupling, and an estimate for the whole
+//! coupled contact. [`CoupledRollingSolver::stiffness`] includes the pressure that follows the tractions.
 //!
 //! # Uniqueness and error
 //!

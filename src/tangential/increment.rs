@@ -24,8 +24,8 @@ use crate::tangential::{Axis, PressureOnWindow};
 ///
 /// A step finds tractions $`q`$ and a motion $`\delta`$ of body 2. The slip of the step is $`s = C q - S - \delta`$.
 /// The offset $`S`$ of a cell is its value of $`u - \delta`$ during stick. It is zero if the step starts from rest. A
-/// history sets the offset and the diagonal $`B`$ of entry compliances. With entry compliances the slip is $`s = C q +
-/// B q - S - \delta`$.
+/// history sets the offset and the diagonal $`B`$ of entry compliances. With entry compliances the slip is
+/// $`s = C q + B q - S - \delta`$.
 #[derive(Debug, Clone)]
 pub(crate) struct TangentialIncrement {
     pub(super) bodies: HalfSpace,

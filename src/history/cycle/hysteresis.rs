@@ -32,9 +32,9 @@ impl LoopPoint {
 }
 
 impl Cycle {
-    /// Returns the work of the tangential force and the moment (a force times a length): $`\sum \tfrac12 (F_n +
-    /// F_{n+1})\,\Delta\delta + \tfrac12 (M_n + M_{n+1})\,\Delta\varphi`$. For a closed loop this work is the area that
-    /// the [points](Cycle::points) enclose.
+    /// Returns the work of the tangential force and the moment (a force times a length):
+    /// $`\sum \tfrac12 (F_n + F_{n+1})\,\Delta\delta + \tfrac12 (M_n + M_{n+1})\,\Delta\varphi`$. For a closed loop
+    /// this work is the area that the [points](Cycle::points) enclose.
     ///
     /// Around a closed loop, slip dissipates the [`work`](crate::history::EnergyBalance::work) of the balance. This
     /// work also includes the work of a changing [relative displacement](crate::tangential::RelativeDisplacement), such
