@@ -45,11 +45,11 @@ pub enum Warning {
     },
     /// A step of a history kept the pressure although the gap had changed. The pressure still belongs to the old gap.
     StalePressure,
-    /// The stress was computed on a [`Plane`](crate::subsurface::Plane) nearer to the surface than a cell side, below
-    /// shear tractions that end at the edge of a contact. Below this edge, `sxx` and `syy` have a peak with a vertical
-    /// tangent. The computed peak is too low by an error that decreases with the square root of the cell size. The
-    /// [closed forms](crate::analytical::CattaneoMindlinLine::surface_stress) contain the peak. Planes at a depth of a
-    /// cell side or more are not affected.
+    /// The stress was computed on a [`Plane`](crate::subsurface::Plane) nearer to the surface than a cell side. The
+    /// shear tractions above this plane end at the edge of a contact. Below this edge, `sxx` and `syy` have a peak with
+    /// a vertical tangent. The computed peak is too low by an error that decreases with the square root of the cell
+    /// size. The [closed forms](crate::analytical::CattaneoMindlinLine::surface_stress) contain the peak. Planes at a
+    /// depth of a cell side or more are not affected.
     StressAtEdge,
     /// The contact has fewer than 100 cells (a contact radius of 5.6 cells), or fewer than 20 on a line of cells. On a
     /// sphere the error of the area is then up to 17 %. The error of the stick ratio is up to 17 % (22 % for 20 cells).
@@ -68,8 +68,8 @@ pub enum Warning {
     /// The slip zone, a ring along the edge of the contact, is narrower than two cells. On a sphere the error of the
     /// energy dissipated by slip is at most 2 % for a width of two cells or more. It is at most 12 % for one cell or
     /// more. Below half a cell the energy ranges from zero to several times the correct value. No warning is given if no
-    /// cell slips, which can happen if the ring is narrower than a cell. If the mean radius of the contact spots is less
-    /// than four cells, no warning is given either, because a ring of two cells does not fit into such spots.
+    /// cell slips, which can happen if the ring is narrower than a cell. No warning is given either if the mean radius
+    /// of the contact spots is less than four cells. A ring of two cells does not fit into such spots.
     ///
     /// A rolling step has the warning only if the slip zone is narrower than one cell. The slip zone of rolling lies
     /// along the trailing edge, but its mean width is the mean over the whole edge. The error of forces and creepages of
@@ -116,10 +116,11 @@ pub enum Warning {
     /// The contact radius a exceeds 0.3 of the radius of curvature R of the gap. Half-space theory assumes that a/R is
     /// small.
     ///
-    /// Both values follow from the slopes of the gap before loading between cells in contact. 1/R is the regression
-    /// coefficient of the slopes on the position along x or along y. a is twice the standard deviation of the position.
-    /// On a sphere a/R is accurate to 10 % for a radius of five cells or more. On a cylinder a/R is 15 % too large.
-    /// Roughness does not cause this warning, because its slopes are not correlated with the position.
+    /// Both values follow from the slopes of the gap before loading between cells in contact. The curvature 1/R is the
+    /// regression coefficient of the slopes on the position along x or along y. The radius a is twice the standard
+    /// deviation of the position. On a sphere a/R is accurate to 10 % for a radius of five cells or more. On a cylinder
+    /// a/R is 15 % too large. Roughness does not cause this warning, because its slopes are not correlated with the
+    /// position.
     LargeContactRadius {
         /// The larger of a/R along x and a/R along y, in thousandths.
         per_mille: usize,

@@ -43,8 +43,8 @@ struct Strip {
     cells_on_edge: usize,
     /// One bit per column, which is set if the column has a cell.
     columns: Vec<u64>,
-    /// Numbers of rows without a cell: below the first row with a cell, above the last row with a cell, and in the longest run
-    /// between these two rows.
+    /// Numbers of rows without a cell. They count the rows below the first row with a cell, the rows above the last row with a
+    /// cell, and the longest run between these two rows.
     free: [usize; 3],
     /// Runs of the first row and of the last row.
     ends: [Vec<RowSegment>; 2],

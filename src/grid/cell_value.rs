@@ -12,9 +12,9 @@
 /// C'(i, j) = C(i, j) + \frac{4\,C(i, j) - C(i - 1, j) - C(i + 1, j) - C(i, j - 1) - C(i, j + 1)}{24},
 /// ```
 ///
-/// for all components and any sides of the cells. The cost of a product does not change. On the sphere of the front page
-/// (128 x 128 cells on three contact radii), the pressure error without the edge cells is a sixth of the error with
-/// uniform cells.
+/// for all components and any sides of the cells. The cost of a product does not change. The sphere of the front page has
+/// 128 x 128 cells on three contact radii. Its pressure error without the edge cells is a sixth of the error with uniform
+/// cells.
 ///
 /// For dissimilar bodies the gain is smaller. It decreases as Dundurs' beta increases. For beta of 0.5 or more the
 /// tractions of the cells become less accurate. The table lists the error with centre values divided by the error with
@@ -43,8 +43,7 @@
 /// which contains the grid. The [certificate](crate::cgm) thus remains valid without change.
 ///
 /// The stencil is the correction of a corrected trapezoidal rule for 1/r. It is not part of the paper. It is not the
-/// default either, because results of uniform cells can be compared to the last digit with the results of the paper and
-/// of CONTACT.
+/// default either, because results of uniform cells agree to the last digit with the paper and with CONTACT.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub enum CellValue {

@@ -116,10 +116,10 @@ impl LoadStep {
         self
     }
 
-    /// Sets the rotation $`\varphi`$ of body 2 relative to body 1 at the end of the step (radians since the start of
-    /// the history, positive from x to y). The axis of the rotation passes through the origin of the grid. In addition
-    /// to the shift, the rotation moves body 2 by $`(-\varphi y, \varphi x)`$. A non-zero twist requires the vector
-    /// model and a grid that is not periodic.
+    /// Sets the rotation $`\varphi`$ of body 2 relative to body 1 about the origin of the grid (radians, positive from
+    /// x to y). The rotation at the end of the step is measured since the start of the history. In addition to the
+    /// shift, the rotation moves body 2 by $`(-\varphi y, \varphi x)`$. A non-zero twist requires the vector model and
+    /// a grid that is not periodic.
     pub fn twist(mut self, twist: f64) -> Self {
         self.twist = Some(twist);
         self

@@ -49,12 +49,12 @@
 //! draws the surfaces inwards and makes them slip. A step without a normal load keeps the normal force, not the
 //! pressure. The [`EntryRule`] also applies to the slip caused by pressing.
 //!
-//! If most of the cells that come into contact slip, the error of a growing contact is of first order in the length of
-//! its steps. An example is a ball with $`\beta = 0.5`$ and $`\mu = 0.299`$, for which the exact ratio of stick radius
-//! to contact radius is 0.5. If the ball is pressed in 1, 2, 4, 8, 16 and 32 steps, the ratio is 0.29, 0.37, 0.44,
-//! 0.47, 0.49 and 0.497. Steps of equal growth of the contact radius are the most accurate.
-//! [`History::press`](crate::History::press) takes as many of these steps as a tolerance requires. Approach and peak
-//! pressure hardly depend on the number of steps.
+//! The error of a growing contact is of first order in the length of its steps if most of the new contact cells slip.
+//! An example is a ball with $`\beta = 0.5`$ and $`\mu = 0.299`$, for which the exact ratio of stick radius to contact
+//! radius is 0.5. If the ball is pressed in 1, 2, 4, 8, 16 and 32 steps, the ratio is 0.29, 0.37, 0.44, 0.47, 0.49 and
+//! 0.497. Steps of equal growth of the contact radius are the most accurate. [`History::press`](crate::History::press)
+//! takes as many of these steps as a tolerance requires. Approach and peak pressure hardly depend on the number of
+//! steps.
 //!
 //! In a step with [`LoadStep::roll`] the bodies roll by a length d, a whole number of cells. The particles of both
 //! surfaces move through the contact from its [leading edge](LeadingEdge). Let $`T f(x) = f(x + d)`$ be the value at
@@ -104,10 +104,10 @@
 //! computed without the entry compliance on the grid of CONTACT agree with the tractions of CONTACT to 2e-10 of the
 //! largest friction limit.
 //!
-//! The next table lists the number of operator products per step for the tractions of a sphere, with 32, 64 and 128
-//! cells over the contact. The numbers are means over steps 11 to 30 after pressing. The creepage is relative to the
-//! creepage at which the linear theory reaches the friction limit. The last column shows a step without rolling that
-//! changes the shift by the same amount.
+//! The next table lists the number of operator products per step for the tractions of a sphere. The three numbers are
+//! for 32, 64 and 128 cells over the contact. The numbers are means over steps 11 to 30 after pressing. The creepage is
+//! relative to the creepage at which the linear theory reaches the friction limit. The last column shows a step without
+//! rolling that changes the shift by the same amount.
 //!
 //! | creepage | normal load | rolled step | step without rolling |
 //! |---|---|---|---|

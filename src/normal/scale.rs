@@ -22,8 +22,8 @@ const LARGEST_APPROACH: usize = 10;
 const LARGEST_RADIUS: usize = 300;
 const LARGEST_SLOPE: usize = 500;
 
-/// Sums over pairs of neighbours along an axis that are both in contact. The summands are 1, x, x^2, s, x s and s^2. x
-/// is the middle of the pair, and s is the slope of the gap between the two cells.
+/// Sums over pairs of neighbours along an axis that are both in contact. The summands are 1, x, x^2, s, x s and s^2.
+/// Here x is the middle of the pair, and s is the slope of the gap between the two cells.
 type Slopes = [f64; 6];
 
 impl Scale {

@@ -10,11 +10,11 @@
 //! w = d \begin{pmatrix} \xi - \varphi\,y \\ \eta + \varphi\,x \end{pmatrix},
 //! ```
 //!
-//! with the traction q on body 1, the displacement $`u_p`$ due to the pressure (zero between bodies of the same material), the
-//! creepages $`\xi, \eta`$ and the spin $`\varphi`$ about the origin of the grid. Creepages and spin are per length rolled, and x
-//! and y are in the middle of the path of the particle. Coulomb's law is satisfied in every cell: $`|q| \le \mu p`$, and the cell
-//! slips against the traction only if $`|q| = \mu p`$. A positive creepage moves body 2 along the axis over body 1 and causes a
-//! positive force, as a positive [shift](crate::TangentialSolution::shift) does.
+//! with the traction q on body 1, the creepages $`\xi, \eta`$ and the spin $`\varphi`$ about the origin of the grid. The
+//! displacement $`u_p`$ due to the pressure is zero between bodies of the same material. Creepages and spin are per length
+//! rolled, and x and y are in the middle of the path of the particle. Coulomb's law is satisfied in every cell:
+//! $`|q| \le \mu p`$, and the cell slips against the traction only if $`|q| = \mu p`$. A positive creepage moves body 2 along the
+//! axis over body 1 and causes a positive force, as a positive [shift](crate::TangentialSolution::shift) does.
 //!
 //! Along each axis either the creepage or the force is prescribed. If the force is prescribed, the same solve determines the
 //! creepage as its multiplier. A moment can be prescribed instead of the spin.
@@ -41,8 +41,8 @@
 //! Tractions lift the surfaces of such bodies, and the pressure changes. A [`RollingProblem`] requires a given pressure, which
 //! ignores the lift. Its solution then has the warning [`SteadyLift`](crate::Warning::NeglectedLift). A [`CoupledRollingProblem`]
 //! alternates between two solves: for the pressure over the lifted gap, and for the tractions under this pressure. The passes
-//! were a contraction in all measured contacts. The table is for a sphere on a rigid plane ($`\nu`$ of 0.45, 0.25 and 0), 24
-//! cells over 2.6 contact radii, longitudinal creepage 0.05, spin 0.1 and a tolerance of 1e-9:
+//! were a contraction in all measured contacts. The table is for a sphere on a rigid plane ($`\nu`$ of 0.45, 0.25 and 0) and 24
+//! cells over 2.6 contact radii. The longitudinal creepage is 0.05, the spin is 0.1, and the tolerance is 1e-9:
 //!
 //! | $`\beta`$ | $`\mu`$ | error of a pass divided by the error of the previous pass | passes | products |
 //! |---|---|---|---|---|
@@ -63,9 +63,9 @@
 //! e' (1 - T)\,C e = \tfrac12 |e - T e|_C^2 \ge \lambda \left(1 - \cos\frac{\pi}{m + 1}\right) |e|^2 ,
 //! ```
 //!
-//! where $`\lambda`$ is a lower bound on the eigenvalues of C on a window one step longer than the contact, and m is
-//! the largest number of cells in a chain of cells that are one step apart. Therefore the traction is unique for each
-//! creepage, and for each force below $`\mu P`$. The [certificate](crate::cgm#the-certified-error) of the solver bounds
+//! where $`\lambda`$ is a lower bound on the eigenvalues of C on a window one step longer than the contact. The number m is the
+//! largest number of cells in a chain of cells that are one step apart. Therefore the traction is unique for each creepage, and
+//! for each force below $`\mu P`$. The [certificate](crate::cgm#the-certified-error) of the solver bounds
 //! $`(q - q^*)' ((1 - T)\,C + B)\,(q - q^*)`$, relative to the same form of q.
 //!
 //! # Accuracy and cost
@@ -84,10 +84,9 @@
 //! precision, and each product includes one application of the preconditioner in single precision. On 32, 64 and 128 cells, a
 //! cold solve therefore takes as much time as 1.0, 1.4 and 1.6 times the listed number of products.
 //!
-//! For Carter's cylinder at 0.64 of the sliding force, the error of the force is 9e-5, 4e-5, 8e-6, 3e-6 and 4e-7 of
-//! $`\mu P`$ on 32, 64, 128, 256 and 512 cells. Without the entry rule the error is 9e-3, 4e-3, 2e-3, 1e-3 and 6e-4.
-//! The entry rule requires the slope of the gap two cells ahead of the contact, so the grid must extend at least this
-//! far.
+//! The following errors of the force are for Carter's cylinder at 0.64 of the sliding force, on 32, 64, 128, 256 and 512 cells.
+//! They are 9e-5, 4e-5, 8e-6, 3e-6 and 4e-7 of $`\mu P`$. Without the entry rule they are 9e-3, 4e-3, 2e-3, 1e-3 and 6e-4. The
+//! entry rule requires the slope of the gap two cells ahead of the contact. The grid must extend at least this far.
 //!
 //! ```
 //! use stickslip::rolling::RollingProblem;

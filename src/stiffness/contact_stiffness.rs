@@ -72,14 +72,14 @@ pub struct ContactStiffness {
     /// Derivatives of the tangential forces and the moment with respect to shift and twist.
     pub tangential: TangentialStiffness,
     /// Derivatives of the tangential forces (over a length) and the moment (a force) with respect to the approach while slip
-    /// continues. They follow from the friction limit of the slipping cells, and from the lag of the cells that came into contact
-    /// in the step of a history. They are valid if the shift grows in the same step or if the approach decreases. If the bodies
-    /// are pressed further at a constant shift, these cells stick and the derivative is zero.
+    /// continues. They follow from the friction limit of the slipping cells. In a history they also follow from the lag of the
+    /// cells that came into contact in the step. They are valid if the shift grows in the same step or if the approach decreases.
+    /// If the bodies are pressed further at a constant shift, these cells stick and the derivative is zero.
     ///
-    /// The entries have no error bound. They follow from a change of the pressure, whose relative error in the energy norm is at
-    /// most the square root of the bound of `normal`. For problems with [one-way coupling](crate::Coupling::OneWay) the entries
-    /// exclude the tangential displacement caused by the pressure, which steps of histories include. An entry is `None` for a
-    /// load that the model does not have.
+    /// The entries have no error bound. They follow from a change of the pressure. The relative error of this change in the
+    /// energy norm is at most the square root of the bound of `normal`. For problems with [one-way
+    /// coupling](crate::Coupling::OneWay) the entries exclude the tangential displacement caused by the pressure, which steps of
+    /// histories include. An entry is `None` for a load that the model does not have.
     pub by_approach: [Option<f64>; 3],
     /// Derivatives of the normal force with respect to the shifts along x and y (a force over a length) and the twist (a force).
     /// The entries are zero unless pressure and shear are coupled. An entry is `None` for a motion that the model does not have.

@@ -17,8 +17,8 @@ use crate::tangential::{Axis, TangentialIncrement, at};
 #[non_exhaustive]
 pub enum EntryRule {
     /// The cell follows the motion from the moment of touch, while its pressure grows. It lags behind the motion by
-    /// $`\kappa\,(g/p)\,q`$. Here g is the gap at the start of the step, and p and q are the pressure and the traction
-    /// at the end of the step.
+    /// $`\kappa\,(g/p)\,q`$. Here g is the gap at the start of the step. The pressure p and the traction q are the
+    /// values at the end of the step.
     #[default]
     SinceTouch,
     /// The cell follows the motion of the whole step, including the part before it touches. Codes that use only the

@@ -277,8 +277,8 @@ impl TangentialSolution {
         }
     }
 
-    /// Returns the moment that the tractions exert on body 1 about the z axis through the origin of the grid (force
-    /// times length, positive from x to y).
+    /// Returns the moment of the tractions on body 1 about the origin of the grid (force times length, positive from x
+    /// to y).
     #[must_use]
     pub fn moment(&self) -> f64 {
         self.sums().moment * self.grid().cell_area()
@@ -426,9 +426,9 @@ impl TangentialSolution {
     /// the sum of the magnitudes of the errors over the sum of the magnitudes of the tractions. A magnitude includes
     /// both components. Returns `None` without traction and on a slab of a distributed grid.
     ///
-    /// The table lists the ratio of the estimate to the error relative to exact means in partial slip, on N x N cells
-    /// over three contact radii. The contacts are a sphere, a gap r^4 and an ellipse 2 : 1. Each contact has six
-    /// positions relative to the cells and loads of 10 to 90 % of the sliding force.
+    /// The table lists the ratio of the estimate to the error relative to exact means in partial slip. The grid has N x
+    /// N cells over three contact radii. The contacts are a sphere, a gap r^4 and an ellipse 2 : 1. Each contact has
+    /// six positions relative to the cells and loads of 10 to 90 % of the sliding force.
     ///
     /// | slip ring | N | values at the centres | uniform cells |
     /// |---|---|---|---|

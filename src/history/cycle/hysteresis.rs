@@ -13,7 +13,7 @@ pub struct LoopPoint {
     pub force: [f64; 2],
     /// Shift of body 2 relative to body 1 since the start of the history (lengths).
     pub shift: [f64; 2],
-    /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1 (force times length).
+    /// Moment of the tractions on body 1 about the origin of the grid (force times length).
     pub moment: f64,
     /// Rotation of body 2 relative to body 1 since the start of the history (radians).
     pub twist: f64,

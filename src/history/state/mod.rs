@@ -405,8 +405,8 @@ impl State {
         self.force
     }
 
-    /// Returns the moment that the tractions exert on body 1 about the z axis through the origin of the grid (force
-    /// times length, positive from x to y).
+    /// Returns the moment of the tractions on body 1 about the origin of the grid (force times length, positive from x
+    /// to y).
     #[must_use]
     pub fn moment(&self) -> f64 {
         self.moment

@@ -153,8 +153,8 @@ impl History {
         self.state.capacity.unwrap_or_else(alone)
     }
 
-    /// Returns the moment that the tractions exert on body 1 about the z axis through the origin of the grid (force
-    /// times length, positive from x to y).
+    /// Returns the moment of the tractions on body 1 about the origin of the grid (force times length, positive from x
+    /// to y).
     #[must_use]
     pub fn moment(&self) -> f64 {
         self.state.moment()

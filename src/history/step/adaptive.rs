@@ -12,8 +12,8 @@ const SHORTEST: f64 = 1.0 / 4096.0;
 
 /// Difference between one step and two half steps of the same load.
 ///
-/// If the error is of second order in the length of the step, the error of the two half steps is a third of this
-/// difference. If the error is of first order, it is equal to the difference.
+/// For an error of second order in the length of the step, the error of the two half steps is a third of this
+/// difference. For an error of first order, it is equal to the difference.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

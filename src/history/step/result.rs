@@ -191,8 +191,8 @@ impl StepResult {
         self.force
     }
 
-    /// Returns the moment that the tractions at the end of the step exert on body 1 (force times length, positive from
-    /// x to y). The axis of the moment is the z axis through the origin of the grid.
+    /// Returns the moment of the tractions on body 1 at the end of the step (force times length, positive from x to y).
+    /// The moment is about the origin of the grid.
     #[must_use]
     pub fn moment(&self) -> f64 {
         self.moment

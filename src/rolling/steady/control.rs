@@ -29,8 +29,8 @@ impl RollingControl {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum SpinControl {
-    /// Spin $`\varphi`$, the rotation of body 2 relative to body 1 about the origin of the grid per length rolled (one over a
-    /// length, positive from x to y).
+    /// Spin $`\varphi`$ about the origin of the grid (one over a length, positive from x to y). It is the rotation of body 2
+    /// relative to body 1 per length rolled.
     Spin(f64),
     /// Moment on body 1 about the origin of the grid (a force times a length, positive from x to y). The spin follows.
     ///

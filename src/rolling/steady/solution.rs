@@ -187,8 +187,8 @@ impl RollingSolution {
         self.traction.each_ref().map(Field::integral)
     }
 
-    /// Returns the moment of the tractions on body 1 about the z axis through the origin of the grid (a force times a length,
-    /// positive from x to y). Each traction acts at the centre of its cell.
+    /// Returns the moment of the tractions on body 1 about the origin of the grid (a force times a length, positive from x to
+    /// y). Each traction acts at the centre of its cell.
     #[must_use]
     pub fn moment(&self) -> f64 {
         let grid = self.grid();
