@@ -34,7 +34,7 @@ pub(crate) struct Spots {
     pub(crate) is_across: [bool; 2],
 }
 
-/// Counts of adjacent rows of a map, with the data for joining them with other rows.
+/// Counts of adjacent rows of a map, with the runs and spots for joining the rows with other rows.
 #[derive(Debug, Clone, Default)]
 struct Strip {
     rows: usize,
@@ -61,7 +61,7 @@ struct RowSegment {
     spot: usize,
 }
 
-/// Partial data of a spot.
+/// Partial counts of a spot.
 #[derive(Debug, Clone, Copy, Default)]
 struct PartialSpot {
     cells: usize,
@@ -526,7 +526,7 @@ mod tests {
                     assert_eq!(whole.switches, map(grid).switches());
                     for ranks in [2, 3, 5] {
                         let found = Threads::run(ranks, Duration::from_secs(60), |rank| {
-                            // The first rank has no row, and the second rank has at most one.
+                            // The first rank has no row, and the second rank has at most one row.
                             let end = |rank: usize| match rank {
                                 0 | 1 if rank < ranks => 0,
                                 2 if rank < ranks => 1,

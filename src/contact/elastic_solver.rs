@@ -13,8 +13,8 @@ use crate::operator::Operator;
 use crate::parallel::layout::Layout;
 use crate::report::Report;
 
-/// Minimiser on a rectangle of cells, for one kind of set. It acquires its buffers from a pool at the first solve and keeps
-/// them until [`rest`](Self::rest). Solvers of the same rectangle that work sequentially share the buffers.
+/// Minimiser on a rectangle of cells for one type of constraint set. It acquires its buffers from a pool at the first solve
+/// and keeps them until [`rest`](Self::rest). Solvers of the same rectangle that work sequentially share the buffers.
 #[derive(Debug, Clone)]
 pub(crate) struct ElasticSolver<S: ConstraintSet<N>, const N: usize> {
     compliance: Compliance<N>,

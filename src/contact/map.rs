@@ -184,7 +184,7 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
         Ok(())
     }
 
-    /// Returns the number of sides of a cell along y and along x beyond which the set ends.
+    /// Returns the numbers of sides of a cell along y and along x that lie on the edge of the set.
     pub(crate) fn open_sides(&self, cell: usize) -> [usize; 2] {
         let [left, below, right, above] = self
             .neighbours(cell)

@@ -20,7 +20,7 @@ macro_rules! solver_methods {
         /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the solve shows that a force slides the
         ///   contact.
         /// - [`Error::NotConverged`](crate::Error::NotConverged), with the last feasible iterate in `solution`.
-        /// - [`Error::Ranks`](crate::Error::Ranks) if the ranks disagree or one of them fails.
+        /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail or pass different input.
         pub fn solve_into(&mut self, solution: &mut $Solution) -> Result<()> {
             self.solve_observed(solution, |_| std::ops::ControlFlow::Continue(()))
         }

@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 
-/// Overlap beyond the window, relative to the largest displacement, that round-off of a product can cause.
+/// Overlap outside the window that round-off of a product can cause, relative to the largest displacement.
 const ROUND_OFF: f64 = 1e-13;
 
 /// A solver on a window.

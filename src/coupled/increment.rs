@@ -175,7 +175,7 @@ impl CoupledIncrement {
         StepSolution::new(&self.pressed, Axis::BOTH, found, self.motion)
     }
 
-    /// Writes the normal part of the last step for this gap before loading and this hardness.
+    /// Writes the normal solution of the last step for this gap before loading and this hardness.
     pub(crate) fn write(
         &self,
         initial: &Field,

@@ -112,15 +112,15 @@ impl CoupledSolution {
         self.whole_energy = bodies.is_shared().then(|| self.energy_over(&layout));
     }
 
-    /// Returns the normal part: pressure, gap under load, approach and contact area. The report of this part describes
-    /// the whole solve.
+    /// Returns the normal solution: pressure, gap under load, approach and contact area. Its report describes the whole
+    /// solve.
     #[must_use]
     pub fn normal(&self) -> &NormalSolution {
         &self.normal
     }
 
-    /// Returns the tangential part: tractions along both axes, slip, zones and shift. The report of this part describes
-    /// the whole solve.
+    /// Returns the tangential solution: tractions along both axes, slip, zones and shift. Its report describes the
+    /// whole solve.
     #[must_use]
     pub fn tangential(&self) -> &TangentialSolution {
         &self.tangential
@@ -128,8 +128,8 @@ impl CoupledSolution {
 
     /// Returns the displacements of all cells along x, y and z due to pressure and traction together (lengths). Along x
     /// and y they are the displacement of body 1 minus the displacement of body 2. Along z they are the sum of the
-    /// displacements of both bodies. The `displacement` functions of the two parts compute the displacements due to the
-    /// pressure or the tractions alone.
+    /// displacements of both bodies. The `displacement` functions of the normal and the tangential solution compute the
+    /// displacements due to only the pressure or only the tractions.
     #[must_use]
     pub fn displacement(&self) -> [&Field; 3] {
         let [z, x, y] = &self.displacement;

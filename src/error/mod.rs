@@ -470,7 +470,7 @@ pub enum Error {
     /// A file violates the rules of its format, or uses an unsupported feature of the format.
     #[error("{}{format}, {place}: {problem}", messages::prefix(.file.as_deref()))]
     Format {
-        /// The file, if the data were read from a file.
+        /// Name of the file, or `None` if the bytes were not read from a file.
         file: Option<String>,
         /// Usual abbreviation of the format.
         format: &'static str,

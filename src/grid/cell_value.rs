@@ -30,7 +30,7 @@
 ///
 /// | quantity for a pressure p of centre values | definition |
 /// |---|---|
-/// | force, moments | the sums over cells times the cell area; they equal the sums of $`p - \Delta_h p/24`$, the uniform cells that displace the surface as p does, if the outermost cells of a free grid carry no pressure ($`\Delta_h`$ is the sum over the four neighbours minus four times the cell, with zero beyond a free edge) |
+/// | force, moments | the sums over cells times the cell area. If the outermost cells of a free grid carry no pressure, these equal the sums of $`p - \Delta_h p/24`$, the uniform cells that displace the surface as p does. $`\Delta_h`$ is the sum over the four neighbours minus four times the cell, with zero beyond a free edge. |
 /// | elastic energy | $`\tfrac A2 \sum p\,u`$ with displacements at the centres, the form that is minimised |
 /// | stresses below the surface | the stresses of the uniform cells $`p - \Delta_h p/24`$, including a ring around the contact |
 /// | friction limit, slip, dissipated energy, wear | the values at the centres |

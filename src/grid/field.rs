@@ -14,8 +14,8 @@ use crate::support::debug::shown;
 
 /// Field with one number per cell of a [`Grid`], in row-major order with x fastest.
 ///
-/// The memory layout is that of a C-ordered NumPy array of shape `(ny, nx)`. Sample `(ix, iy)` is stored at index
-/// `iy * nx + ix`. The unit is the unit of the sampled quantity.
+/// The memory layout equals the layout of a C-ordered NumPy array of shape `(ny, nx)`. Sample `(ix, iy)` is stored at
+/// index `iy * nx + ix`. The unit is the unit of the sampled quantity.
 ///
 /// # Memory
 ///

@@ -6,7 +6,7 @@
 //!
 //! # A step
 //! Let $`u_n`$ be the displacements and $`\delta_n`$ the shift before a step. The step finds tractions q within the
-//! friction limit m of its own pressure, and its slip s:
+//! friction limit m under its pressure, and the slip s:
 //!
 //! ```math
 //! s = (C q - u_n) - (\delta - \delta_n), \qquad |q| \le m = \min(\mu p, \tau_{max}), \qquad
@@ -40,7 +40,7 @@
 //! [`HistoryBuilder::model`] selects both components. The slip of a cell is then opposite to its traction. Each
 //! component of the load is prescribed separately, as a force, as a shift or by its own spring. Body 2 may also rotate.
 //! With a twist $`\varphi`$ about the origin of the grid, the motion of each cell is $`\delta + \varphi\,(-y, x)`$. The
-//! sign convention is that of the crate: traction on body 1, shift and twist of body 2 relative to body 1.
+//! sign convention of the crate applies: traction on body 1, shift and twist of body 2 relative to body 1.
 //!
 //! # Bodies of different materials
 //! If the materials couple pressure and traction, each step solves for both together ([`coupled`](crate::coupled)). The

@@ -24,8 +24,8 @@ impl NormalSolution {
     }
 
     /// Returns the contact area with a correction of the perimeter (Yastrebov, Anciaux & Molinari 2017,
-    /// <https://doi.org/10.1016/j.triboint.2017.04.023>). Its error is smaller than that of [`Self::contact_area`] by a
-    /// factor of about four.
+    /// <https://doi.org/10.1016/j.triboint.2017.04.023>). Its error is about a quarter of the error of
+    /// [`Self::contact_area`].
     #[must_use]
     pub fn contact_area_corrected(&self) -> f64 {
         self.contact_map().corrected_area()

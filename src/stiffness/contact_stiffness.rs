@@ -133,7 +133,7 @@ impl NormalSolution {
     ///   unbounded.
     /// - [`Error::NotPositive`](crate::Error::NotPositive) for a user-defined operator without a lower bound.
     /// - [`Error::NotConverged`](crate::Error::NotConverged) if the linear solve fails or is cancelled.
-    /// - [`Error::Ranks`](crate::Error::Ranks) if the ranks disagree or one of them fails.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail or pass different input.
     /// - The errors of [`HalfSpace::operator`].
     pub fn stiffness(&self, bodies: &HalfSpace) -> Result<NormalStiffness> {
         self.stiffness_observed(bodies, unwatched)
@@ -172,7 +172,7 @@ impl TangentialSolution {
     ///   bodies.
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if a periodic contact is closed everywhere.
     /// - [`Error::NotConverged`](crate::Error::NotConverged) if a linear solve fails or is cancelled.
-    /// - [`Error::Ranks`](crate::Error::Ranks) if the ranks disagree or one of them fails.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail or pass different input.
     /// - The errors of [`HalfSpace::operator`].
     pub fn stiffness(&self, bodies: &HalfSpace) -> Result<TangentialStiffness> {
         self.stiffness_observed(bodies, unwatched)
@@ -309,7 +309,7 @@ pub(super) fn without_contact(
     (stiffness, none)
 }
 
-/// Data of a pressed contact.
+/// Pressed contact, as input of a stiffness.
 #[derive(Clone, Copy)]
 pub(crate) struct NormalContact<'a> {
     pub(crate) normal: &'a NormalSolution,
@@ -322,7 +322,7 @@ pub(crate) struct NormalContact<'a> {
 }
 
 impl<'a> NormalContact<'a> {
-    /// Creates the data of elastic bodies whose pressure moves the surfaces only normally.
+    /// Creates the contact of elastic bodies whose pressure moves the surfaces only normally.
     fn new(normal: &'a NormalSolution, friction: &'a Friction) -> Self {
         Self {
             normal,

@@ -33,7 +33,7 @@ const N: usize = 3;
 /// Value of an unknown bound.
 const UNKNOWN: f64 = f64::INFINITY;
 
-/// Data of a contact under pressure and shear.
+/// Contact under pressure and shear, as input of a stiffness.
 pub(crate) struct Coupled<'a> {
     pub(crate) pressure: &'a Field,
     pub(crate) traction: [&'a Field; 2],
@@ -241,7 +241,7 @@ impl CoupledSolution {
     ///   [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) if the solution belongs to other bodies or another friction.
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if a periodic contact is closed everywhere.
     /// - [`Error::NotConverged`](crate::Error::NotConverged) if a linear solve fails or is cancelled.
-    /// - [`Error::Ranks`](crate::Error::Ranks) if the ranks disagree or one of them fails.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail or pass different input.
     /// - The errors of [`NormalSolution::stiffness`](crate::NormalSolution::stiffness) for a contact that has yielded.
     /// - The errors of [`HalfSpace::operator`].
     pub fn stiffness(&self, bodies: &HalfSpace, friction: &Friction) -> Result<ContactStiffness> {

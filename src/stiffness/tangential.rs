@@ -23,7 +23,7 @@ type BallOf<const N: usize> = <NormBound as Ball<N>>::Set;
 /// Tangential stiffness, and derivatives of the loads with respect to the approach.
 type FoundStiffness = (TangentialStiffness, [Option<f64>; 3]);
 
-/// Data of a sheared contact.
+/// Sheared contact, as input of a stiffness.
 pub(crate) struct ShearedContact<'a> {
     pub(crate) zones: &'a [Zone],
     pub(crate) traction: [&'a Field; 2],
@@ -43,7 +43,7 @@ pub(crate) struct LastStep<'a> {
 }
 
 impl<'a> LastStep<'a> {
-    /// Creates the data of a step from rest on the whole grid.
+    /// Creates the slip of a step from rest on the whole grid, without entry compliance.
     pub(crate) fn from_rest(grid: Grid, slip: [&'a Field; 2]) -> Self {
         Self {
             window: Window::whole(grid).held(grid),

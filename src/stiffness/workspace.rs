@@ -14,7 +14,7 @@ use crate::stiffness::coupled::CoupledBuffers;
 use crate::stiffness::system::System;
 use crate::stiffness::tangential::ApproachSensitivity;
 
-/// The system for one kind of set.
+/// System for one type of constraint set.
 pub(super) type SystemOf<S, const N: usize> = System<<S as LinearisedSet<N>>::CellMotion, N>;
 
 /// Buffers, tolerance and report of stiffnesses that are computed repeatedly.
@@ -52,7 +52,7 @@ pub struct StiffnessWorkspace {
     buffers: SystemBuffers,
 }
 
-/// Buffers of each kind of contact, created with its first stiffness.
+/// Buffers for each type of contact, created with the first stiffness of this type.
 #[derive(Debug, Default)]
 pub(super) struct SystemBuffers {
     pub(super) normal: Option<SystemOf<Interval, 1>>,

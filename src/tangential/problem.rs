@@ -145,8 +145,8 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
     /// errors are listed at [`Coupling`]. [`Coupling::Full`] is an error for such bodies, because the pressure then
     /// depends on the tractions ([`CoupledProblem`](crate::CoupledProblem)).
     ///
-    /// In this problem, such bodies are pressed together in one step. This is exact for a contact that does not grow,
-    /// such as the contact of a flat punch. For other contacts the stick zone differs from the stick zone under a
+    /// In this problem, such bodies are pressed together in one step. One step is exact for a contact that does not
+    /// grow, such as the contact of a flat punch. For other contacts the stick zone differs from the stick zone under a
     /// growing load. The solution then has the warning [`SingleLoadStep`](crate::Warning::SingleLoadStep). Use
     /// [`History::press`](crate::History::press) to press in several steps.
     ///

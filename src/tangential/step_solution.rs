@@ -42,7 +42,7 @@ impl<'a> StepSolution<'a> {
         }
     }
 
-    /// Calls `work` with the part of the solution in the local cells of the grid.
+    /// Calls `work` with the solution in the local cells of the grid.
     pub(crate) fn with_held<T>(&self, work: impl FnOnce(&StepSolution<'_>) -> T) -> T {
         let region = self.region;
         let give = |parts: [&[f64]; 2]| {

@@ -82,8 +82,8 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
         self.run_observed(history, cycles, |_, _| Ok(ControlFlow::Continue(())))
     }
 
-    /// Takes cycles as [`FrettingLoop::run`] does and calls an observer after every step with the history and the cycle
-    /// so far. The observer may apply wear to the gap, change the friction, write output, or stop the loop. Steps that
+    /// Takes cycles as [`FrettingLoop::run`] does and calls an observer after every step. The observer receives the history
+    /// and the present cycle. It may apply wear to the gap, change the friction, write output, or stop the loop. Steps that
     /// the observer takes do not count in any cycle.
     ///
     /// # Errors

@@ -87,7 +87,7 @@ pub(super) trait Codec {
         Ok(())
     }
 
-    /// Visits a value by its index in a table, stored in one byte.
+    /// Visits a value as its index in a table. The index is stored in one byte.
     fn kind<T: Copy + PartialEq>(&mut self, what: &str, value: &mut T, table: &[T]) -> Result<()> {
         let to = |value: &T| {
             let place = table.iter().position(|kind| kind == value);

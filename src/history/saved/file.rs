@@ -36,7 +36,7 @@ impl History {
     /// function returns.
     ///
     /// For distributed bodies the call is collective, and all ranks pass the path of the same file. Each rank writes
-    /// its slab, and the file receives its name when every rank has finished. Until then the data are in
+    /// its slab, and the file receives its name when every rank has finished. Until then the name of the file is
     /// `NAME.PID.NUMBER.part` in the same directory, as with [`HalfSpace::write_npy`]. [`History::load`] reads the file
     /// on any number of ranks, or for bodies that are not distributed.
     ///
@@ -117,7 +117,8 @@ fn table_of(lengths: &[u64]) -> Vec<u8> {
     table
 }
 
-/// Returns the first slab of a file, which contains the common data, and the slabs with some of the local rows.
+/// Returns the first slab of a file and the slabs with local rows. The first slab contains the values that all slabs
+/// have in common.
 fn local_slabs<'a>(
     path: &'a Path,
     parts: &'a [Range<u64>],
@@ -171,13 +172,13 @@ fn parts_of(path: &Path) -> Result<Vec<Range<u64>>> {
     parts().map_err(|error| in_file(path, error))
 }
 
-/// Reads the state in a part of a file.
+/// Reads the state in a range of bytes of a file.
 fn state_in(path: &Path, part: &Range<u64>) -> Result<State> {
     let bytes = bytes_in(path, part)?;
     State::from_bytes(&bytes).map_err(|error| in_file(path, error))
 }
 
-/// Reads the range of rows of the state in a part of a file.
+/// Reads the range of rows of the state in a range of bytes of a file.
 fn rows_in(path: &Path, part: &Range<u64>) -> Result<Range<usize>> {
     let beginning = bytes_in(path, &(part.start..part.end.min(part.start + BEGINNING)))?;
     let rows = || {

@@ -51,7 +51,7 @@ impl State {
     ///
     /// The following numbers are for a contact that fills the grid, without a relative displacement. The state requires
     /// 89 to 121 bytes per cell in the scalar model and 145 to 177 bytes per cell in the vector model. A state with
-    /// coupled pressure and traction requires 129 bytes per cell of the grid. The remaining data require less than a
+    /// coupled pressure and traction requires 129 bytes per cell of the grid. The remaining values require less than a
     /// kilobyte. The call temporarily needs the same amount of memory again for a copy of the state.
     ///
     /// # Content

@@ -77,7 +77,7 @@ impl Memory {
         })
     }
 
-    /// Clears the data of the last step, after a step without contact.
+    /// Clears slip and entry compliance of the last step, after a step without contact.
     pub(in crate::history) fn forget_step(&mut self) {
         for part in &mut self.slip {
             part.fill(0.0);

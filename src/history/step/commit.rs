@@ -165,7 +165,7 @@ type RowParts<'a> = (
     (Blocks<'a, Zone>, [[Blocks<'a, f64>; 2]; 3]),
 );
 
-/// Data of a committed step on which the results of its cells depend.
+/// Values of a committed step on which the results of its cells depend.
 struct CommittedStep<'a> {
     answer: &'a StepSolution<'a>,
     grid: Grid,

@@ -113,7 +113,7 @@ pub struct History {
 
 shown!(History: bodies, state);
 
-/// Name for error messages of the parts of a state that slabs have in common.
+/// Name of the values that all slabs of a state have in common, for error messages.
 const ALL_BUT_FIELDS: &str = "state (except for its fields)";
 
 const _: () = {

@@ -19,9 +19,9 @@ use crate::tangential::{
 };
 
 impl History {
-    /// Solves the normal and the tangential contact of a step and returns the motion of body 2 at its end. The only
-    /// part of the state that changes is the window of the memory, which may become wider. If the solve fails or the
-    /// observer panics, the history is restored.
+    /// Solves the normal and the tangential contact of a step and returns the motion of body 2 at its end. In the state
+    /// only the window of the memory changes. It may become wider. If the solve fails or the observer panics, the
+    /// history is restored.
     pub(in crate::history) fn attempt(
         &mut self,
         load: &LoadStep,

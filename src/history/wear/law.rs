@@ -124,7 +124,7 @@ pub fn threshold_energy<'a>(
     )?;
     let (total, energy) = (accumulated.as_slice(), energy.as_slice());
     remove(depth, |i| {
-        // Only the part of the energy of the step that lies above the threshold counts.
+        // Only the energy of the step above the threshold counts.
         let beyond = (total[i] - threshold * area).clamp(0.0, energy[i]);
         coefficient.at(i) / area * beyond
     });
