@@ -69,8 +69,8 @@ struct PartialSpot {
     edges: [[bool; 2]; 2],
 }
 
-/// Header of a strip in a message. It consists of counts of cells, numbers of rows without a cell and counts of closed spots.
-/// The numbers of runs at both ends and of open spots that follow the header complete it.
+/// Header of a strip in a message. It contains counts of cells, numbers of rows without a cell and counts of closed spots. It
+/// also contains the numbers of runs at both ends and of open spots that follow the header.
 type StripHeader = (
     [usize; 4],
     [usize; 3],

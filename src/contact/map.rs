@@ -194,8 +194,8 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
 }
 
 impl HalfSpace {
-    /// Counts the cells of the whole grid that are in a set. `contains` states this for the local cells. Returns `None` without
-    /// ranks.
+    /// Counts the cells of the whole grid that are in a set. `contains` returns whether a local cell is in the set. Returns
+    /// `None` without ranks.
     pub(crate) fn survey(&self, contains: impl Fn(usize) -> bool + Sync) -> Option<ContactCounts> {
         let map = ContactMap {
             grid: self.grid(),

@@ -49,10 +49,10 @@
 //! each half, given the present solution of the other half. See [`CoupledReport`].
 //!
 //! If friction is weak enough for the grid and no tangential force is prescribed, these bounds also bound the whole
-//! error ([`CoupledReport::error_bounds`]). On 64 x 64 cells the limit is $`\mu = 0.29`$ for aluminium on steel. It is
-//! 0.09 for a body of $`\nu = 0.3`$ on a rigid body, and 0.026 at $`\beta = 0.5`$. These limits decrease with the
-//! square root of the number of cells per side. In all other cases the report has an [`ErrorEstimate`], which is not a
-//! bound.
+//! error ([`CoupledReport::error_bounds`]). On 64 x 64 cells the limit of friction is $`\mu = 0.29`$ for aluminium on
+//! steel. It is 0.09 for a body of $`\nu = 0.3`$ on a rigid body, and 0.026 at $`\beta = 0.5`$. These limits decrease
+//! with the square root of the number of cells per side. In all other cases the report has an [`ErrorEstimate`], which
+//! is not a bound.
 //!
 //! The example `dissimilar` plots:
 #![cfg_attr(doc, doc = include_str!("../pictures/dissimilar.html"))]

@@ -7,8 +7,8 @@ use crate::tangential::{
     EntryCompliance, PressureOnWindow, entry_compliance, ratios_of_compliances,
 };
 
-/// Returns the entry compliance $`B = \kappa\,g/p`$ of a cell. Here p is the pressure of the cell. g is the gap of its
-/// particle at the previous position, which is the cell `before`. The factor is
+/// Returns the entry compliance $`B = \kappa\,g/p`$ of a cell. Here p is the pressure of the cell. The gap g belongs to
+/// its particle at the previous position, the cell `before`. The factor is
 ///
 /// ```math
 /// \kappa = n\,n' + \left(1 + \frac{c_l}{c_n}\right) (1 - n\,n') ,

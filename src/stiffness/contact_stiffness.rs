@@ -48,8 +48,8 @@ pub struct TangentialStiffness {
     /// Mindlin](crate::analytical::CattaneoMindlin), $`8 G^* a\,(1 - F/\mu W)^{1/3}`$.
     ///
     /// Cells that came into contact in the step follow the motion with their [entry compliance](crate::guide::load_steps). After
-    /// a step that presses a ball from zero load, all cells stick. The loading stiffness is then about two thirds of Mindlin's
-    /// stiffness, because of the entry compliance. In the stiffness of the next step, these cells resist fully
+    /// a step that presses a ball from zero load, all cells stick. The loading stiffness is nevertheless about two thirds of
+    /// Mindlin's stiffness, because of the entry compliance. In the stiffness of the next step, these cells resist fully
     /// ([option](crate::stiffness::StiffnessWorkspace::next_step)).
     pub loading: [[Option<f64>; 3]; 3],
     /// Stiffness if the motion reverses, so that all cells of the contact stick. For a circular contact, this stiffness is

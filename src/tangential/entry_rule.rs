@@ -27,10 +27,9 @@ pub enum EntryRule {
     WholeStep,
 }
 
-/// Returns $`\kappa = 1 + c_l / 2 c_n`$ with $`c_n = \sum (1 - \nu)/G`$ and $`c_l = \sum \nu/G`$. $`\kappa`$ compares
-/// the displacements of a cell under its own loads: the tangential displacement by a traction over the normal
-/// displacement by an equal pressure. It is the mean of the ratios in both [directions](ratios_of_compliances), for
-/// coated and uncoated bodies.
+/// Returns $`\kappa = 1 + c_l / 2 c_n`$ with $`c_n = \sum (1 - \nu)/G`$ and $`c_l = \sum \nu/G`$. It is the ratio of
+/// the tangential to the normal displacement of a cell under an equal traction and pressure on the cell. For coated and
+/// uncoated bodies it is the mean of both [directions](ratios_of_compliances).
 pub(crate) fn ratio_of_compliances(bodies: &HalfSpace) -> f64 {
     if bodies.pair().is_coated() {
         let [along, across] = ratios_of_compliances(bodies.pair(), bodies.grid());
