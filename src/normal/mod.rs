@@ -6,10 +6,10 @@
 //! ```
 //!
 //! (eqs 10-12 of Wang et al. 2021). Here `h` is the initial gap, `p` the pressure and `delta` the approach of the
-//! bodies. `g` is the gap under load, and `Delta` is the area of a cell. Under a force, the pressure minimises `1/2
-//! p'Cp + h'p` over `p >= 0` with `Delta sum p = W`. Under an approach, it minimises `1/2 p'Cp + (h - delta)'p` over `p
-//! >= 0`. The active-set method of [`crate::cgm`] computes the pressure. With a [`Hardness`] H the pressure is at most
-//! H, and cells at the limit overlap.
+//! bodies. `g` is the gap under load, and `Delta` is the area of a cell. Under a force, the pressure minimises
+//! `1/2 p'Cp + h'p` over `p >= 0` with `Delta sum p = W`. Under an approach, it minimises `1/2 p'Cp + (h - delta)'p`
+//! over `p >= 0`. The active-set method of [`crate::cgm`] computes the pressure. With a [`Hardness`] H the pressure is
+//! at most H, and cells at the limit overlap.
 //!
 //! [`NormalProblem`] validates and stores the input. [`NormalSolver`] owns the buffers and starts each solve from its
 //! last solution. [`NormalSolution`] is the result.

@@ -120,7 +120,7 @@ fn radius_over_curvature(grid: Grid, [count, x, xx, s, xs, ss]: Slopes) -> f64 {
     reach * correlation * spread
 }
 
-/// Returns the nearest integer, or zero for a negative number. Returns zero also for a number that is not finite, which
+/// Returns the nearest integer, or zero for a negative number. Also returns zero for a number that is not finite, which
 /// occurs without contact.
 #[expect(
     clippy::cast_possible_truncation,

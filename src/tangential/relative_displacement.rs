@@ -7,8 +7,8 @@ use crate::half_space::HalfSpace;
 use crate::memory::fallible::try_clone;
 use crate::tangential::{Axis, TangentialModel};
 
-/// Tangential displacement w of body 1 relative to body 2 in each cell, which the contact does not cause (lengths, `[x,
-/// y]`). Examples are bulk strain, thermal expansion and the deformation due to a nearby contact.
+/// Tangential displacement w of body 1 relative to body 2 in each cell, which the contact does not cause (lengths,
+/// `[x, y]`). Examples are bulk strain, thermal expansion and the deformation due to a nearby contact.
 ///
 /// The slip is then $`s = u + w - \delta`$. In stick zones, tractions balance w. A uniform w acts like a shift of the
 /// opposite sign. See Nowell & Hills, Int. J. Mech. Sci. 29 (1987) 355.
