@@ -3,8 +3,8 @@
 use crate::cgm::reduce;
 use crate::parallel::layout::Layout;
 
-/// Largest fraction of newly touching contact cells in a step without a warning. About 20 steps of equal growth of the
-/// radius satisfy this limit.
+/// Largest fraction of the contact cells that can be new in a step without a warning. About 20 steps of equal growth of
+/// the radius satisfy this limit.
 const LARGEST_GROWTH: f64 = 0.1;
 
 /// Contact whose pressure has changed in one step.

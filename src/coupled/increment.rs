@@ -19,7 +19,7 @@ use crate::tangential::{
     TangentialVector, centre, zeros,
 };
 
-/// Growth of the contact in a step for which the window has a margin, in cells.
+/// Margin of the window for the growth of the contact in a step, in cells.
 const GROWTH: usize = 2;
 
 /// Pressure and traction on the grid, the memory of the cells, and the solver of a step.

@@ -390,8 +390,8 @@ impl HalfSpace {
         }
     }
 
-    /// Returns the axes along which contacts are solved on the whole grid. These are the periodic axes. For user-defined
-    /// operators, which are defined only on all cells, they are both axes.
+    /// Returns the axes along which contacts are solved on the whole grid. These are the periodic axes. User-defined operators
+    /// are defined only on all cells, so the result for them is both axes.
     fn spanned(&self) -> [bool; 2] {
         match self.kernel().user_operators() {
             Some(_) => [true; 2],

@@ -39,7 +39,7 @@ impl Cycle {
     /// Around a closed loop, slip dissipates the [`work`](crate::history::EnergyBalance::work) of the balance. This
     /// work also includes the work of a changing [relative displacement](crate::tangential::RelativeDisplacement), such
     /// as the displacement due to a bulk stress. For coupled bodies it includes the work of the pressure. If the
-    /// contact grows, it excludes the motion that new cells have not followed.
+    /// contact grows, the work excludes the motion that new cells have not followed.
     ///
     /// ```
     /// use stickslip::history::{Cycle, FrettingLoop, LoadPath};

@@ -116,8 +116,7 @@ struct LoadRamp<'a> {
 }
 
 impl LoadRamp<'_> {
-    /// Takes the load in twice as many steps each time, until the tractions of two attempts differ by at most the
-    /// tolerance.
+    /// Doubles the number of steps of the load until the tractions of two attempts differ by at most the tolerance.
     fn refine(
         &mut self,
         history: &mut History,
