@@ -254,8 +254,8 @@ impl StepResult {
     /// - [`Warning::HeldShiftLostForce`],
     /// - [`Warning::NeglectedLift`] for a rolled step with one-way coupling.
     ///
-    /// Other warnings, for example about spots too small to resolve, are returned by
-    /// [`History::normal`](crate::History::normal) only.
+    /// Only [`History::normal`](crate::History::normal) returns the other warnings, for example about spots too small
+    /// to resolve.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         self.remarks.warnings()
