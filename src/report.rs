@@ -1,7 +1,6 @@
 //! Report of a solver: status, residual and certified bounds.
 //!
-//! These types are kept next to [`Error`](crate::Error) because the error for a solve that has not converged contains
-//! the whole [`Report`].
+//! The error for a solve that has not converged contains the whole [`Report`].
 
 use std::fmt;
 use std::time::Duration;
@@ -13,14 +12,14 @@ use std::time::Duration;
 pub enum Status {
     /// No solve has been started yet.
     Unsolved,
-    /// The residual and the certified error, both computed from a new product, are at or below the tolerance. For a
+    /// The residual and the certified error are at or below the tolerance. Both are computed from a new product. For a
     /// user-defined operator without a [`lower_bound`](crate::Operator::lower_bound), only the residual is tested.
     Converged,
     /// The solve reached the iteration limit before it converged.
     IterationLimit,
     /// The solve reached the time limit before it converged.
     TimeLimit,
-    /// The residual no longer decreases: the tolerance is below round-off, or an operator returns NaN.
+    /// The residual no longer decreases, because the tolerance is below round-off or an operator returns NaN.
     Stalled,
     /// The observer cancelled the solve.
     Cancelled,
@@ -45,28 +44,28 @@ impl fmt::Display for Status {
 #[non_exhaustive]
 pub enum EigenvalueBound {
     /// No bound is available. [`Report::duality_gap`] is then the duality gap of the problem. The error bound is the
-    /// square root of this gap, and decreases only with the square root of the residual.
+    /// square root of this gap. It decreases only with the square root of the residual.
     #[default]
     Unknown,
     /// Conservative estimate, used for stiff coatings on long grids ([`layers`](crate::layers#limits-of-the-model)).
     Estimated,
-    /// Rigorous lower bound. It is computed for the operators of this crate, and stated by the implementation for a
-    /// user-defined operator.
+    /// Rigorous lower bound. This crate computes the bound for its own operators. The implementation of a user-defined
+    /// operator states it.
     Proven,
 }
 
 /// One step of an iteration, as passed to an observer.
 ///
-/// The observer is called before every product, including products on the coarser grids of a nested start. After the
-/// observer cancels, or after a time limit, the solver computes one more product on each grid in use, to measure the
-/// error of the remaining iterate. A solve that the observer has cancelled always ends with [`Status::Cancelled`], even
-/// if that iterate satisfies the tolerance. A step of a history is then not taken. The residual and the number of free
-/// entries are the last measured values: between two outer steps of the active-set method they do not change.
+/// The observer is called before every product, including products on the coarser grids of a nested start. After a
+/// cancellation or a time limit, the solver computes one more product on each grid in use. This product measures the
+/// error of the last iterate. A cancelled solve always ends with [`Status::Cancelled`], even if the last iterate
+/// satisfies the tolerance. A step of a history is then not taken. The residual and the number of free entries are the
+/// last measured values. They do not change between two outer steps of the active-set method.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Iteration {
-    /// Number of conjugate-gradient steps so far; zero before the first step.
+    /// Number of conjugate-gradient steps so far. Zero before the first step.
     pub iteration: usize,
     /// Number of products with the operator in double precision so far.
     pub double_precision_products: usize,
@@ -75,8 +74,8 @@ pub struct Iteration {
     /// Largest complementarity residual, relative to the largest displacement (see [`Report::residual`]).
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub residual: f64,
-    /// Number of entries strictly between their bounds: contact cells of a normal problem, sticking cells of a
-    /// tangential problem.
+    /// Number of entries strictly between their bounds. These are the contact cells of a normal problem and the
+    /// sticking cells of a tangential problem.
     pub free: usize,
 }
 
@@ -104,43 +103,44 @@ pub struct Report {
     pub status: Status,
     /// Number of conjugate-gradient steps.
     pub iterations: usize,
-    /// Number of products with the operator in double precision, including the final check. Like all counts here, it
-    /// covers the requested grid only; the work of a nested start on coarser grids appears only in the time.
+    /// Number of products with the operator in double precision, including the final check. Like all counts of a
+    /// report, it covers the requested grid only. The work of a nested start on coarser grids appears only in the time.
     pub double_precision_products: usize,
     /// Number of products in single precision, within the iteration only.
     pub single_precision_products: usize,
-    /// Largest complementarity residual: `|g_i|` on free entries and the wrong-signed part of `g_i` on entries at a
-    /// bound, divided by the largest `|(Cx)_i|` over the entries that can move. If the product of the smallest
-    /// eigenvalue of the operator and the largest unknown is larger, it is the divisor instead. This product is needed
-    /// on a periodic grid, where a uniform traction causes no displacement. Dimensionless.
+    /// Largest complementarity residual (dimensionless). The residual of an entry is `|g_i|` on free entries, and the
+    /// wrong-signed part of `g_i` on entries at a bound. The divisor is the largest `|(Cx)_i|` over the entries that
+    /// can move. If the smallest eigenvalue of the operator times the largest unknown is larger, this product is the
+    /// divisor. The product is needed on a periodic grid, where a uniform traction causes no displacement.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub residual: f64,
-    /// Certified bound on the squared relative error in the energy norm:
-    /// `(x - x*)' C (x - x*) <= duality_gap * x' C x`. If `lambda x' x` is larger than `x' C x`, it replaces `x' C x`,
-    /// where `lambda` is the available bound on the smallest eigenvalue of the operator. Dimensionless. The value is a
-    /// duality gap and not a distance.
+    /// Certified bound on the squared relative error in the energy norm (dimensionless):
+    /// `(x - x*)' C (x - x*) <= duality_gap * x' C x`. If `lambda x' x` is larger than `x' C x`, it replaces `x' C x`.
+    /// Here `lambda` is the available bound on the smallest eigenvalue of the operator. The value is a duality gap and
+    /// not a distance.
     ///
     /// On a grid that is periodic along both axes, `x*` is the exact solution for the total of `x`, even if an approach or
     /// a shift is prescribed. The bound is then relative to the contact under the computed force. It does not bound the
     /// error of this force, which can be several times larger than the bound.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub duality_gap: f64,
-    /// Origin of the eigenvalue bound on which [`Self::duality_gap`] and the other certified bounds, of a coupled
-    /// contact and of a stiffness, rely.
+    /// Origin of the eigenvalue bound on which [`Self::duality_gap`] relies. The certified bounds of a coupled contact
+    /// and of a stiffness rely on it too.
     pub eigenvalue_bound: EigenvalueBound,
-    /// Relative error of the prescribed total, `|sum x - total| / sum |x|`; zero if no total is prescribed. The
+    /// Relative error of the prescribed total, `|sum x - total| / sum |x|`, or zero if no total is prescribed. The
     /// [duality gap](Self::duality_gap) refers to the total of the iterate. Near sliding, the directions of tractions
     /// change by the square root of this error.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub load_error: f64,
     /// Wall time of the solve.
     pub time: Duration,
-    /// Iterates whose residual was measured, in order: the start, then one entry per outer step (active-set method, in
-    /// single precision while the residual is large) or per step (Polonsky-Keer).
+    /// Iterates whose residual was measured, in order. The first entry is the start. The active-set method adds an
+    /// entry per outer step, whose residual is computed in single precision while it is large. The Polonsky-Keer method
+    /// adds an entry per step.
     pub history: Vec<Iteration>,
 }
 
-/// Initial capacity of the history; few solves need more outer steps.
+/// Initial capacity of the history. Few solves need more outer steps.
 const ENTRIES: usize = 64;
 
 impl Report {
@@ -179,8 +179,8 @@ impl Report {
         };
     }
 
-    /// Sets the status and the errors to the values of an earlier report, and all counts to zero, for a solution that
-    /// needs no work.
+    /// Sets the report of a solution that needs no work. Status and errors receive the values of an earlier report, and
+    /// all counts become zero.
     pub(crate) fn recall(&mut self, known: &Self) {
         self.clear();
         self.status = known.status;
@@ -202,11 +202,11 @@ impl Report {
         self.status == Status::Converged
     }
 
-    /// Returns the number of products with the operator in either precision: the cost of a solve, independent of the
-    /// machine.
+    /// Returns the number of products with the operator in either precision. This number measures the cost of a solve
+    /// independently of the machine.
     ///
-    /// Both precisions count the same. Compared with a product in double precision, a product in single precision takes
-    /// nine tenths of the time on 64 x 64 cells, and half to two thirds on 512 x 512 cells or more.
+    /// Both precisions count the same. On 64 x 64 cells a product in single precision takes nine tenths of the time of
+    /// a product in double precision. On 512 x 512 cells or more it takes half to two thirds of this time.
     #[must_use]
     pub fn products(&self) -> usize {
         self.double_precision_products + self.single_precision_products
@@ -221,8 +221,8 @@ impl Report {
         ]
     }
 
-    /// Adds a further pass: appends its history, adds its counts, and replaces all other values by the values of the
-    /// pass.
+    /// Adds a further pass. Appends the history of the pass, adds its counts, and replaces all other values by the
+    /// values of the pass.
     pub(crate) fn add_pass(&mut self, pass: &Self) {
         let before = self.counts();
         let mut history = std::mem::take(&mut self.history);

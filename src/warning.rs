@@ -12,85 +12,86 @@ use crate::grid::Grid;
 pub enum Warning {
     /// No cell carries pressure.
     NoContact,
-    /// The contact reaches the outermost ring of cells: the bodies may also touch beyond the grid.
+    /// The contact reaches the outermost ring of cells, so the bodies may also touch beyond the grid.
     ContactAtEdge {
         /// Number of contact cells in the ring.
         cells: usize,
     },
     /// Contact spots of fewer than five cells contain a tenth of the contact cells or more. The area of such spots is
-    /// overestimated, and their stick fraction has little meaning. Rough surfaces always have some small spots; a few
-    /// of them do not matter.
+    /// overestimated, and their stick fraction has little meaning. Rough surfaces always have some small spots, and a
+    /// few small spots do not matter.
     UnresolvedSpots {
         /// Number of spots of fewer than five cells.
         unresolved: usize,
         /// Number of all spots.
         spots: usize,
     },
-    /// The grid is a line of cells and not periodic: a row of rectangles with pressure peaks at its ends. It is not a
-    /// line contact in plane strain.
+    /// The grid is a line of cells and not periodic. Such a row of rectangles has pressure peaks at its ends and is not
+    /// a line contact in plane strain.
     SingleRowOfCells,
-    /// A contact spot extends from edge to edge of the grid, like the contact of a cylinder. The bodies end there, and
-    /// the pressure has peaks at these ends that a longer body does not have.
+    /// A contact spot extends from edge to edge of the grid, like the contact of a cylinder. The bodies end at these
+    /// edges. The pressure has peaks at the ends, which a longer body does not have.
     ContactSpansGrid {
         /// Whether a spot extends from the first column to the last.
         along_x: bool,
         /// Whether a spot extends from the first row to the last.
         along_y: bool,
     },
-    /// The pressure of some cells exceeds the hardness of a material: the material would deform plastically there. A
+    /// The pressure of some cells exceeds the hardness of a material, which would deform plastically in these cells. A
     /// [`Hardness`](crate::normal::Hardness) in the problem limits the pressure.
     BeyondHardness {
         /// Number of cells above the hardness.
         cells: usize,
     },
-    /// A step of a history kept the pressure although the gap had changed: the pressure still belongs to the old gap.
+    /// A step of a history kept the pressure although the gap had changed. The pressure still belongs to the old gap.
     StalePressure,
-    /// The stress was computed on a [`Plane`](crate::subsurface::Plane) nearer to the surface than a cell side, below
-    /// shear tractions that end at the edge of a contact. There `sxx` and `syy` have a peak with a vertical tangent.
-    /// The computed peak is too low by an error that decreases with the square root of the cell size. The [closed
-    /// forms](crate::analytical::CattaneoMindlinLine::surface_stress) contain the peak. Planes at a depth of a cell
-    /// side or more are not affected.
+    /// The stress was computed on a [`Plane`](crate::subsurface::Plane) nearer to the surface than a cell side. The
+    /// shear tractions above this plane end at the edge of a contact. Below this edge, `sxx` and `syy` have a peak with
+    /// a vertical tangent. The computed peak is too low by an error that decreases with the square root of the cell
+    /// size. The [closed forms](crate::analytical::CattaneoMindlinLine::surface_stress) contain the peak. Planes at a
+    /// depth of a cell side or more are not affected.
     StressAtEdge,
     /// The contact has fewer than 100 cells (a contact radius of 5.6 cells), or fewer than 20 on a line of cells. On a
-    /// sphere the error of the area is then up to 17 %, and the error of the stick ratio is up to 17 % (22 % for 20
-    /// cells). For 113 cells or more both errors are at most 7 %, for any position of the centre between the cells.
+    /// sphere the error of the area is then up to 17 %. The error of the stick ratio is up to 17 % (22 % for 20 cells).
+    /// For 113 cells or more both errors are at most 7 %. These limits hold for any position of the centre relative to
+    /// the cells.
     UnderresolvedContact {
         /// Number of contact cells.
         cells: usize,
     },
     /// Fewer than 50 cells stick, or fewer than 10 on a line of cells. On a sphere the error of the stick ratio is then
-    /// a tenth of the ratio, and a fifth of it for ten cells.
+    /// a tenth of the ratio. For ten cells it is a fifth of the ratio.
     UnderresolvedStickZone {
         /// Number of sticking cells.
         cells: usize,
     },
     /// The slip zone, a ring along the edge of the contact, is narrower than two cells. On a sphere the error of the
-    /// energy dissipated by slip is at most 2 % for a width of two cells or more, and at most 12 % for one cell or
-    /// more. Below half a cell the energy ranges from zero to several times the correct value. No warning is given if
-    /// no cell slips, which can happen if the ring is narrower than a cell. No warning is given either if the mean
-    /// radius of the contact spots is less than four cells, because a ring of two cells does not fit there.
+    /// energy dissipated by slip is at most 2 % for a width of two cells or more. It is at most 12 % for one cell or
+    /// more. Below half a cell the energy ranges from zero to several times the correct value. No warning is given if no
+    /// cell slips, which can happen if the ring is narrower than a cell. No warning is given either if the mean radius
+    /// of the contact spots is less than four cells. A ring of two cells does not fit into such spots.
     ///
     /// A rolling step has the warning only if the slip zone is narrower than one cell. The slip zone of rolling lies
-    /// along the trailing edge, but its mean width is taken over the whole edge. The error of forces and creepages of
+    /// along the trailing edge, but its mean width is the mean over the whole edge. The error of forces and creepages of
     /// steady rolling is at most 0.6 % for widths of 0.3 cells or more. On a sphere `dissipated_energy` is too small by
-    /// 72 % at a width of 0.3 cells and 28 % at one cell. It is too small by 15 % at two cells and 8 % at four cells.
-    /// On a cylinder it is too small by 51 % at one cell and 28 % at two cells. The work of rolling is accurate to 0.4
-    /// %.
+    /// 72 % at a width of 0.3 cells and 28 % at one cell. It is too small by 15 % at two cells and 8 % at four cells. On
+    /// a cylinder this energy is too small by 51 % at one cell and 28 % at two cells. The work of rolling is accurate to
+    /// 0.4 %.
     UnderresolvedSlipZone {
-        /// Mean width of the zone in tenths of a cell: the number of its cells divided by the number of cell sides
-        /// along the edge of the contact. On a grid of rows and columns each side counts as $`\pi/4`$.
+        /// Mean width of the zone in tenths of a cell. It is the number of cells of the zone divided by the number of
+        /// cell sides along the edge of the contact. On a grid of rows and columns each side counts as $`\pi/4`$.
         tenths: usize,
     },
-    /// The estimated discretisation error exceeds 5 % in the pressure or in the traction, according to
-    /// [`NormalSolution::discretisation_estimate`](crate::NormalSolution::discretisation_estimate) or the estimate of
-    /// the tangential solution. For more than ten spots, as on a rough surface, the text states the necessary reduction
-    /// of the cell size. [`surface::resample`](crate::surface::resample) refines the same surface, and
-    /// [`surface::GaussianFilter`](crate::surface::GaussianFilter) removes its short waves.
+    /// The estimated discretisation error of the pressure or of the traction exceeds 5 %. The error is estimated by
+    /// [`NormalSolution::discretisation_estimate`](crate::NormalSolution::discretisation_estimate) or by the same
+    /// function of the tangential solution. For more than ten spots, as on a rough surface, the text states the
+    /// necessary reduction of the cell size. [`surface::resample`](crate::surface::resample) refines the same surface,
+    /// and [`surface::GaussianFilter`](crate::surface::GaussianFilter) removes its short waves.
     DiscretisationError {
         /// Estimated error in tenths of a per cent.
         per_mille: usize,
-        /// Number of cells on the radius of a mean contact spot for an error of 1 %, if the error decreases with the
-        /// power 3/2 of the cell size.
+        /// Number of cells on the radius of a mean contact spot for an error of 1 %. This number assumes that the error
+        /// decreases with the power 3/2 of the cell size.
         cells_per_radius: usize,
         /// Number of contact spots.
         spots: usize,
@@ -100,11 +101,11 @@ pub enum Warning {
     /// the necessary number of steps.
     ///
     /// A step of a history has the warning if more than a tenth of the contact came into contact in the step. The first
-    /// step from zero load thus has the warning for any load. Steps that `press` or
-    /// [`AdaptiveSteps`](crate::history::AdaptiveSteps) took to a tolerance do not have it. In a
-    /// [`CoupledProblem`](crate::CoupledProblem), and in a [`TangentialProblem`](crate::TangentialProblem) with
-    /// [one-way coupling](crate::Coupling::OneWay), the bodies are pressed in one step. A tangential problem has a
-    /// pressure but no gap, so its solutions also have the warning for a flat punch, for which they are exact.
+    /// step from zero load therefore has the warning for any load. Steps that `press` or
+    /// [`AdaptiveSteps`](crate::history::AdaptiveSteps) took to a tolerance do not have the warning. In a
+    /// [`CoupledProblem`](crate::CoupledProblem), and in a [`TangentialProblem`](crate::TangentialProblem) with [one-way
+    /// coupling](crate::Coupling::OneWay), the bodies are pressed in one step. A tangential problem has a pressure but
+    /// no gap. Its solutions therefore have the warning also for a flat punch, for which they are exact.
     SingleLoadStep,
     /// The approach from the first touch exceeds the longest side of the grid. A common cause is an inconsistent unit
     /// of gap, grid or modulus.
@@ -115,10 +116,11 @@ pub enum Warning {
     /// The contact radius a exceeds 0.3 of the radius of curvature R of the gap. Half-space theory assumes that a/R is
     /// small.
     ///
-    /// Both values follow from the slopes of the gap before loading between cells in contact. 1/R is the regression
-    /// coefficient of the slopes on the position along x or along y, and a is twice the standard deviation of the
-    /// position. On a sphere a/R is accurate to 10 % for a radius of five cells or more; on a cylinder a/R is 15 % too
-    /// large. Roughness does not cause this warning, because its slopes are not correlated with the position.
+    /// Both values follow from the slopes of the gap before loading between cells in contact. The curvature 1/R is the
+    /// regression coefficient of the slopes on the position along x or along y. The radius a is twice the standard
+    /// deviation of the position. On a sphere a/R is accurate to 10 % for a radius of five cells or more. On a cylinder
+    /// a/R is 15 % too large. Roughness does not cause this warning, because its slopes are not correlated with the
+    /// position.
     LargeContactRadius {
         /// The larger of a/R along x and a/R along y, in thousandths.
         per_mille: usize,
@@ -129,21 +131,21 @@ pub enum Warning {
         /// The rms slope between cells in contact, in thousandths.
         per_mille: usize,
     },
-    /// A step of a history specified no tangential load. The step kept the shift, and the tangential force decreased by
-    /// more than half because a smaller pressure or less friction cannot carry it. Steps that roll, twist or change a
-    /// relative displacement do not have this warning.
+    /// A step of a history specified no tangential load. The step kept the shift. The tangential force decreased by more
+    /// than half, because the friction under a smaller pressure or a smaller coefficient cannot carry it. Steps that
+    /// roll, twist or change a relative displacement do not have this warning.
     HeldShiftLostForce {
         /// The lost fraction of the tangential force, in per cent.
         per_cent: usize,
     },
-    /// The rolling of dissimilar bodies neglects the effect of tractions on the pressure, and the neglected part
-    /// exceeds the tolerance. [`CoupledRollingProblem`](crate::rolling::CoupledRollingProblem) and a
-    /// [`History`](crate::History) with [full coupling](crate::Coupling::Full) include this effect.
+    /// The rolling of dissimilar bodies neglects the effect of tractions on the pressure, and the neglected lift exceeds
+    /// the tolerance. [`CoupledRollingProblem`](crate::rolling::CoupledRollingProblem) and a [`History`](crate::History)
+    /// with [full coupling](crate::Coupling::Full) include this effect.
     ///
-    /// The neglected part is half the range of the normal displacement due to the tractions within the contact, divided
-    /// by the largest normal displacement due to the pressure.
+    /// The lift is the normal displacement due to the tractions. Its measure is half its range within the contact,
+    /// divided by the largest normal displacement due to the pressure.
     NeglectedLift {
-        /// The neglected part in millionths, rounded up.
+        /// The measure of the neglected lift in millionths, rounded up.
         per_million: usize,
     },
 }
@@ -263,11 +265,12 @@ fn write_lift(formatter: &mut std::fmt::Formatter<'_>, per_million: usize) -> st
     )
 }
 
-/// Discretisation errors: threshold of the warning, and target of the suggested refinement.
+/// Discretisation error above which a warning is given.
 const LARGEST_ERROR: f64 = 0.05;
+/// Discretisation error after the suggested refinement.
 const SMALL_ERROR: f64 = 0.01;
 
-/// Number of spots above which a contact counts as rough, so that the radius of its spots cannot be chosen.
+/// Number of spots above which a contact counts as rough. The radius of the spots then cannot be chosen.
 const MANY_SPOTS: usize = 10;
 
 /// Returns the factor by which the cell size must be divided for a small discretisation error.
@@ -312,9 +315,10 @@ impl Warning {
 /// Least number of cells of a resolved spot.
 pub(crate) const RESOLVED: usize = 5;
 
-/// Minimum numbers of cells in a resolved contact and in a resolved stick zone: for an area, and for a line. On a line,
-/// one cell is a tenth of the stick zone.
+/// Minimum numbers of cells in a resolved contact and in a resolved stick zone.
 const RESOLVED_AREA: [usize; 2] = [100, 50];
+/// Minimum numbers of cells in a resolved contact and in a resolved stick zone on a line. One cell is a tenth of this
+/// stick zone.
 const RESOLVED_LINE: [usize; 2] = [20, 10];
 
 /// Least width of a resolved slip zone, in tenths of a cell.
@@ -327,7 +331,7 @@ const RESOLVED_ROLLING_WIDTH: usize = 10;
 /// Least number of cells on the mean radius of contact spots at which a slip zone can be resolved.
 const LEAST_RADIUS: usize = 4;
 
-/// Resolution of the zones of a contact, or of several steps; `None` for a zone that does not exist.
+/// Resolution of the zones of a contact, or of several steps. An entry is `None` if the zone does not exist.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Resolution {
@@ -351,14 +355,15 @@ impl Resolution {
     }
 
     /// Returns this resolution with the numbers of sticking and slipping cells. `edge` returns the number of cell sides
-    /// along the edge of the contact; it is called only if both numbers are positive.
+    /// along the edge of the contact. This function is called only if both numbers are positive.
     pub(crate) fn with_zones(
         self,
         [stick, slip]: [usize; 2],
         edge: impl FnOnce() -> usize,
     ) -> Self {
         let width = || {
-            // Measured in cell sides, the edge of a disc is 4/pi times its length: 452/355 with an error below 1e-7.
+            // Measured in cell sides, the edge of a disc is 4/pi times as long. 452/355 equals 4/pi with an error below
+            // 1e-7.
             let [sides, length] = if self.is_line { [1, 1] } else { [452, 355] };
             let edge = length * edge();
             // The radius of a disc is twice its area divided by the length of its edge.
@@ -387,7 +392,7 @@ impl Resolution {
         }
     }
 
-    /// Combines this resolution with the resolution of a different step.
+    /// Combines this resolution with the resolution of another step.
     pub(crate) fn and(self, other: Self) -> Self {
         let fewest = |a: Option<usize>, b: Option<usize>| a.into_iter().chain(b).min();
         Self {

@@ -1,4 +1,4 @@
-//! Counts of a contact map, computed in strips of rows that are joined over threads and ranks.
+//! Counts of a contact map. They are computed in strips of rows, which are joined over threads and ranks.
 
 use std::array::from_fn;
 use std::ops::Range;
@@ -13,11 +13,11 @@ use crate::warning::RESOLVED;
 pub(crate) struct ContactCounts {
     /// Number of cells in the set.
     pub(crate) cells: usize,
-    /// Number of pairs of neighbours, along x or y, of which exactly one is in the set.
+    /// Number of pairs of neighbours along x or y with exactly one cell in the set.
     pub(crate) switches: usize,
-    /// Number of cells of the set on the edges of a grid that is not periodic.
+    /// Number of cells of the set on the edges across which the grid is not periodic.
     pub(crate) cells_on_edge: usize,
-    /// Numbers of columns and rows from the first to the last cell; on a periodic grid this range may cross the edges.
+    /// Numbers of columns and rows from the first to the last cell. On a periodic grid this range may cross the edges.
     pub(crate) extent: Option<[usize; 2]>,
     pub(crate) spots: Spots,
 }
@@ -34,16 +34,17 @@ pub(crate) struct Spots {
     pub(crate) is_across: [bool; 2],
 }
 
-/// Counts of adjacent rows of a map, with the data for joining them with other rows.
+/// Counts of adjacent rows of a map, with the runs and spots for joining the rows with other rows.
 #[derive(Debug, Clone, Default)]
 struct Strip {
     rows: usize,
     cells: usize,
     switches: usize,
     cells_on_edge: usize,
-    /// One bit per column, set if the column has a cell.
+    /// One bit per column, which is set if the column has a cell.
     columns: Vec<u64>,
-    /// Numbers of rows without a cell: below the first row with a cell, above the last such row, and the longest run in between.
+    /// Numbers of rows without a cell. They count the rows below the first row with a cell, the rows above the last row with a
+    /// cell, and the longest run between these two rows.
     free: [usize; 3],
     /// Runs of the first row and of the last row.
     ends: [Vec<RowSegment>; 2],
@@ -60,7 +61,7 @@ struct RowSegment {
     spot: usize,
 }
 
-/// Partial data of a spot.
+/// Partial counts of a spot.
 #[derive(Debug, Clone, Copy, Default)]
 struct PartialSpot {
     cells: usize,
@@ -68,8 +69,8 @@ struct PartialSpot {
     edges: [[bool; 2]; 2],
 }
 
-/// Header of a strip in a message: counts of its cells, rows without a cell, counts of closed spots, and numbers of runs of both
-/// ends and of open spots that follow.
+/// Header of a strip in a message. It contains counts of cells, numbers of rows without a cell and counts of closed spots. It
+/// also contains the numbers of runs at both ends and of open spots that follow the header.
 type StripHeader = (
     [usize; 4],
     [usize; 3],
@@ -231,7 +232,7 @@ impl Strip {
         }
     }
 
-    /// Returns the numbers of columns without a cell, in the format of the rows.
+    /// Returns the numbers of columns without a cell, in the format of the numbers of rows.
     fn free_columns(&self, width: usize) -> [usize; 3] {
         let is_taken = |column: &usize| (self.columns[column / 64] >> (column % 64)) & 1 != 0;
         let taken: Vec<usize> = (0..width).filter(is_taken).collect();
@@ -484,7 +485,7 @@ mod tests {
     use crate::parallel::ranks::{Ranks, Threads};
 
     /// Distributes random maps over ranks, including slabs of one row and of no row. The counts of the ranks equal the counts of
-    /// one process, whose spots equal the spots found by a walk from cell to cell.
+    /// one process. Its spots equal the spots found by a walk from cell to cell.
     #[test]
     fn slabs_come_to_what_the_whole_comes_to() {
         let mut random = 1_u64;
@@ -525,7 +526,7 @@ mod tests {
                     assert_eq!(whole.switches, map(grid).switches());
                     for ranks in [2, 3, 5] {
                         let found = Threads::run(ranks, Duration::from_secs(60), |rank| {
-                            // The first rank has no row, and the second rank has at most one.
+                            // The first rank has no row, and the second rank has at most one row.
                             let end = |rank: usize| match rank {
                                 0 | 1 if rank < ranks => 0,
                                 2 if rank < ranks => 1,

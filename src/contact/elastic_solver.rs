@@ -13,8 +13,8 @@ use crate::operator::Operator;
 use crate::parallel::layout::Layout;
 use crate::report::Report;
 
-/// Minimiser on a rectangle of cells, for one kind of set. It acquires its buffers from a pool at the first solve and keeps
-/// them until [`rest`](Self::rest). All solvers of a rectangle that work sequentially share the same buffers.
+/// Minimiser on a rectangle of cells for one type of constraint set. It acquires its buffers from a pool at the first solve
+/// and keeps them until [`rest`](Self::rest). Solvers of the same rectangle that work sequentially share the buffers.
 #[derive(Debug, Clone)]
 pub(crate) struct ElasticSolver<S: ConstraintSet<N>, const N: usize> {
     compliance: Compliance<N>,
@@ -65,8 +65,8 @@ impl<S: ConstraintSet<N>, const N: usize> ElasticSolver<S, N> {
             .preconditioner(inverse.clone())
     }
 
-    /// Minimises from `x` and stores the solution in `x`; `known` describes what is known about the initial guess. Multiplier,
-    /// product and report are available from the accessors, whether or not the solve converged.
+    /// Minimises from `x` and stores the solution in `x`. `known` contains the prior knowledge about the initial guess. The
+    /// accessors return multiplier, product and report, whether or not the solve converged.
     pub(crate) fn minimise(
         &mut self,
         problem: &ElasticProblem<'_, impl Constraint<N, Set = S>, N>,
@@ -91,7 +91,7 @@ impl<S: ConstraintSet<N>, const N: usize> ElasticSolver<S, N> {
         self.workspace.give_back();
     }
 
-    /// Writes `C x` to `out`; the stored solution is unchanged.
+    /// Writes `C x` to `out`. The stored solution is unchanged.
     ///
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if the buffers must be allocated and the memory does not suffice.
@@ -102,7 +102,7 @@ impl<S: ConstraintSet<N>, const N: usize> ElasticSolver<S, N> {
         Ok(())
     }
 
-    /// Returns `C x` of the solution; empty once the buffers have been given back.
+    /// Returns `C x` of the solution. The slices are empty after the release of the buffers.
     pub(crate) fn product(&self) -> [&[f64]; N] {
         self.workspace.held().map_or([&[]; N], Workspace::product)
     }

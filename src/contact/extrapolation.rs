@@ -9,15 +9,15 @@ const FARTHEST: f64 = 3.0;
 /// Ratio to the last change below which a change counts as round-off.
 const NO_PART: f64 = 1e-9;
 
-/// Sum of a component of the unknowns (or the force caused by it), and motion (approach or shift) along it.
+/// Sum of a component of the unknowns (or the force that it causes), and motion along this component (approach or shift).
 pub(crate) type LoadPoint = [f64; 2];
 
 /// Change of the unknowns on a window in the last solve with a changed load, and the change of the load.
 #[derive(Debug)]
 pub(crate) struct LoadTrend<const N: usize> {
-    /// Change of every cell; empty before the first change.
+    /// Change of every cell. Empty before the first change.
     pub(crate) change: [Vec<f64>; N],
-    /// Change of sum and motion along each component. A change that cannot be used is set to zero.
+    /// Change of sum and motion along each component. A change that cannot be used is zero.
     pub(crate) by: [LoadPoint; N],
 }
 

@@ -13,7 +13,7 @@ use crate::support::clock::Instant;
 /// Maximum relative tolerance of a coarse solution. A larger tolerance would shift the contact edges by more cells.
 const COARSE_TOLERANCE: f64 = 3e-3;
 /// Tolerance of a coarse solution as a fraction of the initial residual of the next coarser solve. The start prolongated from the
-/// solution has an error of about this size, and a stricter tolerance costs more than it saves on the finer grid.
+/// solution has an error of about this size. A stricter tolerance costs more than it saves on the finer grid.
 const COARSE_PART: f64 = 0.5;
 /// Minimum relative tolerance of a coarse solution.
 const LEAST_COARSE_TOLERANCE: f64 = 1e-5;
@@ -87,7 +87,7 @@ impl<'a, 'b> SolveContext<'a, 'b> {
 
 /// Record of whether the observer of a solve has cancelled it.
 ///
-/// A cancelled part of a solve may still provide a result, and the following part may end without another product. The solve
+/// A cancelled pass of a solve may still provide a result, and the following pass may end without another product. The solve
 /// still reports [`Status::Cancelled`].
 #[derive(Debug, Default)]
 pub(crate) struct Cancellation(AtomicBool);
@@ -151,13 +151,13 @@ pub(crate) fn with_counts_of<'a>(
     move |step| observer(&step.after(before))
 }
 
-/// Returns whether a solve has left an iterate, converged or not.
+/// Returns whether a solve has left an iterate, which need not have converged.
 pub(crate) fn has_iterate(outcome: &Result<()>) -> bool {
     matches!(outcome, Ok(()) | Err(Error::NotConverged(_)))
 }
 
-/// Returns the status of a pass that the observer or the clock ended. The result of any other pass is used by the next pass,
-/// converged or not.
+/// Returns the status of a pass that the observer or the clock ended. The next pass uses the result of any other pass, whether or
+/// not this pass converged.
 pub(crate) fn interrupted_status(outcome: Result<()>) -> Result<Option<Status>> {
     match outcome {
         Ok(()) => Ok(None),

@@ -17,7 +17,7 @@ pub(crate) struct ContactMap<'a, F> {
     /// Whether the grid is periodic along x and along y.
     pub(crate) repeats: [bool; 2],
     pub(crate) contains: F,
-    /// Counts over all ranks if each rank stores a slab; the map itself is then not evaluated.
+    /// Counts over all ranks if each rank stores a slab. The map itself is then not evaluated.
     pub(crate) counted: Option<&'a ContactCounts>,
 }
 
@@ -59,16 +59,16 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
         self.cells() as f64 * self.grid.cell_area()
     }
 
-    /// Returns the area minus the excess from counting cells along the perimeter: `(pi - 1 + ln 2)/24` of a cell for each pair of
-    /// neighbours of which exactly one is in the set (Yastrebov, Anciaux & Molinari, Tribology International 114 (2017) 161,
-    /// <https://doi.org/10.1016/j.triboint.2017.04.023>).
+    /// Returns the area minus the excess from counting cells along the perimeter. The excess is `(pi - 1 + ln 2)/24` of a cell
+    /// for each pair of neighbours with exactly one cell in the set (Yastrebov, Anciaux & Molinari, Tribology International 114
+    /// (2017) 161, <https://doi.org/10.1016/j.triboint.2017.04.023>).
     pub(crate) fn corrected_area(&self) -> f64 {
         let share = (std::f64::consts::PI - 1.0 + std::f64::consts::LN_2) / 24.0;
         let cells = self.cells() as f64 - share * self.switches() as f64;
         cells.max(0.0) * self.grid.cell_area()
     }
 
-    /// Returns the number of pairs of neighbours, along x or y, of which exactly one is in the set.
+    /// Returns the number of pairs of neighbours along x or y with exactly one cell in the set.
     pub(crate) fn switches(&self) -> usize {
         if let Some(counted) = self.counted {
             return counted.switches;
@@ -119,8 +119,8 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
         warnings
     }
 
-    /// Returns the radius of a spot of mean size as a number of cells, and the number of spots. For a line, half the width
-    /// replaces the radius. The radius is zero without spots.
+    /// Returns the radius of a spot of mean size in cells, and the number of spots. For a line, half the width replaces the
+    /// radius. The radius is zero without spots.
     pub(crate) fn mean_spot(&self) -> (f64, usize) {
         let counts = self.counts();
         let cells = counts.cells as f64 / counts.spots.all.max(1) as f64;
@@ -137,7 +137,7 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
         neighbours(i, self.grid.size(), self.repeats)
     }
 
-    /// Returns the number of contact cells on the edges of a grid that is not periodic.
+    /// Returns the number of contact cells on the edges across which the grid is not periodic.
     pub(crate) fn cells_on_edge(&self) -> usize {
         if let Some(counted) = self.counted {
             return counted.cells_on_edge;
@@ -156,8 +156,8 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
         edge.filter(|&i| (self.contains)(i)).count()
     }
 
-    /// Calls `show` once for every cell of every spot (a set connected through cell sides) with the number of the spot and the
-    /// cell. Ends at the first error of `show`, or with an error if the memory does not suffice.
+    /// Calls `show` once for every cell of every spot, with the number of the spot and the cell. A spot is a set of cells
+    /// connected through cell sides. Ends at the first error of `show`, or with an error if the memory does not suffice.
     pub(crate) fn walk_spots(
         &self,
         mut show: impl FnMut(usize, usize) -> Result<()>,
@@ -184,7 +184,7 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
         Ok(())
     }
 
-    /// Returns the number of sides of a cell along y and along x beyond which the set ends.
+    /// Returns the numbers of sides of a cell along y and along x that lie on the edge of the set.
     pub(crate) fn open_sides(&self, cell: usize) -> [usize; 2] {
         let [left, below, right, above] = self
             .neighbours(cell)
@@ -194,7 +194,8 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
 }
 
 impl HalfSpace {
-    /// Counts the cells of the whole grid that are in a set, given for the local cells. Returns `None` without ranks.
+    /// Counts the cells of the whole grid that are in a set. `contains` returns whether a local cell is in the set. Returns
+    /// `None` without ranks.
     pub(crate) fn survey(&self, contains: impl Fn(usize) -> bool + Sync) -> Option<ContactCounts> {
         let map = ContactMap {
             grid: self.grid(),
@@ -258,7 +259,7 @@ mod tests {
         // touch the L, which adds three switches.
         map.repeats = [true; 2];
         assert_eq!(sizes(&map), [7, 2]);
-        // Columns 4, 5 and 7 are free; no row is free.
+        // Columns 4, 5 and 7 are free, and no row is free.
         assert_eq!(map.survey(None).extent, Some([6, 4]));
         assert_eq!(map.switches(), 6 + 6 + 5 + 3);
         let unresolved = Warning::UnresolvedSpots {

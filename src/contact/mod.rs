@@ -1,5 +1,6 @@
-//! Common parts of normal, tangential and coupled contacts: the solver of the half-space, the loop over windows, starts from
-//! coarser grids and from earlier solutions, and the limits shared by the passes of a solve.
+//! Common modules of normal, tangential and coupled contacts. They contain the solver of the half-space, the loop over
+//! windows, and starts from coarser grids and from earlier solutions. They also contain the limits shared by the passes of a
+//! solve.
 
 pub(crate) mod contact_counts;
 pub(crate) mod map;

@@ -1,5 +1,5 @@
-//! Nested iteration: starts from coarser grids, so that far fewer steps remain on the finest grid (the cascadic method of
-//! Bornemann & Deuflhard, Numer. Math. 75 (1996) 135, <https://doi.org/10.1007/s002110050234>).
+//! Nested iteration: starts from coarser grids, which leave far fewer steps for the finest grid. This is the cascadic method of
+//! Bornemann & Deuflhard, Numer. Math. 75 (1996) 135, <https://doi.org/10.1007/s002110050234>.
 
 use crate::bodies::component::Direction;
 use crate::cgm::{Constraint, ConstraintSet, InitialGuess, Settings};
@@ -10,13 +10,14 @@ use crate::half_space::{HalfSpace, Region};
 use crate::memory::fallible;
 use crate::parallel::layout::Layout;
 
-/// Maximum number of cells of a grid, and of a line, that is solved without a start from coarser cells.
+/// Maximum number of cells of a grid that is solved without a start from coarser cells.
 const COARSEST: usize = 40 * 40;
+/// Maximum number of cells of a line that is solved without a start from coarser cells.
 const COARSEST_LINE: usize = 160;
-/// Number of cells along the shorter side below which a grid that is not a line is not coarsened.
+/// Least number of cells along the shorter side of a grid that is coarsened, unless the grid is a line.
 const NARROW: usize = 8;
 
-/// A problem that can be posed on cells twice as large, whose solution is a start for the original problem.
+/// Problem that can be posed on cells twice as large. The solution on these cells is a start for the original problem.
 pub(crate) trait MultilevelProblem<const N: usize>: Sized {
     /// Set of a cell.
     type Set: ConstraintSet<N>;
@@ -36,8 +37,8 @@ pub(crate) trait MultilevelProblem<const N: usize>: Sized {
     /// Returns the problem on cells twice as large.
     fn coarsened(&self, levels: GridTransfer<'_>) -> Result<Self>;
 
-    /// Returns the part of the grid to which a start confines the solve, and the problem on it, if the part is small. The solve
-    /// on the finest grid detects contact outside this part.
+    /// Returns a small window to which a start confines the solve, and the problem on this window. Returns `None` if the window
+    /// would not be small. The solve on the finest grid detects contact outside this window.
     fn restrict_to_window(
         &self,
         _bodies: &HalfSpace,
@@ -77,7 +78,8 @@ impl GridTransfer<'_> {
         self.bodies.refined(self.coarser, self.size, field)
     }
 
-    /// Prolongates a field that is positive in a zone and falls to zero like the square root of the distance from its edge.
+    /// Prolongates a field that is positive in a zone. At the edge of the zone the field falls to zero like the square root of
+    /// the distance from the edge.
     pub(crate) fn refined_zone(&self, field: &[f64]) -> Result<Vec<f64>> {
         self.bodies.refined_zone(self.coarser, self.size, field)
     }
@@ -132,7 +134,7 @@ pub(crate) fn known_of_start<const N: usize>(
 }
 
 /// Computes the [start](nested_start). Also returns the initial residual of the coarser solve, or infinity if there is no
-/// coarser solve. Returns `None` for the residual if the observer or the clock ended the coarser solve; no further level is
+/// coarser solve. Returns `None` for the residual if the observer or the clock ended the coarser solve. No further level is
 /// then solved.
 fn descend<S: MultilevelProblem<N>, const N: usize>(
     bodies: &HalfSpace,
@@ -168,8 +170,8 @@ fn descend<S: MultilevelProblem<N>, const N: usize>(
     Ok((scene.refined_start(levels, &coarse, &x)?, residual))
 }
 
-/// Solves a coarse problem with a loose tolerance on its confined part. Returns the initial residual, or `None` if the observer
-/// or the clock ended the solve.
+/// Solves a coarse problem with a loose tolerance on its window. Returns the initial residual, or `None` if the observer or the
+/// clock ended the solve.
 fn solve<S: MultilevelProblem<N>, const N: usize>(
     (bodies, size): (&HalfSpace, [usize; 2]),
     scene: &S,

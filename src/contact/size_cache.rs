@@ -19,9 +19,9 @@ pub(crate) trait HasSize {
 /// A clone contains only the current object.
 #[derive(Debug)]
 pub(crate) struct SizeCache<T> {
-    /// Current object; `None` before the first use.
+    /// Current object, or `None` before the first use.
     pub(crate) present: Option<T>,
-    /// Retired objects; the last one was retired most recently.
+    /// Retired objects in the order of their retirement.
     left: Vec<RetiredEntry<T>>,
     /// Number of cells of the largest size since the list of retired objects was last empty.
     largest: usize,
@@ -59,7 +59,7 @@ impl<T> SizeCache<T> {
 }
 
 impl<T: HasSize> SizeCache<T> {
-    /// Counts a use of the current size, and drops objects that have not been used for a long time.
+    /// Counts a use of the current size, and drops objects whose last use is more than [`PATIENCE`] uses ago.
     pub(crate) fn tick(&mut self) {
         self.uses += 1;
         let uses = self.uses;
@@ -69,11 +69,11 @@ impl<T: HasSize> SizeCache<T> {
         }
     }
 
-    /// Makes the object for a size the current one: keeps the current object if it fits, otherwise takes it from the cache or
-    /// creates it. The previous object is retired to the cache.
+    /// Makes the object for a size the current object. If the current object has a different size, it is retired to the
+    /// cache. The new current object then comes from the cache or is created.
     ///
     /// # Errors
-    /// The errors of `make`; the cache is then unchanged.
+    /// The errors of `make`. The cache is then unchanged.
     pub(crate) fn get_or_create<E>(
         &mut self,
         size: [usize; 2],

@@ -11,22 +11,22 @@ macro_rules! solver_methods {
             crate::memory::fallible::unwrap_or_abort(self.try_new_solution())
         }
 
-        /// Solves into `solution`, whose previous content does not matter.
+        /// Solves into `solution` and overwrites its previous content.
         ///
         /// # Errors
         /// - [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch)
-        ///   if the solution has a different grid or boundary; nothing is changed in that case.
+        ///   if the solution has a different grid or boundary. Nothing is then changed.
         /// - The errors of [`HalfSpace::operator`](crate::HalfSpace::operator).
         /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the solve shows that a force slides the
         ///   contact.
         /// - [`Error::NotConverged`](crate::Error::NotConverged), with the last feasible iterate in `solution`.
-        /// - [`Error::Ranks`](crate::Error::Ranks) if the ranks disagree or one of them fails.
+        /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail or pass different input.
         pub fn solve_into(&mut self, solution: &mut $Solution) -> Result<()> {
             self.solve_observed(solution, |_| std::ops::ControlFlow::Continue(()))
         }
 
-        /// Solves like [`Self::solve_into`] with an observer that is called at every step and may cancel. Once the observer has
-        /// cancelled, the solve returns [`Error::NotConverged`](crate::Error::NotConverged) with
+        /// Solves like [`Self::solve_into`] with an observer that is called at every step and may cancel. After a cancellation
+        /// the solve returns [`Error::NotConverged`](crate::Error::NotConverged) with
         /// [`Status::Cancelled`](crate::Status::Cancelled), even if the iterate satisfies the tolerance.
         ///
         /// # Errors

@@ -1,12 +1,12 @@
-//! Loop over windows: solve the contact on a window of the grid, check the whole grid, and continue on a larger window if the
-//! window was too small.
+//! Loop over windows. A pass solves the contact on a window of the grid and checks the whole grid. If the window was too small,
+//! the loop continues on a larger window.
 
 use crate::contact::{HasSize, SizeCache};
 use crate::error::{Error, Result};
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 
-/// Overlap beyond the window, relative to the largest displacement, that round-off of a product can cause.
+/// Overlap outside the window that round-off of a product can cause, relative to the largest displacement.
 const ROUND_OFF: f64 = 1e-13;
 
 /// A solver on a window.
@@ -35,7 +35,7 @@ pub(crate) enum PassOutcome {
     Accepted,
     /// The error bound on the whole grid exceeds the bound on the window and the tolerance.
     BoundTooWide,
-    /// Bodies overlap within this window, beyond the window of the pass.
+    /// Bodies overlap outside the window of the pass, within this window.
     OverlapOutside(Window),
 }
 
@@ -43,7 +43,7 @@ pub(crate) enum PassOutcome {
 pub(crate) type Windows<E> = SizeCache<E>;
 
 impl<E: WindowEngine> Windows<E> {
-    /// Returns the window of the contact, or `None` before the first.
+    /// Returns the window of the contact, or `None` before the first contact.
     pub(crate) fn window(&self) -> Option<Window> {
         self.present.as_ref().map(E::window)
     }
@@ -66,8 +66,8 @@ impl<E: WindowEngine> Windows<E> {
         Ok(())
     }
 
-    /// Runs passes on the current window, each with a check of the whole grid and with a fraction of the tolerance. If bodies
-    /// overlap beyond the window, the next pass has a larger window. If the error bound is too large, the next pass is stricter.
+    /// Runs passes on the current window. Each pass checks the whole grid and uses a fraction of the tolerance. If bodies overlap
+    /// beyond the window, the next pass has a larger window. If the error bound is too large, the next pass is stricter.
     ///
     /// # Errors
     /// The errors of the passes, which also end the loop.
@@ -92,8 +92,8 @@ impl<E: WindowEngine> Windows<E> {
     }
 }
 
-/// Returns the bounding box of the cells beyond a window whose bodies overlap by more than round-off of the largest displacement.
-/// `gap` is the gap under load of a local cell.
+/// Returns the bounding box of the overlapping cells outside a window. In these cells the bodies overlap by more than round-off
+/// of the largest displacement. `gap` is the gap under load of a local cell.
 pub(crate) fn overlap_outside(
     bodies: &HalfSpace,
     window: Window,

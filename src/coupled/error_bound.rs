@@ -1,13 +1,15 @@
-//! Error of the whole coupled solution from the errors of its halves: a bound for weak friction, an estimate otherwise.
+//! Error of the whole coupled solution from the errors of its halves. The error is a bound for weak friction and an
+//! estimate otherwise.
 
 use crate::cgm::cone::ConeMeasures;
 use crate::coupled::ErrorEstimate;
 
 /// Sensitivities of the normal and the tangential half of a coupled problem to each other.
 ///
-/// Let $`P(q)`$ be the pressure for given tractions $`q`$ and $`Q(p)`$ the tractions for a given pressure $`p`$ under a
-/// given shift. In the energy norms of $`C_{zz}`$ and $`C_{tt}`$, with $`\kappa = |C_{zz}^{-1/2} B\, C_{tt}^{-1/2}|`$
-/// and $`c^2 = \lambda_{max}(C_{tt}) / \lambda_{min}(C_{zz})`$, the variational inequalities of the halves give
+/// Let $`P(q)`$ be the pressure for given tractions $`q`$. Let $`Q(p)`$ be the tractions for a given pressure $`p`$
+/// under a given shift. Define $`\kappa = |C_{zz}^{-1/2} B\, C_{tt}^{-1/2}|`$ and
+/// $`c^2 = \lambda_{max}(C_{tt}) / \lambda_{min}(C_{zz})`$. In the energy norms of $`C_{zz}`$ and $`C_{tt}`$, the
+/// variational inequalities of the halves give
 ///
 /// ```math
 /// |P(q_1) - P(q_2)| \le \kappa\,|q_1 - q_2|, \qquad |Q(p_1) - Q(p_2)| \le L\,|p_1 - p_2|, \qquad
@@ -27,7 +29,7 @@ pub(super) struct Contraction {
     pub(super) coupling: f64,
     /// Ratio $`c`$.
     pub(super) spread: f64,
-    /// Absolute value of Dundurs' beta; for coated bodies the value of the most strongly coupled waves.
+    /// Absolute value of Dundurs' beta. For coated bodies it is the value of the most strongly coupled waves.
     pub(super) beta: f64,
 }
 
@@ -35,7 +37,7 @@ pub(super) struct Contraction {
 const TYPICAL: f64 = 0.7;
 
 impl Contraction {
-    /// Returns bounds on the errors of pressure and traction for this friction; `None` if $`\kappa L \ge 1`$.
+    /// Returns bounds on the errors of pressure and traction for this friction, or `None` if $`\kappa L \ge 1`$.
     pub(super) fn bounds(self, friction: f64, findings: &ConeMeasures) -> Option<[f64; 2]> {
         let Self {
             coupling, spread, ..
@@ -46,7 +48,7 @@ impl Contraction {
     }
 
     /// Estimates the errors with the sensitivities 0.7 beta for $`P`$ and 0.7 beta + mu for $`Q`$. No measured contact
-    /// exceeded these sensitivities. Unlike the bounds, they do not depend on the cells.
+    /// exceeded these sensitivities. Unlike the bounds, these sensitivities do not depend on the cells.
     pub(super) fn estimate(self, friction: f64, findings: &ConeMeasures) -> Option<ErrorEstimate> {
         let coupling = TYPICAL * self.beta;
         let [pressure, traction] = whole(findings.bounds, coupling, coupling + friction)?;

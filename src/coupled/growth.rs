@@ -3,24 +3,24 @@
 use crate::cgm::reduce;
 use crate::parallel::layout::Layout;
 
-/// Largest fraction of the contact cells that may come into contact in a step without a warning. About 20 steps of
-/// equal growth of the radius satisfy this limit.
+/// Largest fraction of the contact cells that can be new in a step without a warning. About 20 steps of equal growth of
+/// the radius satisfy this limit.
 const LARGEST_GROWTH: f64 = 0.1;
 
 /// Contact whose pressure has changed in one step.
 pub(crate) struct SensitivityInput<'a> {
     /// Gap before loading.
     pub(crate) gap: &'a [f64],
-    /// Pressure before the step; `None` for separated bodies.
+    /// Pressure before the step, or `None` for separated bodies.
     pub(crate) before: Option<&'a [f64]>,
     pub(crate) pressure: &'a [f64],
     pub(crate) traction: [&'a [f64]; 2],
 }
 
 impl SensitivityInput<'_> {
-    /// Returns whether a large part of a contact with friction formed in this step, although a growing load would close
-    /// it cell by cell. Cells with the least gap of the contact do not count, because they also close simultaneously
-    /// under a growing load.
+    /// Returns whether a large fraction of the cells of a contact with friction came into contact in this step. Under a
+    /// growing load these cells would close one after the other. Cells with the least gap of the contact do not count,
+    /// because they close simultaneously under a growing load too.
     pub(crate) fn is_at_once(&self, layout: &Layout) -> bool {
         let Self { gap, pressure, .. } = *self;
         let [qx, qy] = self.traction;

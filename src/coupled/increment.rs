@@ -19,13 +19,13 @@ use crate::tangential::{
     TangentialVector, centre, zeros,
 };
 
-/// Growth of the contact in a step, in cells, that the margin of the window allows.
+/// Margin of the window for the growth of the contact in a step, in cells.
 const GROWTH: usize = 2;
 
 /// Pressure and traction on the grid, the memory of the cells, and the solver of a step.
 ///
-/// A step finds pressures $`p`$, tractions $`q`$, an approach and a motion $`\delta_t`$ of body 2; the slip of the step
-/// is $`s = u_t - S - \delta_t`$. The offset $`S`$ is the value of $`u_t - \delta_t`$ in a cell while it sticks; it is
+/// A step finds pressures $`p`$, tractions $`q`$, an approach and a motion $`\delta_t`$ of body 2. The slip of the step
+/// is $`s = u_t - S - \delta_t`$. The offset $`S`$ of a cell is its value of $`u_t - \delta_t`$ during stick. It is
 /// zero if the step starts from rest. A history sets the offset.
 #[derive(Debug, Clone)]
 pub(crate) struct CoupledIncrement {
@@ -40,7 +40,7 @@ pub(crate) struct CoupledIncrement {
     pub(super) linear: [Vec<f64>; N],
     /// $`\kappa g`$ of the cells that would come into contact in this step, if such cells lag behind the motion.
     pub(super) closing: Vec<f64>,
-    /// Deviator of $`\kappa g`$ over the directions, if the bodies roll; otherwise empty.
+    /// Deviator of $`\kappa g`$ over the directions if the bodies roll. Otherwise empty.
     pub(super) closing_deviator: Vec<[f64; 2]>,
     pub(super) enters: bool,
     motion: RigidMotion,
@@ -130,7 +130,7 @@ impl CoupledIncrement {
         self.displacement.each_ref().map(Vec::as_slice)
     }
 
-    /// Returns the window of the solver; `None` before the first contact.
+    /// Returns the window of the solver, or `None` before the first contact.
     pub(crate) fn window(&self) -> Option<Window> {
         self.windows.window()
     }
@@ -175,7 +175,7 @@ impl CoupledIncrement {
         StepSolution::new(&self.pressed, Axis::BOTH, found, self.motion)
     }
 
-    /// Writes the normal part of the last step for this gap before loading and this hardness.
+    /// Writes the normal solution of the last step for this gap before loading and this hardness.
     pub(crate) fn write(
         &self,
         initial: &Field,
@@ -203,10 +203,11 @@ impl CoupledIncrement {
         self.set_known(0.0, [0.0; 2]);
     }
 
-    /// Computes pressure, tractions and the motion of body 2 at the end of a step; `before` is the motion at its start.
+    /// Computes pressure, tractions and the motion of body 2 at the end of a step. `before` is the motion at the start
+    /// of the step.
     ///
     /// # Errors
-    /// - [`Error::NotConverged`] if a limit is reached; the last iterate and its motion remain available.
+    /// - [`Error::NotConverged`] if a limit is reached. The last iterate and its motion remain available.
     /// - Errors of the load, before any work.
     pub(crate) fn solve(
         &mut self,
@@ -338,7 +339,7 @@ impl CoupledIncrement {
         tangential.compute_totals(Axis::BOTH, Some(sums), measured, &mut self.motion)
     }
 
-    /// Sets the linear term so that every cell closes its gap and follows the motion from its offset.
+    /// Sets the linear term so that every cell closes its gap and follows the motion of body 2 from its offset.
     pub(super) fn set_linear(&mut self, gap: &Field, datum: f64) {
         let grid = self.bodies.grid();
         let [z, x, y] = &mut self.linear;

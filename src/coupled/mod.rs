@@ -1,7 +1,7 @@
 //! Bodies of different materials, for which pressure and traction are coupled.
 //!
-//! If Dundurs' constant $`\beta`$ is not zero, pressure moves the surfaces tangentially and shear moves them normally
-//! (K and the signs as in [`influence`](crate::influence)):
+//! If Dundurs' constant $`\beta`$ is not zero, pressure moves the surfaces tangentially and shear moves them normally.
+//! With K and the signs of [`influence`](crate::influence), the displacements are
 //!
 //! ```math
 //! u_z = C_{zz}\,p + B\,q, \qquad u_t = B^{T} p + C_{tt}\,q, \qquad B = (C_{zx}, C_{zy}) .
@@ -24,38 +24,39 @@
 //!
 //! # Load steps
 //!
-//! Friction makes pressing depend on the load history: cells at the rim of a growing contact slip while cells inside
-//! stick. One step from rest underestimates the stick radius of a pressed sphere by more than a factor of two. At
-//! $`\beta = 0.5`$ and $`\mu = 0.3`$ it gives 0.23 instead of 0.50 of the contact radius. Its approach is accurate to
-//! 4e-4 and its peak pressure to 9e-3. For a flat punch, whose contact does not grow, one step is exact.
+//! Friction makes pressing depend on the load history. Cells at the edge of a growing contact slip while cells inside
+//! the contact stick. One step from rest underestimates the stick radius of a pressed sphere by more than a factor of
+//! two. At $`\beta = 0.5`$ and $`\mu = 0.3`$ one step gives 0.23 instead of 0.50 of the contact radius. The approach is
+//! accurate to 4e-4, and the peak pressure to 9e-3. For a flat punch, whose contact does not grow, one step is exact.
 //! [`History::press`](crate::History::press) takes as many steps as a tolerance requires.
 //!
 //! # Sliding forces
 //!
-//! For a uniform coefficient of friction and a prescribed normal force W, friction carries less than $`\mu W`$ for any
-//! distribution of the pressure. A greater force is rejected immediately, and a force of $`(1 - 10^{-8}) \mu W`$ is
-//! solved.
+//! The following holds for a uniform coefficient of friction and a prescribed normal force W. Friction carries less
+//! than $`\mu W`$ for any distribution of the pressure. The solver rejects a greater force immediately, and it solves
+//! for a force of $`(1 - 10^{-8}) \mu W`$.
 //!
-//! Under a prescribed approach, or with a coefficient per cell or a shear cap, the sum of the limits depends on the
-//! unknown pressure. If a solve stalls, the prescribed force is compared with the force at which the bodies slide
-//! steadily in the same direction. [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) states this
-//! sliding force. Equilibria under slightly larger forces are returned if the solver finds them.
+//! Under a prescribed approach, with a coefficient per cell or with a shear cap, the sum of the limits depends on the
+//! unknown pressure. If a solve stalls, the solver compares the prescribed force with the force at which the bodies
+//! slide steadily in the same direction. [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) states
+//! this sliding force. Equilibria under slightly larger forces are returned if the solver finds them.
 //!
 //! # Certificates
 //!
-//! A friction limit that depends on the unknown pressure is not the optimality condition of any energy, and the
-//! solution is known to be unique for weak friction only. A. Klarbring, Ingenieur-Archiv 60 (1990) 529, gives examples without
-//! a solution and with several. G. De Saxcé and Z.-Q. Feng, Math. Comput. Modelling 28 (1998) 225,
-//! <https://doi.org/10.1016/S0895-7177(98)00119-8>, state both laws as one with a bipotential.
+//! The friction limit depends on the unknown pressure, so the equations are not the optimality conditions of any
+//! energy. The solution is known to be unique for weak friction only. A. Klarbring, Ingenieur-Archiv 60 (1990) 529,
+//! gives examples without a solution and with several solutions. G. De Saxcé and Z.-Q. Feng, Math. Comput. Modelling 28
+//! (1998) 225, <https://doi.org/10.1016/S0895-7177(98)00119-8>, combine both laws in a bipotential.
 //!
-//! The report contains the residual of both laws. It also contains a rigorous bound for each half (the normal or the
-//! tangential problem), given the present solution of the other half. See [`CoupledReport`].
+//! The report contains the residual of both laws. The two halves of the problem are the normal and the tangential
+//! problem. The report contains a rigorous bound for each half, given the present solution of the other half. See
+//! [`CoupledReport`].
 //!
 //! If friction is weak enough for the grid and no tangential force is prescribed, these bounds also bound the whole
-//! error ([`CoupledReport::error_bounds`]). On 64 x 64 cells this holds up to $`\mu = 0.29`$ for aluminium on steel, up
-//! to 0.09 for a body of $`\nu = 0.3`$ on a rigid body, and up to 0.026 at $`\beta = 0.5`$. These limits decrease with
-//! the square root of the number of cells per side. In all other cases the report has an [`ErrorEstimate`], which is
-//! not a bound.
+//! error ([`CoupledReport::error_bounds`]). On 64 x 64 cells the limit of friction is $`\mu = 0.29`$ for aluminium on
+//! steel. It is 0.09 for a body of $`\nu = 0.3`$ on a rigid body, and 0.026 at $`\beta = 0.5`$. These limits decrease
+//! with the square root of the number of cells per side. In all other cases the report has an [`ErrorEstimate`], which
+//! is not a bound.
 //!
 //! The example `dissimilar` plots:
 #![cfg_attr(doc, doc = include_str!("../pictures/dissimilar.html"))]

@@ -12,7 +12,7 @@ impl CoupledIncrement {
         [&self.offset[0], &self.offset[1]]
     }
 
-    /// Sets the gap that cells close when they come into contact; such cells lag behind the motion. `None` disables the
+    /// Sets the gap that cells close when they come into contact. Such cells lag behind the motion. `None` disables the
     /// lag.
     pub(crate) fn enter(&mut self, gap: Option<impl Fn(usize) -> f64>) -> Result<()> {
         self.enters = gap.is_some();
@@ -27,8 +27,8 @@ impl CoupledIncrement {
         Ok(())
     }
 
-    /// Sets $`\kappa g`$ of each cell of the grid for rolling; cells that come into contact lag behind the motion
-    /// accordingly. `None` disables the lag.
+    /// Sets $`\kappa g`$ of each cell of the grid for rolling. It determines the lag of cells that come into contact
+    /// behind the motion. `None` disables the lag.
     pub(crate) fn set_rolling_entry_compliance(
         &mut self,
         closing: Option<impl Fn(usize) -> EntryCompliance>,
@@ -58,7 +58,8 @@ impl CoupledIncrement {
         }
     }
 
-    /// Subtracts the part of the motion that cells did not follow from the offsets of the cells that came into contact.
+    /// Subtracts the lag from the offsets of the cells that came into contact. The lag is the motion that a cell has
+    /// not followed.
     pub(super) fn subtract_entry_lag(&mut self) {
         if !self.enters {
             return;
@@ -81,8 +82,8 @@ impl CoupledIncrement {
         }
     }
 
-    /// Writes the entry compliance of the cells in the last step; `entered` is empty if the lag is disabled. Returns
-    /// whether any cell may have come into contact.
+    /// Writes the entry compliance of the cells in the last step to `entered`. If the lag is disabled, `entered`
+    /// becomes empty. Returns whether any cell may have come into contact.
     pub(crate) fn write_entered(&self, entered: &mut Vec<f64>) -> bool {
         entered.clear();
         if self.enters {

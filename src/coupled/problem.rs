@@ -14,12 +14,13 @@ use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, Ta
 
 /// Bodies, gap, friction and loads of a contact with coupled pressure and tractions, in one step from rest.
 ///
-/// One step equals gradual pressing if the contact has its full size from the first load (a flat punch), if the bodies
-/// are not coupled, or without friction. In a growing contact of dissimilar bodies, cells that come into contact later
-/// slip less than in one step. A ball of $`\beta = 1/2`$ pressed in one step sticks on 0.23 of the contact radius, but
-/// on 0.50 of it if pressed in 32 steps ([Spence](crate::analytical::SpencePressing)). The solution of such a contact
-/// has the warning [`SingleLoadStep`](crate::Warning::SingleLoadStep). [`History::press`](crate::History::press) takes
-/// as many steps as a tolerance requires.
+/// One step equals gradual pressing for bodies without coupling or without friction. It also equals gradual pressing if
+/// the contact has its full size from the first load (a flat punch). In a growing contact of dissimilar bodies, cells
+/// that come into contact later slip less than in one step. A ball of $`\beta = 1/2`$ pressed in one step sticks on
+/// 0.23 of the contact radius. Pressed in 32 steps, it sticks on 0.50 of the contact radius
+/// ([Spence](crate::analytical::SpencePressing)). The solution of such a contact has the warning
+/// [`SingleLoadStep`](crate::Warning::SingleLoadStep). [`History::press`](crate::History::press) takes as many steps as
+/// a tolerance requires.
 ///
 /// ```
 /// use stickslip::*;
@@ -54,7 +55,7 @@ pub struct CoupledProblem {
 
 try_clone!(CoupledProblem { friction, hardness, relative } { bodies, gap, normal, tangential, settings });
 
-/// Options of a [`CoupledProblem`]; each has a default.
+/// Options of a [`CoupledProblem`], all with defaults.
 #[derive(Debug, Clone)]
 #[must_use = "a builder does nothing until build() is called"]
 pub struct CoupledProblemBuilder<'a> {
@@ -70,7 +71,8 @@ pub struct CoupledProblemBuilder<'a> {
 
 impl CoupledProblem {
     /// Starts a builder from the required input: bodies, initial gap (lengths, on the grid of the bodies), friction,
-    /// normal and tangential load. A gap passed by reference is copied; a gap passed by value or in an [`Arc`] is not.
+    /// normal and tangential load. A gap passed by reference is copied. A gap passed by value or in an [`Arc`] is not
+    /// copied.
     ///
     /// A tangential load of zero force differs from a load of zero shift. The tractions due to pressing alone sum to
     /// zero only if the contact is symmetric.
@@ -189,7 +191,7 @@ impl CoupledProblemBuilder<'_> {
         })
     }
 
-    /// Returns an error if the part of the input that a rank can check without the others is invalid.
+    /// Checks the input that a rank can check without the other ranks.
     fn check(&self) -> Result<()> {
         check_joint(self.bodies)?;
         let grid = self.bodies.grid();

@@ -16,8 +16,9 @@ const FAR: f64 = 1e6;
 const LEAST_TOLERANCE: f64 = 1e-8;
 
 impl CoupledIncrement {
-    /// Solves for a force that may exceed the friction capacity. If the solve stalls, the force at which the bodies
-    /// slide in the direction of the load determines whether this is an error.
+    /// Solves for a force that may exceed the friction capacity. If the solve stalls, the function computes the force
+    /// at which the bodies slide in the direction of the load. This force determines whether the prescribed force is an
+    /// error.
     ///
     /// # Errors
     /// - [`Error::BeyondFrictionCapacity`] if the bodies slide under the force.
@@ -67,7 +68,7 @@ impl CoupledIncrement {
     ) -> Result<()> {
         let layout = self.bodies.grid_layout();
         let ([normal, ..], [demand, ..]) = (self.displacement(), &self.linear);
-        // Under a prescribed approach the iterate may be arbitrary; the overlap of the bodies then bounds the largest
+        // Under a prescribed approach the iterate may be arbitrary. The overlap of the bodies then bounds the largest
         // displacement.
         let largest = reduce::max(&layout, |i| match task.totals[0] {
             Total::Free => -demand[i],

@@ -15,8 +15,8 @@ use crate::support::serialise::checked;
 use crate::tangential::TangentialSolution;
 use crate::warning::Warning;
 
-/// Normal and tangential part of a coupled contact, with the displacements that pressure and tractions cause together.
-/// Equality compares the results and ignores the report.
+/// Normal and tangential solution of a coupled contact, with the displacements that pressure and tractions cause
+/// together. Equality compares the results and ignores the report.
 #[derive(Clone)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct CoupledSolution {
@@ -112,24 +112,24 @@ impl CoupledSolution {
         self.whole_energy = bodies.is_shared().then(|| self.energy_over(&layout));
     }
 
-    /// Returns the normal part: pressure, gap under load, approach and contact area. The report of this part describes
-    /// the whole solve.
+    /// Returns the normal solution: pressure, gap under load, approach and contact area. Its report describes the whole
+    /// solve.
     #[must_use]
     pub fn normal(&self) -> &NormalSolution {
         &self.normal
     }
 
-    /// Returns the tangential part: tractions along both axes, slip, zones and shift. The report of this part describes
-    /// the whole solve.
+    /// Returns the tangential solution: tractions along both axes, slip, zones and shift. Its report describes the
+    /// whole solve.
     #[must_use]
     pub fn tangential(&self) -> &TangentialSolution {
         &self.tangential
     }
 
     /// Returns the displacements of all cells along x, y and z due to pressure and traction together (lengths). Along x
-    /// and y they are the displacement of body 1 minus the displacement of body 2; along z they are the sum for both
-    /// bodies. The `displacement` functions of the two parts compute the displacements due to the pressure or the
-    /// tractions alone.
+    /// and y they are the displacement of body 1 minus the displacement of body 2. Along z they are the sum of the
+    /// displacements of both bodies. The `displacement` functions of the normal and the tangential solution compute the
+    /// displacements due to only the pressure or only the tractions.
     #[must_use]
     pub fn displacement(&self) -> [&Field; 3] {
         let [z, x, y] = &self.displacement;
@@ -158,7 +158,7 @@ impl CoupledSolution {
         &self.report
     }
 
-    /// Returns warnings that the result may be misleading; see [`Warning`].
+    /// Returns the warnings about results that may be misleading. See [`Warning`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         unwrap_or_abort(self.try_warnings())

@@ -14,7 +14,7 @@ use crate::tangential::{Axis, Friction, RigidMotion, TangentialLoad, TangentialM
 
 /// Solver of a sequence of coupled contacts, each from rest in one step. Each solve starts from the last solution.
 ///
-/// The solver has no memory of slip; use a [`History`](crate::History) for steps that depend on earlier slip. Gap,
+/// The solver has no memory of slip. Use a [`History`](crate::History) for steps that depend on earlier slip. Gap,
 /// friction and loads may change between calls. A solve on the window of the last contact does not allocate.
 ///
 /// ```
@@ -145,7 +145,8 @@ impl CoupledSolver {
         if has_iterate(&outcome) {
             solution.fill(problem, &self.increment);
         }
-        // The next solve must not start from NaN, or from a state that is incomplete because memory ran out.
+        // The next solve must not start from NaN. If memory ran out, it must not start from the incomplete state
+        // either.
         let is_broken = outcome.is_err() && !self.increment.report().residual.is_finite();
         if is_broken || matches!(outcome, Err(Error::Memory { .. })) {
             self.increment.forget();

@@ -1,5 +1,5 @@
-//! Solver of a coupled contact on a window: Newton's method for pressure and tractions together, with alternating
-//! normal and tangential solves (halves) as start and safeguard.
+//! Solver of a coupled contact on a window: Newton's method for pressure and tractions together. Alternating normal and
+//! tangential solves (halves) are its start and safeguard.
 
 use crate::bodies::component::Direction;
 use crate::cgm::cone::{self, ConeMeasures, ConeProblem, ConeStart, ConeWorkspace, FrictionCone};
@@ -31,7 +31,7 @@ use crate::tangential::{FrictionWithin, entry_compliance};
 const START: f64 = 1e-2;
 /// Residual of the start above which a sweep of alternating solves is cheaper than Newton's method.
 const POOR: f64 = 0.1;
-/// Number of rounds after which cycling active sets end the solve; each round takes more sweeps than the previous
+/// Number of rounds after which cycling active sets end the solve. Each round takes more sweeps than the previous
 /// round.
 const ROUNDS: usize = 12;
 /// Largest fraction of the friction capacity that a tangential half may use, because its pressure is not final.
@@ -44,7 +44,7 @@ pub(super) enum CoupledStart {
     Halves,
     /// Starts from the present tractions, which were interpolated from coarser cells.
     Coarse,
-    /// Starts from the present tractions, unless they are far from the solution.
+    /// Starts from the present tractions unless they are far from the solution.
     Present,
 }
 
@@ -94,7 +94,7 @@ pub(super) struct CoupledEngine {
     /// Window in the local part of the grid.
     region: Region,
     layout: Layout,
-    /// Operator and buffer for the whole grid; `None` if the window is the whole grid.
+    /// Operator and buffer for the whole grid, or `None` if the window is the whole grid.
     whole: Option<GridOperator>,
     compliance: Compliance<N>,
     workspace: ConeWorkspace,
@@ -113,21 +113,21 @@ pub(super) struct CoupledEngine {
     x: [Vec<f64>; N],
     /// Linear term in the cells of the window.
     asked: [Vec<f64>; N],
-    /// Tractions after the last alternating solves; empty before the first.
+    /// Tractions after the last alternating solves. Empty before the first of these solves.
     kept: [Vec<f64>; N],
     /// Linear term of a half, including the displacements due to the other half.
     linear: [Vec<f64>; N],
-    /// `kappa g` of the cells that would come into contact; empty if no cell lags. `closing` is the mean over all
-    /// directions, and `closing_deviator` the deviator for rolling bodies.
+    /// `kappa g` of the cells that would come into contact. `closing` is its mean over all directions and is empty if
+    /// no cell lags. `closing_deviator` is its deviator for rolling bodies.
     closing: Vec<f64>,
     closing_deviator: Vec<[f64; 2]>,
     enters: bool,
-    /// Entry compliance `kappa g / p` for the pressure of a half; empty if no cell comes into contact.
+    /// Entry compliance `kappa g / p` for the pressure of a half. Empty if no cell comes into contact.
     own: Vec<f64>,
     own_deviator: Vec<[f64; 2]>,
     image: [Vec<f64>; N],
     limits: Vec<f64>,
-    /// Largest pressure if the limit is uniform; otherwise `hardness_of_cells` contains the limit of each cell.
+    /// Largest pressure if the limit is uniform. Otherwise `hardness_of_cells` contains the limit of each cell.
     hardness: PerCell<()>,
     hardness_of_cells: Vec<f64>,
 }
@@ -293,8 +293,8 @@ impl CoupledEngine {
                     break;
                 }
             }
-            // A half that was stopped leaves tractions beyond the friction limits of its pressure. The Newton solver
-            // projects these tractions, measures their residual, and then stops as well.
+            // A stopped half leaves tractions beyond the friction limits of its pressure. The Newton solver projects
+            // these tractions, measures their residual, and then stops as well.
             let multiplier = self.workspace.multiplier();
             let has_halves = sweeps > 0;
             if has_halves {

@@ -78,14 +78,14 @@ pub(crate) fn all_non_negative(quantity: &'static str, samples: &[f64]) -> Resul
 /// Number of samples that are tested together.
 const SCANNED: usize = 512;
 
-/// Checks that every sample obeys the rule; the error reports the first sample that does not.
+/// Checks that every sample obeys the rule. The error reports the first sample that violates the rule.
 pub(crate) fn samples_obey(
     quantity: &'static str,
     samples: &[f64],
     rule: &'static str,
     obeys: impl Fn(f64) -> bool,
 ) -> Result<()> {
-    // Each chunk is tested to its end, without an early exit, so that the loop can be vectorised.
+    // The test of a chunk has no early exit, so that the loop can be vectorised.
     let is_broken = |chunk: &[f64]| !chunk.iter().fold(true, |all, &value| all & obeys(value));
     let broken = samples.chunks(SCANNED).position(is_broken);
     let found = broken.and_then(|chunk| {
@@ -117,8 +117,8 @@ pub(crate) fn length(quantity: &'static str, expected: usize, found: usize) -> R
     }
 }
 
-/// Checks that memory for `[columns, rows]` of `each` bytes can be allocated now. The memory is requested and released,
-/// and never written to.
+/// Checks that memory for `[columns, rows]` of `each` bytes can be allocated now. The function requests and releases
+/// the memory without writing to it.
 pub(crate) fn memory(quantity: &'static str, counts: [usize; 2], each: usize) -> Result<()> {
     let [columns, rows, each] = [counts[0], counts[1], each].map(|count| count as u128);
     let bytes = columns.saturating_mul(rows).saturating_mul(each);

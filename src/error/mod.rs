@@ -18,7 +18,7 @@ pub use {kind::ErrorKind, place::Place, ranks::RankFailure, result::Result, syst
 
 use crate::report::Report;
 
-/// Reason why a call failed. There is one variant per violated rule, with the offending number.
+/// Reason why a call failed. Each variant belongs to one violated rule and contains the offending number.
 ///
 /// `Debug` writes the name of the variant and the sentence of `Display`, because a program whose `main` returns the
 /// error prints it with `Debug`. [`kind`](Self::kind) groups the variants by the reaction of a program. Arguments are checked before any work, and a failed call leaves the state of the caller unchanged.
@@ -35,8 +35,7 @@ pub enum Error {
         /// Number of cells along y.
         ny: usize,
     },
-    /// Memory for a quantity cannot be allocated; [the state is
-    /// unchanged](crate::guide::embedding#when-memory-runs-out).
+    /// Memory for a quantity cannot be allocated. [The state is unchanged](crate::guide::embedding#when-memory-runs-out).
     #[error("cannot allocate {} for {quantity}", messages::size(*bytes))]
     Memory {
         /// The quantity that requires the memory, in words.
@@ -68,7 +67,7 @@ pub enum Error {
         /// The given value.
         value: f64,
     },
-    /// A number is so small or so large that its squares overflow or underflow, so that no error could be certified.
+    /// The squares of a number overflow or underflow, so that no error could be certified.
     #[error(
         "{quantity} must lie between {least:e} and {most:e} so that its squares do not overflow or underflow, got {value:e}: {remedy}"
     )]
@@ -121,13 +120,12 @@ pub enum Error {
         /// The remedy, in words.
         remedy: &'static str,
     },
-    /// A pair that represents a [`Kernel`](crate::Kernel) was given without the kernel, or the table of the kernel
-    /// lacks a coefficient, or the operators of the kernel lack a direction.
+    /// A [`Kernel`](crate::Kernel) is incomplete: its table lacks a coefficient, its operators lack a direction, or the pair that
+    /// represents the kernel was given without it.
     #[error("the kernel is missing or incomplete: {0}")]
     IncompleteKernel(&'static str),
-    /// The smallest eigenvalue of the compliance of coated bodies, or of a [`Kernel`](crate::Kernel), is not positive
-    /// on this grid, so that no error could be certified. The page of [`kernel`](crate::kernel#certificate) lists the
-    /// available bounds.
+    /// The smallest eigenvalue of the compliance of coated bodies, or of a [`Kernel`](crate::Kernel), is not positive on this
+    /// grid. No error could be certified. The page of [`kernel`](crate::kernel#certificate) lists the available bounds.
     #[error(
         "the smallest eigenvalue of the compliance must be positive, got {eigenvalue:?} on cells of sides {sides:?}: use a grid that is smaller relative to the layer thickness, a periodic grid, or a kernel of positive energy"
     )]
@@ -164,12 +162,12 @@ pub enum Error {
         "the materials couple pressure and traction (Dundurs' beta = {beta:?}), which this model neglects: use a coupled problem or a history with full coupling, or accept the error of one-way or neglected coupling"
     )]
     CoupledMaterials {
-        /// Dundurs' second parameter of the pair; for coated bodies the equivalent parameter for the waves with the
+        /// Dundurs' second parameter of the pair. For coated bodies it is the equivalent parameter for the waves with the
         /// strongest coupling.
         beta: f64,
     },
-    /// The cells are so much longer than wide that round-off dominates the smallest eigenvalue of the compliance. No
-    /// error could be certified.
+    /// The cells are so elongated that round-off dominates the smallest eigenvalue of the compliance. No error could be
+    /// certified.
     #[error(
         "cells of sides {sides:?} are too elongated for double precision to resolve the compliance of short waves: use cells of a smaller aspect ratio"
     )]
@@ -263,7 +261,7 @@ pub enum Error {
     /// A direction occurs twice among the directions of an operator.
     #[error("an operator has the same direction twice: give each of its directions once")]
     RepeatedDirection,
-    /// The bodies do not touch: there is no contact to load tangentially.
+    /// The bodies do not touch, so there is no contact to load tangentially.
     #[error(
         "the contact is empty because no cell carries pressure: first prescribe a positive normal force, or an approach above the smallest gap"
     )]
@@ -278,8 +276,8 @@ pub enum Error {
         /// The loads that are possible instead, in words.
         remedy: &'static str,
     },
-    /// The moment about the normal does not lie between the moments for large spins of both signs, given the prescribed
-    /// creepages and forces.
+    /// The moment about the normal does not lie between the moments for large spins of both signs. These moments depend on the
+    /// prescribed creepages and forces.
     #[error(
         "the moment {moment:?} reaches or exceeds the friction limit {limit:?} for the prescribed creepages and forces: prescribe a moment between {:?} and {:?}, or the spin", .range[0], .range[1]
     )]
@@ -300,7 +298,7 @@ pub enum Error {
         /// Largest force that the cells can carry, the integral of the hardness.
         capacity: f64,
     },
-    /// A quantity that is defined for elastic contacts only was requested for a contact with cells at their hardness.
+    /// A quantity for elastic contacts was requested for a contact with cells at their hardness.
     #[error(
         "{quantity} requires an elastic contact, but {cells} cells have reached their hardness: lower the load, or raise the hardness"
     )]
@@ -341,7 +339,7 @@ pub enum Error {
         /// The solution or the saved quantity, in words.
         quantity: &'static str,
     },
-    /// The approach is not below the mean gap of a periodic contact: all cells are in contact, and the pressure is
+    /// The approach is not below the mean gap of a periodic contact. All cells are then in contact, and the pressure is
     /// undetermined.
     #[error("{}", messages::beyond_mean_gap(*approach, *mean_gap))]
     ApproachBeyondMeanGap {
@@ -471,30 +469,30 @@ pub enum Error {
         /// The error of the operating system.
         source: SystemError,
     },
-    /// A file violates the rules of its format, or uses an unsupported part of it.
+    /// A file violates the rules of its format, or uses an unsupported feature of the format.
     #[error("{}{format}, {place}: {problem}", messages::prefix(.file.as_deref()))]
     Format {
-        /// The file, if the data were read from a file.
+        /// Name of the file, or `None` if the bytes were not read from a file.
         file: Option<String>,
-        /// The format, by its usual abbreviation.
+        /// Usual abbreviation of the format.
         format: &'static str,
         /// Position of the violation in the file.
         place: Place,
-        /// The violated rule or the unsupported part, with the actual value.
+        /// The violated rule or the unsupported feature, with the actual value.
         problem: String,
     },
-    /// The number of steps per cycle is not a positive multiple of 4, so that no step would end at a turning point.
+    /// The number of steps per cycle is not a positive multiple of 4. No step would end at a turning point.
     #[error("the number of steps per cycle must be a positive multiple of 4, got {0}")]
     StepsPerCycle(usize),
     /// A load path has no steps.
     #[error("the load path has no steps: give at least one step")]
     EmptyPath,
-    /// The cycle already contains the steps of its history up to a given step, and this step does not come after it.
+    /// The cycle already contains the steps of its history up to the step `last`, and the step `step` does not come after it.
     #[error(
         "step {step} of the history does not follow step {last}, the last step of the cycle: add each step once, in order"
     )]
     StepAlreadyCounted {
-        /// The number of the step, counted from 1; zero before the first step.
+        /// The number of the step, counted from 1, or zero before the first step.
         step: u64,
         /// The number of the last step that the cycle contains, or after which it begins.
         last: u64,
@@ -522,8 +520,8 @@ pub enum Error {
     /// Ranks that solve together cannot continue.
     #[error("{0}")]
     Ranks(RankFailure),
-    /// The iteration ended before it reached the tolerance. After `solve_into` or `solve_observed` the solution
-    /// contains the last feasible iterate; a [`History`](crate::History) remains unchanged.
+    /// The iteration ended before it reached the tolerance. After `solve_into` or `solve_observed` the solution contains the last
+    /// feasible iterate. A [`History`](crate::History) remains unchanged.
     #[error("the calculation has not converged: {0}")]
     NotConverged(Box<Report>),
 }

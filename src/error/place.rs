@@ -8,7 +8,7 @@ use std::fmt;
 pub enum Place {
     /// Offset in bytes from the beginning of the file.
     Byte(u64),
-    /// Line of text; the first is line 1.
+    /// Line of text, counted from 1.
     Line(usize),
     /// Named part of a file: an entry of an archive, an element of a header, or a field.
     Entry(String),

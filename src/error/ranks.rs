@@ -32,8 +32,7 @@ pub enum RankFailure {
         /// First missing row, counted from the bottom of the grid.
         row: usize,
     },
-    /// The slabs to be assembled do not belong to the same state: they belong to different steps or to different
-    /// histories.
+    /// The slabs to be assembled belong to different steps or to different histories.
     #[error(
         "the slab that starts at row {row} belongs to a different state than the other slabs: give slabs of the same step of one history"
     )]
@@ -41,12 +40,12 @@ pub enum RankFailure {
         /// First row of the slab, counted from the bottom of the grid.
         row: usize,
     },
-    /// MPI was initialised before; a process can initialise it only once.
+    /// MPI was initialised before. A process can initialise MPI only once.
     #[error(
         "MPI was already initialised in this process, which is possible only once: do all work with MPI ranks in one call"
     )]
     MpiAlreadyInitialised,
-    /// The MPI library can be called only by the thread that initialised it, because the library provides less than
+    /// Only the thread that initialised the MPI library can call it, because the library provides less than
     /// `MPI_THREAD_SERIALIZED`.
     #[error(
         "the MPI library allows calls from one thread only: use a library that provides at least MPI_THREAD_SERIALIZED"
@@ -74,7 +73,7 @@ pub enum RankFailure {
     /// The named value, which must be the same on all ranks, differs between ranks. All ranks return this error.
     #[error("the {0} must be the same on all ranks")]
     InconsistentInput(&'static str),
-    /// A rank has rejected its part of the work; the error of that rank states the reason.
+    /// A rank has rejected its part of the work. The error of this rank states the reason.
     #[error("rank {rank} rejected its part of the work: check the error of that rank")]
     RejectedByRank {
         /// Number of the rank.

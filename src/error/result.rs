@@ -4,8 +4,8 @@ use crate::error::Error;
 
 /// Result of a call that can fail.
 ///
-/// A second parameter replaces the error, so that a glob import of this crate leaves the two-parameter `Result` of the
-/// standard library usable.
+/// An optional second parameter replaces the error type. After a glob import of this crate, the two-parameter `Result`
+/// of the standard library therefore remains usable.
 ///
 /// ```
 /// use stickslip::*;

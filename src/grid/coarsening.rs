@@ -60,9 +60,10 @@ pub(crate) fn refined(
     })
 }
 
-/// Prolongates a field that is positive in a zone and falls to zero at its edge like the square root of the distance,
-/// as a pressure does. The function interpolates the squares of the field, which are linear near the edge. If only some
-/// rows are prolongated, the coarse field must contain [`REACH`] rows beyond the nearest rows, within the grid.
+/// Prolongates a field that is positive in a zone. At the edge of the zone the field falls to zero like the square root
+/// of the distance, as a pressure does. The function interpolates the squares of the field, which are linear near the
+/// edge. If only some rows are prolongated, the coarse field must contain [`REACH`] rows beyond the nearest rows,
+/// within the grid.
 pub(crate) fn refined_zone(
     size: [usize; 2],
     rows: Range<usize>,
@@ -86,10 +87,10 @@ pub(crate) fn refined_zone(
 /// Number of rows of coarse cells beyond the nearest row that affect the fine cells.
 pub(crate) const REACH: usize = 3;
 
-/// Returns the squares of a field, in the given unit, inside the zone where it is positive, with a continuation into
-/// the cells next to the zone. The continued value is a mean over the directions whose next cell lies inside the zone,
-/// with every term limited to at most zero. A term is the linear continuation from two cells, or the negated square in
-/// the next cell if the second cell lies outside. All other cells are zero.
+/// Returns the squares of a field, in the given unit, inside the zone where the field is positive. Cells next to the
+/// zone receive a continuation of these squares, and all other cells are zero. The continued value is a mean of terms
+/// over the directions whose next cell lies inside the zone. A term is the linear continuation from two cells, but at
+/// most zero. If the second cell lies outside the zone, the term is the negated square in the next cell.
 fn continued_squares(width: usize, zone: &[f64], unit: f64) -> Result<Vec<f64>> {
     const DIRECTIONS: [[isize; 2]; 8] = [
         [1, 0],

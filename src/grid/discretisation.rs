@@ -6,8 +6,9 @@ use crate::grid::field::Field;
 use crate::grid::neighbours::second_difference;
 use crate::parallel::reduce;
 
-/// Estimates the sum of the errors divided by the sum of the values from the second differences of a vector field with
-/// the given components. Returns `None` if the field covers only a slab of the grid, or if all values are zero.
+/// Estimates the sum of the errors divided by the sum of the values, for a vector field with the given components. The
+/// estimate uses the second differences of the field. Returns `None` if the field covers only a slab of the grid, or if
+/// all values are zero.
 pub(crate) fn estimate<const N: usize>(
     parts: [&Field; N],
     boundary: Boundary,

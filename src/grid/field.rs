@@ -14,8 +14,8 @@ use crate::support::debug::shown;
 
 /// Field with one number per cell of a [`Grid`], in row-major order with x fastest.
 ///
-/// The memory layout is that of a C-ordered NumPy array of shape `(ny, nx)`: sample `(ix, iy)` is stored at index
-/// `iy * nx + ix`. The unit is that of the sampled quantity.
+/// The memory layout equals the layout of a C-ordered NumPy array of shape `(ny, nx)`. Sample `(ix, iy)` is stored at
+/// index `iy * nx + ix`. The unit is the unit of the sampled quantity.
 ///
 /// # Memory
 ///
@@ -48,8 +48,8 @@ pub struct Field {
 
 shown!(Field: grid, min(), max());
 
-/// Implements `Clone` field by field, so that `clone_from` reuses the memory of each field, which `derive` would not
-/// do.
+/// Implements `Clone` field by field. Unlike the derived implementation, `clone_from` then reuses the memory of each
+/// field.
 macro_rules! clone_in_place {
     ($type:ident $(<const $n:ident: usize>)? { $($field:ident),* $(,)? }) => {
         impl$(<const $n: usize>)? Clone for $type$(<$n>)? {
@@ -98,7 +98,7 @@ impl From<&Field> for Arc<Field> {
 /// Replaces a shared field. Memory is allocated only if the old samples have another owner.
 ///
 /// # Errors
-/// - [`Error::Memory`](crate::Error::Memory) if memory runs out; the field is then unchanged.
+/// - [`Error::Memory`](crate::Error::Memory) if memory runs out. The field is then unchanged.
 pub(crate) fn replace(shared: &mut Arc<Field>, field: &Field) -> Result<()> {
     match Arc::get_mut(shared) {
         Some(own) => own.try_clone_from(field)?,
@@ -228,7 +228,7 @@ impl Field {
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if the factor is not finite.
     /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the grids differ.
     ///
-    /// The field is unchanged if an error is returned.
+    /// The field is unchanged after an error.
     pub fn add_scaled(&mut self, factor: f64, other: &Self) -> Result<()> {
         finite("factor", factor)?;
         self.grid.expect("field to be added", other.grid)?;
@@ -284,19 +284,19 @@ impl Field {
         self.samples
     }
 
-    /// Iterates over the rows in the order of increasing y; each row runs along x.
+    /// Iterates over the rows in the order of increasing y. Each row runs along x.
     #[must_use]
     pub fn rows(&self) -> impl ExactSizeIterator<Item = &[f64]> {
         self.samples.chunks_exact(self.grid.nx())
     }
 
-    /// Returns the largest sample; NaN samples are ignored.
+    /// Returns the largest sample and ignores NaN.
     #[must_use]
     pub fn max(&self) -> f64 {
         self.extreme(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Returns the smallest sample; NaN samples are ignored.
+    /// Returns the smallest sample and ignores NaN.
     #[must_use]
     pub fn min(&self) -> f64 {
         self.extreme(f64::INFINITY, f64::min)
@@ -340,7 +340,7 @@ impl<'a> IntoIterator for &'a Field {
     }
 }
 
-/// Returns the sample of the cell in this column and row; [`Field::get`] is the alternative that does not panic.
+/// Returns the sample of the cell in this column and row. [`Field::get`] is the alternative that does not panic.
 ///
 /// # Panics
 /// Panics if the cell is outside the grid, like the index of a slice.
@@ -362,7 +362,7 @@ impl IndexMut<(usize, usize)> for Field {
     }
 }
 
-/// Adds two fields cell by cell; returns [`Error::GridMismatch`](crate::Error::GridMismatch) if their grids differ.
+/// Adds two fields cell by cell. Returns [`Error::GridMismatch`](crate::Error::GridMismatch) if their grids differ.
 impl Add for &Field {
     type Output = Result<Field>;
 
@@ -382,7 +382,7 @@ impl Sub for &Field {
     }
 }
 
-/// Multiplies two fields cell by cell; returns [`Error::GridMismatch`](crate::Error::GridMismatch) if their grids
+/// Multiplies two fields cell by cell. Returns [`Error::GridMismatch`](crate::Error::GridMismatch) if their grids
 /// differ.
 impl Mul for &Field {
     type Output = Result<Field>;

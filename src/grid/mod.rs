@@ -16,12 +16,12 @@ use crate::parallel::layout::Layout;
 
 /// Rectangle of `nx` x `ny` cells of sides `dx` x `dy`, centred on the origin.
 ///
-/// The centre of cell `(ix, iy)` is `x = (ix - (nx - 1)/2) dx`, `y = (iy - (ny - 1)/2) dy`.
-/// The paper writes the sides as 2a and 2b. Lengths are in any consistent unit.
+/// The centre of cell `(ix, iy)` has the coordinates `x = (ix - (nx - 1)/2) dx` and `y = (iy - (ny - 1)/2) dy`. The
+/// paper writes the sides as 2a and 2b. Lengths are in any consistent unit.
 ///
-/// Two grids count as the same if their numbers of cells are equal and their sides agree to a relative 1e-12. A side
-/// that was computed by division, or read from a file, may differ in its last bits. Solutions then differ by no more
-/// than this tolerance. The operator `==` is exact.
+/// Two grids are considered the same if their numbers of cells are equal and their sides agree to a relative 1e-12. A
+/// side that was computed by division, or read from a file, may differ in its last bits. Solutions then differ by no
+/// more than this tolerance. The operator `==` is exact.
 ///
 /// ```
 /// let grid = stickslip::Grid::new(4, 2, 0.5, 1.0)?;
@@ -40,8 +40,8 @@ pub struct Grid {
     ny: usize,
     dx: f64,
     dy: f64,
-    /// First row of this slab in the whole grid and number of rows of the whole grid; 0 and `ny` if the grid is whole.
-    /// These numbers are not serialised, so a slab is read back as a whole grid.
+    /// First row of this slab in the whole grid, and number of rows of the whole grid. The numbers are 0 and `ny` if
+    /// the grid is whole. They are not serialised, so a slab is read back as a whole grid.
     #[cfg_attr(feature = "serde", serde(skip))]
     first_row: usize,
     #[cfg_attr(feature = "serde", serde(skip))]
@@ -108,8 +108,8 @@ impl Grid {
     }
 
     /// Creates a line of `n` cells of side `dx` (a length) along x, each of unit length along y. On bodies with
-    /// [`Boundary::PeriodicAlongY`](crate::Boundary::PeriodicAlongY) it is a line contact in plane strain, and all
-    /// forces and energies are per unit length.
+    /// [`Boundary::PeriodicAlongY`](crate::Boundary::PeriodicAlongY) the line is a line contact in plane strain. All
+    /// forces and energies are then per unit length.
     ///
     /// # Errors
     /// Returns the errors of [`Grid::new`].
@@ -117,9 +117,8 @@ impl Grid {
         Self::new(n, 1, dx, 1.0)
     }
 
-    /// Returns a slab of some rows of this grid; the slab may have no rows. The cells of the slab keep their positions
-    /// in the whole grid. Each rank stores the fields of a [distributed](crate::HalfSpace::distributed) contact on a
-    /// slab.
+    /// Returns a slab of some rows of this grid, or a slab without rows. The cells of the slab keep their positions in
+    /// the whole grid. Each rank stores the fields of a [distributed](crate::HalfSpace::distributed) contact on a slab.
     pub(crate) fn slab(self, rows: Range<usize>) -> Self {
         Self {
             ny: rows.len(),
@@ -139,7 +138,7 @@ impl Grid {
         }
     }
 
-    /// Returns the whole grid that contains this slab, or the grid itself if it is whole.
+    /// Returns the whole grid that contains this slab, or the grid itself if it is not a slab.
     #[must_use]
     pub fn whole(&self) -> Self {
         Self {
@@ -231,13 +230,13 @@ impl Grid {
         [self.nx, self.ny]
     }
 
-    /// Returns x of the centre of column `ix` (a length); `ix` may lie outside the grid.
+    /// Returns x of the centre of column `ix` (a length). The column may lie outside the grid.
     #[must_use]
     pub fn x(&self, ix: usize) -> f64 {
         centre(ix, self.nx, self.dx)
     }
 
-    /// Returns y of the centre of row `iy` (a length); `iy` may lie outside the grid.
+    /// Returns y of the centre of row `iy` (a length). The row may lie outside the grid.
     #[must_use]
     pub fn y(&self, iy: usize) -> f64 {
         centre(self.first_row + iy, self.all_rows, self.dy)

@@ -13,7 +13,7 @@ pub(crate) enum PerCell<C> {
 }
 
 impl<C> PerCell<C> {
-    /// Maps the values of the cells to a different type; a uniform value is unchanged.
+    /// Maps the values of the cells to a different type. A uniform value is unchanged.
     pub(crate) fn map<'a, D>(&'a self, of: impl FnOnce(&'a C) -> D) -> PerCell<D> {
         match self {
             Self::Uniform(value) => PerCell::Uniform(*value),

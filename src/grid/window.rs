@@ -94,7 +94,7 @@ impl Window {
         self.corner
     }
 
-    /// Returns the smallest window around two windows, either of which may be absent.
+    /// Returns the smallest window around two windows, or `None` if both windows are absent.
     pub(crate) fn union_of(one: Option<Self>, other: Option<Self>) -> Option<Self> {
         match (one, other) {
             (Some(one), Some(other)) => Some(one.union(other)),
@@ -124,12 +124,12 @@ impl Window {
         (common.cells() > 0).then_some(common)
     }
 
-    /// Returns whether the other window lies entirely inside.
+    /// Returns whether the other window lies entirely inside this window.
     pub(crate) fn covers(self, other: Self) -> bool {
         self.union(other) == self
     }
 
-    /// Returns whether a cell of the whole grid lies inside.
+    /// Returns whether a cell of the whole grid lies inside the window.
     pub(crate) fn contains(&self, index: usize) -> bool {
         let cell = [index % self.columns, index / self.columns];
         (0..2).all(|axis| {
@@ -154,7 +154,7 @@ impl Window {
         wide
     }
 
-    /// Extends the window from edge to edge of the grid along the axes that are set in `axes`.
+    /// Extends the window to both edges of the grid along each axis whose entry in `axes` is set.
     pub(crate) fn spanning(self, grid: Grid, axes: [bool; 2]) -> Self {
         let mut wide = self;
         for (axis, cells) in grid.whole().size().into_iter().enumerate() {
@@ -179,7 +179,7 @@ impl Window {
         self.row_start(cell / self.size[0]) + cell % self.size[0]
     }
 
-    /// Returns the index in the window of a cell of the whole grid, or `None` if the cell lies outside.
+    /// Returns the index in the window of a cell of the whole grid, or `None` if the cell lies outside the window.
     pub(crate) fn place(&self, index: usize) -> Option<usize> {
         let [column, row] = [index % self.columns, index / self.columns];
         let [first, start] = self.corner;

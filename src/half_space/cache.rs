@@ -16,7 +16,7 @@ pub(super) struct Cache {
 #[derive(Debug, PartialEq, Eq, Hash)]
 struct Key {
     kind: TypeId,
-    /// Components of at most three by three directions; unused entries are `None`.
+    /// Components of at most three by three directions. Unused entries are `None`.
     components: [Option<Component>; 9],
     size: [usize; 2],
 }
@@ -51,7 +51,7 @@ impl CacheEntry {
 
 impl Cache {
     /// Returns the value for these components and this size, which the first call creates. If `is_kept` is set, the
-    /// value is kept for the lifetime of the cache; otherwise it is kept only while it has an owner.
+    /// value is kept for the lifetime of the cache. Otherwise it is kept only while it has an owner.
     ///
     /// Values are created outside the lock, for the reason stated in [`get_or_make`](crate::parallel::get_or_make).
     pub(super) fn get_or_make<T: Any + Send + Sync>(

@@ -20,8 +20,8 @@ const ALONE: usize = 1 << 16;
 
 impl HalfSpace {
     /// Returns the same bodies on cells of twice the sides. The coarser grid is as large as the grid or one fine cell
-    /// larger. A periodic grid must be [even](Self::can_be_coarser), or be a single row or column, whose width does not
-    /// change.
+    /// larger. A periodic grid must have [even numbers of cells](Self::can_be_coarser), or be a single row or column,
+    /// whose width does not change.
     pub(crate) fn coarser(&self) -> Result<&Self> {
         let Shared {
             grid,
@@ -64,13 +64,13 @@ impl HalfSpace {
         fits.all(|fits| fits)
     }
 
-    /// Returns the axes along which the grid is periodic with a single cell, so that nothing changes along them.
+    /// Returns the axes along which the grid is periodic with a single cell. Fields do not vary along these axes.
     pub(crate) fn lines(&self) -> [bool; 2] {
         let (size, repeats) = (self.size(), self.boundary().repeats());
         [0, 1].map(|axis| repeats[axis] && size[axis] == 1)
     }
 
-    /// Returns the distribution of a coarser grid over ranks, or `None` if it is not distributed.
+    /// Returns the distribution of a coarser grid over ranks, or `None` if the coarser grid is not distributed.
     fn share_of_coarser(&self, [nx, ny]: [usize; 2]) -> Option<Arc<RowPartition>> {
         self.share([nx, ny]).filter(|_| nx * ny > ALONE)
     }
@@ -113,8 +113,8 @@ impl HalfSpace {
         self.on_finer(coarser, size, field, refined)
     }
 
-    /// Prolongates a field that is positive in a zone and falls to zero like the square root of the distance from its
-    /// edge.
+    /// Prolongates a field that is positive in a zone. At the edge of the zone the field falls to zero like the square
+    /// root of the distance from the edge.
     pub(crate) fn refined_zone(
         &self,
         coarser: &Self,

@@ -19,7 +19,7 @@ pub(super) struct CellKernels {
     bodies: kernel::Kernel,
     boundary: Boundary,
     cell_value: CellValue,
-    /// Samples behind the kernels; `None` on a grid that is periodic along both axes.
+    /// Samples from which the kernels are computed, or `None` on a grid that is periodic along both axes.
     samples: Option<Arc<Samples>>,
     /// Contribution of coated bodies in addition to their outermost layers, or a kernel that replaces the half-space.
     added: Option<Arc<KernelCorrection>>,

@@ -24,7 +24,7 @@ pub(crate) struct Compliance<const N: usize> {
     pub(crate) inverse: ElasticPreconditioner<N>,
 }
 
-/// Preconditioner for displacements that are determined up to a uniform displacement.
+/// Preconditioner for displacements up to a uniform displacement.
 struct UpToMean<const N: usize>(ElasticPreconditioner<N>);
 
 /// Conservative estimate of the smallest eigenvalue on all rectangles of the cells.
@@ -32,7 +32,7 @@ struct LatticeEigenvalueBound(f64);
 
 impl HalfSpace {
     /// Returns the operator and the preconditioner for distinct directions on a rectangle of `[nx, ny]` cells of the
-    /// grid, for any position of the rectangle. Along a periodic axis the rectangle contains all cells.
+    /// grid. Both are valid for any position of the rectangle. Along a periodic axis the rectangle contains all cells.
     pub(crate) fn compliance<const N: usize>(
         &self,
         directions: [Direction; N],
@@ -62,9 +62,9 @@ impl HalfSpace {
         })
     }
 
-    /// Returns the preconditioner of a [compliance](Self::compliance) for displacements that are determined up to a
-    /// uniform displacement. The preconditioner does not depend on the datum of a grid that is periodic along y. For
-    /// user-defined operators it is the preconditioner of the compliance.
+    /// Returns the preconditioner of a [compliance](Self::compliance) for displacements up to a uniform displacement.
+    /// If the grid is periodic along y, this preconditioner does not depend on the datum. For user-defined operators it
+    /// is the preconditioner of the compliance.
     pub(crate) fn inverse_up_to_mean<const N: usize>(
         &self,
         Compliance { operator, inverse }: Compliance<N>,
@@ -108,8 +108,8 @@ impl HalfSpace {
         Ok(())
     }
 
-    /// Returns the pool of buffers of a type for these cells and components, which exists as long as it has an owner. A
-    /// pool that does not depend on components is stored under an empty list of components.
+    /// Returns the pool of buffers of a type for these cells and components. The pool exists as long as it has an
+    /// owner. A pool that does not depend on components is stored under an empty list of components.
     pub(crate) fn pool<T: Send + 'static>(
         &self,
         components: &[Component],
@@ -120,7 +120,7 @@ impl HalfSpace {
         made.get_or_make(components, self.cut(size), false, empty)
     }
 
-    /// Returns the pool of buffers of products. Convolutions share buffers for all directions; user-defined operators
+    /// Returns the pool of buffers of products. Convolutions share buffers for all directions. User-defined operators
     /// have separate buffers.
     pub(crate) fn pool_of_products<T: Send + 'static, const N: usize>(
         &self,
@@ -133,8 +133,8 @@ impl HalfSpace {
         }
     }
 
-    /// Returns the size of the rectangle on which the operator of a window works: the whole grid along axes that are
-    /// not cut.
+    /// Returns the size of the rectangle on which the operator of a window works. Along axes that are not cut, it is
+    /// the size of the grid.
     fn cut(&self, size: [usize; 2]) -> [usize; 2] {
         let (whole, spanned) = (self.size(), self.spanned());
         std::array::from_fn(|axis| {
@@ -186,8 +186,8 @@ impl HalfSpace {
         made.map(ElasticOperator::from)
     }
 
-    /// Returns the operator of the whole grid, which is periodic along y, with the bounds for tractions with zero mean
-    /// and for uniform tractions.
+    /// Returns the operator of the whole grid, which is periodic along y. The operator has separate bounds for
+    /// tractions with zero mean and for uniform tractions.
     fn bounded_along_y<const N: usize>(
         &self,
         mut convolution: Convolution<N>,
@@ -271,7 +271,7 @@ mod tests {
     use super::*;
     use crate::bodies::material::{ElasticPair, Material};
 
-    /// Equal windows share one operator as long as it has an owner; the operator of the whole grid is kept.
+    /// Equal windows share one operator as long as it has an owner. The operator of the whole grid is kept.
     #[test]
     fn equal_windows_share_what_they_need() {
         let pair = ElasticPair::new(Material::new(1.0, 0.2).unwrap(), Material::rigid()).unwrap();
@@ -302,7 +302,7 @@ mod tests {
         assert!(part.operator.is(&whole.operator));
     }
 
-    /// Kernels of a large grid are not kept. The kernels of a window equal those of a grid of the same size.
+    /// Kernels of a large grid are not kept. The kernels of a window equal the kernels of a grid of the same size.
     #[test]
     fn windows_of_large_grids_have_the_operators_of_small_grids() {
         let body = Material::new(1.0, 0.4).unwrap();

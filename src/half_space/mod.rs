@@ -33,20 +33,19 @@ pub(crate) use region::Region;
 
 /// Pair of half-spaces on a grid, with the operators of the components in use.
 ///
-/// Each component is sampled and transformed once, on first use by a problem, and shared by all clones. Contacts on
-/// windows of equal size share operators as long as any of these contacts exists. Contacts that are not solved
-/// concurrently share the buffers of a solve. The type is `Send + Sync`: several solvers on different threads may use
-/// the same `HalfSpace`.
+/// Each component is sampled and transformed once, on first use by a problem, and shared by all clones. Contacts on windows of
+/// equal size share operators as long as any of these contacts exists. Contacts that are not solved concurrently share the
+/// buffers of a solve. The type is `Send + Sync`, so several solvers on different threads may use the same `HalfSpace`.
 ///
 /// # Memory
 ///
-/// The samples behind `XX`, `YY` and `ZZ` together take 16 bytes per cell, and the samples of `XY`, `XZ` and `YZ` take
-/// 8 bytes per cell each. The coarser grids of nested starts use the same samples, except on a grid that is periodic
-/// along y only, whose coarser grids have separate samples. On grids of more than a million cells the samples are
-/// recomputed for each operator and not kept. Each operator takes 12 bytes per cell and its preconditioner one byte per
-/// cell; the operators of coarser grids add a third. An operator of two directions takes three times as much memory as
-/// an operator of one direction, and an operator of all three directions takes six times as much. With a periodic
-/// boundary there are no samples, and an operator takes three bytes per cell.
+/// The samples for `XX`, `YY` and `ZZ` together take 16 bytes per cell. Each of `XY`, `XZ` and `YZ` takes 8 bytes per cell for
+/// its samples. The coarser grids of nested starts use the same samples. On a grid that is periodic along y only, the coarser
+/// grids have separate samples. On grids of more than a million cells the samples are recomputed for each operator and not
+/// kept. Each operator takes 12 bytes per cell, and its preconditioner one byte per cell. The operators of coarser grids add a
+/// third. Compared with an operator of one direction, an operator of two directions takes three times as much memory. An
+/// operator of all three directions takes six times as much. With a periodic boundary there are no samples, and an operator
+/// takes three bytes per cell.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, HalfSpace, Material};
@@ -71,8 +70,8 @@ struct Shared {
     team: Option<Arc<RankGroup>>,
     /// Distribution of the grid over ranks, if any.
     share: Option<Arc<RowPartition>>,
-    /// Operators and preconditioners. The cache keeps the entries of the whole grid for its lifetime, and the entries
-    /// of windows as long as they have an owner.
+    /// Operators and preconditioners. The cache keeps the entries of the whole grid for the lifetime of the cache. It keeps
+    /// the entries of windows as long as these entries have an owner.
     made: Cache,
     /// Bodies on cells of twice the sides.
     coarser: OnceLock<HalfSpace>,
@@ -105,7 +104,7 @@ impl HalfSpace {
     /// - [`Error::BelowMinimum`] if an isotropic kernel does not agree with its half-space for short waves.
     /// - [`Error::GridMismatch`] if a table has different cells or too few cells.
     /// - [`Error::Length`] if operators have a different number of cells.
-    /// - [`Error::UnsupportedByModel`] if operators do not map constants to zero on a grid that is periodic along both axes.
+    /// - [`Error::UnsupportedByModel`] on a grid that is periodic along both axes, if operators do not map constants to zero.
     /// - [`Error::NotPositive`] or [`Error::NotFinite`] if a response is not positive or not finite for a wave of a
     ///   periodic grid.
     pub fn new(grid: Grid, bodies: impl Into<kernel::Kernel>) -> Result<Self> {
@@ -148,14 +147,14 @@ impl HalfSpace {
     }
 
     /// Sets the interpretation of cell values (default: [`CellValue::Uniform`]). No operator is computed yet. The call
-    /// is collective on ranks. On a grid with [`Boundary::Periodic`], values always refer to the centres, because the
-    /// symbols on such a grid belong to waves and are not averaged over cells.
+    /// is collective on ranks. On a grid with [`Boundary::Periodic`], values always refer to the centres. The symbols on such
+    /// a grid belong to waves and are not averaged over cells.
     ///
-    /// With values at the centres and [`edges`](crate::edges), the pressure, the traction at 40 % of the sliding force
-    /// and the areas of a sphere are accurate to 1 % with 11 cells per contact radius at a tolerance of 1e-3, and to
-    /// 0.1 % with 43 cells. [Narrow slip rings](crate::edges#narrow-slip-rings) need more cells. Uniform cells without
-    /// edges need 21 to 43 cells per contact radius for 1 %. For 0.1 % they need 170 cells per contact radius for the
-    /// tractions and more for the areas. [A table](crate::guide::accuracy) lists the times.
+    /// The following accuracies are for values at the centres with [`edges`](crate::edges). They refer to the pressure, the
+    /// traction at 40 % of the sliding force and the areas of a sphere. The accuracy is 1 % with 11 cells per contact radius
+    /// at a tolerance of 1e-3, and 0.1 % with 43 cells. [Narrow slip rings](crate::edges#narrow-slip-rings) need more cells.
+    /// Uniform cells without edges need 21 to 43 cells per contact radius for 1 %. For 0.1 % they need 170 cells per contact
+    /// radius for the tractions, and more cells for the areas. [A table](crate::guide::accuracy) lists the times.
     ///
     /// # Cost
     ///
@@ -223,13 +222,13 @@ impl HalfSpace {
         }
     }
 
-    /// Returns the grid; for [distributed](Self::distributed) bodies, the slab that this rank stores.
+    /// Returns the grid. For [distributed](Self::distributed) bodies, returns the slab that this rank stores.
     #[must_use]
     pub fn grid(&self) -> Grid {
         self.shared.grid
     }
 
-    /// Returns the two bodies; for a [`kernel::Kernel`], the [pair](kernel::Kernel::pair) that represents it.
+    /// Returns the two bodies. For a [`kernel::Kernel`], returns the [pair](kernel::Kernel::pair) that represents it.
     #[must_use]
     pub fn pair(&self) -> &ElasticPair {
         self.shared.kernels.pair()
@@ -245,7 +244,7 @@ impl HalfSpace {
         self.shared.kernels.boundary()
     }
 
-    /// Returns the interpretation of cell values; on a grid with [`Boundary::Periodic`] always [`CellValue::Centre`].
+    /// Returns the interpretation of cell values. On a grid with [`Boundary::Periodic`] it is always [`CellValue::Centre`].
     #[must_use]
     pub fn cell_value(&self) -> CellValue {
         self.shared.kernels.cell_value()
@@ -261,8 +260,8 @@ impl HalfSpace {
         self.operator_of([[component]], self.size())
     }
 
-    /// Returns the circulant preconditioner of one component on the whole grid, or `None` for components that are not a
-    /// compliance (all components except `XX`, `YY` and `ZZ`).
+    /// Returns the circulant preconditioner of one component on the whole grid. Returns `None` for components other than `XX`,
+    /// `YY` and `ZZ`, because they are not compliances.
     ///
     /// # Errors
     /// Returns the errors of [`HalfSpace::operator`].
@@ -276,15 +275,15 @@ impl HalfSpace {
         self.tensor_preconditioner([direction]).map(Some)
     }
 
-    /// Returns the operator of several directions on the whole grid, which the first call creates. The operator maps
-    /// tractions along all of these directions to displacements along all of them,
+    /// Returns the operator of several directions on the whole grid, which the first call creates. The operator maps tractions
+    /// along all of these directions to displacements along the same directions,
     ///
     /// ```math
     /// u_i = \sum_j C_{ij} * t_j .
     /// ```
     ///
-    /// The operator is symmetric, by Betti's reciprocity: the odd coefficients satisfy $`C_{xz}(x) = C_{zx}(-x)`$. One
-    /// product costs N forward and N inverse transforms. The page of [`HalfSpace`] states the memory.
+    /// By Betti's reciprocity the operator is symmetric. The odd coefficients satisfy $`C_{xz}(x) = C_{zx}(-x)`$. One product
+    /// costs N forward and N inverse transforms. The page of [`HalfSpace`] states the memory.
     ///
     /// ```
     /// use stickslip::influence::Direction::{X, Y, Z};
@@ -391,8 +390,8 @@ impl HalfSpace {
         }
     }
 
-    /// Returns the axes along which contacts are solved on the whole grid: the periodic axes, or both axes for
-    /// user-defined operators, which are defined only on all cells.
+    /// Returns the axes along which contacts are solved on the whole grid. These are the periodic axes. User-defined operators
+    /// are defined only on all cells, so the result for them is both axes.
     fn spanned(&self) -> [bool; 2] {
         match self.kernel().user_operators() {
             Some(_) => [true; 2],
@@ -406,8 +405,8 @@ impl HalfSpace {
         window.spanning(self.grid(), self.spanned())
     }
 
-    /// Returns the window in which a contact is solved if checks on the whole grid follow. The result is the whole grid
-    /// if the window would save too little work.
+    /// Returns the window in which a contact is solved before a check on the whole grid. The result is the whole grid if the
+    /// window would save too little work.
     pub(crate) fn place(&self, window: Window) -> Window {
         let (window, whole) = (self.restrict_to_window(window), Window::whole(self.grid()));
         let saves_little = 5 * window.cells() > 4 * whole.cells();
@@ -424,7 +423,7 @@ fn cell_compliance(grid: Grid, pair: &ElasticPair) -> f64 {
     grid.cell_area().sqrt() / pair.contact_modulus()
 }
 
-/// Checks that a grid may have this boundary, and that the memory for a contact of the given number of cells is
+/// Checks that a grid may have this boundary. Also checks that the memory for a contact of the given number of cells is
 /// available.
 fn check(grid: Grid, kernel: &kernel::Kernel, boundary: Boundary, cells: [usize; 2]) -> Result<()> {
     memory("a contact of all cells", cells, BYTES_PER_CELL)?;

@@ -9,8 +9,8 @@ use crate::operator::{LowerBound, MeanBound, Operator, Scratch};
 use crate::parallel::layout::Layout;
 use crate::report::EigenvalueBound;
 
-/// Operator that computes displacements of the whole grid from tractions on it (lengths from pressures), with N
-/// components of each. [`HalfSpace::operator`](crate::HalfSpace::operator) and
+/// Operator that computes displacements of the whole grid from tractions on the grid (lengths from pressures). Both
+/// have N components. [`HalfSpace::operator`](crate::HalfSpace::operator) and
 /// [`HalfSpace::tensor_operator`](crate::HalfSpace::tensor_operator) create it. Clones share the same operator.
 #[derive(Debug, Clone)]
 pub struct ElasticOperator<const N: usize = 1>(OperatorKind<N>);
@@ -42,7 +42,7 @@ impl<const N: usize> ElasticOperator<N> {
         }
     }
 
-    /// Returns the smallest eigenvalue of the periodic continuation, which may be negative, or `None` for a
+    /// Returns the smallest eigenvalue of the periodic continuation, which may be negative. Returns `None` for a
     /// user-defined operator. On a periodic grid uniform tractions are excluded.
     pub(super) fn least_eigenvalue(&self) -> Option<f64> {
         match &self.0 {
@@ -52,7 +52,7 @@ impl<const N: usize> ElasticOperator<N> {
     }
 
     /// Returns a lower bound of the eigenvalues, and its origin. On a periodic grid the bound holds for tractions with
-    /// zero mean, on other grids for all tractions.
+    /// zero mean. On other grids it holds for all tractions.
     pub(crate) fn bound_without_mean(&self) -> (f64, EigenvalueBound) {
         match &self.0 {
             OperatorKind::Convolution(convolution) => {
@@ -99,7 +99,7 @@ impl<const N: usize> ElasticOperator<N> {
 
 impl ElasticOperator<3> {
     /// Returns a bound of $`|p' B q| / (|p|\,|q|)`$, or 1 if no bound is available. B couples the first component to
-    /// the other two, and the norms are the energy norms of the first component and of the other two.
+    /// the other two components. The norms are the energy norms of the first component and of the other two components.
     pub(crate) fn coupling(&self) -> f64 {
         match &self.0 {
             OperatorKind::Convolution(convolution) => convolution.coupling(),
@@ -186,7 +186,8 @@ impl<const N: usize> Operator<N> for ElasticOperator<N> {
 pub struct ElasticPreconditioner<const N: usize = 1>(pub(super) Arc<CirculantInverse<N>>);
 
 impl<const N: usize> ElasticPreconditioner<N> {
-    /// Returns whether both share the same preconditioner, which differs between bodies and between window sizes.
+    /// Returns whether `self` and `other` share the same preconditioner, which differs between bodies and between
+    /// window sizes.
     pub(crate) fn is(&self, other: &Self) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
     }

@@ -56,8 +56,8 @@ impl HalfSpace {
         Ok(Self::of_kernels(kernels, dealt))
     }
 
-    /// Returns the amount of data that this rank has sent to other ranks, summed over all solves; zero for bodies that
-    /// are not [distributed](Self::distributed).
+    /// Returns the amount of data that this rank has sent to other ranks in all solves. The amount is zero for bodies
+    /// that are not [distributed](Self::distributed).
     #[must_use]
     pub fn traffic(&self) -> CommunicationStats {
         self.team().map(|team| team.traffic()).unwrap_or_default()
@@ -101,8 +101,8 @@ impl HalfSpace {
         self.layout(self.size())
     }
 
-    /// Returns the result of a step that every rank takes separately, or an error on all ranks if the step failed on
-    /// any rank. This call is collective.
+    /// Returns the result of a step that every rank takes separately. If the step failed on any rank, returns an error
+    /// on all ranks. This call is collective.
     pub(crate) fn collective_result<T>(&self, result: Result<T>) -> Result<T> {
         RankGroup::agreed_of(self.team().map(|team| &**team), result)
     }
@@ -128,7 +128,7 @@ impl HalfSpace {
         }
     }
 
-    /// Returns the decision of the first rank whether to continue, or an error if any rank has an error.
+    /// Returns the decision of the first rank whether to continue. Returns an error if any rank has an error.
     pub(crate) fn decided(
         &self,
         ask: impl FnOnce() -> Result<ControlFlow<()>>,
@@ -146,7 +146,7 @@ impl HalfSpace {
         })
     }
 
-    /// Returns the result of a collective step, or the failure of the ranks if they have lost their connection.
+    /// Returns the result of a collective step. If the ranks have lost their connection, returns this failure.
     pub(crate) fn joint<T>(&self, result: Result<T>) -> Result<T> {
         match self.team() {
             Some(team) => team.check().and(result),
@@ -195,7 +195,7 @@ impl HalfSpace {
 /// identical to the result of one process. Without ranks the results equal [`Field::max`], [`Field::min`],
 /// [`Field::integral`] and [`Field::mean`].
 impl HalfSpace {
-    /// Returns the largest sample of a field of the whole grid, in the units of the field; NaN samples are ignored. See
+    /// Returns the largest sample of a field of the whole grid, in the units of the field. NaN samples are ignored. See
     /// [`Field::max`].
     ///
     /// ```
@@ -230,8 +230,8 @@ impl HalfSpace {
         self.joint(Ok(largest))
     }
 
-    /// Returns the smallest sample of a field of the whole grid, in the units of the field; NaN samples are ignored.
-    /// See [`Field::min`].
+    /// Returns the smallest sample of a field of the whole grid, in the units of the field. NaN samples are ignored. See
+    /// [`Field::min`].
     ///
     /// # Errors
     /// Returns the errors of [`HalfSpace::max_of`].

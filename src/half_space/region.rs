@@ -9,11 +9,11 @@ use crate::half_space::HalfSpace;
 use crate::parallel::layout::Layout;
 use crate::parallel::ranks::partition::RowPartition;
 
-/// Window of the grid, with the rows that this rank solves: all rows if no ranks share the grid. A field of a region
-/// contains these rows.
+/// Window of the grid, with the rows that this rank solves. If no ranks share the grid, these are all rows. A field of
+/// a region contains these rows.
 ///
-/// Ranks share the rows of a window evenly. The slabs of the grid, which store states and solutions, contain different
-/// rows of the window: the rows [stored](Self::held) on this rank.
+/// Ranks share the rows of a window evenly. The slabs of the grid, which store states and solutions, divide the window
+/// differently. The rows [stored](Self::held) on this rank are the rows of the window in its slab.
 #[derive(Debug, Clone)]
 pub(crate) struct Region {
     window: Window,

@@ -15,7 +15,7 @@ use crate::normal::Hardness;
 use crate::tangential::EntryRule;
 use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialModel};
 
-/// Options of a [`History`]; each has a default.
+/// Options of a [`History`], all with defaults.
 #[derive(Debug, Clone)]
 #[must_use = "a builder does nothing until build() is called"]
 pub struct HistoryBuilder<'a> {
@@ -91,7 +91,7 @@ impl HistoryBuilder<'_> {
 
     /// Sets the model of the coupling between pressure and traction for bodies of different materials. The default,
     /// [`Coupling::Full`], is a coupled solve with both components of the traction, in the scalar and in the vector
-    /// model. One-way coupling in the scalar model acts along the axis of this model.
+    /// model. In the scalar model, one-way coupling acts along the axis of the tractions.
     pub fn coupling(mut self, coupling: Coupling) -> Self {
         self.coupling = coupling;
         self
@@ -142,10 +142,9 @@ impl HistoryBuilder<'_> {
         self
     }
 
-    /// Sets whether the plastic overlap under the [hardness](Self::hardness) is permanent (default: not permanent). If
-    /// the overlap is permanent, the overlap of a step is added to the gap of all following steps and to
-    /// [`State::yielded`]. The next contact under the same load, or a smaller load, is elastic. This option has no
-    /// effect without a hardness.
+    /// Sets whether the plastic overlap under the [hardness](Self::hardness) is permanent (default: not permanent). The
+    /// permanent overlap of a step is added to the gap of all following steps and to [`State::yielded`]. The next contact
+    /// is elastic under the same or a smaller load. This option has no effect without a hardness.
     ///
     /// ```
     /// use stickslip::{*, normal::Hardness};

@@ -9,9 +9,9 @@ use crate::parallel::ranks::WireFormat;
 /// Balance of the work of the tangential load in a step or in the steps of a [`Cycle`](crate::history::Cycle)
 /// (energies: force times length).
 ///
-/// Let q and u be the tractions and displacements before (n) and after (n+1) the step, and $`\bar q`$ the mean of the
-/// tractions. $`\Delta u`$ and $`\Delta\delta`$ are the changes of displacement and shift, and A is the area of a cell.
-/// Then
+/// The indices n and n+1 denote the tractions q and displacements u before and after the step. The mean of the two
+/// tractions is $`\bar q`$. $`\Delta u`$ and $`\Delta\delta`$ are the changes of displacement and shift, and A is the
+/// area of a cell. Then
 ///
 /// ```math
 /// \underbrace{\tfrac12 (F_n + F_{n+1})\,\Delta\delta}_{\text{work}}
@@ -21,8 +21,8 @@ use crate::parallel::ranks::WireFormat;
 ///
 /// holds for any two states, because the operator is symmetric. A balance that closes therefore verifies the bookkeeping
 /// of the step. It verifies neither the laws of contact nor the accuracy of the tractions. In the plane the products are
-/// scalar products of vectors. If body 2 turns, the motion of a cell is $`\delta + \varphi\,(-y, x)`$, and the moment adds
-/// the work $`\tfrac12 (M_n + M_{n+1})\,\Delta\varphi`$.
+/// scalar products of vectors. If body 2 turns, the motion of a cell is $`\delta + \varphi\,(-y, x)`$. The moment then
+/// adds the work $`\tfrac12 (M_n + M_{n+1})\,\Delta\varphi`$.
 ///
 /// A cell that comes into contact within the step follows only a part of the motion
 /// ([`EntryRule`](crate::history::EntryRule)). This part replaces $`\Delta\delta`$ on both sides. If a [relative
@@ -36,27 +36,26 @@ use crate::parallel::ranks::WireFormat;
 /// - [`residual`](Self::residual), the work on the residual motion of stick cells, which the tolerance of the solve
 ///   allows.
 ///
-/// The energy $`F^2 / 2k`$ of a spring is not included; the work in the balance is the work of the spring on body 2.
+/// The energy $`F^2 / 2k`$ of a spring is not included. The work in the balance is the work of the spring on body 2.
 ///
 /// In a step that [rolls](crate::history#rolling), $`q_n`$ and $`u_n`$ belong to the particle that is in the cell after
 /// the step. $`\Delta\delta`$ is the motion of body 2 along the path of the particle.
 ///
-/// For bodies of the same material, and for a history with neglected or one-way coupling, the balance excludes
-/// pressing, and all energies are energies of shear. For dissimilar bodies with coupled pressure and traction, work,
-/// `elastic_before` and `elastic_after` include pressure and traction, with the additional terms
-/// $`A \sum \bar p\,\Delta u_z`$ and $`\tfrac A2 \sum p\,u_z`$. The dissipated energy is the dissipation by slip in all
-/// cases.
+/// For bodies of the same material, and for neglected or one-way coupling, all energies are energies of shear. The
+/// balance then excludes the work of the pressure. For dissimilar bodies with full coupling, the work has the additional
+/// term $`A \sum \bar p\,\Delta u_z`$. `elastic_before` and `elastic_after` then have the additional term
+/// $`\tfrac A2 \sum p\,u_z`$. The dissipated energy is the dissipation by slip in all cases.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct EnergyBalance {
-    /// Work of the tangential load: mean force times change of the shift, plus mean moment times change of the twist.
-    /// For cells that come into contact, the work includes only the part of the motion that they follow. The work of a
-    /// changing relative displacement is included, and for coupled bodies also the work of the normal load.
+    /// Work of the tangential load: mean force times change of the shift, plus mean moment times change of the twist. For
+    /// cells that come into contact, the work includes only the part of the motion that they follow. The work of a
+    /// changing relative displacement is included. For coupled bodies the work of the normal load is included too.
     pub work: f64,
-    /// Elastic energy of shear before the step; for coupled bodies the energy of pressure and traction.
+    /// Elastic energy of shear before the step, or elastic energy of pressure and traction for coupled bodies.
     pub elastic_before: f64,
-    /// Elastic energy of shear after the step; for coupled bodies the energy of pressure and traction.
+    /// Elastic energy of shear after the step, or elastic energy of pressure and traction for coupled bodies.
     pub elastic_after: f64,
     /// Dissipated energy, computed from the tractions at the end of the step: $`-A \sum q_{n+1} s \ge 0`$. Under an
     /// unchanged pressure and a load that does not turn within the step, cells slip only at the friction limit. The
@@ -73,8 +72,8 @@ pub struct EnergyBalance {
 
 impl EnergyBalance {
     /// Computes the work and the elastic energies of the pressure in a step over the cells of a layout. `before` and
-    /// `after` are the contacts with their gaps before loading. `place` returns the cell of a particle before the step;
-    /// particles from outside the grid had no pressure.
+    /// `after` are the contacts with their gaps before loading. `place` returns the cell of a particle before the step,
+    /// or `None` for a particle from outside the grid, which had no pressure.
     pub(super) fn of_pressing(
         layout: &Layout,
         before: (&NormalSolution, &Field),

@@ -25,17 +25,18 @@ use crate::tangential::{Axis, TangentialControl, TangentialLoad, TangentialTarge
 pub struct LoadStep {
     normal: NormalControl,
     tangential: [TangentialControl; 2],
-    /// Twist at the end of the step; `None` holds the twist.
+    /// Twist at the end of the step, or `None` if the twist is held.
     twist: Option<f64>,
-    /// Amount of the relative displacement; `None` holds the amount.
+    /// Amount of the relative displacement at the end of the step, or `None` if the amount is held.
     relative_displacement: Option<f64>,
-    /// Rolling of the step; `None` for a step that does not roll.
+    /// Rolling of the step, or `None` for a step that does not roll.
     rolling: Option<Rolling>,
 }
 
 impl LoadStep {
-    /// Holds pressure, shift and twist. The tangential force is not held: it decreases if a lower pressure or less
-    /// friction cannot carry it ([`Warning::HeldShiftLostForce`](crate::Warning::HeldShiftLostForce)).
+    /// Holds pressure, shift and twist. The tangential force is not held. It decreases if the friction under a lower
+    /// pressure or a lower coefficient cannot carry it
+    /// ([`Warning::HeldShiftLostForce`](crate::Warning::HeldShiftLostForce)).
     pub fn hold() -> Self {
         Self {
             normal: NormalControl::Hold,
@@ -49,24 +50,24 @@ impl LoadStep {
     /// Prescribes the tangential force `[x, y]` at the end of the step and holds the other quantities. In the scalar
     /// model the force across the axis must be zero.
     ///
-    /// After a change of the gap, prescribe the normal load again in every step,
+    /// After a change of the gap, prescribe the normal load again in every step with
     /// [`.normal(NormalControl::Force(w))`](Self::normal). Otherwise the pressure of the old gap is held.
     pub fn force(force: [f64; 2]) -> Self {
         Self::both(force.map(TangentialControl::Force))
     }
 
-    /// Prescribes the shift `[x, y]` at the end of the step since the start of the history (lengths) and holds the
+    /// Prescribes the shift `[x, y]` at the end of the step (lengths since the start of the history) and holds the
     /// other quantities. In the scalar model the shift across the axis must be zero.
     ///
-    /// After a change of the gap, prescribe the normal load again in every step,
+    /// After a change of the gap, prescribe the normal load again in every step with
     /// [`.normal(NormalControl::Force(w))`](Self::normal). Otherwise the pressure of the old gap is held.
     pub fn shift(shift: [f64; 2]) -> Self {
         Self::both(shift.map(TangentialControl::Shift))
     }
 
-    /// Prescribes springs of one stiffness (a force over a length) along both axes and holds the other quantities; see
-    /// [`TangentialControl::Spring`]. The far ends are at `[x, y]` at the end of the step (lengths since the start of
-    /// the history). In the scalar model the position across the axis must be zero.
+    /// Prescribes springs of equal stiffness (a force over a length) along both axes and holds the other quantities. At
+    /// the end of the step the far ends are at `[x, y]` (lengths since the start of the history). See
+    /// [`TangentialControl::Spring`]. In the scalar model the position across the axis must be zero.
     ///
     /// After a change of the gap, prescribe the normal load in every step, as with [`shift`](Self::shift).
     ///
@@ -115,10 +116,10 @@ impl LoadStep {
         self
     }
 
-    /// Sets the rotation $`\varphi`$ of body 2 relative to body 1 at the end of the step, about the origin of the grid
-    /// (radians since the start of the history, positive from x to y). In addition to the shift, the rotation moves
-    /// body 2 by $`(-\varphi y, \varphi x)`$. A non-zero twist requires the vector model and a grid that is not
-    /// periodic.
+    /// Sets the rotation $`\varphi`$ of body 2 relative to body 1 about the origin of the grid (radians, positive from
+    /// x to y). The rotation at the end of the step is measured since the start of the history. In addition to the
+    /// shift, the rotation moves body 2 by $`(-\varphi y, \varphi x)`$. A non-zero twist requires the vector model and
+    /// a grid that is not periodic.
     pub fn twist(mut self, twist: f64) -> Self {
         self.twist = Some(twist);
         self
@@ -194,17 +195,17 @@ impl LoadStep {
         self.normal
     }
 
-    /// Returns the prescribed amount of the relative displacement; `None` if it is held.
+    /// Returns the prescribed amount of the relative displacement, or `None` if the amount is held.
     pub(super) fn relative_amount(&self) -> Option<f64> {
         self.relative_displacement
     }
 
-    /// Returns the rolling of the step; `None` if it does not roll.
+    /// Returns the rolling of the step, or `None` if the step does not roll.
     pub(super) fn rolling(&self) -> Option<&Rolling> {
         self.rolling.as_ref()
     }
 
-    /// Returns whether the shift is held along both axes. A step of this kind may still change the normal load.
+    /// Returns whether the shift is held along both axes. Such a step may still change the normal load.
     pub(super) fn holds_shift(&self) -> bool {
         self.tangential == [TangentialControl::Hold; 2]
             && self.twist.is_none()
@@ -217,7 +218,7 @@ impl LoadStep {
         self.twist.is_some()
     }
 
-    /// Returns the tangential load; `last` is the twist if the step does not prescribe one.
+    /// Returns the tangential load. If the step does not prescribe a twist, the load has the twist `last`.
     pub(super) fn demand(&self, last: f64) -> TangentialTarget {
         TangentialTarget {
             controls: self.tangential,

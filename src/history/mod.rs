@@ -6,20 +6,20 @@
 //!
 //! # A step
 //! Let $`u_n`$ be the displacements and $`\delta_n`$ the shift before a step. The step finds tractions q within the
-//! friction limit m of its own pressure, and its slip s:
+//! friction limit m under its pressure, and the slip s:
 //!
 //! ```math
 //! s = (C q - u_n) - (\delta - \delta_n), \qquad |q| \le m = \min(\mu p, \tau_{max}), \qquad
 //! s = 0 \text{ where } |q| < m, \qquad q\,s \le 0 \text{ where } |q| = m .
 //! ```
 //!
-//! This is the problem of [`crate::tangential`] with a linear term: the minimum over $`|q| \le m`$ of
+//! This is the problem of [`crate::tangential`] with a linear term. The solution is the minimum over $`|q| \le m`$ of
 //! $`\tfrac12 q' C q - S' q`$ under a force, or of $`\tfrac12 q' C q - (S + \delta)' q`$ under a shift. Each cell
-//! stores the offset $`S = u - \delta`$ of its last slip, so that errors of one step are not passed to the next.
+//! stores the offset $`S = u - \delta`$ of its last slip. Errors of a step are therefore not passed to the next step.
 //!
 //! A cell that comes into contact within the step follows the motion from the moment it touches ([entry
-//! rule](#entry-rule)). A cell that leaves the contact loses its traction. If only the pressure changes, the tractions
-//! are solved for again under the same force or the same shift, and are never cut.
+//! rule](#entry-rule)). A cell that leaves the contact loses its traction. If only the pressure changes, the step solves
+//! for the tractions again under the same force or the same shift. It never cuts them off at the new friction limit.
 //!
 //! A load prescribes the force, the shift, or the far end of a spring
 //! ([`TangentialControl`](crate::TangentialControl)). A force beyond the friction capacity is an error
@@ -36,22 +36,22 @@
 //! The [assumptions](crate::tangential#assumptions) of a tangential problem apply in every step. Between steps the gap stays in
 //! place: neither shift nor twist moves it. [`History::set_gap`] moves it for sliding distances that are not small.
 //!
-//! If the load turns in the plane, the error of a step is proportional to its length. For a force that moves around a
-//! circle at 0.8 of the sliding force, cycles of 32, 64 and 128 steps dissipate 14, 7 and 3.5 % too little.
+//! If the load turns in the plane, the error of a step is proportional to its length. An example is a force that moves
+//! around a circle at 0.8 of the sliding force. Cycles of 32, 64 and 128 steps dissipate 14, 7 and 3.5 % too little.
 //! Extrapolations from the first two and from the last two of these results agree to 0.2 %.
 //!
 //! By default the tractions act along one axis, and tractions across it are neglected, as in the paper.
-//! [`HistoryBuilder::model`] selects both components. Each component of the load is then prescribed separately, as a
-//! force, as a shift or by its own spring, and slip is opposite to the traction. Body 2 may also rotate: with a twist
-//! $`\varphi`$ about the origin of the grid, the motion of each cell is $`\delta + \varphi\,(-y, x)`$. The sign
-//! convention is that of the crate: traction on body 1, shift and twist of body 2 relative to body 1.
+//! [`HistoryBuilder::model`] selects both components. The slip of a cell is then opposite to its traction. Each
+//! component of the load is prescribed separately, as a force, as a shift or by its own spring. Body 2 may also rotate.
+//! With a twist $`\varphi`$ about the origin of the grid, the motion of each cell is $`\delta + \varphi\,(-y, x)`$. The
+//! sign convention of the crate applies: traction on body 1, shift and twist of body 2 relative to body 1.
 //!
 //! # Bodies of different materials
-//! If the materials couple pressure and traction, each step solves for both together ([`coupled`](crate::coupled)),
-//! with both components of the traction in either model. Then $`u`$ is the displacement due to traction and pressure. A
-//! change of the normal load is also a step of the tangential contact, because pressing draws the surfaces inwards and
-//! makes them slip. A step without a normal load keeps the normal force, not the pressure. The [`EntryRule`] also
-//! applies to the slip caused by pressing.
+//! If the materials couple pressure and traction, each step solves for both together ([`coupled`](crate::coupled)). The
+//! solve includes both components of the traction in the scalar and in the vector model. Then $`u`$ is the displacement
+//! due to traction and pressure. A change of the normal load also changes the tangential contact, because pressing
+//! draws the surfaces inwards and makes them slip. A step without a normal load keeps the normal force, not the
+//! pressure. The [`EntryRule`] also applies to the slip caused by pressing.
 //!
 //! If most of the cells that come into contact slip, the error of a growing contact is of first order in the length of
 //! its steps. [`History::press`](crate::History::press) takes steps of equal growth of the contact radius, as many as a
@@ -59,9 +59,10 @@
 //! a given accuracy.
 //!
 //! # Rolling
+//!
 //! In a step with [`LoadStep::roll`] the bodies roll by a length d, a whole number of cells. The particles of both
 //! surfaces move through the contact from its [leading edge](LeadingEdge). Let $`T f(x) = f(x + d)`$ be the value at
-//! the position of a particle before the step, and $`u_n`$ the previous displacement, inside and outside the contact.
+//! the position of a particle before the step. Let $`u_n`$ be the previous displacement inside and outside the contact.
 //! Then
 //!
 //! ```math
@@ -77,16 +78,16 @@
 //!
 //! The fields of the [`State`] that sum over steps move with the particles: slip, accumulated slip and dissipated
 //! energy. The sums leave the grid behind the contact, and particles that enter the grid have zero sums. The fields of
-//! a [`StepResult`] belong to the cells at the end of the step, and so do the distances and energies of a [`Cycle`].
-//! The slip amplitude and the residual of a cycle compare states of cells, through which other particles have passed.
-//! These two results have no meaning after rolled steps, and a [`FrettingLoop`] does not detect a steady state.
+//! a [`StepResult`], and the distances and energies of a [`Cycle`], belong to the cells at the end of the step. The
+//! slip amplitude and the residual of a cycle compare states of cells, through which other particles have passed. These
+//! two results have no meaning after rolled steps, and a [`FrettingLoop`] does not detect a steady state.
 //!
 //! The gap of a step is given in the frame of the contact. A macroscopic form stays in place, but a texture moves with
-//! the particles, so a rough surface needs a new gap in every step ([`History::set_gap`]). A cell that enters the
-//! contact has closed the gap under load that its particle had in the previous step.
+//! the particles. A rough surface therefore needs a new gap in every step ([`History::set_gap`]). A cell that enters
+//! the contact has closed the gap under load that its particle had in the previous step.
 //!
 //! In the [`EnergyBalance`] of a rolled step, traction, displacement and elastic energy before the step belong to the
-//! particles; the balance closes to round-off. The [stiffness](History::stiffness) of the vector model after a rolled
+//! particles. The balance closes to round-off. The [stiffness](History::stiffness) of the vector model after a rolled
 //! step uses the entry compliance B averaged over all directions.
 //!
 //! Rolling is not supported in the following cases:
@@ -100,16 +101,17 @@
 //! Rolled steps with [full coupling](crate::Coupling::Full) solve for pressure and traction together. Under constant
 //! load such a history converges to the solution of [`CoupledRollingProblem`](crate::rolling::CoupledRollingProblem).
 //! Rolled steps with [one-way coupling](crate::Coupling::OneWay) have the warning
-//! [`StepLift`](crate::Warning::NeglectedLift).
+//! [`NeglectedLift`](crate::Warning::NeglectedLift).
 //!
-//! For Carter's cylinder at 0.8 of the creepage of sliding, the error of the force is within 2.1e-5 of $`\mu P`$ on 128
-//! cells after 30 half-widths. Without the entry compliance it is within 3e-3. On the cells of CONTACT, without the entry
-//! compliance and with a tolerance of 1e-11, the forces agree with the forces of CONTACT to 1e-10 of $`\mu P`$.
+//! The following errors are for Carter's cylinder at 0.8 of the creepage of sliding, on 128 cells after 30 half-widths.
+//! The error of the force is within 2.1e-5 of $`\mu P`$, or within 3e-3 of it without the entry compliance. On the cells
+//! of CONTACT, without the entry compliance and with a tolerance of 1e-11, the forces agree with the forces of CONTACT
+//! to 1e-10 of $`\mu P`$.
 //!
-//! The next table lists the numbers of products per step for the tractions of a sphere, on 32, 64 and 128 cells over
-//! the contact. The numbers are means over the steps 11 to 30 after pressing. The creepage is relative to the creepage
-//! at which the linear theory reaches the friction limit. The last column refers to a step without rolling in which the
-//! shift grows by the same amount.
+//! The next table lists the number of operator products per step for the tractions of a sphere. The three numbers are
+//! for 32, 64 and 128 cells over the contact. The numbers are means over steps 11 to 30 after pressing. The creepage is
+//! relative to the creepage at which the linear theory reaches the friction limit. The last column shows a step without
+//! rolling that changes the shift by the same amount.
 //!
 //! | creepage | normal load | rolled step | step without rolling |
 //! |---|---|---|---|
@@ -250,17 +252,17 @@
 //! | 1 | whole step | 5.2 | |
 //!
 //! # Failed steps
-//! A step that is rejected, is cancelled or does not converge leaves the [`State`] of the history bitwise unchanged,
-//! including everything that the next step starts from. [`History::set_state`] undoes a successful step.
+//! A step that is rejected, is cancelled or does not converge leaves the [`State`] of the history bitwise unchanged.
+//! The state includes everything that the next step starts from. [`History::set_state`] undoes a successful step.
 //! [`State::to_bytes`] saves a state, and a history created from these bytes continues with bitwise identical results.
 //!
 //! A history on distributed bodies ([`ranks`](crate::ranks)) copies its state before it commits a step, and allocates
 //! in every step.
 //!
-//! A [`FrettingLoop`] repeats a [`LoadPath`] until the loop is steady or for a given number of cycles, and its observer
-//! may apply wear to the gap between steps. A [`Cycle`] accumulates the results of its steps: slip, energy, loop of
-//! force and shift, and [`Regime`]. A simulator with its own loop over cycles calls [`FrettingLoop::cycle`]; a
-//! simulator with its own loop over steps calls [`History::step`] and [`Cycle::add`].
+//! A [`FrettingLoop`] repeats a [`LoadPath`] until the loop is steady or for a given number of cycles. Its observer may
+//! apply wear to the gap between steps. A [`Cycle`] accumulates the results of its steps: slip, energy, loop of force
+//! and shift, and [`Regime`]. A simulator with its own loop over cycles calls [`FrettingLoop::cycle`]. A simulator with
+//! its own loop over steps calls [`History::step`] and [`Cycle::add`].
 //!
 //! # Wear
 //! [`wear`] converts the slip or the energy of steps or cycles to wear depth. [`History::set_gap`] applies the depth

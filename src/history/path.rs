@@ -8,8 +8,8 @@ use crate::error::{Error, Result, all_finite, finite, memory};
 ///
 /// The values are forces or shifts: [`LoadStep::force`](crate::history::LoadStep::force) and
 /// [`LoadStep::shift`](crate::history::LoadStep::shift) turn a value into a step. Each cycle starts where the previous
-/// cycle ends. If a formula defines the `n` steps, the k-th step ends at $`t = k/n`$, so [`sine`](Self::sine) and
-/// [`triangle`](Self::triangle) start and end without load.
+/// cycle ends. If a formula defines the `n` steps, the k-th step ends at $`t = k/n`$. The paths [`sine`](Self::sine)
+/// and [`triangle`](Self::triangle) therefore start and end without load.
 ///
 /// ```
 /// use stickslip::history::LoadPath;
@@ -63,8 +63,8 @@ impl LoadPath {
         Self::wave(amplitude, steps, |quarter| [quarter.sine(), quarter.sine()])
     }
 
-    /// Creates a cycle back and forth along a line at a constant rate, from zero to the amplitude $`A`$ in a quarter of
-    /// the cycle.
+    /// Creates a cycle back and forth along a line at a constant rate. The load reaches the amplitude $`A`$ after a
+    /// quarter of the cycle.
     ///
     /// # Errors
     /// Errors of [`sine`](Self::sine).
@@ -79,7 +79,7 @@ impl LoadPath {
     ///
     /// A phase of $`\pi/2`$ with equal amplitudes gives a circle. No value exceeds its amplitude. The cycle starts and
     /// ends at $`[0, A_y\sin\varphi]`$, so the first step from an unloaded contact is longer by this load. The error of
-    /// energies is of first order in the length of a step, see [`history`](crate::history).
+    /// energies is of first order in the length of a step. See [`history`](crate::history).
     ///
     /// # Errors
     /// - [`Error::NotFinite`] if the phase is not finite.
@@ -98,7 +98,7 @@ impl LoadPath {
     ///
     /// # Errors
     /// - [`Error::EmptyPath`] if the table is empty.
-    /// - [`Error::Sample`] at the first value that is not finite; its index counts x and y in turn.
+    /// - [`Error::Sample`] at the first value that is not finite. The index of the error counts x and y in turn.
     pub fn table(steps: Vec<[f64; 2]>) -> Result<Self> {
         if steps.is_empty() {
             return Err(Error::EmptyPath);

@@ -16,7 +16,7 @@ impl NormalSolution {
         self.contact_map().cells()
     }
 
-    /// Returns the contact area from the number of contact cells. This area is too large; its relative error is about
+    /// Returns the contact area from the number of contact cells. This area is too large. Its relative error is about
     /// 0.3 times the ratio of the cell side to the contact radius.
     #[must_use]
     pub fn contact_area(&self) -> f64 {
@@ -24,19 +24,19 @@ impl NormalSolution {
     }
 
     /// Returns the contact area with a correction of the perimeter (Yastrebov, Anciaux & Molinari 2017,
-    /// <https://doi.org/10.1016/j.triboint.2017.04.023>). Its error is smaller than that of [`Self::contact_area`] by a
-    /// factor of about four.
+    /// <https://doi.org/10.1016/j.triboint.2017.04.023>). Its error is about a quarter of the error of
+    /// [`Self::contact_area`].
     #[must_use]
     pub fn contact_area_corrected(&self) -> f64 {
         self.contact_map().corrected_area()
     }
 
-    /// Returns the width of the whole contact along x and along y (lengths), measured between the outer edges of its
-    /// outermost cells. Returns `None` without contact.
+    /// Returns the width of the whole contact along x and along y (lengths). It is measured between the outer edges of
+    /// the outermost cells. Returns `None` without contact.
     ///
-    /// On a periodic grid the width along an axis is the least width that contains the whole contact, including parts
-    /// across the edges of the grid. It equals the side of the grid minus the longest stretch of columns or rows
-    /// without contact.
+    /// On a periodic grid the width along an axis is the least width that contains the whole contact. The contact may
+    /// continue across the edges of the grid. The width equals the side of the grid minus the longest stretch of
+    /// columns or rows without contact.
     ///
     /// ```
     /// use stickslip::*;
@@ -58,14 +58,14 @@ impl NormalSolution {
         Some([columns as f64 * grid.dx(), rows as f64 * grid.dy()])
     }
 
-    /// Returns the mean pressure over the counted contact area; zero without contact.
+    /// Returns the mean pressure over the [contact area](Self::contact_area), or zero without contact.
     #[must_use]
     pub fn mean_pressure(&self) -> f64 {
         let area = self.contact_area();
         if area > 0.0 { self.force() / area } else { 0.0 }
     }
 
-    /// Returns warnings that the result may be misleading; see [`Warning`].
+    /// Returns the warnings about results that may be misleading. See [`Warning`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         unwrap_or_abort(self.try_warnings())
@@ -85,8 +85,8 @@ impl NormalSolution {
         Ok(warnings)
     }
 
-    /// Returns the number of cells whose pressure exceeds the hardness of the softer body; zero if its material has no
-    /// hardness.
+    /// Returns the number of cells whose pressure exceeds the hardness of the softer body, or zero if its material has
+    /// no hardness.
     pub(crate) fn overloaded_cells(&self) -> usize {
         if let Some(whole) = &self.whole {
             return whole.overloaded;
@@ -100,7 +100,7 @@ impl NormalSolution {
         }
     }
 
-    /// Returns the number of contact cells on the edge of a grid that is not periodic.
+    /// Returns the number of contact cells on the edges across which the grid is not periodic.
     pub(crate) fn cells_on_edge(&self) -> usize {
         self.contact_map().cells_on_edge()
     }
@@ -127,7 +127,7 @@ impl NormalSolution {
         }
     }
 
-    /// Returns the partition of the cells over ranks; `None` if the grid is not distributed.
+    /// Returns the partition of the cells over ranks, or `None` if the grid is not distributed.
     pub(crate) fn share(&self) -> Option<&Arc<RowPartition>> {
         self.whole.as_ref().map(|whole| &whole.share)
     }

@@ -16,7 +16,7 @@ const ROOM: f64 = 1.01;
 
 /// Largest pressure H that the softer body can carry, uniform or per cell: $`0 \le p \le H`$.
 ///
-/// Cells at the limit yield. The elastically deformed surfaces overlap there, while all other cells are in elastic
+/// Cells at the limit yield. The elastically deformed surfaces overlap in these cells. All other cells are in elastic
 /// contact or separated,
 ///
 /// ```math
@@ -100,7 +100,7 @@ impl Hardness {
         Ok(Self { limit })
     }
 
-    /// Returns the largest pressure of cell `index` (row-major); NaN for a cell outside the field of limits.
+    /// Returns the largest pressure of cell `index` (row-major), or NaN for a cell outside the field of limits.
     #[must_use]
     pub fn of_cell(&self, index: usize) -> f64 {
         self.limits().of(index)
@@ -115,8 +115,9 @@ impl Hardness {
         }
     }
 
-    /// Returns the overlap of the surfaces of a solved contact in the cells at the limit (lengths, non-negative; zero
-    /// elsewhere). Add it to the gap of the next contact of the same surfaces to account for the plastic deformation.
+    /// Returns the overlap of the surfaces of a solved contact (lengths, non-negative). The overlap is zero in cells
+    /// below the limit. To account for the plastic deformation, add the overlap to the gap of the next contact of the
+    /// same surfaces.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the limits and the contact have different grids.
@@ -177,8 +178,8 @@ impl Hardness {
         self.limit.check("hardness", grid)
     }
 
-    /// Returns whether a window is the whole grid, or whether the capacity of its cells is at least [`ROOM`] times this
-    /// total of the pressures.
+    /// Returns whether a window can carry this total of the pressures. The window must be the whole grid, or its
+    /// capacity must exceed [`ROOM`] times the total.
     pub(crate) fn holds(&self, bodies: &HalfSpace, window: Window, total: Total) -> bool {
         let Some(total) = total
             .sum()

@@ -5,11 +5,11 @@
 //! \qquad W = \Delta \textstyle\sum p
 //! ```
 //!
-//! (eqs 10-12 of Wang et al. 2021). Here `h` is the initial gap, `p` the pressure, `delta` the approach of the bodies,
-//! `g` the gap under load and `Delta` the area of a cell. Under a force, the pressure minimises `1/2 p'Cp + h'p` over
-//! `p >= 0` with `Delta sum p = W`. Under an approach, it minimises `1/2 p'Cp + (h - delta)'p` over `p >= 0`. The
-//! active-set method of [`crate::cgm`] computes the pressure. With a [`Hardness`] H the pressure is at most H, and
-//! cells at the limit overlap.
+//! (eqs 10-12 of Wang et al. 2021). Here `h` is the initial gap, `p` the pressure and `delta` the approach of the
+//! bodies. `g` is the gap under load, and `Delta` is the area of a cell. Under a force, the pressure minimises
+//! `1/2 p'Cp + h'p` over `p >= 0` with `Delta sum p = W`. Under an approach, it minimises `1/2 p'Cp + (h - delta)'p`
+//! over `p >= 0`. The active-set method of [`crate::cgm`] computes the pressure. With a [`Hardness`] H the pressure is
+//! at most H, and cells at the limit overlap.
 //!
 //! This is the minimum principle of Kalker and van Randen, J. Eng. Math. 6 (1972) 193. Stanley and Kato, J. Tribology
 //! 119 (1997) 481, <https://doi.org/10.1115/1.2833523>, solved it on periodic grids with Fourier transforms. Müser et
@@ -26,8 +26,8 @@
 //! - On a periodic grid under a prescribed approach, the [certified bound](crate::Report::duality_gap) is relative to the
 //!   contact under the computed force.
 //!
-//! [`NormalProblem`] validates and stores the input, [`NormalSolver`] owns the buffers and starts each solve from its
-//! last solution, and [`NormalSolution`] is the result.
+//! [`NormalProblem`] validates and stores the input. [`NormalSolver`] owns the buffers and starts each solve from its
+//! last solution. [`NormalSolution`] is the result.
 //!
 //! The example `hardness` plots:
 #![cfg_attr(doc, doc = include_str!("../pictures/hardness.html"))]

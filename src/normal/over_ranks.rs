@@ -28,7 +28,7 @@ impl PartialEq for PressureSums {
 }
 
 impl PressureSums {
-    /// Computes the counts and sums from the pressure of every rank; `None` if the bodies are not distributed.
+    /// Computes the counts and sums from the pressure of every rank. Returns `None` if the bodies are not distributed.
     pub(super) fn of(bodies: &HalfSpace, pressure: &[f64]) -> Option<Box<Self>> {
         let grid = bodies.grid();
         let columns = grid.nx();

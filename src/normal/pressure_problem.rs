@@ -13,9 +13,9 @@ use crate::half_space::{HalfSpace, Region};
 use crate::memory::fallible;
 use crate::parallel::layout::Layout;
 
-/// Least ratio of the number of cells of the grid to the number of cells of a coarse window at which a nested start
-/// uses the window. Operators of the whole grid are cached, whereas operators of such windows are created for one
-/// solve.
+/// Least ratio of the cells of the grid to the cells of a coarse window. At this ratio or a larger ratio, a nested
+/// start uses the window instead of the grid. Operators of the whole grid are cached, whereas operators of such windows
+/// are created for one solve.
 const FEW: usize = 4;
 
 /// Relative change of a load below which it counts as round-off.

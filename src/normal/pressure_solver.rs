@@ -1,4 +1,4 @@
-//! Solver of a sequence of normal contacts of the same bodies; each solve starts from the last solution.
+//! Solver of a sequence of normal contacts of the same bodies. Each solve starts from the last solution.
 
 use std::borrow::Cow;
 use std::ops::ControlFlow;
@@ -21,8 +21,8 @@ use crate::observer::Observer;
 use crate::parallel;
 use crate::report::{Report, Status};
 
-/// Smallest fraction of the tolerance to which a window is solved. If the solution still misses the tolerance on the
-/// whole grid, the tolerance counts as out of reach.
+/// Smallest fraction of the tolerance to which a window is solved. If the solution still misses the tolerance on the whole grid,
+/// the solver considers the tolerance unreachable.
 const STRICTEST: f64 = 0.1;
 
 /// Margin in cells on each side of the first window, into which the contact of later loads can grow.
@@ -94,7 +94,7 @@ impl PressureSolver {
         }
     }
 
-    /// Returns the window of the solver; `None` before the first solve.
+    /// Returns the window of the solver, or `None` before the first solve.
     pub(crate) fn window(&self) -> Option<Window> {
         self.windows.window()
     }
@@ -155,12 +155,12 @@ impl PressureSolver {
         self.held = [f64::NEG_INFINITY; 2];
     }
 
-    /// Discards the last solution if the contact will grow beyond its window. In this case, a start on coarser cells
-    /// takes a quarter of the operator products that a start from the last solution takes.
+    /// Discards the last solution if the contact will grow beyond its window. The solve then starts on coarser cells, which
+    /// takes a quarter of the operator products of a start from the last solution.
     ///
-    /// The widest closed gap is assumed to grow in proportion to the depth of penetration, and the window is too small
-    /// if a gap outside it would close. Loads up to the largest load that the window has contained are accepted without
-    /// this test.
+    /// The widest closed gap is assumed to grow in proportion to the depth of penetration. The window is too small if a gap
+    /// outside the window would close. Loads up to the largest load that the window has contained are accepted without this
+    /// test.
     pub(super) fn discard_if_window_too_small(
         &mut self,
         of: &NormalInput<'_>,
@@ -203,7 +203,7 @@ impl PressureSolver {
         Ok(())
     }
 
-    /// Writes the result to a solution that already holds the pressure, and releases the buffers.
+    /// Writes the result to a solution that already contains the pressure, and releases the buffers.
     pub(crate) fn finish(&mut self, of: &NormalInput<'_>, solution: &mut NormalSolution) {
         let engine = &mut self.windows.present;
         let displacement = engine.as_ref().map_or(&[][..], NormalEngine::displacement);
@@ -237,7 +237,7 @@ impl PressureSolver {
     /// solution come from [`Self::finish`] or [`Self::into_solution`], whether or not the solve has converged.
     ///
     /// # Errors
-    /// - [`Error::NotConverged`] if a limit is reached; `pressure` then holds the last feasible iterate.
+    /// - [`Error::NotConverged`] if a limit is reached. `pressure` then contains the last feasible iterate.
     /// - Other errors of the solve, after which the next solve starts from scratch.
     pub(crate) fn solve(
         &mut self,
@@ -309,8 +309,8 @@ impl PressureSolver {
     }
 
     /// Solves again from scratch if a pressure computed without the hardness limit exceeds it, because the limit widens the
-    /// contact. If the solve has reached its limits or was cancelled, the pressure is only projected onto the limits and no step
-    /// is taken.
+    /// contact. If the solve has reached its iteration or time limit or was cancelled, the function takes no step. It then only
+    /// projects the pressure onto the hardness limits.
     fn bring_within_limits(
         &mut self,
         bodies: &HalfSpace,
@@ -393,7 +393,7 @@ impl PressureSolver {
     }
 }
 
-/// Starts from the last solution, which is unchanged under the same load and extrapolated if the load has changed.
+/// Starts from the last solution, which is extrapolated if the load has changed.
 fn set_out(
     engine: &mut NormalEngine,
     scene: PressureProblem<&[f64]>,
@@ -413,8 +413,8 @@ fn set_out(
     })
 }
 
-/// Starts from scratch. Solves on coarser cells, sets up the window solver around the contact found there, and returns
-/// it with the quality of the start.
+/// Starts from scratch. The function solves on coarser cells and sets up the window solver around the contact of this solution.
+/// It returns the window solver and the quality of the start.
 fn start_cold(
     bodies: &HalfSpace,
     scene: PressureProblem<&[f64]>,

@@ -14,28 +14,28 @@ use crate::normal::{Hardness, NormalSolution, NormalSolver};
 
 /// Prescribed normal load: a force, an approach or a fixed pressure.
 ///
-/// A [`NormalProblem`] applies it to unloaded bodies. In a [`History`](crate::History), it is reached at the end of the
-/// step.
+/// A [`NormalProblem`] applies the load to unloaded bodies. A step of a [`History`](crate::History) reaches the load at
+/// its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum NormalControl {
-    /// Normal force W >= 0; the approach follows. The bodies just touch at zero force.
+    /// Normal force W >= 0, from which the approach follows. The bodies just touch at zero force.
     Force(f64),
-    /// Approach delta of the bodies from the datum of the gap (a length, positive for bodies that move together); the
-    /// force follows. At an approach at or below the least gap, the bodies do not touch.
+    /// Approach delta of the bodies from the datum of the gap (a length, positive for bodies that move together). The
+    /// force follows from the approach. At an approach at or below the least gap, the bodies do not touch.
     ///
-    /// On a periodic grid the approach must be less than the mean gap, because the whole gap would be closed at the
-    /// mean gap. On such a grid the certified error is measured against the exact contact under the computed force.
+    /// On a periodic grid the approach must be less than the mean gap, because the mean gap closes the whole gap. On
+    /// such a grid the certified error is measured against the exact contact under the computed force.
     Approach(f64),
-    /// Unchanged pressure, whatever the gap; no pressure is solved for. A [`NormalProblem`] has no earlier pressure and
-    /// returns an error.
+    /// Unchanged pressure for any gap. A step then does not solve for the pressure. A [`NormalProblem`] has no earlier
+    /// pressure and returns an error.
     Hold,
 }
 
 impl NormalControl {
-    /// Returns the datum of the gap and the prescribed total of the pressures. Sums of gaps that are measured from a
-    /// datum near the contact lose no digits.
+    /// Returns the datum of the gap and the prescribed total of the pressures. A datum near the contact avoids
+    /// cancellation in sums of gaps.
     pub(crate) fn to_datum_and_total(
         self,
         bodies: &HalfSpace,
@@ -122,7 +122,7 @@ pub struct NormalProblem {
 
 try_clone!(NormalProblem { hardness } { bodies, gap, load, settings });
 
-/// Options of a [`NormalProblem`]; each has a default.
+/// Options of a [`NormalProblem`], all with defaults.
 #[derive(Debug, Clone)]
 #[must_use = "a builder does nothing until build() is called"]
 pub struct NormalProblemBuilder<'a> {
@@ -135,7 +135,7 @@ pub struct NormalProblemBuilder<'a> {
 
 impl NormalProblem {
     /// Starts a builder from the required input: bodies, initial gap (lengths, on the grid of the bodies) and load. A
-    /// gap passed by reference is copied; a gap passed by value or in an [`Arc`] is not.
+    /// gap passed by reference is copied. A gap passed by value or in an [`Arc`] is not copied.
     pub fn builder(
         bodies: &HalfSpace,
         gap: impl Into<Arc<Field>>,
@@ -222,7 +222,7 @@ impl NormalProblemBuilder<'_> {
         })
     }
 
-    /// Returns an error if the part of the input that a rank can check without the others is invalid.
+    /// Checks the input that a rank can check without the other ranks.
     fn check(&self) -> Result<()> {
         self.bodies.check_directions([Direction::Z], false)?;
         check_gap(self.bodies, &self.gap)?;

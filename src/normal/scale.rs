@@ -22,8 +22,8 @@ const LARGEST_APPROACH: usize = 10;
 const LARGEST_RADIUS: usize = 300;
 const LARGEST_SLOPE: usize = 500;
 
-/// Sums over pairs of neighbours along an axis that are both in contact. The summands are 1, x, x^2, s, x s and s^2,
-/// where x is the middle of the pair and s the slope of the gap between them.
+/// Sums over pairs of neighbours along an axis that are both in contact. The summands are 1, x, x^2, s, x s and s^2.
+/// Here x is the middle of the pair, and s is the slope of the gap between the two cells.
 type Slopes = [f64; 6];
 
 impl Scale {
@@ -101,13 +101,13 @@ impl Scale {
     }
 }
 
-/// Least part of the variance of the slope that the position has to explain. A rough surface has slopes but no
+/// Least fraction of the variance of the slope that the position must explain. A rough surface has slopes but no
 /// curvature.
 const EXPLAINED: f64 = 0.5;
 
-/// Returns the contact radius times the regression coefficient of the slope on the position; zero if the position does
-/// not explain the slope. The radius follows from the standard deviation of the position: twice the deviation for a
-/// disc, the square root of three times the deviation for a line.
+/// Returns the contact radius times the regression coefficient of the slope on the position. Returns zero if the
+/// position does not explain the slope. The radius follows from the standard deviation of the position. For a disc it
+/// is twice the deviation, and for a line it is the square root of three times the deviation.
 fn radius_over_curvature(grid: Grid, [count, x, xx, s, xs, ss]: Slopes) -> f64 {
     let [x, xx, s, xs, ss] = [x, xx, s, xs, ss].map(|sum| sum / count);
     let (deviation, spread) = ((xx - x * x).sqrt(), (ss - s * s).sqrt());
@@ -120,7 +120,8 @@ fn radius_over_curvature(grid: Grid, [count, x, xx, s, xs, ss]: Slopes) -> f64 {
     reach * correlation * spread
 }
 
-/// Returns the nearest integer; zero if the number is negative or not finite, which happens without contact.
+/// Returns the nearest integer, or zero for a negative number. Also returns zero for a number that is not finite, which
+/// occurs without contact.
 #[expect(
     clippy::cast_possible_truncation,
     clippy::cast_sign_loss,

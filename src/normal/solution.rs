@@ -190,7 +190,7 @@ impl NormalSolution {
         self.scale
     }
 
-    /// Sets whether the solution is part of a coupled solution, in which tractions have changed the pressure.
+    /// Sets whether the solution belongs to a coupled solution, in which tractions have changed the pressure.
     pub(crate) fn set_coupled(&mut self, is_coupled: bool) {
         self.is_coupled = is_coupled;
     }
@@ -258,22 +258,22 @@ impl NormalSolution {
         self.pressure.grid()
     }
 
-    /// Returns the pressure p >= 0, positive if it pushes into the bodies; exactly zero outside the contact. Each value
-    /// is either the uniform pressure of its cell or the pressure at the centre of the cell; see
-    /// [`cell_value`](Self::cell_value).
+    /// Returns the pressure p >= 0, positive if it pushes into the bodies. The pressure is exactly zero outside the
+    /// contact. Each value is either the uniform pressure of its cell or the pressure at the centre of the cell
+    /// ([`cell_value`](Self::cell_value)).
     #[must_use]
     pub fn pressure(&self) -> &Field {
         &self.pressure
     }
 
-    /// Returns the gap under load `h + u_z - delta` (lengths). It is zero in the contact up to the residual, positive
-    /// outside, and negative where cells yield under a [`Hardness`](crate::normal::Hardness).
+    /// Returns the gap under load `h + u_z - delta` (lengths). The gap is zero in the contact up to the residual, and
+    /// positive outside the contact. It is negative in cells that yield under a [`Hardness`](crate::normal::Hardness).
     #[must_use]
     pub fn gap(&self) -> &Field {
         &self.gap
     }
 
-    /// Returns the approach delta of the bodies from the datum of the initial gap (a length), which is the prescribed
+    /// Returns the approach delta of the bodies from the datum of the initial gap (a length). It is the prescribed
     /// approach or the multiplier of the force. On a periodic grid the approach is the mean initial gap minus the mean
     /// gap under load.
     #[doc(alias = "indentation")]
@@ -283,9 +283,9 @@ impl NormalSolution {
         self.approach
     }
 
-    /// Returns the normal force W, the integral of the pressure. For any [`CellValue`] it is the sum of the cell values
-    /// times the area of a cell. The `force` of a tangential solution, a step or a history is the tangential force; the
-    /// normal force of a step is [`normal_force`](crate::history::StepResult::normal_force).
+    /// Returns the normal force W, the integral of the pressure. For any [`CellValue`] the force is the sum of the cell
+    /// values times the area of a cell. The `force` of a tangential solution, a step or a history is the tangential
+    /// force. The normal force of a step is [`normal_force`](crate::history::StepResult::normal_force).
     #[must_use]
     pub fn force(&self) -> f64 {
         match &self.whole {
@@ -294,15 +294,15 @@ impl NormalSolution {
         }
     }
 
-    /// Returns the moments about x and y through the origin of the grid that the pressure exerts on body 1 (force times
-    /// length): $`(\sum y\,p,\; -\sum x\,p)\,A`$, where A is the area of a cell.
+    /// Returns the moments that the pressure exerts on body 1 about the x and y axes through the origin of the grid
+    /// (force times length). They are $`(\sum y\,p,\; -\sum x\,p)\,A`$, where A is the area of a cell.
     #[must_use]
     pub fn moments(&self) -> [f64; 2] {
         let [x, y] = self.first_moments();
         [y, 0.0 - x]
     }
 
-    /// Returns the point where the normal force acts (lengths); `None` without contact.
+    /// Returns the point where the normal force acts (lengths), or `None` without contact.
     #[doc(alias = "eccentricity")]
     #[must_use]
     pub fn centre_of_pressure(&self) -> Option<[f64; 2]> {
@@ -324,7 +324,7 @@ impl NormalSolution {
     }
 
     /// Computes the normal displacement $`u_z`$ of all cells under the pressure, summed over bodies 1 and 2 (lengths,
-    /// positive into the bodies). This takes one product with the operator of the bodies.
+    /// positive into the bodies). The call takes one product with the operator of the bodies.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or
@@ -342,8 +342,8 @@ impl NormalSolution {
         bodies.joint(Ok(displacement))
     }
 
-    /// Computes the elastic energy of the normal contact, $`\tfrac A2 \sum p\,u_z`$ (force times length), from the
-    /// displacements at the centres of the cells.
+    /// Computes the elastic energy of the normal contact, $`\tfrac A2 \sum p\,u_z`$ (force times length). The
+    /// displacements are the displacements at the centres of the cells.
     ///
     /// # Errors
     /// Errors of [`NormalSolution::displacement`].
@@ -391,7 +391,7 @@ impl NormalSolution {
         self.yielded_cells
     }
 
-    /// Returns an error if any cell is at its hardness, for quantities that are defined for elastic contacts only.
+    /// Returns an error if any cell is at its hardness, because the quantity is defined for elastic contacts only.
     pub(crate) fn check_elastic(&self, quantity: &'static str) -> Result<()> {
         match self.yielded_cells {
             0 => Ok(()),
@@ -407,9 +407,9 @@ impl NormalSolution {
 }
 
 impl NormalSolution {
-    /// Estimates the discretisation error of the pressure. The error is the sum of the absolute differences from the
-    /// means of the exact pressure over the cells, relative to the sum of the pressure. Returns `None` without contact
-    /// and on a slab of a distributed grid.
+    /// Estimates the discretisation error of the pressure. The error of a cell is its difference from the mean of the
+    /// exact pressure over the cell. The estimate is the sum of the absolute errors, relative to the sum of the
+    /// pressure. Returns `None` without contact and on a slab of a distributed grid.
     ///
     /// ```math
     /// \frac{\sum |p - \bar p|}{\sum p} \approx f\,\frac{\sum |\Delta_h p|}{24 \sum p}, \qquad
@@ -438,13 +438,15 @@ impl NormalSolution {
     ///
     /// The error at the centres of the cells is 0.5 to 0.9 times the error of the means.
     ///
-    /// There is no such estimate for approach, shift and energy. Their errors are 1e-3 to 1e-6 on 32 to 128 cells over
-    /// three contact radii, and their sign depends on the position of the edge between the cells.
+    /// There is no such estimate for approach, shift and energy. The errors of these quantities are 1e-3 to 1e-6 on 32
+    /// to 128 cells over three contact radii. The sign of the errors depends on the position of the contact edge
+    /// relative to the cells.
     ///
     /// The difference from a solve with half as many cells per side estimates only the error of the approach of uniform
-    /// cells. A third of the difference is 0.4 to 1.2 times the error on 64 and 128 cells (a sphere and an ellipse 2:1
-    /// at 8 positions each). For the approach of centre values, energies, the shift in partial slip and rough surfaces,
-    /// the ratio lies anywhere between -100 and 60, even if other orders of convergence are assumed.
+    /// cells. A third of the difference is 0.4 to 1.2 times the error on 64 and 128 cells. This ratio was measured for
+    /// a sphere and an ellipse 2:1 at 8 positions each. The ratio lies anywhere between -100 and 60 for the approach of
+    /// centre values, energies, the shift in partial slip and rough surfaces. Other assumed orders of convergence do
+    /// not improve this ratio.
     ///
     /// ```
     /// use stickslip::*;

@@ -18,7 +18,7 @@ use crate::support::debug::shown;
 /// Solver of a sequence of normal contacts on one grid.
 ///
 /// Each solve starts from the last solution, which is extrapolated along its trend if the load has changed. If the
-/// contact will outgrow the window in which it was found, the solve starts on coarser cells, as the first solve does.
+/// contact will outgrow the window of the last solution, the solve starts on coarser cells, like the first solve.
 ///
 /// The solver owns plans, buffers and the last pressure. The load and the gap may change between calls.
 ///

@@ -1,4 +1,4 @@
-//! Solver of a normal contact on the window around the contact; it also examines the rest of the grid.
+//! Solver of a normal contact on the window around the contact. The solver also examines the rest of the grid.
 
 use crate::bodies::component::Direction;
 use crate::cgm::{self, InitialGuess, Interval, Iterate};
@@ -17,16 +17,18 @@ use crate::parallel::{self, Blocks};
 use crate::report::EigenvalueBound;
 use std::borrow::Cow;
 
-/// Active-set solver on a window around the contact, or on the whole grid if the contact is not much smaller.
+/// Active-set solver on a window around the contact, or on the whole grid if the contact is not much smaller than the
+/// grid.
 #[derive(Debug, Clone)]
 pub(super) struct NormalEngine {
     region: Region,
     pub(super) solver: ElasticSolver<Interval, 1>,
     /// Change of the pressure of the window with the load.
     trend: LoadTrend<1>,
-    /// Whether the trend holds the pressure before the extrapolation, until [`Self::note`] stores the change.
+    /// Whether the trend contains the pressure before the extrapolation. [`Self::note`] replaces this pressure by the
+    /// change.
     is_extrapolated: bool,
-    /// Operator and fields for a window that is a part of the grid; `None` if the window is the whole grid.
+    /// Operator and fields for a window that is smaller than the grid, or `None` if the window is the whole grid.
     part: Option<NormalPart>,
 }
 
@@ -42,7 +44,7 @@ struct NormalPartFields {
     /// Gap of the window.
     gap: Vec<f64>,
     pressure: Vec<f64>,
-    /// Pressure limits of the window; empty if the limit is uniform.
+    /// Pressure limits of the window. Empty if the limit is uniform.
     limits: Vec<f64>,
     /// Displacement of the whole grid.
     displacement: Vec<f64>,
@@ -97,7 +99,7 @@ impl WindowEngine for NormalEngine {
         self.trend.forget();
     }
 
-    /// Returns the buffers to their pools; the displacement is lost.
+    /// Returns the buffers to their pools. The displacement is lost.
     fn rest(&mut self) {
         self.solver.rest();
         if let Some(part) = &mut self.part {
@@ -144,7 +146,7 @@ impl NormalEngine {
         self.trend.parts([ahead])
     }
 
-    /// Returns the displacement of the whole grid; empty before the first solve.
+    /// Returns the displacement of the whole grid. The slice is empty before the first solve.
     pub(super) fn displacement(&self) -> &[f64] {
         match &self.part {
             Some(part) => part
@@ -236,8 +238,8 @@ impl NormalEngine {
         Ok(Some((findings, bound.known)))
     }
 
-    /// Returns the window around the cells outside the present window where the bodies overlap by more than the
-    /// round-off of the largest displacement.
+    /// Returns the window around the overlapping cells outside the present window. In these cells the bodies overlap by
+    /// more than the round-off of the largest displacement.
     pub(super) fn overlap_outside(
         &self,
         scene: PressureProblem<&[f64]>,
@@ -250,7 +252,7 @@ impl NormalEngine {
         })
     }
 
-    /// Extrapolates the pressure of the whole grid by `parts` times the trend. The trend then holds the previous
+    /// Extrapolates the pressure of the whole grid by `parts` times the trend. The trend then contains the previous
     /// pressure.
     pub(super) fn extrapolate(&mut self, parts: f64, pressure: &mut [f64]) -> Result<()> {
         let (region, cells) = (&self.region, self.region.cells());

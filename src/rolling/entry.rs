@@ -7,8 +7,8 @@ use crate::tangential::{
     EntryCompliance, PressureOnWindow, entry_compliance, ratios_of_compliances,
 };
 
-/// Returns the entry compliance $`B = \kappa\,g/p`$ of a cell. Here p is the pressure of the cell, and g is the gap
-/// that its particle had at the previous position, the cell `before`. The factor is
+/// Returns the entry compliance $`B = \kappa\,g/p`$ of a cell. Here p is the pressure of the cell. The gap g belongs to
+/// its particle at the previous position, the cell `before`. The factor is
 ///
 /// ```math
 /// \kappa = n\,n' + \left(1 + \frac{c_l}{c_n}\right) (1 - n\,n') ,
@@ -58,8 +58,8 @@ pub(crate) fn entering(
     }
 }
 
-/// Returns $`n\,n'`$ as `[xx, xy, yy]` with trace one. It is the mean over the slopes of the gap around a cell, each
-/// weighted by its square.
+/// Returns $`n\,n'`$ as `[xx, xy, yy]` with trace one. It is the mean over the slopes of the gap around a cell, weighted
+/// by the squares of the slopes.
 fn across(normal: &NormalSolution, cell: usize) -> [f64; 3] {
     let grid = normal.grid();
     let (size, repeats) = (grid.size(), normal.boundary().repeats());

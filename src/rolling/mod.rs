@@ -2,20 +2,20 @@
 //! contact.
 //!
 //! The contact is fixed in this frame. The particles of both surfaces enter it at the [leading edge](LeadingEdge) and move
-//! through it by $`d`$ per step, a whole number of cells. With $`T f(x) = f(x + d)`$, the value at the position of a particle
-//! before the step, the slip of a cell over a step is
+//! through it. The distance $`d`$ per step is a whole number of cells. Let $`T f(x) = f(x + d)`$ be the value at the position of
+//! a particle before the step. The slip of a cell over a step is
 //!
 //! ```math
 //! s = (1 - T)\,(C q + u_p) + B q - w, \qquad
 //! w = d \begin{pmatrix} \xi - \varphi\,y \\ \eta + \varphi\,x \end{pmatrix},
 //! ```
 //!
-//! with the traction q on body 1, the displacement $`u_p`$ due to the pressure (zero between bodies of the same material), the
-//! creepages $`\xi, \eta`$ and the spin $`\varphi`$ about the origin of the grid. Creepages and spin are per length rolled, and x
-//! and y are in the middle of the path of the particle. Coulomb's law is satisfied in every cell: $`|q| \le \mu p`$, and the cell
-//! slips against the traction only if $`|q| = \mu p`$. A positive creepage moves body 2 along the axis over body 1 and causes a
-//! positive force, as a positive [shift](crate::TangentialSolution::shift) does. Kalker's creepage is the
-//! motion of body 1 over body 2. It has the opposite sign, and causes a force of the opposite sign on body 1.
+//! with the traction q on body 1, the creepages $`\xi, \eta`$ and the spin $`\varphi`$ about the origin of the grid. The
+//! displacement $`u_p`$ due to the pressure is zero between bodies of the same material. Creepages and spin are per length
+//! rolled, and x and y are in the middle of the path of the particle. Coulomb's law is satisfied in every cell:
+//! $`|q| \le \mu p`$, and the cell slips against the traction only if $`|q| = \mu p`$. A positive creepage moves body 2 along the
+//! axis over body 1 and causes a positive force, as a positive [shift](crate::TangentialSolution::shift) does. Kalker's
+//! creepage is the motion of body 1 over body 2. It has the opposite sign, and causes a force of the opposite sign on body 1.
 //!
 //! Along each axis either the creepage or the force is prescribed. If the force is prescribed, the same solve determines the
 //! creepage as its multiplier. A moment can be prescribed instead of the spin.
@@ -23,11 +23,11 @@
 //! # Entering cells
 //!
 //! A particle ahead of the contact moves with the free surface. Its displacement is smaller than the displacement of a
-//! sticking particle by B q, with $`B = \kappa\,g/p`$. Here g is the gap at the previous position of the particle, and
-//! p is the pressure of the cell that the particle enters. The factor $`\kappa`$ varies from 1 across the edge of the
-//! contact to $`1/(1 - \nu)`$ along the edge (for bodies of the same material). This is the entry rule of [growing
-//! contacts](crate::guide::load_steps). With this rule the error of the force decreases with the square of the cell
-//! size. Without it ([`EntryRule::WholeStep`], as in CONTACT) the error decreases in proportion to the cell size.
+//! sticking particle by B q, with $`B = \kappa\,g/p`$. Here g is the gap at the previous position of the particle. The pressure p
+//! acts on the cell that the particle enters. The factor $`\kappa`$ varies from 1 across the edge of the contact to
+//! $`1/(1 - \nu)`$ along the edge (for bodies of the same material). This is the entry rule of [growing
+//! contacts](crate::guide::load_steps). With this rule the error of the force decreases with the square of the cell size. Without
+//! it ([`EntryRule::WholeStep`], as in CONTACT) the error decreases in proportion to the cell size.
 //!
 //! # Loads
 //!
@@ -40,10 +40,10 @@
 //! # Bodies of different materials
 //!
 //! Tractions lift the surfaces of such bodies, and the pressure changes. A [`RollingProblem`] requires a given pressure, which
-//! ignores the lift; its solution then has the warning [`SteadyLift`](crate::Warning::NeglectedLift). A
-//! [`CoupledRollingProblem`] alternates between two solves: for the pressure over the lifted gap, and for the tractions under
-//! this pressure. The passes were a contraction in all measured contacts. The table is for a sphere on a rigid plane ($`\nu`$ of
-//! 0.45, 0.25 and 0), 24 cells over 2.6 contact radii, longitudinal creepage 0.05, spin 0.1 and a tolerance of 1e-9:
+//! ignores the lift. Its solution then has the warning [`SteadyLift`](crate::Warning::NeglectedLift). A [`CoupledRollingProblem`]
+//! alternates between two solves: for the pressure over the lifted gap, and for the tractions under this pressure. The passes
+//! were a contraction in all measured contacts. The table is for a sphere on a rigid plane ($`\nu`$ of 0.45, 0.25 and 0) and 24
+//! cells over 2.6 contact radii. The longitudinal creepage is 0.05, the spin is 0.1, and the tolerance is 1e-9:
 //!
 //! | $`\beta`$ | $`\mu`$ | error of a pass divided by the error of the previous pass | passes | products |
 //! |---|---|---|---|---|
@@ -52,9 +52,8 @@
 //! | 0.5 | 0.3 | 0.13 | 15 | 741 |
 //! | 0.5 | 1 | 0.22 | 21 | 802 |
 //!
-//! [`CoupledRollingReport`] contains a rigorous bound for each half, the residual of the coupling, and an estimate for
-//! the coupled contact as a whole.
-//! [`CoupledRollingSolver::stiffness`] includes the pressure that follows the tractions.
+//! [`CoupledRollingReport`] contains a rigorous bound for each half, the residual of the coupling, and an estimate for the whole
+//! coupled contact. [`CoupledRollingSolver::stiffness`] includes the pressure that follows the tractions.
 //!
 //! # Uniqueness and error
 //!
@@ -65,9 +64,9 @@
 //! e' (1 - T)\,C e = \tfrac12 |e - T e|_C^2 \ge \lambda \left(1 - \cos\frac{\pi}{m + 1}\right) |e|^2 ,
 //! ```
 //!
-//! where $`\lambda`$ is a lower bound on the eigenvalues of C on a window one step longer than the contact, and m is
-//! the largest number of cells in a chain of cells that are one step apart. Therefore the traction is unique for each
-//! creepage, and for each force below $`\mu P`$. The [certificate](crate::cgm#the-certified-error) of the solver bounds
+//! where $`\lambda`$ is a lower bound on the eigenvalues of C on a window one step longer than the contact. The number m is the
+//! largest number of cells in a chain of cells that are one step apart. Therefore the traction is unique for each creepage, and
+//! for each force below $`\mu P`$. The [certificate](crate::cgm#the-certified-error) of the solver bounds
 //! $`(q - q^*)' ((1 - T)\,C + B)\,(q - q^*)`$, relative to the same form of q.
 //!
 //! # Accuracy and cost
@@ -87,10 +86,10 @@
 //! [single-precision products](crate::Report::single_precision_products). One application of the preconditioner in single
 //! precision follows each product. After an increase of the creepage by one per cent, a solve takes 27, 37, 49 and 64 products.
 //!
-//! For Carter's cylinder at 0.64 of the sliding force, the error of the force is 9e-5, 4e-5, 8e-6, 3e-6 and 4e-7 of
-//! $`\mu P`$ on 32, 64, 128, 256 and 512 cells. Without the entry rule the error is 9e-3, 4e-3, 2e-3, 1e-3 and 6e-4.
+//! The following errors of the force are for Carter's cylinder at 0.64 of the sliding force, on 32, 64, 128, 256 and 512 cells.
+//! They are 9e-5, 4e-5, 8e-6, 3e-6 and 4e-7 of $`\mu P`$. Without the entry rule they are 9e-3, 4e-3, 2e-3, 1e-3 and 6e-4.
 //!
-//! The grid must extend beyond the leading edge by at least one step; otherwise the problem is rejected
+//! The grid must extend beyond the leading edge by at least one step. Otherwise the problem is rejected
 //! ([`Error::GridTooShort`](crate::Error::GridTooShort)). The entry rule also uses slopes of the gap around the previous
 //! positions of entering particles, which need two more cells. If these cells are missing, the slopes are one-sided.
 //!

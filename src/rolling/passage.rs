@@ -20,7 +20,7 @@ pub(crate) struct WindowShift {
 }
 
 impl WindowShift {
-    /// Returns the previous position of the particle of a cell; `None` if it is outside the rectangle.
+    /// Returns the previous position of the particle of a cell, or `None` if this position is outside the rectangle.
     pub(crate) fn before(&self, cell: usize) -> Option<usize> {
         let [line, way] = self.line();
         let place = cell % line;
@@ -77,7 +77,7 @@ impl WindowShift {
         }
     }
 
-    /// Sums in place from the leading edge; this is the inverse of `1 - T` for fields that vanish there.
+    /// Sums in place from the leading edge. The sum is the inverse of `1 - T` for fields that vanish at the leading edge.
     pub(crate) fn sum(&self, field: &mut [f64]) {
         let [line, way] = self.line();
         // Several lines are summed simultaneously so that additions overlap.
@@ -162,7 +162,7 @@ impl RollingShift {
         }
     }
 
-    /// Returns the previous position of the particle of a grid cell; `None` if it was outside the grid.
+    /// Returns the previous position of the particle of a grid cell, or `None` if this position was outside the grid.
     pub(crate) fn before(&self, cell: usize) -> Option<usize> {
         self.through(self.grid.size()).before(cell)
     }
@@ -201,9 +201,9 @@ impl RollingShift {
         contact.map_or(Ok(()), |contact| self.shifted_upstream(contact).map(|_| ()))
     }
 
-    /// Returns the window of a step. It contains the previous positions of the particles in the final contact and the final
-    /// positions of the particles in the initial contact. If the window must be widened, it receives an additional margin
-    /// for growth of the contact.
+    /// Returns the window of a step. The window contains the previous positions of the particles in the final contact. It
+    /// also contains the final positions of the particles in the initial contact. If the window must be widened, it
+    /// receives an additional margin for growth of the contact.
     pub(crate) fn reach(
         &self,
         bodies: &HalfSpace,

@@ -26,37 +26,39 @@ use crate::tangential::{Axis, Friction, TangentialSolution};
 pub struct NormalStiffness {
     /// Derivative $`dW/d\delta_z`$ (a force over a length), zero without contact. Hertz: $`2 E^* a`$.
     pub value: f64,
-    /// Bound on the relative error of the solution of the linear problem at these sets; infinite if pressure and traction are
-    /// coupled. The bound does not include the round-off of the products, nor the effect of the errors of the contact solution.
+    /// Bound on the relative error of the solution of the linear problem at these sets. The bound is infinite if pressure and
+    /// traction are coupled. It does not include the round-off of the products, nor the effect of the errors of the contact
+    /// solution.
     pub bound: f64,
 }
 
-/// Tangential stiffness of a contact: derivatives of the forces along x and y and of the moment with respect to the shifts along
-/// x and y and the twist.
+/// Tangential stiffness of a contact. It consists of the derivatives of the forces along x and y and the moment. The derivatives
+/// are with respect to the shifts along x and y and the twist.
 ///
-/// Rows are loads, columns are motions. The entries of the upper left 2 x 2 block are forces over lengths. The last diagonal
+/// Rows are loads, and columns are motions. The entries of the upper left 2 x 2 block are forces over lengths. The last diagonal
 /// entry is a moment over radians. The other entries are forces (over radians). Entries are `None` for loads and motions that the
-/// model does not have: in the scalar model the direction across its axis and the twist, on periodic grids the twist. The entries
-/// of a reversal that was [left out](crate::stiffness::StiffnessWorkspace::reversal) are also `None`.
+/// model does not have. The scalar model has neither the direction across its axis nor the twist. Periodic grids have no twist.
+/// The entries of a reversal that was [left out](crate::stiffness::StiffnessWorkspace::reversal) are also `None`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct TangentialStiffness {
     /// Derivative of the force of the step with respect to the motion at the end of the step, if the motion continues in its
-    /// direction. For a ball that is sheared under a constant normal load, this stiffness is [Cattaneo's and
-    /// Mindlin's](crate::analytical::CattaneoMindlin) $`8 G^* a\,(1 - F/\mu W)^{1/3}`$.
+    /// direction. For a ball sheared under a constant normal load, it is the stiffness of [Cattaneo and
+    /// Mindlin](crate::analytical::CattaneoMindlin), $`8 G^* a\,(1 - F/\mu W)^{1/3}`$.
     ///
     /// Cells that came into contact in the step follow the motion with their [entry compliance](crate::guide::load_steps). After
-    /// a step that presses a ball from zero load, the loading stiffness is therefore about two thirds of Mindlin's stiffness,
-    /// although all cells stick. The stiffness of the next step is an [option](crate::stiffness::StiffnessWorkspace::next_step):
-    /// in that stiffness, these cells resist fully.
+    /// a step that presses a ball from zero load, all cells stick. The loading stiffness is nevertheless about two thirds of
+    /// Mindlin's stiffness, because of the entry compliance. In the stiffness of the next step, these cells resist fully
+    /// ([option](crate::stiffness::StiffnessWorkspace::next_step)).
     pub loading: [[Option<f64>; 3]; 3],
-    /// Stiffness if the motion reverses: all cells of the contact stick. For a circular contact, this stiffness is
+    /// Stiffness if the motion reverses, so that all cells of the contact stick. For a circular contact, this stiffness is
     /// [Mindlin's](crate::analytical::MindlinFullStick) $`8 G^* a`$.
     pub reversal: [[Option<f64>; 3]; 3],
     /// Bound on the errors of the entries. No error exceeds this bound times the square root of the product of the two diagonal
-    /// entries, for the matrix with the twist about the centre of the contact. The bound is infinite if pressure and traction are
-    /// coupled. As with [`NormalStiffness::bound`], round-off and the errors of the contact solution are not included.
+    /// entries. The bound holds for the matrix with the twist about the centre of the contact. The bound is infinite if pressure
+    /// and traction are coupled. As with [`NormalStiffness::bound`], round-off and the errors of the contact solution are not
+    /// included.
     pub bound: f64,
 }
 
@@ -70,24 +72,24 @@ pub struct ContactStiffness {
     /// Derivatives of the tangential forces and the moment with respect to shift and twist.
     pub tangential: TangentialStiffness,
     /// Derivatives of the tangential forces (over a length) and the moment (a force) with respect to the approach while slip
-    /// continues. They follow from the friction limit of the slipping cells and from the lag of the cells that came into contact
-    /// in the step of a history. They are valid if the shift grows in the same step, or if the approach decreases. If the bodies
-    /// are pressed further at a constant shift, these cells stick and the derivative is zero.
+    /// continues. They follow from the friction limit of the slipping cells. In a history they also follow from the lag of the
+    /// cells that came into contact in the step. They are valid if the shift grows in the same step or if the approach decreases.
+    /// If the bodies are pressed further at a constant shift, these cells stick and the derivative is zero.
     ///
-    /// The entries have no error bound. The relative error of the underlying change of pressure in the energy norm is at most the
-    /// square root of the bound of `normal`. For problems with [one-way coupling](crate::Coupling::OneWay) the entries exclude
-    /// the tangential displacement caused by the pressure, which steps of histories include. An entry is `None` for a load that
-    /// the model does not have.
+    /// The entries have no error bound. They follow from a change of the pressure. The relative error of this change in the
+    /// energy norm is at most the square root of the bound of `normal`. For problems with [one-way
+    /// coupling](crate::Coupling::OneWay) the entries exclude the tangential displacement caused by the pressure, which steps of
+    /// histories include. An entry is `None` for a load that the model does not have.
     pub by_approach: [Option<f64>; 3],
-    /// Derivatives of the normal force (over a length, for the twist a force) with respect to the shifts along x and y and the
-    /// twist. The entries are zero unless pressure and shear are coupled. An entry is `None` for a motion that the model does
-    /// not have.
+    /// Derivatives of the normal force with respect to the shifts along x and y (a force over a length) and the twist (a force).
+    /// The entries are zero unless pressure and shear are coupled. An entry is `None` for a motion that the model does not have.
     pub normal_by_motion: [Option<f64>; 3],
 }
 
 impl TangentialStiffness {
-    /// Returns the stiffness in series with springs, $`(K^{-1} + k^{-1})^{-1}`$: derivatives of forces and moment with respect to
-    /// the motion of the far ends of springs along x and y (with stiffnesses in force over length) and with respect to the twist.
+    /// Returns the stiffness in series with springs along x and y, $`(K^{-1} + k^{-1})^{-1}`$. It consists of the derivatives of
+    /// forces and moment with respect to the motion of the far ends of the springs and the twist. The stiffnesses of the springs
+    /// are forces over lengths.
     ///
     /// # Errors
     /// - [`Error::NotPositive`](crate::Error::NotPositive) if the stiffness of a spring is not positive.
@@ -119,8 +121,8 @@ impl TangentialStiffness {
 impl NormalSolution {
     /// Computes the normal stiffness $`dW/d\delta_z`$ with one linear solve on the cells of the contact.
     ///
-    /// The set of contact cells is fixed, so the stiffness jumps when a cell comes into contact. The result is the stiffness
-    /// of a contact whose edge follows the sides of cells. On a periodic grid the approach is the approach of the mean planes.
+    /// The set of contact cells is fixed, so the stiffness jumps when a cell comes into contact. The result is the stiffness of a
+    /// contact whose edge follows the cell sides. On a periodic grid the approach is the approach of the mean planes.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
@@ -131,14 +133,14 @@ impl NormalSolution {
     ///   unbounded.
     /// - [`Error::NotPositive`](crate::Error::NotPositive) for a user-defined operator without a lower bound.
     /// - [`Error::NotConverged`](crate::Error::NotConverged) if the linear solve fails or is cancelled.
-    /// - [`Error::Ranks`](crate::Error::Ranks) if the ranks disagree or one of them fails.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail or pass different input.
     /// - The errors of [`HalfSpace::operator`].
     pub fn stiffness(&self, bodies: &HalfSpace) -> Result<NormalStiffness> {
         self.stiffness_observed(bodies, unwatched)
     }
 
-    /// Computes the [`stiffness`](Self::stiffness) with an observer that is called before every product with the operator and may
-    /// cancel. The reported residual is the residual of the current linear problem.
+    /// Computes the [`stiffness`](Self::stiffness) with an observer. The observer is called before every product with the
+    /// operator and may cancel. The reported residual is the residual of the current linear problem.
     ///
     /// # Errors
     /// The errors of [`stiffness`](Self::stiffness).
@@ -160,8 +162,8 @@ impl TangentialSolution {
     /// Computes the tangential stiffness with one linear solve for each motion of the model and each of the two sets of cells.
     ///
     /// The loading stiffness is the derivative of the loads with respect to the motions as the load continues. In the vector
-    /// model it includes the resistance of the slip of the step to a rotation of the tractions. The vector model also has the
-    /// twist on grids that are not periodic.
+    /// model it includes the resistance of the slip of the step to a rotation of the tractions. On grids that are not periodic,
+    /// the vector model also has the twist.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) if
@@ -170,14 +172,14 @@ impl TangentialSolution {
     ///   bodies.
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if a periodic contact is closed everywhere.
     /// - [`Error::NotConverged`](crate::Error::NotConverged) if a linear solve fails or is cancelled.
-    /// - [`Error::Ranks`](crate::Error::Ranks) if the ranks disagree or one of them fails.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail or pass different input.
     /// - The errors of [`HalfSpace::operator`].
     pub fn stiffness(&self, bodies: &HalfSpace) -> Result<TangentialStiffness> {
         self.stiffness_observed(bodies, unwatched)
     }
 
-    /// Computes the [`stiffness`](Self::stiffness) with an observer that is called before every product with the operator and may
-    /// cancel. The reported residual is the residual of the current linear problem.
+    /// Computes the [`stiffness`](Self::stiffness) with an observer. The observer is called before every product with the
+    /// operator and may cancel. The reported residual is the residual of the current linear problem.
     ///
     /// # Errors
     /// The errors of [`stiffness`](Self::stiffness).
@@ -206,7 +208,7 @@ impl TangentialSolution {
 }
 
 impl ContactStiffness {
-    /// Computes the stiffness of a contact that was loaded from rest: pressed, and sheared with this friction.
+    /// Computes the stiffness of a contact that was pressed and sheared from rest with this friction.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the friction has a different grid.
@@ -220,8 +222,8 @@ impl ContactStiffness {
         Self::observed(bodies, normal, friction, shear, unwatched)
     }
 
-    /// Computes the stiffness like [`new`](Self::new), with an observer that is called before every product with an operator and
-    /// may cancel. The reported residual is the residual of the current linear problem.
+    /// Computes the stiffness like [`new`](Self::new), with an observer. The observer is called before every product with an
+    /// operator and may cancel. The reported residual is the residual of the current linear problem.
     ///
     /// # Errors
     /// The errors of [`new`](Self::new).
@@ -307,7 +309,7 @@ pub(super) fn without_contact(
     (stiffness, none)
 }
 
-/// Data of a pressed contact.
+/// Pressed contact, as input of a stiffness.
 #[derive(Clone, Copy)]
 pub(crate) struct NormalContact<'a> {
     pub(crate) normal: &'a NormalSolution,
@@ -320,7 +322,7 @@ pub(crate) struct NormalContact<'a> {
 }
 
 impl<'a> NormalContact<'a> {
-    /// Creates the data of elastic bodies whose pressure moves the surfaces only normally.
+    /// Creates the contact of elastic bodies whose pressure moves the surfaces only normally.
     fn new(normal: &'a NormalSolution, friction: &'a Friction) -> Self {
         Self {
             normal,
@@ -332,7 +334,8 @@ impl<'a> NormalContact<'a> {
     }
 }
 
-/// Returns the window in which the contact was solved, whose operators exist already, or the smallest window around the contact.
+/// Returns the window of the contact solution, whose operators exist already. If this window is unknown or does not cover the
+/// contact, returns the smallest window around the contact.
 pub(super) fn window_of(bodies: &HalfSpace, found: Option<Window>, contact: Window) -> Window {
     let found = found.filter(|window| window.covers(contact));
     found.unwrap_or_else(|| bodies.restrict_to_window(contact))

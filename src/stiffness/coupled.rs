@@ -33,13 +33,13 @@ const N: usize = 3;
 /// Value of an unknown bound.
 const UNKNOWN: f64 = f64::INFINITY;
 
-/// Data of a contact under pressure and shear.
+/// Contact under pressure and shear, as input of a stiffness.
 pub(crate) struct Coupled<'a> {
     pub(crate) pressure: &'a Field,
     pub(crate) traction: [&'a Field; 2],
-    /// Slip of the step; `None` for the stiffness of the next step.
+    /// Slip of the step, or `None` for the stiffness of the next step.
     pub(crate) slip: Option<[&'a [f64]; 2]>,
-    /// Entry compliance of the cells that came into contact in the step; empty if there are none.
+    /// Entry compliance of the cells that came into contact in the step. Empty if no cell came into contact.
     pub(crate) entered: &'a [f64],
     pub(crate) friction: &'a Friction,
     pub(crate) hardness: Option<&'a Hardness>,
@@ -92,7 +92,7 @@ impl CoupledBuffers {
 
 impl Coupled<'_> {
     /// Returns the derivatives of the loads with respect to the approach, the shifts along x and y and the twist while slip
-    /// continues, and with respect to the shifts and the twist while all cells stick.
+    /// continues. It also returns the derivatives with respect to the shifts and the twist while all cells stick.
     pub(crate) fn stiffness(
         &self,
         bodies: &HalfSpace,
@@ -130,7 +130,7 @@ impl Coupled<'_> {
         }))
     }
 
-    /// Computes the loads per unit of each motion that the grid allows, the approach first.
+    /// Computes the loads per unit of each motion that the grid allows. The approach is the first motion.
     fn loads(
         &self,
         bodies: &HalfSpace,
@@ -212,9 +212,9 @@ impl Coupled<'_> {
 }
 
 impl CoupledSolution {
-    /// Computes the stiffness of the contact with the friction of the problem: derivatives of the normal force, the tangential
-    /// forces and the moment with respect to the approach and the tangential motions. The loading stiffness applies while the
-    /// load continues.
+    /// Computes the stiffness of the contact with the friction of the problem. It consists of the derivatives of the normal
+    /// force, the tangential forces and the moment with respect to the approach and the tangential motions. The loading stiffness
+    /// applies while the load continues.
     ///
     /// ```
     /// use stickslip::*;
@@ -241,15 +241,15 @@ impl CoupledSolution {
     ///   [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) if the solution belongs to other bodies or another friction.
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if a periodic contact is closed everywhere.
     /// - [`Error::NotConverged`](crate::Error::NotConverged) if a linear solve fails or is cancelled.
-    /// - [`Error::Ranks`](crate::Error::Ranks) if the ranks disagree or one of them fails.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail or pass different input.
     /// - The errors of [`NormalSolution::stiffness`](crate::NormalSolution::stiffness) for a contact that has yielded.
     /// - The errors of [`HalfSpace::operator`].
     pub fn stiffness(&self, bodies: &HalfSpace, friction: &Friction) -> Result<ContactStiffness> {
         self.stiffness_observed(bodies, friction, unwatched)
     }
 
-    /// Computes the [`stiffness`](Self::stiffness) with an observer that is called before every product with the operator and may
-    /// cancel.
+    /// Computes the [`stiffness`](Self::stiffness) with an observer. The observer is called before every product with the
+    /// operator and may cancel.
     ///
     /// # Errors
     /// The errors of [`stiffness`](Self::stiffness).

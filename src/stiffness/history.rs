@@ -14,14 +14,15 @@ use crate::stiffness::tangential::{LastStep, ShearedContact};
 use crate::stiffness::{ContactStiffness, StiffnessWorkspace};
 
 impl History {
-    /// Computes the stiffness of the contact: the normal stiffness, the tangential stiffness on loading and at
-    /// reversal, and the derivatives of the tangential loads with respect to the approach (see [`crate::stiffness`]).
+    /// Computes the stiffness of the contact (see [`crate::stiffness`]). The result contains the normal stiffness and the
+    /// tangential stiffness on loading and at reversal. It also contains the derivatives of the tangential loads with respect to
+    /// the approach.
     ///
-    /// The loading stiffness is the derivative of the force of the last step with respect to the motion of that step, at fixed
-    /// sets. In the vector model the slip of this step adds to the stiffness of slipping cells. Cells that [came into
-    /// contact](crate::guide::load_steps) in that step follow the motion with their entry compliance. The [state](Self::state)
-    /// contains both slip and entry compliance, so the stiffness after [`set_state`](Self::set_state) or a restart is bitwise
-    /// identical. Cells that come into contact during further motion are not included.
+    /// The loading stiffness belongs to the last step. It is the derivative of the force with respect to the motion of this
+    /// step, at fixed sets. In the vector model the slip of this step adds to the stiffness of slipping cells. Cells that [came
+    /// into contact](crate::guide::load_steps) in that step follow the motion with their entry compliance. The
+    /// [state](Self::state) contains slip and entry compliance. The stiffness after [`set_state`](Self::set_state) or a restart
+    /// is therefore bitwise identical. Cells that come into contact during further motion are not included.
     ///
     /// The stiffness of the next step is an option of [`stiffness_with`](Self::stiffness_with):
     /// [`StiffnessWorkspace::next_step`].
@@ -38,8 +39,8 @@ impl History {
         self.stiffness_observed(unwatched)
     }
 
-    /// Computes the [`stiffness`](Self::stiffness) with an observer that is called before every product with an operator and may
-    /// cancel. The reported residual is the residual of the current linear problem.
+    /// Computes the [`stiffness`](Self::stiffness) with an observer. The observer is called before every product with an
+    /// operator and may cancel. The reported residual is the residual of the current linear problem.
     ///
     /// # Errors
     /// The errors of [`stiffness`](Self::stiffness).
@@ -62,8 +63,8 @@ impl History {
     ) -> Result<ContactStiffness> {
         let (pair, grid) = (self.bodies.pair(), self.grid());
         let memory = self.state.contact.as_ref();
-        // If there is no contact, the state contains no last step. For the stiffness of the next step, no cell has slipped or
-        // come into contact yet.
+        // Without contact the state contains no last step. In the stiffness of the next step, no cell has slipped or come into
+        // contact yet.
         let step = memory.filter(|_| !workspace.is_of_next_step());
         let window = memory.map_or(Window::whole(grid), |memory| memory.window);
         let last = LastStep {

@@ -4,39 +4,39 @@
 //! solves contain the noise of the sets, and one-sided differences mix loading with reversal. This module computes the
 //! derivatives from linear solves with the operator on the cells of the contact:
 //!
-//! - **normal**: all cells that carry pressure follow a change of the approach;
-//! - **loading**: sticking cells follow a change of the shift, and slipping cells stay at their limit. In the scalar model their
-//!   traction is constant. In the vector model their traction turns, against the stiffness $`|s|/m`$ for the slip s and the
-//!   limit m;
-//! - **reversal**: all cells of the contact stick, as they do initially when the shift reverses;
-//! - **by approach**: the limit of slipping cells follows the pressure while slip continues, and the tangential force follows the
-//!   limit. This holds if the shift grows in the same step, or if the approach decreases. If the bodies are pressed further at a
-//!   constant shift, the cells that slipped stick, and the force stays constant.
+//! - **normal**: All cells that carry pressure follow a change of the approach.
+//! - **loading**: Sticking cells follow a change of the shift, and slipping cells stay at their limit. In the scalar model the
+//!   traction of slipping cells is constant. In the vector model their traction turns against the stiffness $`|s|/m`$, with the
+//!   slip s and the limit m.
+//! - **reversal**: All cells of the contact stick, as they do initially when the shift reverses.
+//! - **by approach**: The limit of slipping cells follows the pressure while slip continues, and the tangential force follows the
+//!   limit. The derivative is valid if the shift grows in the same step or if the approach decreases. If the bodies are pressed
+//!   further at a constant shift, the cells that slipped stick, and the force stays constant.
 //!
-//! In all these cases the pressure is constant while the bodies are sheared, and the tractions are constant while the bodies are
-//! pressed. Histories add the following:
+//! The pressure is constant while the bodies are sheared. In the normal stiffness, the tractions are constant while the bodies
+//! are pressed. Histories add the following:
 //!
-//! - in steps in which the contact grows, cells that came into contact follow the motion with their [entry
-//!   compliance](crate::guide::load_steps): the stiffness is the derivative of the force of the step with respect to the
-//!   motion at its end. In the stiffness of the [next step](StiffnessWorkspace::next_step) these cells resist fully;
-//! - cells at the hardness carry no additional pressure while the bodies are pressed further;
-//! - with one-way coupling, pressing also shears the contact;
-//! - if pressure and shear are [coupled](crate::coupled), both respond to each motion: the normal force has a [derivative with
-//!   respect to the shift](ContactStiffness::normal_by_motion). That system is not symmetric. The stiffness of a coupled
-//!   contact has no error bound (the bound is infinite); only the residual satisfies the tolerance.
+//! - In steps in which the contact grows, cells that came into contact follow the motion with their [entry
+//!   compliance](crate::guide::load_steps). The stiffness is the derivative of the force of the step with respect to the motion
+//!   at the end of the step. In the stiffness of the [next step](StiffnessWorkspace::next_step) these cells resist fully.
+//! - Cells at the hardness carry no additional pressure while the bodies are pressed further.
+//! - With one-way coupling, pressing also shears the contact.
+//! - If pressure and shear are [coupled](crate::coupled), both respond to each motion. The normal force then has a [derivative
+//!   with respect to the shift](ContactStiffness::normal_by_motion), and the system is not symmetric. The stiffness of a coupled
+//!   contact has no error bound (the bound is infinite). Only the residual satisfies the tolerance.
 //!
 //! Each stiffness is a solution of the [linear problem](crate::cgm) of the solver at its final sets. GMRES solves it with
 //! products in single precision, refined in double precision to a [tolerance](StiffnessWorkspace::tolerance). The bound applies
-//! to the linear problem. It does not include the round-off of the double-precision products, nor the errors of pressure and
-//! tractions, which change the sets and the slips.
+//! to the linear problem. The bound does not include the round-off of the double-precision products. It does not include the
+//! errors of pressure and tractions either, which change the sets and the slips.
 //!
 //! The stiffness functions of the two halves of a solution of [`CoupledProblem`](crate::CoupledProblem) return
 //! [`Error::CoupledMaterials`](crate::Error::CoupledMaterials). Use the stiffness of [the whole
 //! solution](crate::CoupledSolution::stiffness) instead.
 //!
-//! The motions are the shift along x, the shift along y and the twist; the loads are the forces and the moment about the origin
-//! of the grid. Entries that a model does not have are `None`: in the scalar model the motion across its axis and the twist. The
-//! matrices are symmetric.
+//! The motions are the shift along x, the shift along y and the twist. The loads are the forces and the moment about the origin
+//! of the grid. Entries that a model does not have are `None`. In the scalar model these are the entries for the motion across
+//! its axis and for the twist. The matrices are symmetric.
 //!
 //! ```
 //! use stickslip::*;

@@ -63,15 +63,15 @@ impl<const N: usize> Motions<N> {
         self.axes.map(|axis| moved[axis.index()])
     }
 
-    /// Returns the loads in the order of all motions, about the origin of the grid, and `None` for loads that the model does not
-    /// have.
+    /// Returns the loads in the order of all motions, or `None` for loads that the model does not have. The moment is about the
+    /// origin of the grid.
     pub(super) fn loads(&self, loads: [f64; 3]) -> [Option<f64>; 3] {
         let loads = self.all_loads(loads);
         from_fn(|kind| self.has[kind].then_some(loads[kind]))
     }
 
-    /// Returns the matrix in the order of all motions, about the origin of the grid, and `None` for loads and motions that the
-    /// model does not have.
+    /// Returns the matrix in the order of all motions, with `None` for loads and motions that the model does not have. Moment
+    /// and twist are about the origin of the grid.
     pub(super) fn matrix(&self, matrix: &[[f64; 3]; 3]) -> [[Option<f64>; 3]; 3] {
         let matrix = self.full_matrix(matrix);
         from_fn(|load| {
@@ -79,7 +79,7 @@ impl<const N: usize> Motions<N> {
         })
     }
 
-    /// Returns the loads in the order of all motions, zero for loads that the model does not have.
+    /// Returns the loads in the order of all motions, with zero for loads that the model does not have.
     fn all_loads(&self, loads: [f64; 3]) -> [f64; 3] {
         let mut all = [0.0; 3];
         for (kind, load) in self.kinds().zip(loads) {

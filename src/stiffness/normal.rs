@@ -13,8 +13,9 @@ use crate::stiffness::tangential::{ApproachSensitivity, collect};
 use crate::stiffness::workspace::LinearSolveContext;
 use crate::stiffness::workspace::SystemOf;
 
-/// Computes the normal stiffness, zero without contact, on the window in which the contact was solved, if it is known. Cells at
-/// the hardness carry no additional pressure. Sets `growth` to the derivative of the pressures with respect to the approach.
+/// Computes the normal stiffness, which is zero without contact. If the window of the contact solution is known, the
+/// computation uses it. Cells at the hardness carry no additional pressure. Sets `growth` to the derivative of the pressures
+/// with respect to the approach.
 pub(super) fn press(
     (bodies, found): (&HalfSpace, Option<Window>),
     normal: &NormalSolution,

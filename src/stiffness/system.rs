@@ -1,10 +1,10 @@
 //! Stiffness at fixed sets of cells, from linear solves (GMRES) for the tractions caused by motions of the bodies.
 //!
 //! Sticking cells are free, slipping cells move along a line, and all other cells are fixed. Let P be the projection onto the
-//! admissible directions of the cells, D the stiffness against rotation of the tractions, and $`b_a`$ the motions of the cells. D
-//! also contains the entry compliance of cells that came into contact in the step. The tractions $`y_a`$ caused by a unit of each
-//! motion solve $`A\,y_a = P\,b_a`$ with $`A = P C P + D`$. The stiffness is $`K_{ab} = b_a' P A^{-1} P\,b_b`$. With the
-//! residuals $`r_a = P\,b_a - A\,y_a`$ and the errors $`e_a = A^{-1} r_a`$ of the tractions,
+//! admissible directions of the cells, and let $`b_a`$ be the motions of the cells. Let D be the stiffness against rotation of
+//! the tractions. D also contains the entry compliance of cells that came into contact in the step. The tractions $`y_a`$ caused
+//! by a unit of each motion solve $`A\,y_a = P\,b_a`$ with $`A = P C P + D`$. The stiffness is $`K_{ab} = b_a' P A^{-1} P\,b_b`$.
+//! With the residuals $`r_a = P\,b_a - A\,y_a`$ and the errors $`e_a = A^{-1} r_a`$ of the tractions,
 //!
 //! ```math
 //! K_{ab} = y_a' A\,y_b + y_a' r_b + r_a' y_b + e_a' A\,e_b .
@@ -58,7 +58,7 @@ pub(super) struct System<R, const N: usize> {
     compliance: Compliance<N>,
     layout: Layout,
     linear: LinearWorkspace<R, N>,
-    /// Entry compliance of the cells; empty if no cell has any.
+    /// Entry compliance of the cells. Empty if no cell has an entry compliance.
     own: Vec<f64>,
     columns: [ResponseColumn<N>; 3],
     /// Number of moving cells on all ranks.
@@ -84,12 +84,12 @@ struct ResponseColumn<const N: usize> {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Stiffness {
     pub(super) matrix: [[f64; 3]; 3],
-    /// Bound on the errors: no entry has an error larger than this bound times the square root of the product of the two
-    /// diagonal entries.
+    /// Bound on the errors. No entry has an error larger than this bound times the square root of the product of the two diagonal
+    /// entries.
     pub(super) bound: f64,
 }
 
-/// Motions of the cells, at most three: one shift per component of a cell first, then other motions.
+/// Motions of the cells, at most three. The first motions are one shift per component of a cell, and other motions follow.
 pub(super) struct CellMotions<F> {
     pub(super) count: usize,
     pub(super) of_cell: F,
@@ -123,8 +123,8 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         })
     }
 
-    /// Sets the admissible motions of the cells and their entry compliance, which is empty if no cell has one. Rejects a periodic
-    /// contact whose cells are all free, because such a contact resists a common motion without limit.
+    /// Sets the admissible motions of the cells and their entry compliance. The entry compliance is empty if no cell has one.
+    /// Rejects a periodic contact whose cells are all free, because such a contact resists a common motion without limit.
     pub(super) fn hold(
         &mut self,
         boundary: Boundary,
@@ -184,7 +184,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         Ok(Stiffness { matrix, bound })
     }
 
-    /// Computes `y' A y + y' r + r' y`, with `A y + r = P b`, as the mean of `y' P b + r' y` and its transpose.
+    /// Computes `y' A y + y' r + r' y`, where `A y + r = P b`. The result is the mean of `y' P b + r' y` and its transpose.
     fn matrix(&self, count: usize) -> [[f64; 3]; 3] {
         let half = self.table(count, |one, two| {
             self.linear.product(&one.y, &two.right) + self.linear.product(&one.left, &two.y)
@@ -279,7 +279,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         Ok(())
     }
 
-    /// Computes the loads of the first motions, with the motions held at zero, caused by the imposed tractions.
+    /// Computes the loads of the first motions caused by the imposed tractions, while all motions are zero.
     pub(super) fn reaction(&mut self, count: usize) -> Result<[f64; 3]> {
         let displacement = slices(&self.displacement);
         let displaced = |cell: usize| at(&displacement, cell);

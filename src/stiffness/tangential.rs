@@ -23,7 +23,7 @@ type BallOf<const N: usize> = <NormBound as Ball<N>>::Set;
 /// Tangential stiffness, and derivatives of the loads with respect to the approach.
 type FoundStiffness = (TangentialStiffness, [Option<f64>; 3]);
 
-/// Data of a sheared contact.
+/// Sheared contact, as input of a stiffness.
 pub(crate) struct ShearedContact<'a> {
     pub(crate) zones: &'a [Zone],
     pub(crate) traction: [&'a Field; 2],
@@ -36,14 +36,14 @@ pub(crate) struct ShearedContact<'a> {
 #[derive(Clone, Copy)]
 pub(crate) struct LastStep<'a> {
     pub(crate) window: Window,
-    /// Slip of the step; empty along axes on which it has no influence.
+    /// Slip of the step. A component is empty if it has no influence.
     pub(crate) slip: [&'a [f64]; 2],
-    /// Entry compliance of the cells that came into contact in the step; empty if there are none.
+    /// Entry compliance of the cells that came into contact in the step. Empty if no cell came into contact.
     pub(crate) entered: &'a [f64],
 }
 
 impl<'a> LastStep<'a> {
-    /// Creates the data of a step from rest on the whole grid.
+    /// Creates the slip of a step from rest on the whole grid, without entry compliance.
     pub(crate) fn from_rest(grid: Grid, slip: [&'a Field; 2]) -> Self {
         Self {
             window: Window::whole(grid).held(grid),
@@ -59,8 +59,8 @@ impl<'a> LastStep<'a> {
     }
 }
 
-/// Sensitivity to the approach: changes of the cell values per unit of approach, and the contact data for the local cells of a
-/// window.
+/// Sensitivity to the approach: changes of the cell values per unit of approach, and zones, tractions and slips of the local
+/// cells of a window.
 #[derive(Debug, Default)]
 pub(super) struct ApproachSensitivity {
     /// Change of the pressures of the local cells of the grid.
@@ -72,7 +72,7 @@ pub(super) struct ApproachSensitivity {
 
 #[derive(Debug, Default)]
 struct Cells {
-    /// Zero in separated cells, one in sticking cells, two in slipping cells.
+    /// Zone of each cell: zero for separated cells, one for sticking cells, two for slipping cells.
     zone: Vec<f64>,
     traction: [Vec<f64>; 2],
     slip: [Vec<f64>; 2],
@@ -275,8 +275,8 @@ impl Cells {
 }
 
 impl ShearedContact<'_> {
-    /// Computes the stiffness. If the pressed contact is given, also computes the derivatives of the loads with respect to the
-    /// approach, from the change of the pressures in the buffers.
+    /// Computes the stiffness. If the pressed contact is given, the function also computes the derivatives of the loads with
+    /// respect to the approach. These follow from the change of the pressures in the buffers.
     pub(super) fn stiffness(
         &self,
         bodies: &HalfSpace,

@@ -14,14 +14,14 @@ use crate::stiffness::coupled::CoupledBuffers;
 use crate::stiffness::system::System;
 use crate::stiffness::tangential::ApproachSensitivity;
 
-/// The system for one kind of set.
+/// System for one type of constraint set.
 pub(super) type SystemOf<S, const N: usize> = System<<S as LinearisedSet<N>>::CellMotion, N>;
 
 /// Buffers, tolerance and report of stiffnesses that are computed repeatedly.
 ///
 /// Create one workspace for a Newton iteration around a [`History`](crate::History). The first stiffness allocates and creates
-/// the operators. Later stiffnesses reuse buffers and operators if the contact is on the same bodies and was solved in a window
-/// of the same size. They allocate only for more cells or steps than before.
+/// the operators. Later stiffnesses reuse buffers and operators if the contact has the same bodies and a window of the same size.
+/// They allocate only for more cells or steps than before.
 ///
 /// ```
 /// use stickslip::stiffness::StiffnessWorkspace;
@@ -52,7 +52,7 @@ pub struct StiffnessWorkspace {
     buffers: SystemBuffers,
 }
 
-/// Buffers of each kind of contact, created with its first stiffness.
+/// Buffers for each type of contact, created with the first stiffness of this type.
 #[derive(Debug, Default)]
 pub(super) struct SystemBuffers {
     pub(super) normal: Option<SystemOf<Interval, 1>>,
@@ -92,7 +92,7 @@ impl StiffnessWorkspace {
         Ok(self)
     }
 
-    /// Sets whether to compute the stiffness at reversal (default: yes). Without this stiffness the cost is halved, and
+    /// Sets whether to compute the stiffness at reversal (default: yes). Without this stiffness the cost is half as large, and
     /// the entries at reversal are `None`.
     #[must_use]
     pub fn reversal(mut self, has_reversal: bool) -> Self {
@@ -100,13 +100,12 @@ impl StiffnessWorkspace {
         self
     }
 
-    /// Sets whether a history returns the stiffness of its next step instead of the stiffness of its last step (default:
-    /// the last step).
+    /// Sets whether a history returns the stiffness of its next step instead of its last step (default: the last step).
     ///
     /// [`loading`](crate::stiffness::TangentialStiffness::loading) is then the derivative of the force with respect to the motion
-    /// of a next step that starts from the current state. Sticking cells resist fully, including cells that came into contact in
-    /// the last step. Cells at their limit continue to slip: their traction is constant in the scalar model and can turn freely
-    /// in the vector model. [`by_approach`](crate::stiffness::ContactStiffness::by_approach) refers to the same cells.
+    /// of the next step, which starts from the current state. Sticking cells resist fully, including cells that came into contact
+    /// in the last step. Cells at their limit continue to slip. Their traction is constant in the scalar model and can turn
+    /// freely in the vector model. [`by_approach`](crate::stiffness::ContactStiffness::by_approach) refers to the same cells.
     ///
     /// A simulation that shears the contact in its next step under the same normal load needs this stiffness. If [pressure and
     /// shear are coupled](crate::coupled), `loading` is the stiffness at a constant approach. For a constant normal force,
@@ -142,8 +141,8 @@ impl StiffnessWorkspace {
         self.is_of_next_step
     }
 
-    /// Returns the report of the last stiffness: steps and products of all linear problems together, and residual and status of
-    /// the last problem. The time is not measured.
+    /// Returns the report of the last stiffness. Steps and products are the sums over all linear problems. Residual and status
+    /// belong to the last problem. The time is not measured.
     #[must_use]
     pub fn report(&self) -> &Report {
         &self.report
@@ -171,7 +170,7 @@ impl StiffnessWorkspace {
     }
 }
 
-/// Returns the value in a slot if it is the required value; otherwise stores and returns the value of `make`.
+/// Returns the value in a slot if it is the required value. Otherwise stores and returns the value of `make`.
 pub(super) fn get_or_create<T>(
     slot: &mut Option<T>,
     is_own: impl Fn(&T) -> bool,
@@ -211,7 +210,7 @@ impl LinearSolveContext<'_> {
         })
     }
 
-    /// Records the origin of the eigenvalue behind a bound, and keeps the least reliable one so far.
+    /// Records the origin of the eigenvalue behind a bound. Keeps the least reliable origin so far.
     pub(super) fn require_eigenvalue_bound(&mut self, known: EigenvalueBound) {
         let report = &mut *self.report;
         report.eigenvalue_bound = match report.eigenvalue_bound {
@@ -220,7 +219,7 @@ impl LinearSolveContext<'_> {
         };
     }
 
-    /// Returns an error unless the last solve reached the tolerance; a stop at the round-off limit does not count.
+    /// Returns an error unless the last solve reached the tolerance. A stop at the round-off limit is also an error.
     pub(super) fn check_solved(&self) -> Result<()> {
         if self.report.is_converged() {
             Ok(())

@@ -17,19 +17,19 @@ use crate::tangential::{Axis, TangentialIncrement, at};
 #[non_exhaustive]
 pub enum EntryRule {
     /// The cell follows the motion from the moment of touch, while its pressure grows. It lags behind the motion by
-    /// $`\kappa\,(g/p)\,q`$, where g is the gap at the start of the step, and p and q are the pressure and the traction
-    /// at its end.
+    /// $`\kappa\,(g/p)\,q`$. Here g is the gap at the start of the step. The pressure p and the traction q are the
+    /// values at the end of the step.
     #[default]
     SinceTouch,
     /// The cell follows the motion of the whole step, including the part before it touches. Codes that use only the
-    /// start of the step, such as CONTACT, follow this rule. The error is of first order in the length of the steps in
-    /// which the contact grows.
+    /// start of the step, such as CONTACT, follow this rule. If the contact grows, the error is of first order in the
+    /// length of the steps.
     WholeStep,
 }
 
 /// Returns $`\kappa = 1 + c_l / 2 c_n`$ with $`c_n = \sum (1 - \nu)/G`$ and $`c_l = \sum \nu/G`$. It is the ratio of
-/// the tangential displacement of a cell under its own traction to its normal displacement under its own pressure. For
-/// coated and uncoated bodies it is the mean of both [directions](ratios_of_compliances).
+/// the tangential to the normal displacement of a cell under an equal traction and pressure on the cell. For coated and
+/// uncoated bodies it is the mean of both [directions](ratios_of_compliances).
 pub(crate) fn ratio_of_compliances(bodies: &HalfSpace) -> f64 {
     if bodies.pair().is_coated() {
         let [along, across] = ratios_of_compliances(bodies.pair(), bodies.grid());
@@ -39,9 +39,9 @@ pub(crate) fn ratio_of_compliances(bodies: &HalfSpace) -> f64 {
     1.0 + 0.5 * compliances.lateral / compliances.normal
 }
 
-/// Returns the ratios of compliances across an edge of the contact, in plane strain, and along it, in antiplane strain:
-/// $`1`$ and $`1 + c_l/c_n`$. For coated bodies they are $`C_l/C_n`$ and $`C_t/C_n`$ of the waves whose half-length is
-/// the longer side of a cell.
+/// Returns the ratios of compliances $`1`$ and $`1 + c_l/c_n`$. The first holds across an edge of the contact (plane
+/// strain), and the second along the edge (antiplane strain). For coated bodies the ratios are $`C_l/C_n`$ and
+/// $`C_t/C_n`$ of the waves whose half-length is the longer side of a cell.
 pub(crate) fn ratios_of_compliances(pair: &ElasticPair, grid: Grid) -> [f64; 2] {
     if pair.is_coated() {
         let found = pair.times_k(std::f64::consts::PI / grid.dx().max(grid.dy()));
@@ -51,7 +51,7 @@ pub(crate) fn ratios_of_compliances(pair: &ElasticPair, grid: Grid) -> [f64; 2] 
     [1.0, 1.0 + compliances.lateral / compliances.normal]
 }
 
-/// Returns the entry compliance $`B = \kappa\,g/p`$ of a cell with `closing` $`= \kappa g`$; zero without pressure.
+/// Returns the entry compliance $`B = \kappa\,g/p`$ of a cell with `closing` $`= \kappa g`$, or zero without pressure.
 pub(crate) fn entry_compliance(closing: f64, pressure: f64) -> f64 {
     if pressure > 0.0 {
         (closing / pressure).min(f64::MAX)
@@ -88,7 +88,7 @@ impl EntryCompliance {
 
 impl TangentialIncrement {
     /// Sets the entry compliance $`B = \kappa\,g/p`$ of the cells that come into contact in this step. `gap` returns
-    /// the gap of each cell of the grid at the start of the step, zero in the earlier contact.
+    /// the gap of each cell of the grid at the start of the step. The gap of a cell in the earlier contact is zero.
     pub(crate) fn enter(&mut self, gap: impl Fn(usize) -> f64) -> Result<()> {
         let (pressed, diagonal) = (&self.pressed, &mut self.diagonal);
         fallible::resize(diagonal, pressed.region.cells(), 0.0)?;
@@ -163,8 +163,8 @@ impl TangentialIncrement {
         }
     }
 
-    /// Writes the mean entry compliance of the cells of the window in the last step; `entered` is empty if no cell came
-    /// into contact. Returns whether a cell of any rank came into contact.
+    /// Writes the mean entry compliance of the cells of the window in the last step to `entered`. If no cell came into
+    /// contact, `entered` becomes empty. Returns whether a cell of any rank came into contact.
     pub(crate) fn write_entered(&self, entered: &mut Vec<f64>) -> bool {
         entered.clear();
         if self.has_entered {
@@ -173,8 +173,8 @@ impl TangentialIncrement {
         self.has_entered
     }
 
-    /// Subtracts $`B q`$, the part of the motion that they have not followed, from the offsets of the cells that came
-    /// into contact.
+    /// Subtracts the lag $`B q`$ from the offsets of the cells that came into contact. The lag is the motion that a
+    /// cell has not followed.
     pub(super) fn subtract_entry_lag(&mut self) {
         let own = CellCompliance::new(&self.diagonal, &self.deviator);
         for cell in 0..self.diagonal.len() {

@@ -29,7 +29,7 @@ use crate::memory::fallible::try_clone;
 )]
 pub struct Friction {
     coefficient: PerCell<Field>,
-    /// Cap of the limit; `None` without a cap.
+    /// Cap of the limit, or `None` without a cap.
     max_shear_stress: Option<f64>,
 }
 
@@ -121,7 +121,7 @@ impl Friction {
         }
     }
 
-    /// Returns the friction limit of cell `index` (row-major) under `pressure`; NaN for a cell outside the field of
+    /// Returns the friction limit of cell `index` (row-major) under `pressure`, or NaN for a cell outside the field of
     /// coefficients.
     #[must_use]
     pub fn limit(&self, index: usize, pressure: f64) -> f64 {
@@ -201,7 +201,7 @@ impl Friction {
         bodies.collective_result_checked(self.check(bodies.grid()), &[("friction", &self.common())])
     }
 
-    /// Returns the properties that must agree on all ranks: the cap, and the coefficient if it is uniform.
+    /// Returns the properties that must agree on all ranks. These are the cap and a uniform coefficient.
     pub(crate) fn common(&self) -> (PerCell<()>, Option<f64>) {
         (self.coefficient.map(|_| ()), self.max_shear_stress)
     }
@@ -216,7 +216,7 @@ impl Friction {
 #[derive(Debug)]
 pub(crate) struct FrictionWithin<'a> {
     friction: Cow<'a, Friction>,
-    /// Window of the region in the cells of the friction; `None` if the friction has coefficients for exactly the
+    /// Window of the region in the cells of the friction, or `None` if the friction has coefficients for exactly the
     /// region.
     window: Option<Window>,
 }

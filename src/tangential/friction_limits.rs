@@ -20,8 +20,7 @@ const ORDINARY: RangeInclusive<f64> = 1e-100..=1e100;
 /// Fraction of the largest limit below which a limit counts as zero.
 const NOTHING: f64 = 1e-30;
 
-/// Normal contact in the form that the tangential solver uses: a window around the contact, with pressure and friction
-/// limits.
+/// Normal contact for the tangential solver: a window around the contact, with pressure and friction limits.
 #[derive(Debug, Clone)]
 pub(crate) struct PressureOnWindow {
     pub(crate) region: Region,
@@ -108,7 +107,7 @@ impl Limits {
                 };
             }
         });
-        // Limits that are negligible compared with the largest limit carry no load, and their squares would underflow.
+        // Negligible limits carry no load, and their squares would underflow.
         let least = NOTHING * self.largest();
         parallel::update(&mut self.cells, |_, chunk| {
             for limit in chunk {
@@ -122,8 +121,8 @@ impl Limits {
         reduce::max(&self.layout, |i| self.cells[i])
     }
 
-    /// Returns the unit in which tractions must be measured if their squares would otherwise overflow or underflow: a
-    /// power of two near the largest limit. Returns `None` if no unit is needed.
+    /// Returns a unit for tractions whose squares would otherwise overflow or underflow. The unit is a power of two
+    /// near the largest limit. Returns `None` if no unit is needed.
     pub(crate) fn unit(&self) -> Option<f64> {
         let largest = self.largest();
         let is_extreme = largest > 0.0 && !ORDINARY.contains(&largest);

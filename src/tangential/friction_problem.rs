@@ -13,8 +13,8 @@ use crate::numerics::cell_vector::{at, norm, slices, slices_mut};
 use crate::parallel::layout::Layout;
 use crate::tangential::friction_limits::is_at_limit;
 
-/// Input of a tangential solve: friction limits, entry compliances if any, the negated prescribed motion, and the
-/// prescribed sums of the tractions along `directions`.
+/// Input of a tangential solve. It consists of friction limits, entry compliances if any, the negated prescribed
+/// motion, and the prescribed sums of the tractions along `directions`.
 pub(super) struct FrictionProblem<'a, const N: usize> {
     pub(super) directions: [Direction; N],
     pub(super) limits: Cow<'a, [f64]>,
@@ -82,9 +82,9 @@ where
     }
 
     /// Interpolates the tractions in the stick zone and sets the tractions in the slip zone to the limit. The reserve
-    /// of a cell is its limit minus its traction. The reserve falls to zero at the edge of the stick zone as a pressure
-    /// does at the edge of the contact, so the stick zone is prolongated like a contact. A cell with zero interpolated
-    /// traction receives the direction of the total.
+    /// of a cell is its limit minus its traction. The reserve falls to zero at the edge of the stick zone, as a
+    /// pressure falls to zero at the edge of the contact. The stick zone is therefore prolongated like a contact. A
+    /// cell with zero interpolated traction receives the direction of the total.
     fn refined_start(
         &self,
         levels: GridTransfer<'_>,
@@ -120,7 +120,7 @@ where
     }
 }
 
-/// Returns the reserve of a cell, the friction limit minus the traction; zero at the limit.
+/// Returns the reserve of a cell, the friction limit minus the traction. The reserve is exactly zero at the limit.
 pub(crate) fn reserve<const N: usize>(traction: [f64; N], limit: f64) -> f64 {
     let length = norm(traction);
     if is_at_limit(length, limit) {
@@ -130,7 +130,7 @@ pub(crate) fn reserve<const N: usize>(traction: [f64; N], limit: f64) -> f64 {
     }
 }
 
-/// Returns the prolongated traction of a cell within its limit. If the cell slips, the traction is at the limit;
+/// Returns the prolongated traction of a cell within its limit. If the cell slips, the traction is at the limit.
 /// `otherwise` is the direction for a cell without interpolated traction.
 pub(crate) fn prolongated_traction<const N: usize>(
     interpolated: [f64; N],

@@ -22,9 +22,9 @@ use crate::tangential::{Axis, PressureOnWindow};
 
 /// Tangential contact on a window: pressure, limits and tractions of its cells, and the solver of a step.
 ///
-/// A step finds tractions $`q`$ and a motion $`\delta`$ of body 2; the slip of the step is $`s = C q - S - \delta`$.
-/// The offset $`S`$ is the value of $`u - \delta`$ in a cell while it sticks; it is zero if the step starts from rest.
-/// A history sets the offset. It also sets the diagonal $`B`$ of entry compliances; the slip is then
+/// A step finds tractions $`q`$ and a motion $`\delta`$ of body 2. The slip of the step is $`s = C q - S - \delta`$.
+/// The offset $`S`$ of a cell is its value of $`u - \delta`$ during stick. It is zero if the step starts from rest. A
+/// history sets the offset and the diagonal $`B`$ of entry compliances. With entry compliances the slip is
 /// $`s = C q + B q - S - \delta`$.
 #[derive(Debug, Clone)]
 pub(crate) struct TangentialIncrement {
@@ -36,9 +36,9 @@ pub(crate) struct TangentialIncrement {
     pub(super) traction: TangentialVector,
     /// Offset of every cell in this step.
     pub(super) offset: TangentialVector,
-    /// Linear term of the solve. A solve writes it first; until then it is a scratch buffer.
+    /// Linear term of the solve. A solve first overwrites the term. Between solves the vector is a scratch buffer.
     pub(super) linear: TangentialVector,
-    /// Entry compliance of the cells that come into contact in this step; empty if no cell does.
+    /// Entry compliance of the cells that come into contact in this step. Empty if no cell comes into contact.
     pub(super) diagonal: Vec<f64>,
     /// Deviators of the entry compliances in the plane. `[a, b]` is the matrix with the rows `[a, b]` and `[b, -a]`.
     /// The vector is empty if the compliances are the same in all directions.
@@ -97,7 +97,7 @@ impl TangentialIncrement {
         self.engine.report()
     }
 
-    /// Returns the motion of body 2 at the end of the last step solved, converged or not.
+    /// Returns the motion of body 2 at the end of the last solved step, whether or not the step converged.
     pub(crate) fn motion(&self) -> RigidMotion {
         self.motion
     }
@@ -151,14 +151,14 @@ impl TangentialIncrement {
         StepSolution::new(&self.pressed, self.axes, found, self.motion)
     }
 
-    /// Returns the buffers of the solve to their pools; the displacements of the solution are lost.
+    /// Returns the buffers of the solve to their pools. The displacements of the solution are lost.
     pub(crate) fn rest(&mut self) {
         self.engine.rest();
     }
 
     /// Recomputes the displacement under the present tractions and returns its values in the local cells of the grid.
     pub(crate) fn fresh_displacement(&mut self) -> Result<[Cow<'_, [f64]>; 2]> {
-        // The linear term can serve as a buffer, since a solve writes it first.
+        // The linear term can serve as a buffer, because a solve first overwrites it.
         self.engine.apply(&self.traction, &mut self.linear)?;
         let mut held = [Cow::Borrowed(&[][..]), Cow::Borrowed(&[][..])];
         for axis in self.axes.iter().map(|axis| axis.index()) {
@@ -167,10 +167,11 @@ impl TangentialIncrement {
         Ok(held)
     }
 
-    /// Computes the tractions and the motion of body 2 at the end of a step; `before` is the motion at its start.
+    /// Computes the tractions and the motion of body 2 at the end of a step. `before` is the motion at the start of the
+    /// step.
     ///
     /// # Errors
-    /// - [`Error::NotConverged`](crate::Error::NotConverged) if a limit is reached; the last feasible tractions and
+    /// - [`Error::NotConverged`](crate::Error::NotConverged) if a limit is reached. The last feasible tractions and
     ///   their motion remain available.
     /// - Errors of the load, before any work.
     pub(crate) fn solve(
@@ -292,8 +293,8 @@ impl TangentialIncrement {
         has_squares(quantity, traction * own, remedy).map(drop)
     }
 
-    /// Returns the shift at which the cell of the largest limit would have no traction, given the twist. Measured from
-    /// this datum, a contact that has not slipped anywhere has exactly zero motion.
+    /// Returns the shift at which the cell of the largest limit would have no traction, given the twist. Relative to
+    /// this datum, a contact without any slip has exactly zero motion.
     fn datum(&self) -> [f64; 2] {
         let PressureOnWindow { region, limits, .. } = &self.pressed;
         let (limits, own) = (&limits.cells, region.own());

@@ -17,11 +17,11 @@ use crate::tangential::Zone;
 /// ```
 ///
 /// The stick zone is the contact area under the smaller load. The superposition is exact if the tangential compliance
-/// is proportional to the normal compliance: on any surface for Poisson's ratio zero, and on spheres for any Poisson's
-/// ratio. On ellipsoids the traction is exact, but the ratio of the shift is not `kappa`. On rough surfaces, for
-/// Poisson's ratio 0.29, the error of the traction is 4 to 6 % and the error of the shift is 0.7 %.
+/// is proportional to the normal compliance. It is exact on any surface for Poisson's ratio zero, and on spheres for
+/// any Poisson's ratio. On ellipsoids the traction is exact, but the ratio of the shift is not `kappa`. On rough
+/// surfaces with Poisson's ratio 0.29, the traction has an error of 4 to 6 %, and the shift an error of 0.7 %.
 ///
-/// Jaeger, J. Tribology 120 (1998) 677, <https://doi.org/10.1115/1.2833765>. Ciavarella proved the superposition for
+/// See Jaeger, J. Tribology 120 (1998) 677, <https://doi.org/10.1115/1.2833765>. Ciavarella proved the superposition for
 /// plane contacts in Int. J. Solids Struct. 35 (1998) 2349, <https://doi.org/10.1016/S0020-7683(97)00154-6>. He proved
 /// it for three-dimensional contacts at Poisson's ratio zero, and for axisymmetric contacts at any Poisson's ratio, in
 /// J. Appl. Mech. 65 (1998) 998.

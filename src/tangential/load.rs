@@ -8,16 +8,17 @@ use crate::tangential::{Axis, RigidMotion, TangentialModel};
 
 /// Prescribed tangential load along one axis.
 ///
-/// A problem applies it to bodies at rest. A step of a [`History`](crate::History) starts from the previous state and
-/// reaches the load at its end.
+/// A problem applies the load to bodies at rest. A step of a [`History`](crate::History) starts from the previous state
+/// and reaches the load at its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum TangentialControl {
-    /// Tangential force that body 2 exerts on body 1 (a force, either sign); the shift follows.
+    /// Tangential force that body 2 exerts on body 1 (a force, either sign). The shift follows from the force.
     Force(f64),
-    /// Shift since the unloaded state: the rigid motion of body 2 relative to body 1, far from the contact (a length,
-    /// either sign). The force follows; if the bodies are loaded from rest, it has the same sign.
+    /// Shift since the unloaded state, the rigid motion of body 2 relative to body 1 far from the contact (a length,
+    /// either sign). The force follows from the shift. If the bodies are loaded from rest, the force has the sign of
+    /// the shift.
     ///
     /// On a periodic grid the shift is measured from the mean plane of the surface. The certified error is then
     /// measured against the exact contact under the computed force.
@@ -27,15 +28,15 @@ pub enum TangentialControl {
     ///
     /// A spring a million times softer than the contact effectively prescribes the force. Prescribe the force directly
     /// in this case, because the slip is lost in the round-off of the stretch. Residuals are relative to the largest
-    /// displacement of the bodies or to a reference stretch, whichever is larger. The reference is the stretch that the
-    /// stiffest spring would have if all tractions had the same direction.
+    /// displacement of the bodies or to a reference stretch, whichever is larger. The reference stretch is the stretch
+    /// of the stiffest spring if all tractions had the same direction.
     Spring {
         /// Position X of the far end of the spring (a length, either sign) since the unloaded state.
         position: f64,
         /// Stiffness k > 0 (a force over a length).
         stiffness: f64,
     },
-    /// Unchanged shift, zero from rest; the force follows from the present pressure and friction.
+    /// Unchanged shift, which is zero from rest. The force follows from the present pressure and friction.
     Hold,
 }
 
@@ -62,7 +63,7 @@ impl TangentialControl {
         Ok((quantity, finite(quantity, value)?))
     }
 
-    /// Returns the prescribed value; zero causes no motion from rest.
+    /// Returns the prescribed value. A value of zero causes no motion from rest.
     fn value(self) -> f64 {
         match self {
             Self::Force(value)
@@ -111,7 +112,7 @@ impl TangentialLoad {
         Self::of(shift.map(TangentialControl::Shift))
     }
 
-    /// Prescribes springs of one stiffness (a force over a length) along both axes, with far ends at `[x, y]`
+    /// Prescribes springs of equal stiffness (a force over a length) along both axes, with far ends at `[x, y]`
     /// (lengths).
     #[must_use]
     pub fn spring(position: [f64; 2], stiffness: f64) -> Self {
@@ -136,8 +137,8 @@ impl TangentialLoad {
     }
 
     /// Sets the rotation $`\varphi`$ of body 2 relative to body 1 about the origin of the grid (radians, positive from
-    /// x to y; default 0). In addition to the shift it moves body 2 by $`(-\varphi y, \varphi x)`$. A non-zero twist
-    /// needs the vector model and a grid that is not periodic.
+    /// x to y, default 0). In addition to the shift, the rotation moves body 2 by $`(-\varphi y, \varphi x)`$. A
+    /// non-zero twist needs the vector model and a grid that is not periodic.
     #[must_use]
     pub fn twist(mut self, twist: f64) -> Self {
         self.twist = twist;
@@ -241,8 +242,8 @@ impl TangentialTarget {
     /// Converts the load to totals of the tractions along these axes and sets the datum of the motion. `datum` is used
     /// along axes whose shift follows from a force or a spring.
     ///
-    /// `sums` are the totals for the prescribed forces; `None` if friction cannot carry any traction. The shift under a
-    /// force is then undetermined and remains unchanged.
+    /// `sums` are the totals for the prescribed forces, or `None` if friction cannot carry any traction. The shift
+    /// under a force is then undetermined and remains unchanged.
     pub(crate) fn compute_totals(
         &self,
         axes: &[Axis],

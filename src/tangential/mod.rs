@@ -6,12 +6,12 @@
 //! \qquad F = \Delta \textstyle\sum q
 //! ```
 //!
-//! (eqs 13-16 of Wang et al. 2021). Here `q` is the traction on body 1 along one axis, `C` is `C_xx` or `C_yy`, `delta`
-//! the shift of the bodies and `s` the slip. The shift is the relative rigid tangential displacement of the literature,
-//! and `s` is the relative slip or microslip. `m = min(mu p, tau_max)` is the friction limit of each cell, and `Delta`
-//! the area of a cell. Consider one monotonic load step with a pressure that shear does not change. If the force is
-//! prescribed, the traction minimises `1/2 q'Cq` over `|q| <= m` with `Delta sum q = F`. If the shift is prescribed,
-//! the traction minimises `1/2 q'Cq - delta sum q` over `|q| <= m`.
+//! (eqs 13-16 of Wang et al. 2021). Here `q` is the traction on body 1 along one axis, and `C` is `C_xx` or `C_yy`.
+//! `delta` is the shift of the bodies, and `s` is the slip. The shift is the relative rigid tangential displacement of the
+//! literature, and `s` is the relative slip or microslip. `m = min(mu p, tau_max)` is the friction limit of each cell, and
+//! `Delta` is the area of a cell. Consider one monotonic load step with a pressure that shear does not change. If the
+//! force is prescribed, the traction minimises `1/2 q'Cq` over `|q| <= m` with `Delta sum q = F`. If the shift is
+//! prescribed, the traction minimises `1/2 q'Cq - delta sum q` over `|q| <= m`.
 //!
 //! The traction across the load is neglected, as in the paper, except in [`TangentialModel::Vector`]. This model solves
 //! for both components:

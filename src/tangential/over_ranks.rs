@@ -59,7 +59,7 @@ pub(super) struct ShearSums {
 }
 
 impl ShearSums {
-    /// Computes the counts and sums; `None` if the bodies are not distributed.
+    /// Computes the counts and sums, or returns `None` if the bodies are not distributed.
     pub(super) fn of(
         bodies: &HalfSpace,
         traction: &[Field; 2],

@@ -8,8 +8,8 @@ use crate::normal::NormalSolution;
 
 /// Pressure of a tangential contact, from a solved normal contact or from another source.
 ///
-/// A prescribed pressure (pressures, zero outside the contact) may come from a closed form, a measurement, or a code
-/// that models more of the normal contact than elasticity.
+/// A prescribed pressure (pressures, zero outside the contact) may come from a closed form or a measurement. It may
+/// also come from a code whose model of the normal contact includes more than elasticity.
 ///
 /// ```
 /// use stickslip::analytical::{CattaneoMindlin, HertzSphere};
@@ -32,7 +32,7 @@ use crate::normal::NormalSolution;
 pub enum PressureSource<'a> {
     /// Pressure of a converged normal contact on the same bodies and materials.
     Solved(&'a NormalSolution),
-    /// Pressure of each cell, non-negative and finite; it may belong to any bodies.
+    /// Pressure of each cell, non-negative and finite. The pressure may belong to any bodies.
     Prescribed(&'a Field),
 }
 
@@ -49,7 +49,7 @@ impl<'a> From<&'a Field> for PressureSource<'a> {
 }
 
 impl<'a> PressureSource<'a> {
-    /// Returns the pressure of every cell, or an error if it is not valid on these bodies.
+    /// Returns the pressure of every cell, or an error if the pressure is not valid on these bodies.
     pub(crate) fn checked(self, bodies: &HalfSpace) -> Result<&'a [f64]> {
         match self {
             Self::Solved(normal) => {

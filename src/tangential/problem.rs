@@ -51,7 +51,7 @@ pub struct TangentialProblem {
 
 shown!(TangentialProblem: bodies, friction, load, model, coupling, relative, settings);
 
-/// Options of a [`TangentialProblem`]; each has a default.
+/// Options of a [`TangentialProblem`], all with defaults.
 #[derive(Debug, Clone)]
 #[must_use = "a builder does nothing until build() is called"]
 pub struct TangentialProblemBuilder<'a, 'p> {
@@ -68,8 +68,8 @@ pub struct TangentialProblemBuilder<'a, 'p> {
 try_clone!(TangentialProblem { pressed, friction, relative } { bodies, load, model, coupling, settings });
 
 impl TangentialProblem {
-    /// Starts a builder from the required input: bodies, the pressure (a solved normal contact on these bodies or a
-    /// field), friction and load.
+    /// Starts a builder from the required input: bodies, pressure, friction and load. The pressure is a solved normal
+    /// contact on these bodies or a field.
     #[doc(alias = "partial slip")]
     #[doc(alias = "stick slip")]
     pub fn builder<'a, 'p>(
@@ -141,14 +141,14 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
     /// Sets whether the pressure moves the surfaces of bodies of different materials tangentially. The default
     /// ([`Coupling::OneWay`]) includes this displacement and computes the tractions for this pressure.
     ///
-    /// For the pressure of a normal problem, which is frictionless, this is Goodman's assumption; its errors are listed
-    /// at [`Coupling`]. [`Coupling::Full`] is an error for such bodies, because the pressure then depends on the
-    /// tractions ([`CoupledProblem`](crate::CoupledProblem)).
+    /// The pressure of a normal problem is frictionless. For this pressure the default is Goodman's assumption, whose
+    /// errors are listed at [`Coupling`]. [`Coupling::Full`] is an error for such bodies, because the pressure then
+    /// depends on the tractions ([`CoupledProblem`](crate::CoupledProblem)).
     ///
-    /// In this problem, such bodies are pressed together in one step. This is exact for a contact that does not grow,
-    /// such as the contact of a flat punch. For other contacts the stick zone differs from the stick zone under a
-    /// growing load; use [`History::press`](crate::History::press) to press in several steps. The solution then has the
-    /// warning [`SingleLoadStep`](crate::Warning::SingleLoadStep).
+    /// In this problem, such bodies are pressed together in one step. One step is exact for a contact that does not
+    /// grow, such as the contact of a flat punch. For other contacts the stick zone differs from the stick zone under a
+    /// growing load. The solution then has the warning [`SingleLoadStep`](crate::Warning::SingleLoadStep). Use
+    /// [`History::press`](crate::History::press) to press in several steps.
     ///
     /// ```
     /// use stickslip::*;
@@ -173,8 +173,8 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
         self
     }
 
-    /// Sets a displacement of body 1 relative to body 2 that the contact does not cause, applied in proportion to the
-    /// load (default: none).
+    /// Sets a displacement of body 1 relative to body 2 that the contact does not cause (default: none). The
+    /// displacement is applied in proportion to the load.
     pub fn relative_displacement(mut self, relative: RelativeDisplacement) -> Self {
         self.relative = Some(relative);
         self
@@ -184,8 +184,8 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
     ///
     /// # Errors
     /// - [`Error::NotConverged`] with the report of the normal contact if it has not converged.
-    /// - [`Error::Sample`] for a prescribed pressure that is negative or not finite, or a bulk strain along a periodic
-    ///   axis.
+    /// - [`Error::Sample`] for a prescribed pressure that is negative or not finite, or for a bulk strain along a
+    ///   periodic axis.
     /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::MaterialMismatch`] if a field or contact
     ///   belongs to other bodies.
     /// - [`Error::CoupledMaterials`] for [`Coupling::Full`] with bodies of different materials.
@@ -225,8 +225,7 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
         })
     }
 
-    /// Checks the part of the input that a rank can check without the others, and returns the pressure of the local
-    /// cells.
+    /// Checks the input that a rank can check without the other ranks, and returns the pressure of the local cells.
     fn check(&self) -> Result<&'p [f64]> {
         let grid = self.bodies.grid();
         self.friction.check(grid)?;

@@ -7,12 +7,11 @@ use crate::half_space::HalfSpace;
 use crate::memory::fallible::try_clone;
 use crate::tangential::{Axis, TangentialModel};
 
-/// Tangential displacement w of body 1 relative to body 2 in each cell, other than the displacement under the tractions
-/// of the contact (lengths, `[x, y]`). Examples are bulk strain, thermal expansion and the deformation due to a nearby
-/// contact.
+/// Tangential displacement w of body 1 relative to body 2 in each cell, which the contact does not cause (lengths,
+/// `[x, y]`). Examples are bulk strain, thermal expansion and the deformation due to a nearby contact.
 ///
-/// The slip is then $`s = u + w - \delta`$. Where the bodies stick, tractions balance w. A uniform w acts like a shift
-/// of the opposite sign. See Nowell & Hills, Int. J. Mech. Sci. 29 (1987) 355.
+/// The slip is then $`s = u + w - \delta`$. In stick zones, tractions balance w. A uniform w acts like a shift of the
+/// opposite sign. See Nowell & Hills, Int. J. Mech. Sci. 29 (1987) 355.
 ///
 /// ```
 /// use stickslip::tangential::RelativeDisplacement;
@@ -35,7 +34,7 @@ use crate::tangential::{Axis, TangentialModel};
 )]
 pub struct RelativeDisplacement {
     fields: [Field; 2],
-    /// Uniform strain from which the displacements were created; zero if they were created from fields.
+    /// Uniform strain from which the displacements were created. Zero if the displacements were created from fields.
     strain: [[f64; 2]; 2],
 }
 
@@ -89,8 +88,8 @@ impl RelativeDisplacement {
     /// grid. `strain` is the strain of body 1 minus the strain of body 2, with the components `[[xx, xy], [yx, yy]]`.
     /// It is positive if body 1 is stretched.
     ///
-    /// On a grid that is periodic along an axis of the strain, problems and histories return [`Error::Sample`], because
-    /// the displacement would jump from one period to the next.
+    /// If the grid is periodic along an axis of the strain, the displacement would jump from one period to the next.
+    /// Problems and histories then return [`Error::Sample`].
     ///
     /// # Errors
     /// - [`Error::Sample`] if a component is not finite.
@@ -128,13 +127,13 @@ impl RelativeDisplacement {
         self.fields[axis].as_slice()[cell]
     }
 
-    /// Returns the fields for restoring a saved state; the values must remain finite.
+    /// Returns the fields for restoring a saved state. The values must remain finite.
     pub(crate) fn fields_mut(&mut self) -> [&mut Field; 2] {
         self.fields.each_mut()
     }
 
-    /// Returns an error if the displacement is on a different grid, has a strain along a periodic axis, or has a
-    /// non-zero component along an axis without tractions.
+    /// Returns an error if the displacement is on a different grid or has a strain along a periodic axis. A non-zero
+    /// component along an axis without tractions is also an error.
     pub(crate) fn check(&self, bodies: &HalfSpace, axes: &[Axis]) -> Result<()> {
         let grid = bodies.grid();
         grid.expect("relative displacement", self.fields[0].grid())?;

@@ -36,7 +36,7 @@ pub struct TangentialSolution {
     axis: Option<Axis>,
     shift: [f64; 2],
     twist: f64,
-    /// Dundurs' beta of the bodies if the solution is part of a coupled solution.
+    /// Dundurs' beta of the bodies if the solution belongs to a coupled solution.
     coupled: Option<f64>,
     /// Whether a contact of dissimilar bodies with friction was pressed to its size in one step.
     is_pressed_at_once: bool,
@@ -156,7 +156,7 @@ impl TangentialSolution {
         self.whole = ShearSums::of(bodies, &self.traction, &self.slip, &self.zones);
     }
 
-    /// Sets Dundurs' beta if the solution is part of a coupled solution, in which the tractions have changed the
+    /// Sets Dundurs' beta if the solution belongs to a coupled solution, in which the tractions have changed the
     /// pressure.
     pub(crate) fn set_coupled(&mut self, beta: Option<f64>) {
         self.coupled = beta;
@@ -210,16 +210,16 @@ impl TangentialSolution {
         self.traction[0].grid()
     }
 
-    /// Returns the shear traction q on body 1 along x and along y (pressures), positive along the axis; exactly zero
-    /// outside the contact.
+    /// Returns the shear traction q on body 1 along x and along y (pressures), positive along the axis. The traction is
+    /// exactly zero outside the contact.
     #[doc(alias = "shear stress")]
     #[must_use]
     pub fn traction(&self) -> [&Field; 2] {
         self.traction.each_ref()
     }
 
-    /// Returns the slip `s = u - delta` of the surface of body 1 over the surface of body 2 (lengths). It is opposite
-    /// to the traction in slip cells, and exactly zero in stick cells and outside the contact.
+    /// Returns the slip `s = u - delta` of the surface of body 1 over the surface of body 2 (lengths). The slip is
+    /// opposite to the traction in slip cells, and exactly zero in stick cells and outside the contact.
     #[must_use]
     pub fn slip(&self) -> [&Field; 2] {
         self.slip.each_ref()
@@ -243,7 +243,7 @@ impl TangentialSolution {
         &self.zones
     }
 
-    /// Returns the axis of the load in the scalar model; `None` in the vector model.
+    /// Returns the axis of the load in the scalar model, or `None` in the vector model.
     #[must_use]
     pub fn axis(&self) -> Option<Axis> {
         self.axis
@@ -254,15 +254,15 @@ impl TangentialSolution {
     /// the force. On a periodic grid the shift is measured from the mean plane of the surface.
     ///
     /// Under a force that slides the whole contact, the shift is the value at which the last cell starts to slip. In
-    /// the vector model it is then the displacement of that cell, and the slip of the other cells is not yet parallel
-    /// to their traction.
+    /// the vector model this value is the displacement of the last cell. The slip of the other cells is not yet
+    /// parallel to their traction.
     #[must_use]
     pub fn shift(&self) -> [f64; 2] {
         self.shift
     }
 
-    /// Returns the prescribed rotation of body 2 relative to body 1 about the origin of the grid (radians, positive
-    /// from x to y).
+    /// Returns the prescribed rotation of body 2 relative to body 1 (radians, positive from x to y). The axis of the
+    /// rotation passes through the origin of the grid.
     #[must_use]
     pub fn twist(&self) -> f64 {
         self.twist
@@ -277,15 +277,16 @@ impl TangentialSolution {
         }
     }
 
-    /// Returns the moment about z at the origin of the grid that the tractions of body 2 exert on body 1 (force times
-    /// length, positive from x to y).
+    /// Returns the moment of the tractions on body 1 about the origin of the grid (force times length, positive from x
+    /// to y).
     #[must_use]
     pub fn moment(&self) -> f64 {
         self.sums().moment * self.grid().cell_area()
     }
 
     /// Computes the displacement of the surface of body 1 relative to the surface of body 2 due to the tractions
-    /// (lengths), in all cells inside and outside the contact. This takes one product with the operator of the bodies.
+    /// (lengths). The result covers all cells, inside and outside the contact. The call takes one product with the
+    /// operator of the bodies.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::CellValueMismatch`] if the solution belongs
@@ -317,7 +318,7 @@ impl TangentialSolution {
         self.stick_cells() == 0 && self.slip_cells() > 0
     }
 
-    /// Returns the ratio of stick area to contact area from the number of cells; zero for an empty solution.
+    /// Returns the ratio of stick area to contact area from the number of cells, or zero for an empty solution.
     #[must_use]
     pub fn stick_ratio(&self) -> f64 {
         let (stick, slip) = (self.stick_cells(), self.slip_cells());
@@ -340,7 +341,8 @@ impl TangentialSolution {
         self.slip_cells() as f64 * self.grid().cell_area()
     }
 
-    /// Returns the energy dissipated by the step, `-Delta sum q s >= 0`, computed from the tractions at its end.
+    /// Returns the energy dissipated by the step, `-Delta sum q s >= 0`, computed from the tractions at the end of the
+    /// step.
     #[doc(alias = "dissipated energy")]
     #[must_use]
     pub fn dissipated_energy(&self) -> f64 {
@@ -354,7 +356,7 @@ impl TangentialSolution {
         &self.report
     }
 
-    /// Returns warnings that the result may be misleading; see [`Warning`].
+    /// Returns the warnings about results that may be misleading. See [`Warning`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         unwrap_or_abort(self.try_warnings())
@@ -421,12 +423,12 @@ impl TangentialSolution {
 impl TangentialSolution {
     /// Estimates the discretisation error of the tractions in the same way as the error of the pressure
     /// ([`NormalSolution::discretisation_estimate`](crate::NormalSolution::discretisation_estimate)). The estimate is
-    /// the sum of the magnitudes of the errors over the sum of the magnitudes of the tractions, with both components
-    /// together. Returns `None` without traction and on a slab of a distributed grid.
+    /// the sum of the magnitudes of the errors over the sum of the magnitudes of the tractions. A magnitude includes
+    /// both components. Returns `None` without traction and on a slab of a distributed grid.
     ///
-    /// The table lists the ratio of the estimate to the error of the means in partial slip, on N x N cells over three
-    /// contact radii. The contacts are a sphere, a gap r^4 and an ellipse 2 : 1, each at six positions between the
-    /// cells and at 10 to 90 % of the sliding force.
+    /// The table lists the ratio of the estimate to the error relative to exact means in partial slip. The grid has N x
+    /// N cells over three contact radii. The contacts are a sphere, a gap r^4 and an ellipse 2 : 1. Each contact has
+    /// six positions relative to the cells and loads of 10 to 90 % of the sliding force.
     ///
     /// | slip ring | N | values at the centres | uniform cells |
     /// |---|---|---|---|
@@ -437,8 +439,8 @@ impl TangentialSolution {
     /// | less than half a cell | 24 to 64 | 0.43 to 0.88 | 0.58 to 1.03 |
     ///
     /// The ring of an ellipse is measured at its longer half axis. The ratios for spheres lie between 0.81 and 1.23 for
-    /// values at the centres of 48 cells or more. A traction that changes sign from cell to cell, for instance after
-    /// many reversals, has a larger error at its many edges than a smooth traction of the same sum.
+    /// values at the centres of 48 cells or more. A traction can change sign from cell to cell, for instance after many
+    /// reversals. It has a larger error at its many edges than a smooth traction with the same sum of magnitudes.
     #[must_use]
     pub fn discretisation_estimate(&self) -> Option<f64> {
         estimate(self.traction(), self.boundary(), self.cell_value())

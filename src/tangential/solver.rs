@@ -15,7 +15,7 @@ use crate::tangential::{
     TangentialProblem, TangentialSolution,
 };
 
-/// Solver of a sequence of tangential contacts; each solve starts from the last solution.
+/// Solver of a sequence of tangential contacts. Each solve starts from the last solution.
 ///
 /// The solver owns plans, buffers and the last traction, all of the size of the bounding box of the contact. Load,
 /// friction and pressure may change between calls. Each solve is one monotonic step from the unsheared state and does
@@ -45,7 +45,7 @@ use crate::tangential::{
 /// ```
 #[derive(Clone)]
 pub struct TangentialSolver {
-    /// Problem to solve. Its pressure and limits are candidates for the next solve; they must pass a check before use.
+    /// Problem to solve. Its pressure and limits are candidates for the next solve, which must pass a check before use.
     problem: TangentialProblem,
     /// Step on the bounding box of the contact, with the last traction as the start of the next solve.
     increment: TangentialIncrement,
@@ -67,7 +67,7 @@ impl TangentialSolver {
         })
     }
 
-    /// Changes the load of the next solve. A load along the other axis requires the operator of that axis; no other
+    /// Changes the load of the next solve. A load along the other axis requires the operator of that axis. No other
     /// change of the load allocates memory.
     ///
     /// # Errors
@@ -85,7 +85,7 @@ impl TangentialSolver {
         bodies.collective_result_checked(Ok(()), &[("tangential load", &load)])?;
         let (demand, boundary) = (load.demand(), bodies.boundary());
         let mut axes = load.axes(self.problem.model)?;
-        // The axes remain unchanged if the load fits them; a zero load always fits.
+        // The axes remain unchanged if they support the load. They always support a zero load.
         if demand.check(self.increment.axes(), boundary).is_ok() {
             axes = self.increment.axes();
         }
@@ -163,8 +163,8 @@ impl TangentialSolver {
         Ok(())
     }
 
-    /// Sets the relative displacement of the bodies that the contact does not cause, for the next solve. The function
-    /// allocates memory only if no such displacement was set earlier.
+    /// Sets the relative displacement of the next solve, which the contact does not cause. The function allocates
+    /// memory only if no such displacement was set earlier.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.

@@ -42,7 +42,7 @@ impl<'a> StepSolution<'a> {
         }
     }
 
-    /// Calls `work` with the part of the solution in the local cells of the grid.
+    /// Calls `work` with the solution in the local cells of the grid.
     pub(crate) fn with_held<T>(&self, work: impl FnOnce(&StepSolution<'_>) -> T) -> T {
         let region = self.region;
         let give = |parts: [&[f64]; 2]| {
@@ -84,7 +84,7 @@ impl<'a> StepSolution<'a> {
     }
 
     /// Returns the slip of a cell in the step, or `None` if it does not slip. A cell slips if it is at its friction
-    /// limit and has moved against its traction. A motion along the traction is a residual of the solve.
+    /// limit and has moved opposite to its traction. A motion along the traction is a residual of the solve.
     pub(crate) fn slip(&self, cell: usize, centre: [f64; 2]) -> Option<[f64; 2]> {
         let moved = minus(self.displacement(cell), self.motion.at(centre));
         let moved = minus(moved, self.offset(cell));

@@ -17,7 +17,7 @@ use crate::report::Report;
 use crate::tangential::Axis;
 use crate::tangential::friction_problem::FrictionProblem;
 
-/// Vector in the plane for the cells of a window, `[x, y]`; a component that the model omits has no cells.
+/// Vector in the plane for the cells of a window, `[x, y]`. A component that the model omits has no cells.
 pub(crate) type TangentialVector = [Vec<f64>; 2];
 
 /// Creates zero components along these axes.
@@ -39,11 +39,11 @@ pub(crate) fn at<V: AsRef<[f64]>>(vector: &[V; 2], cell: usize) -> [f64; 2] {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TangentialRequest<'a> {
     pub(super) limits: &'a [f64],
-    /// Entry compliance of the cells; empty if no cell comes into contact.
+    /// Entry compliance of the cells. Empty if no cell comes into contact.
     pub(super) own: CellCompliance<'a>,
     pub(super) linear: &'a TangentialVector,
     pub(super) totals: [Total; 2],
-    /// Multipliers at which the start was a solution; `None` if the start was not a solution.
+    /// Multipliers at which the start was a solution, or `None` if the start was not a solution.
     pub(super) known: Option<[f64; 2]>,
     /// Unit of the tractions if their squares would otherwise overflow or underflow. The operator is linear, so
     /// displacements scale with the unit.
@@ -61,8 +61,8 @@ pub(super) trait TangentialEngine: Debug + Send + Sync {
         observer: Observer<'_>,
     ) -> Result<()>;
 
-    /// Returns the tractions to start from, which are the solution on coarser cells. If the method has no nested start
-    /// or the contact slides as a whole, they are proportional to the friction limits.
+    /// Returns the tractions of the start, which are the solution on coarser cells. If the method has no nested start
+    /// or the whole contact slides, the tractions are proportional to the friction limits.
     fn start(
         &self,
         bodies: &HalfSpace,
@@ -72,7 +72,7 @@ pub(super) trait TangentialEngine: Debug + Send + Sync {
         conditions: &mut SolveContext<'_, '_>,
     ) -> Result<TangentialVector>;
 
-    /// Computes the displacements that tractions cause; the last solution is unchanged.
+    /// Computes the displacements that tractions cause. The last solution is unchanged.
     ///
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
@@ -90,7 +90,7 @@ pub(super) trait TangentialEngine: Debug + Send + Sync {
 
     fn report(&self) -> &Report;
 
-    /// Returns the buffers to their pools; the displacements of the solution are lost.
+    /// Returns the buffers to their pools. The displacements of the solution are lost.
     fn rest(&mut self);
 
     fn boxed(&self) -> Box<dyn TangentialEngine>;
@@ -114,8 +114,8 @@ pub(super) fn engine_along(
     })
 }
 
-/// Returns an error if the bodies lack an operator for tractions along these axes, or for the displacement by pressure
-/// along them if it is modelled.
+/// Returns an error if the bodies lack an operator for tractions along these axes. The operator of the displacement by
+/// pressure along these axes is also required if the coupling includes it.
 pub(crate) fn check_axes(bodies: &HalfSpace, axes: &[Axis], coupling: Coupling) -> Result<()> {
     match axes {
         [axis] => bodies.check_directions([axis.direction()], false)?,

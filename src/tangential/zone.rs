@@ -59,12 +59,12 @@ impl Axis {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum TangentialModel {
-    /// Traction along the load (default). The traction across it is neglected, as in the paper.
+    /// Traction along the load (default). The traction across the load is neglected, as in the paper.
     #[default]
     Scalar,
     /// Both components, with `hypot(q_x, q_y) <= m`. Slip is opposite to the traction, and loads may have any
     /// direction. A solve takes about three times as long as a scalar solve. The coupling of pressure and traction of
-    /// dissimilar bodies is a separate choice, see [`coupled`](crate::coupled).
+    /// dissimilar bodies is a separate choice ([`coupled`](crate::coupled)).
     Vector,
 }
 

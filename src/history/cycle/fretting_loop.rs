@@ -7,12 +7,12 @@ use crate::history::{Cycle, History, LoadPath, LoadStep};
 
 /// Load path that is repeated for a number of cycles.
 ///
-/// `load` turns each value of the path into a [`LoadStep`]. Use [`LoadStep::force`] or [`LoadStep::shift`], or a
-/// closure that returns a [`LoadStep::spring`] or adds a normal load or a twist. A history along one axis accepts a
-/// path along this axis.
+/// `load` turns each value of the path into a [`LoadStep`]. Pass [`LoadStep::force`] or [`LoadStep::shift`] as `load`. A
+/// closure can also return a [`LoadStep::spring`], or add a normal load or a twist. A history along one axis accepts a path
+/// along this axis.
 ///
-/// If the loop changes the gap, prescribe the normal load in every step, `.normal(NormalControl::Force(w))`. Otherwise
-/// the pressure of the old gap remains, and the [step](crate::history::StepResult::warnings) has a warning.
+/// If the loop changes the gap, prescribe the normal load in every step with `.normal(NormalControl::Force(w))`. Otherwise
+/// the step holds the pressure of the old gap and returns a [warning](crate::history::StepResult::warnings).
 ///
 /// ```
 /// use stickslip::history::{FrettingLoop, LoadPath, StopReason, Regime};
@@ -62,8 +62,8 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
         self
     }
 
-    /// Takes one cycle and accumulates it in `cycle`, which is restarted. If a step fails, history and `cycle` remain
-    /// in the state after the last successful step.
+    /// Restarts `cycle`, takes the steps of one cycle and accumulates their results in `cycle`. If a step fails, the history
+    /// and `cycle` remain in the state after the last successful step.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid of `cycle` differs.
@@ -77,13 +77,13 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
     ///
     /// # Errors
     /// - [`Error::Tolerance`] before any step if the tolerance is not in `(0, 1)`.
-    /// - Errors of [`History::step`]; the history remains in its state after the last successful step.
+    /// - Errors of [`History::step`]. The history then remains in its state after the last successful step.
     pub fn run(&self, history: &mut History, cycles: usize) -> Result<FrettingResult> {
         self.run_observed(history, cycles, |_, _| Ok(ControlFlow::Continue(())))
     }
 
-    /// Takes cycles as [`FrettingLoop::run`] does and calls an observer after every step with the history and the cycle
-    /// so far. The observer may apply wear to the gap, change the friction, write output, or stop the loop. Steps that
+    /// Takes cycles as [`FrettingLoop::run`] does and calls an observer after every step. The observer receives the history
+    /// and the present cycle. It may apply wear to the gap, change the friction, write output, or stop the loop. Steps that
     /// the observer takes do not count in any cycle.
     ///
     /// # Errors
@@ -124,7 +124,7 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
         })
     }
 
-    /// Takes one cycle, unless the observer stops it.
+    /// Takes the steps of one cycle until the observer stops the loop.
     fn pass(
         &self,
         history: &mut History,
@@ -152,7 +152,7 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
 pub enum StopReason {
     /// The last cycle closed to the requested tolerance.
     Steady,
-    /// All cycles were taken: no cycle was steady, or no tolerance was set.
+    /// All cycles were taken, because no cycle was steady or no tolerance was set.
     CycleLimit,
     /// The observer stopped the loop.
     Stopped,
@@ -167,7 +167,7 @@ pub struct FrettingResult {
     pub cycles: usize,
     /// Reason for the end of the loop.
     pub ending: StopReason,
-    /// Last cycle, with the [warnings](Cycle::warnings) of its steps. The cycle is incomplete if the observer stopped
-    /// the loop, and empty if no cycles were requested.
+    /// Last cycle, with the [warnings](Cycle::warnings) of its steps. The cycle is incomplete if the observer stopped the
+    /// loop. It is empty if no cycles were requested.
     pub last: Cycle,
 }

@@ -13,7 +13,7 @@ pub struct LoopPoint {
     pub force: [f64; 2],
     /// Shift of body 2 relative to body 1 since the start of the history (lengths).
     pub shift: [f64; 2],
-    /// Moment about z, at the origin of the grid, that the tractions of body 2 exert on body 1 (force times length).
+    /// Moment of the tractions on body 1 about the origin of the grid (force times length).
     pub moment: f64,
     /// Rotation of body 2 relative to body 1 since the start of the history (radians).
     pub twist: f64,
@@ -32,14 +32,14 @@ impl LoopPoint {
 }
 
 impl Cycle {
-    /// Returns the work of the tangential force and of the moment,
-    /// $`\sum \tfrac12 (F_n + F_{n+1})\,\Delta\delta + \tfrac12 (M_n + M_{n+1})\,\Delta\varphi`$ (a force times a
-    /// length). For a closed loop it is the area that the [points](Cycle::points) enclose.
+    /// Returns the work of the tangential force and the moment (a force times a length):
+    /// $`\sum \tfrac12 (F_n + F_{n+1})\,\Delta\delta + \tfrac12 (M_n + M_{n+1})\,\Delta\varphi`$. For a closed loop
+    /// this work is the area that the [points](Cycle::points) enclose.
     ///
     /// Around a closed loop, slip dissipates the [`work`](crate::history::EnergyBalance::work) of the balance. This
     /// work also includes the work of a changing [relative displacement](crate::tangential::RelativeDisplacement), such
     /// as the displacement due to a bulk stress. For coupled bodies it includes the work of the pressure. If the
-    /// contact grows, it excludes the motion that new cells have not followed.
+    /// contact grows, the work excludes the motion that new cells have not followed.
     ///
     /// ```
     /// use stickslip::history::{Cycle, FrettingLoop, LoadPath};
@@ -71,16 +71,17 @@ impl Cycle {
         steps.map(work).sum()
     }
 
-    /// Returns the energy ratio $`E_d / (4\,Q^*\delta^*)`$. It relates the dissipated energy, computed from the
-    /// tractions at the end of each step, to the energy of a rectangle around the loop. It is zero without dissipation,
-    /// and infinite if energy was dissipated while the force or the shift was constant.
+    /// Returns the energy ratio $`E_d / (4\,Q^*\delta^*)`$. The ratio compares the dissipated energy with the energy of
+    /// a rectangle around the loop. The dissipated energy $`E_d`$ is computed from the tractions at the end of each
+    /// step. The ratio is zero without dissipation. It is infinite if energy was dissipated while the force or the
+    /// shift was constant.
     ///
-    /// $`Q^*`$ is half the longest chord of the path of the force in the plane, and $`\delta^*`$ is half the range of
-    /// the shift along this chord. If body 2 turns, the product of the half ranges of moment and twist is added to
-    /// $`Q^*\delta^*`$. On a sphere under a constant normal force the ratio grows to 1/5 at the limit of sliding
-    /// (Mindlin & Deresiewicz). When the contact slides, the ratio approaches one. Fouvry, Kapsa & Vincent, Wear 185
-    /// (1995) 35, <https://doi.org/10.1016/0043-1648(94)06582-9>, use 1/5 for the transition from partial to gross
-    /// slip. The ratio of loops around an ellipse may exceed one.
+    /// $`Q^*`$ is half the length of the longest chord of the path of the force in the plane. $`\delta^*`$ is half the
+    /// range of the shift along this chord. If body 2 turns, the product of the half ranges of moment and twist is
+    /// added to $`Q^*\delta^*`$. On a sphere under a constant normal force the ratio grows to 1/5 at the limit of
+    /// sliding (Mindlin & Deresiewicz). When the contact slides, the ratio approaches one. Fouvry, Kapsa & Vincent,
+    /// Wear 185 (1995) 35, <https://doi.org/10.1016/0043-1648(94)06582-9>, use 1/5 for the transition from partial to
+    /// gross slip. The ratio of loops around an ellipse may exceed one.
     #[must_use]
     pub fn energy_ratio(&self) -> f64 {
         part_of(self.energy().dissipated_energy, total_energy(self.points()))
@@ -122,8 +123,8 @@ impl Cycle {
          dissipated_energy,energy_ratio,cyclic_residual,least_stick_ratio,largest_stick_ratio";
 
     /// Returns the cycle as a line of CSV without a line ending, for a table of cycles. The first columns are the
-    /// number of steps, half the ranges of force and shift, and the dissipated energy, computed from the tractions at
-    /// the ends of the steps. The last columns are the [energy ratio](Cycle::energy_ratio), the
+    /// number of steps, half the ranges of force and shift, and the dissipated energy. This energy is computed from the
+    /// tractions at the ends of the steps. The last columns are the [energy ratio](Cycle::energy_ratio), the
     /// [residual](Cycle::cyclic_residual) and the [stick ratios](Cycle::stick_ratios).
     ///
     /// ```
@@ -187,7 +188,7 @@ fn total_energy(points: &[LoopPoint]) -> f64 {
     4.0 * (0.5 * length * shift + moment * twist)
 }
 
-/// Returns the vector between the two points of the path of the force that are farthest apart.
+/// Returns the vector between the two most distant points on the path of the force.
 fn longest_chord(points: &[LoopPoint]) -> [f64; 2] {
     let mut longest = [0.0_f64; 2];
     for (later, to) in points.iter().enumerate() {
@@ -201,7 +202,8 @@ fn longest_chord(points: &[LoopPoint]) -> [f64; 2] {
     longest
 }
 
-/// Returns the ratio of a part to the whole, which is zero if the part is zero and infinite if only the whole is zero.
+/// Returns the ratio of a part to the whole. The ratio is zero if the part is zero, and infinite if only the whole is
+/// zero.
 pub(in crate::history) fn part_of(part: f64, whole: f64) -> f64 {
     if part > 0.0 { part / whole } else { 0.0 }
 }

@@ -20,17 +20,16 @@ pub(super) mod hysteresis;
 
 /// Slip, energy and the loop of force and shift, accumulated over the steps of a cycle.
 ///
-/// A cycle starts at the present state of a history. Call [`add`](Self::add) once after each step; a
+/// A cycle starts at the present state of a history. Call [`add`](Self::add) once after each step. A
 /// [`FrettingLoop`](crate::history::FrettingLoop) makes these calls itself.
 ///
 /// # Memory
-/// A cycle stores nine numbers per cell. It does not allocate memory in a cycle with at most as many steps as an
-/// earlier cycle.
+/// A cycle stores nine numbers per cell. A new cycle allocates memory only if it has more steps than every earlier cycle.
 ///
 /// # Distributed bodies
 /// On [distributed](crate::HalfSpace::distributed) bodies [begin](Self::begin) and [add](Self::add) are collective.
-/// Each rank then has the scalar results of the whole contact, without further messages, and the fields of its local
-/// cells.
+/// Each rank then has the scalar results of the whole contact and the fields of its local cells. Reading them needs no further
+/// messages.
 ///
 /// # Examples
 ///
@@ -206,12 +205,13 @@ impl Cycle {
         self.last_step = history.steps();
     }
 
-    /// Adds the last step of the history. Call it once after each step; steps that are not added do not count.
+    /// Adds the last step of the history. Call this method once after each step. Steps that are not added do not count.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid of the history differs.
     /// - [`Error::StepAlreadyCounted`] if the history has not taken a step since the last added step or the start of the cycle.
-    ///   The check uses [`History::steps`] only; it does not detect a step of a different history with a larger number.
+    ///   The check compares only [`History::steps`]. It does not detect a step of a different history with a larger step
+    ///   number.
     /// - [`Error::Ranks`] if ranks fail.
     ///
     /// The cycle is unchanged after an error.
@@ -290,8 +290,8 @@ impl Cycle {
         });
     }
 
-    /// Returns the largest traction, which includes the start for the first step, and the largest change since the
-    /// start.
+    /// Returns the largest traction and its largest change since the start of the cycle. For the first step, the largest
+    /// traction includes the tractions at the start.
     fn compare_traction(&self, history: &History) -> [f64; 2] {
         let [x, y] = history.traction().map(Field::as_slice);
         let [first_x, first_y] = self.sums.first_traction.each_ref().map(Field::as_slice);
@@ -316,8 +316,8 @@ impl Cycle {
         &self.sums.slip_distance
     }
 
-    /// Returns the slip pressure of each cell, the mean over its slip path $`\sum p\,|s| / \sum |s|`$; zero in cells
-    /// without slip.
+    /// Returns the slip pressure of each cell, the mean pressure over its slip path: $`\sum p\,|s| / \sum |s|`$. The slip
+    /// pressure is zero in cells without slip.
     ///
     /// With this pressure and [`slip_distance`](Self::slip_distance), [`wear::archard`](crate::history::wear::archard)
     /// adds the sum of the depths over the steps for any variation of the pressure.
@@ -346,7 +346,7 @@ impl Cycle {
         &self.energy
     }
 
-    /// Returns the loop of force and shift: the start, and the end of each step. It encloses the [work of the
+    /// Returns the loop of force and shift: the start, and the end of each step. The loop encloses the [work of the
     /// loads](Self::work_of_loads).
     #[doc(alias = "friction loop")]
     #[doc(alias = "fretting loop")]
@@ -368,7 +368,7 @@ impl Cycle {
         [0, 1].map(|axis| half_range(&self.points, |point| point.shift[axis]))
     }
 
-    /// Returns the least and the largest stick ratio at the end of a step; one and zero before the first step.
+    /// Returns the least and the largest stick ratio at the ends of the steps. Before the first step these are one and zero.
     #[must_use]
     pub fn stick_ratios(&self) -> [f64; 2] {
         self.stick_ratios
@@ -381,9 +381,9 @@ impl Cycle {
         self.regime
     }
 
-    /// Returns the deviation of the cycle from a closed loop. The deviation is the larger of two ratios. The first is
-    /// the largest change of a traction from start to end over the largest traction in the cycle. The second is the
-    /// change of the shift over its half range.
+    /// Returns the deviation of the cycle from a closed loop. The deviation is the larger of two ratios. The first ratio is the
+    /// largest change of a traction from start to end, divided by the largest traction in the cycle. The second ratio is the
+    /// change of the shift, divided by half the range of the shift.
     ///
     /// A closed cycle repeats itself under the same loads.
     #[must_use]

@@ -27,8 +27,8 @@ pub(super) const TOLERANCE: NumberRule = ("must lie strictly between 0 and 1", |
     value > 0.0 && value < 1.0
 });
 
-/// Writes or reads consecutive values. Numbers are little-endian. Rules and ranges are checked on reading; written
-/// values must satisfy them.
+/// Writes or reads consecutive values. Numbers are little-endian. A reader checks rules and ranges. A writer requires
+/// values that satisfy them.
 pub(super) trait Codec {
     /// Writes the next `N` bytes from the value, or reads them into it. `from` may return the description of a problem
     /// instead.
@@ -87,7 +87,7 @@ pub(super) trait Codec {
         Ok(())
     }
 
-    /// Visits a value by its index in a table, stored in one byte.
+    /// Visits a value as its index in a table. The index is stored in one byte.
     fn kind<T: Copy + PartialEq>(&mut self, what: &str, value: &mut T, table: &[T]) -> Result<()> {
         let to = |value: &T| {
             let place = table.iter().position(|kind| kind == value);
@@ -100,7 +100,8 @@ pub(super) trait Codec {
         })
     }
 
-    /// Visits whether an optional value is present. If only the bytes contain a value, `make` creates it first.
+    /// Visits whether an optional value is present. If only the bytes contain a value, `make` creates the value to read
+    /// into.
     fn option<T>(
         &mut self,
         what: &str,

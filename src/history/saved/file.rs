@@ -31,13 +31,14 @@ const TABLE: usize = 20;
 const BEGINNING: u64 = 256;
 
 impl History {
-    /// Saves the [state](History::state) in a file, which is replaced as a whole or not at all. If the program is
-    /// interrupted or the disk is full, the previous file is kept. The bytes are on the disk when the function returns.
+    /// Saves the [state](History::state) in a file. An existing file is replaced as a whole or not at all. If the
+    /// program is interrupted or the disk is full, the previous file is kept. The bytes are on the disk when the
+    /// function returns.
     ///
     /// For distributed bodies the call is collective, and all ranks pass the path of the same file. Each rank writes
-    /// its slab, and the file receives its name when every rank has finished. Until then the data are in
-    /// `NAME.PID.NUMBER.part` in the same directory, as with [`HalfSpace::write_npy`]. [`History::load`] continues from
-    /// the file on any number of ranks, or on bodies that are not distributed.
+    /// its slab, and the file receives its name when every rank has finished. Until then the name of the file is
+    /// `NAME.PID.NUMBER.part` in the same directory, as with [`HalfSpace::write_npy`]. [`History::load`] reads the file
+    /// on any number of ranks, or for bodies that are not distributed.
     ///
     /// ```
     /// use std::sync::Arc;
@@ -87,9 +88,9 @@ impl History {
         })
     }
 
-    /// Creates a history from the file of [`History::save`], on the bodies that the file belongs to. The history
-    /// continues with bitwise identical results. The number of ranks may differ from the number that
-    /// [saved](History::save) the file, and a single process without ranks may save or load the file. The call is
+    /// Creates a history from a file of [`History::save`], on the bodies that the file belongs to. The history
+    /// continues with bitwise identical results. The number of ranks may differ from the number of ranks that
+    /// [saved](History::save) the file. A single process without ranks may also save or load the file. The call is
     /// collective: each rank reads the slabs that contain its local rows.
     ///
     /// # Errors
@@ -116,7 +117,8 @@ fn table_of(lengths: &[u64]) -> Vec<u8> {
     table
 }
 
-/// Returns the first slab of a file, which contains the common data, and the slabs with some of the local rows.
+/// Returns the first slab of a file and the slabs with local rows. The first slab contains the values that all slabs
+/// have in common.
 fn local_slabs<'a>(
     path: &'a Path,
     parts: &'a [Range<u64>],
@@ -132,7 +134,7 @@ fn local_slabs<'a>(
     })
 }
 
-/// Returns the byte ranges of the slabs in a file; the whole range for a file with a single state.
+/// Returns the byte ranges of the slabs in a file. For a file with a single state, this is the range of the whole file.
 fn parts_of(path: &Path) -> Result<Vec<Range<u64>>> {
     let about = std::fs::metadata(path).map_err(|error| refused(path, error))?;
     let length = about.len();
@@ -170,13 +172,13 @@ fn parts_of(path: &Path) -> Result<Vec<Range<u64>>> {
     parts().map_err(|error| in_file(path, error))
 }
 
-/// Reads the state in a part of a file.
+/// Reads the state in a range of bytes of a file.
 fn state_in(path: &Path, part: &Range<u64>) -> Result<State> {
     let bytes = bytes_in(path, part)?;
     State::from_bytes(&bytes).map_err(|error| in_file(path, error))
 }
 
-/// Reads the range of rows of the state in a part of a file.
+/// Reads the range of rows of the state in a range of bytes of a file.
 fn rows_in(path: &Path, part: &Range<u64>) -> Result<Range<usize>> {
     let beginning = bytes_in(path, &(part.start..part.end.min(part.start + BEGINNING)))?;
     let rows = || {

@@ -29,8 +29,8 @@ use crate::report::{EigenvalueBound, Status};
 use crate::tangential::EntryRule;
 use crate::tangential::{Axis, Friction, RelativeDisplacement, Zone};
 
-/// Largest valid count of steps or products. No run reaches it, so a larger count means damage, and an increment cannot
-/// overflow.
+/// Largest valid count of steps or products. No run reaches this count. A larger count means that the bytes are
+/// damaged, and an increment cannot overflow.
 const LARGEST_COUNT: u64 = 1 << 53;
 
 /// Least number of bytes per cell: gap, pressure, gap under load, traction, slip, accumulated slip, dissipated energy
@@ -376,7 +376,7 @@ fn visit_boundary<C: Codec>(codec: &mut C, boundary: &mut Boundary) -> Result<()
     Ok(())
 }
 
-/// Visits one number that satisfies the rule `uniform`, or one number for each cell, which may be zero.
+/// Visits one number that satisfies the rule `uniform`, or one number for each cell. The number of a cell may be zero.
 fn visit_per_cell<C: Codec>(
     codec: &mut C,
     what: &'static str,
@@ -400,7 +400,8 @@ fn visit_normal<C: Codec>(codec: &mut C, normal: &mut NormalSolution) -> Result<
     codec.numbers("pressure", pressure.as_mut_slice(), NOT_NEGATIVE)?;
     codec.numbers("gap under load", gap.as_mut_slice(), FINITE)?;
     codec.number("approach", approach, FINITE)?;
-    // The state contains only reports with these statuses; a step that ends otherwise does not change it.
+    // A state contains only reports with these statuses, because a step that ends with a different status does not
+    // change the state.
     let statuses = [Status::Unsolved, Status::Converged];
     codec.kind("status", &mut report.status, &statuses)?;
     for count in [

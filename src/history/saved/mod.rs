@@ -8,7 +8,7 @@
 //! | | bodies, then the parts of the state in the order of its `visit` |
 //! | 8 | FNV-1a checksum of all preceding bytes |
 //!
-//! Numbers are little-endian; counts take 8 bytes, samples are doubles.
+//! Numbers are little-endian. Counts are integers of 8 bytes, and samples are doubles.
 
 mod codec;
 mod file;
@@ -29,7 +29,7 @@ use format::{LEAST_PER_CELL, SnapshotHeader};
 const FORMAT: Format = Format("saved history");
 const MAGIC: &[u8; 8] = b"\x93STKSLIP";
 const VERSION: u32 = 16;
-/// Number of bytes of magic, version and length; `SUM` is the size of the checksum at the end.
+/// Number of bytes of magic, version and length. `SUM` is the number of bytes of the checksum at the end.
 const HEADER: usize = 20;
 const SUM: usize = 8;
 
@@ -51,8 +51,9 @@ impl State {
     ///
     /// A contact that fills the grid requires at least 81 bytes per cell in the scalar model and 137 in the vector model.
     /// The last seven rows add to these numbers. A state with coupled pressure and traction requires 121 bytes per cell of
-    /// the grid before the first contact and 129 later, in either model, plus the last five rows. The remaining data
-    /// require less than a kilobyte. The call temporarily needs the same amount of memory again for a copy of the state.
+    /// the grid before the first contact, and 129 after it. The last five rows add to these numbers, in either model. The
+    /// remaining values require less than a kilobyte. The call temporarily needs the same amount of memory again for a
+    /// copy of the state.
     ///
     /// # Content
     /// All numbers are stored exactly. The wall time and the convergence history of the report of the pressure
@@ -91,8 +92,8 @@ impl State {
 
     /// Restores a state saved by [`State::to_bytes`].
     ///
-    /// For a slab, the force, the contact area and similar sums of the [normal contact](State::normal) cover the rows
-    /// of the slab only. The sums cover the whole grid as soon as [`State::from_slabs`] or a history receives the slab
+    /// For a slab, the force, the contact area and similar sums of the [normal contact](State::normal) cover only the
+    /// rows of the slab. The sums cover the whole grid once the slab is passed to [`State::from_slabs`] or to a history
     /// on distributed bodies.
     ///
     /// # Errors

@@ -98,8 +98,8 @@ impl State {
         copy_rows(whole, (grid, &mut self.zones), (from, &slab.zones));
     }
 
-    /// Returns a checksum of all data outside the cells, which the slabs of one state have in common. Returns zero if
-    /// the bodies are not distributed.
+    /// Returns a checksum of all values outside the cells, which the slabs of one state have in common. Returns zero if the
+    /// bodies are not distributed.
     pub(in crate::history) fn digest_on(&self, bodies: &HalfSpace) -> u64 {
         if bodies.is_shared() { self.digest() } else { 0 }
     }

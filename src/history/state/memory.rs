@@ -18,14 +18,14 @@ pub(crate) struct Memory {
     /// Displacement u after the last step.
     pub(in crate::history) displacement: TangentialVector,
     /// Value of u minus the motion in a cell while it sticks. In the contact, the offset results from the last slip of
-    /// the cell. Outside the contact, the offset is the value that the cell would have if it touched now.
+    /// the cell. Outside the contact, the offset is the value for a cell that comes into contact now.
     pub(in crate::history) offset: TangentialVector,
-    /// Change of the tractions in the last step, together with the changes of force and shift; empty for coupled
+    /// Change of the tractions in the last step, together with the changes of force and shift. Empty for coupled
     /// bodies.
     pub(in crate::history) trend: LoadTrend<2>,
-    /// Slip of the last step, which determines the stiffness against a change of direction; empty in the scalar model.
+    /// Slip of the last step, which determines the stiffness against a change of direction. Empty in the scalar model.
     pub(crate) slip: TangentialVector,
-    /// Entry compliance of the cells that came into contact in the last step; empty if no cell did.
+    /// Entry compliance of the cells that came into contact in the last step. Empty if no cell came into contact.
     pub(crate) entered: Vec<f64>,
     /// Whether a cell of any rank came into contact in the last step.
     pub(in crate::history) has_entered: bool,
@@ -77,7 +77,7 @@ impl Memory {
         })
     }
 
-    /// Clears the data of the last step, after a step without contact.
+    /// Clears slip and entry compliance of the last step, after a step without contact.
     pub(in crate::history) fn forget_step(&mut self) {
         for part in &mut self.slip {
             part.fill(0.0);
@@ -123,7 +123,7 @@ impl Memory {
     }
 
     /// Reduces the memory to a smaller window around the whole contact. The values of the removed separated cells are
-    /// lost; [`Self::widen`] recomputes them.
+    /// lost. [`Self::widen`] recomputes them.
     pub(in crate::history) fn narrow(&mut self, grid: Grid, window: Window) {
         let (held, old) = (window.held(grid), self.window.held(grid));
         let fields = self.fields_mut(Axis::BOTH);

@@ -31,9 +31,9 @@ use crate::tangential::{Axis, Friction, RigidMotion, Zone, check_axes};
 /// State of a [`History`](crate::History). It contains everything that the next step starts from, except for the bodies
 /// and the buffers.
 ///
-/// [`History::state`](crate::History::state) returns a reference to the state. A clone saves it, and
-/// [`History::set_state`](crate::History::set_state) restores it; `clone_from` and `set_state` copy into existing
-/// memory. Vectors are `[x, y]`; in the scalar model the component across its axis is zero.
+/// [`History::state`](crate::History::state) returns a reference to the state. A clone saves the state, and
+/// [`History::set_state`](crate::History::set_state) restores it. `clone_from` and `set_state` copy into existing
+/// memory. Vectors are `[x, y]`. In the scalar model the component across the axis of the tractions is zero.
 ///
 /// ```
 /// use stickslip::*;
@@ -76,22 +76,22 @@ pub struct State {
     pub(super) gap: Field,
     /// Hardness that limits the pressure of all steps.
     pub(crate) hardness: Option<Hardness>,
-    /// Accumulated plastic depth; `None` unless the depth is permanent.
+    /// Accumulated plastic depth, or `None` if the depth is not permanent.
     pub(super) yielded: Option<Field>,
     /// Relative displacement that the contact does not cause.
     pub(super) relative: Option<RelativeDisplacementState>,
     /// Normal contact after the last step.
     pub(super) normal: NormalSolution,
-    /// Gap of the present pressure; it differs from `gap` after wear.
+    /// Gap of the present pressure, which differs from `gap` after wear.
     pub(super) pressed_gap: Field,
     pub(super) is_pressure_stale: bool,
-    /// Load of the present pressure; `Hold` before the first pressure solve.
+    /// Load of the present pressure, or `Hold` before the first pressure solve.
     pub(super) pressed_by: NormalControl,
-    /// Window of the last pressure solve; `None` before the first contact.
+    /// Window of the last pressure solve, or `None` before the first contact.
     pub(crate) press_window: Option<Window>,
     /// Change of the pressure with the load, on the window `press_window`.
     pub(super) trend: LoadTrend<1>,
-    /// Memory of the cells in and around the contact; `None` before the first contact.
+    /// Memory of the cells in and around the contact, or `None` before the first contact.
     pub(crate) contact: Option<Memory>,
     pub(super) traction: [Field; 2],
     pub(super) slip: [Field; 2],
@@ -269,7 +269,7 @@ impl State {
         self.normal.pair()
     }
 
-    /// Returns the axis of tangential load and tractions in the scalar model; `None` in the vector model.
+    /// Returns the axis of tangential load and tractions in the scalar model, or `None` in the vector model.
     #[must_use]
     pub fn axis(&self) -> Option<Axis> {
         Axis::only(self.axes)
@@ -287,15 +287,15 @@ impl State {
         &self.friction
     }
 
-    /// Returns the hardness, which limits the pressure of every step; `None` without a hardness.
+    /// Returns the hardness, which limits the pressure of every step. Returns `None` if the history has no hardness.
     #[must_use]
     pub fn hardness(&self) -> Option<&Hardness> {
         self.hardness.as_ref()
     }
 
-    /// Returns the [displacement](crate::history::HistoryBuilder::relative_displacement) of body 1 relative to body 2
-    /// that the contact does not cause, after the last step (lengths, `[x, y]`). Returns `None` if the history has no
-    /// such displacement.
+    /// Returns the [relative displacement](crate::history::HistoryBuilder::relative_displacement) of body 1 after the
+    /// last step (lengths, `[x, y]`). The contact does not cause this displacement. Returns `None` if the history has
+    /// no relative displacement.
     #[must_use]
     pub fn relative_displacement(&self) -> Option<[&Field; 2]> {
         let relative = self.relative.as_ref();
@@ -321,8 +321,8 @@ impl State {
         self.entry_rule
     }
 
-    /// Returns the model of the coupling between pressure and traction, which matters if the bodies are coupled
-    /// ([`ElasticPair::is_coupled`]).
+    /// Returns the model of the coupling between pressure and traction. The model has an effect only if the bodies are
+    /// coupled ([`ElasticPair::is_coupled`]).
     #[must_use]
     pub fn coupling(&self) -> Coupling {
         self.coupling
@@ -341,7 +341,7 @@ impl State {
         &self.normal
     }
 
-    /// Returns the pressure p >= 0; exactly zero outside the contact.
+    /// Returns the pressure p >= 0, which is exactly zero outside the contact.
     #[must_use]
     pub fn pressure(&self) -> &Field {
         self.normal.pressure()
@@ -353,7 +353,8 @@ impl State {
         self.normal.approach()
     }
 
-    /// Returns the shear traction q on body 1 (pressures), positive along the axes; exactly zero outside the contact.
+    /// Returns the shear traction q on body 1 (pressures), positive along the axes. The traction is exactly zero
+    /// outside the contact.
     #[must_use]
     pub fn traction(&self) -> [&Field; 2] {
         self.traction.each_ref()
@@ -404,8 +405,8 @@ impl State {
         self.force
     }
 
-    /// Returns the moment about z at the origin of the grid that the tractions of body 2 exert on body 1 (force times
-    /// length, positive from x to y).
+    /// Returns the moment of the tractions on body 1 about the origin of the grid (force times length, positive from x
+    /// to y).
     #[must_use]
     pub fn moment(&self) -> f64 {
         self.moment

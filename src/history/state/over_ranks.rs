@@ -22,8 +22,8 @@ impl State {
         self.capacity = self.capacity_on_ranks(bodies, &self.friction);
     }
 
-    /// Returns [`Self::capacity_with`] for distributed bodies; `None` for other bodies, for which it is computed on
-    /// request.
+    /// Returns [`Self::capacity_with`] for distributed bodies. Returns `None` for other bodies, whose capacity is
+    /// computed on request.
     pub(in crate::history) fn capacity_on_ranks(
         &self,
         bodies: &HalfSpace,

@@ -3,7 +3,7 @@
 use crate::history::state::State;
 
 /// Removes the overlap from the surfaces of the cells whose new pressure is at the hardness. The surfaces then fit each
-/// other under the same load, and the contact under a smaller load is elastic.
+/// other under the same load. The contact under a smaller load is elastic.
 pub(in crate::history) fn update_permanent_set(state: &mut State) {
     let (Some(yielded), Some(hardness)) = (&mut state.yielded, &state.hardness) else {
         return;

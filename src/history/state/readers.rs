@@ -16,7 +16,7 @@ impl History {
         self.state.settings()
     }
 
-    /// Returns the result of the last step; all zero before the first step.
+    /// Returns the result of the last step. All its values are zero before the first step.
     #[must_use]
     pub fn last_step(&self) -> &StepResult {
         &self.step
@@ -40,7 +40,7 @@ impl History {
         self.bodies.boundary()
     }
 
-    /// Returns the axis of tangential load and tractions in the scalar model; `None` in the vector model.
+    /// Returns the axis of tangential load and tractions in the scalar model, or `None` in the vector model.
     #[must_use]
     pub fn axis(&self) -> Option<Axis> {
         self.state.axis()
@@ -65,7 +65,7 @@ impl History {
         self.state.normal()
     }
 
-    /// Returns the pressure p >= 0; exactly zero outside the contact.
+    /// Returns the pressure p >= 0, which is exactly zero outside the contact.
     #[must_use]
     pub fn pressure(&self) -> &Field {
         self.state.pressure()
@@ -77,7 +77,8 @@ impl History {
         self.state.approach()
     }
 
-    /// Returns the shear traction q on body 1 (pressures), positive along the axes; exactly zero outside the contact.
+    /// Returns the shear traction q on body 1 (pressures), positive along the axes. The traction is exactly zero
+    /// outside the contact.
     #[doc(alias = "shear stress")]
     #[must_use]
     pub fn traction(&self) -> [&Field; 2] {
@@ -85,8 +86,9 @@ impl History {
     }
 
     /// Computes the displacement of the surface of body 1 relative to the surface of body 2 due to the tractions
-    /// (lengths), in all cells inside and outside the contact. The call uses operators that the bodies then cache. With
-    /// [`Coupling::Full`](crate::Coupling::Full) the result includes the displacement due to the pressure.
+    /// (lengths). The result covers all cells, inside and outside the contact. The bodies cache the operators that this
+    /// call creates. With [`Coupling::Full`](crate::Coupling::Full) the result includes the displacement due to the
+    /// pressure.
     ///
     /// # Errors
     /// - Errors of [`HalfSpace::operator`](crate::HalfSpace::operator).
@@ -151,7 +153,8 @@ impl History {
         self.state.capacity.unwrap_or_else(alone)
     }
 
-    /// Returns the moment about z at the origin of the grid that the tractions of body 2 exert on body 1.
+    /// Returns the moment of the tractions on body 1 about the origin of the grid (force times length, positive from x
+    /// to y).
     #[must_use]
     pub fn moment(&self) -> f64 {
         self.state.moment()

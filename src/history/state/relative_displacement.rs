@@ -12,8 +12,8 @@ use crate::tangential::RelativeDisplacement;
 pub(in crate::history) struct RelativeDisplacementState {
     pub(in crate::history) pattern: RelativeDisplacement,
     pub(in crate::history) amount: f64,
-    /// Displacement that is included in the offsets. It belongs to an earlier pattern if the pattern has changed since
-    /// the last step.
+    /// Displacement that is included in the offsets. The displacement belongs to an earlier pattern if the pattern has
+    /// changed since the last step.
     pub(in crate::history) reached: RelativeDisplacement,
 }
 
@@ -98,9 +98,10 @@ impl State {
 
 impl History {
     /// Changes the pattern of the [relative displacement](crate::history::HistoryBuilder::relative_displacement). In
-    /// the next step the displacement changes from its value with the old pattern to the amount of the new pattern at
-    /// the end of the step. The first of several [adaptive](crate::history::AdaptiveSteps) steps includes the whole
-    /// change of the pattern. The pattern is copied without allocation, unless the history had no pattern.
+    /// the next step the displacement changes from its present value, which uses the old pattern. At the end of the
+    /// step it is the amount times the new pattern. The first of several [adaptive](crate::history::AdaptiveSteps)
+    /// steps includes the whole change of the pattern. The pattern is copied without allocation, unless the history had
+    /// no pattern.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.

@@ -5,17 +5,18 @@ use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
 
-/// Ratio of the number of cells of a window to the number of cells needed, at which a smaller window replaces the
-/// present window. A later return to the larger window costs no more than a few steps on the smaller window have saved.
+/// Ratio of the cells of a window to the needed cells. At this ratio a smaller window replaces the present window. A
+/// few steps on the smaller window save at least the cost of a later return to the larger window.
 const WASTE: f64 = 2.0;
-/// Ratio for a window that the last step had to widen, because its size was estimated from a solution on too few cells.
+/// Ratio for a window that the last step had to widen. The size of such a window was estimated from a solution on too
+/// few cells.
 const OVERSHOOT: f64 = 1.5;
 
 /// Reduces windows that are much too large for the contact before and after the last step. `before` is the earlier
-/// pressure if the step has changed the pressure, and `press_window` the window of the pressure solve before the step.
+/// pressure if the step has changed the pressure. `press_window` is the window of the pressure solve before the step.
 /// `margins` are the additional cells that rolling needs next to the contact.
 ///
-/// No information is lost: cells outside both contacts have no traction and no earlier slip, and the offset of a
+/// No information is lost, because cells outside both contacts have no traction and no earlier slip. The offset of a
 /// separated cell follows from the tractions. The solvers of the next step adopt the windows of the state.
 pub(in crate::history) fn narrow(
     bodies: &HalfSpace,

@@ -12,13 +12,13 @@ const SHORTEST: f64 = 1.0 / 4096.0;
 
 /// Difference between one step and two half steps of the same load.
 ///
-/// If the error is of second order in the length of the step, the error of the two halves is a third of this
-/// difference. If the error is of first order, it is equal to the difference.
+/// For an error of second order in the length of the step, the error of the two half steps is a third of this
+/// difference. For an error of first order, it is equal to the difference.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct StepErrorEstimate {
-    /// Sum of the lengths of the differences of the tractions, over the sum of the friction limits; zero without
+    /// Sum of the magnitudes of the traction differences, divided by the sum of the friction limits. Zero without
     /// contact.
     pub traction: f64,
     /// Difference of the tangential force `[x, y]`.
@@ -29,18 +29,18 @@ pub struct StepErrorEstimate {
     pub dissipated_energy: f64,
 }
 
-/// Adaptive step control: divides a load into steps that are short enough for a tolerance, and estimates the error of a
-/// step.
+/// Adaptive step control, which divides a load into steps that are short enough for a tolerance. It also estimates the
+/// error of a step.
 ///
-/// The state after a step belongs to a load that varied linearly from start to end, up to an error whose order is given
-/// in [the entry rule](crate::history#entry-rule). Each step is compared with two half steps of the same load, and the
-/// result of the halves is used. The halves are accepted if [`StepErrorEstimate::traction`] is at most the tolerance
-/// times the square root of the fraction of the load that the step covers. Otherwise the step is shortened. This
-/// criterion is an estimate and not a bound. For a ball whose shift turned while the contact grew, the error after the
-/// load was up to 2.5 times the tolerance.
+/// The state after a step belongs to a load that varied linearly during the step. The section on the [entry
+/// rule](crate::history#entry-rule) gives the order of the error of a step. Each step is compared with two half steps of
+/// the same load, and the result of the half steps is used. A step covers a fraction of the load. The half steps are
+/// accepted if [`StepErrorEstimate::traction`] is at most the tolerance times the square root of this fraction.
+/// Otherwise the step is shortened. This criterion uses an estimate and not a bound. For a ball whose shift turned while
+/// the contact grew, the error after the load was up to 2.5 times the tolerance.
 ///
-/// For dissimilar bodies that are pressed from zero load, use [`History::press`]. The error of their first step is
-/// large compared with the friction limits in this step, for any length of the step, and this type would return
+/// For dissimilar bodies that are pressed from zero load, use [`History::press`]. For any length of the first step, its
+/// error is large compared with the friction limits in this step. This type would therefore return
 /// [`Error::StepTooLong`]. The error of the whole load depends less on the first step, because the contact grows far
 /// beyond its size in that step.
 ///
@@ -50,8 +50,8 @@ pub struct StepErrorEstimate {
 /// All prescribed quantities change proportionally from their previous values to those of the load.
 ///
 /// # Memory
-/// The buffers need the memory of four states. A step allocates memory if the contact outgrows its bounding box, in
-/// each attempt of the step.
+/// The buffers need the memory of four states. If the contact outgrows its bounding box, each attempt of a step
+/// allocates memory.
 ///
 /// # Examples
 ///
@@ -95,8 +95,8 @@ impl AdaptiveSteps {
     /// Creates the step control for histories on the grid of `history`. `tolerance` is the limit of
     /// [`StepErrorEstimate::traction`] for a whole load, in `(0, 1)`.
     ///
-    /// A tolerance below about a hundred times the tolerance of the [settings](History::settings) of the history cannot
-    /// be met, because the error of the solves then dominates for any length of the steps.
+    /// The tolerance must exceed about a hundred times the tolerance of the [settings](History::settings) of the
+    /// history. Otherwise the error of the solves dominates for any length of the steps.
     ///
     /// # Errors
     /// - [`Error::Tolerance`] if the tolerance is not in `(0, 1)`.
@@ -115,8 +115,8 @@ impl AdaptiveSteps {
         })
     }
 
-    /// Estimates the error of [`History::step`] for this load. The state of the history is unchanged afterwards; its
-    /// [last step](History::last_step) is the second half step.
+    /// Estimates the error of [`History::step`] for this load. The state of the history is unchanged afterwards. The
+    /// [last step](History::last_step) of the history is the second half step.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid of the history differs.
@@ -136,14 +136,14 @@ impl AdaptiveSteps {
     /// - [`Error::UnsupportedByModel`] if the load rolls.
     /// - Errors of [`History::step`].
     ///
-    /// The state is unchanged after an error; the [last step](History::last_step) is the step of the last attempt.
+    /// The state is unchanged after an error. The [last step](History::last_step) is the step of the last attempt.
     pub fn step(&mut self, history: &mut History, load: &LoadStep) -> Result<usize> {
         self.step_observed(history, load, |_| Ok(()))
     }
 
     /// Takes a load as [`AdaptiveSteps::step`] does and calls an observer with the history after every accepted step.
     /// The observer can, for example, [add](crate::history::Cycle::add) the step to a cycle. If the call returns an
-    /// error, the steps observed so far have been undone.
+    /// error, all observed steps have been undone.
     ///
     /// # Errors
     /// - Errors of [`AdaptiveSteps::step`].
@@ -184,7 +184,7 @@ impl AdaptiveSteps {
     ) -> Result<usize> {
         let (mut start, mut part, mut steps) = (0.0, 1.0_f64, 0);
         while start < 1.0 {
-            // Fractions are powers of two, so that steps end exactly at the end of the load.
+            // Fractions are powers of two, so that the last step ends exactly at the end of the load.
             let end = start + part;
             let error = self.compare(history, load, [start, end])?.traction;
             // The limit decreases more slowly than the fraction, because later slip erases much of the error of earlier

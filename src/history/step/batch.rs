@@ -9,10 +9,10 @@ impl History {
     /// indices and errors of the contacts whose step failed.
     ///
     /// The result of each contact is bitwise identical to its result alone. A contact whose step fails is unchanged,
-    /// and the other contacts take their steps. Contacts of at most [`SERIAL_CELL_LIMIT`](crate::SERIAL_CELL_LIMIT)
-    /// cells are solved on one thread each; larger contacts share the threads. The time limit of a larger contact may
+    /// and the other contacts take their steps. Each contact of at most [`SERIAL_CELL_LIMIT`](crate::SERIAL_CELL_LIMIT)
+    /// cells is solved on one thread. Larger contacts share the threads. The time limit of a larger contact may
     /// therefore run while its thread works on another contact. Distributed contacts are solved one after the other. A
-    /// call allocates the memory for its steps and, if steps fail, for the list of failures.
+    /// call allocates the memory for its steps. If steps fail, it also allocates the memory for the list of failures.
     ///
     /// # Errors
     /// - [`Error::Length`] before any step if the number of loads differs from the number of contacts.

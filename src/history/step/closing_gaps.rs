@@ -9,9 +9,11 @@ use crate::report::Status;
 use crate::tangential::EntryRule;
 
 impl State {
-    /// Returns the gap that a cell closes when it comes into contact in a step under this load, zero for a cell in
-    /// contact. Returns `None` if cells follow the motion of the whole step. In a rolled step the new gap belongs to
-    /// other particles, so a change of the gap counts only before the first step.
+    /// Returns the gap that each cell closes when it comes into contact in a step under this load, as a function of the
+    /// cell. The gap is zero for a cell in contact. Returns `None` if cells follow the motion of the whole step.
+    ///
+    /// In a rolled step the new gap belongs to other particles. A change of the gap then counts only before the first
+    /// step.
     pub(crate) fn closing(
         &self,
         bodies: &HalfSpace,

@@ -14,9 +14,9 @@ use crate::parallel::ranks::WireFormat;
 use crate::rolling::RollingShift;
 use crate::tangential::{RigidMotion, StepSolution, Zone, at, centre};
 
-/// Commits a step that ended with `motion` to the state and writes its results. `travel` is the path of rolling bodies,
-/// and `pressure_before` the earlier pressure if the step has changed it. `written` is the window of the fields that
-/// were last written.
+/// Commits a step that ended with `motion` to the state and writes its results. `travel` is the path of rolling bodies.
+/// `pressure_before` is the earlier pressure if the step has changed the pressure. `written` is the window of the
+/// fields that were last written.
 pub(in crate::history) fn commit(
     answer: Option<&StepSolution<'_>>,
     motion: RigidMotion,
@@ -156,20 +156,21 @@ fn write(parts: &mut [Blocks<'_, f64>; 2], cell: usize, values: [f64; 2]) {
     }
 }
 
-/// Parts of a row that are written: traction, accumulated slip and slip; accumulated and dissipated quantities; zones,
-/// offsets, trends and slip of the step.
+/// Fields of a row that are written. The first group contains traction, accumulated slip and slip. The second group
+/// contains accumulated and dissipated quantities. The third group contains zones, offsets, trends and slip of the
+/// step.
 type RowParts<'a> = (
     [[Blocks<'a, f64>; 2]; 3],
     [Blocks<'a, f64>; 5],
     (Blocks<'a, Zone>, [[Blocks<'a, f64>; 2]; 3]),
 );
 
-/// Data of a committed step on which the results of its cells depend.
+/// Values of a committed step on which the results of its cells depend.
 struct CommittedStep<'a> {
     answer: &'a StepSolution<'a>,
     grid: Grid,
     held: Window,
-    /// Motion of body 2 at the end of the step; `change` is its motion in the step.
+    /// Motion of body 2 at the end of the step. `change` is its motion in the step.
     motion: RigidMotion,
     change: RigidMotion,
     /// Vector from a particle to the middle of its path.
@@ -234,7 +235,7 @@ struct CellStep {
 }
 
 impl CellStep {
-    /// Creates the result for a cell that remains separated, with the displacement `relative` to the other body.
+    /// Creates the result for a cell that remains separated. `relative` is the displacement to the other body.
     fn apart(centre: [f64; 2], relative: [f64; 2]) -> Self {
         Self {
             centre,

@@ -43,8 +43,8 @@ impl State {
 }
 
 impl History {
-    /// Solves a step with coupled pressure and traction without changing the state. Returns the motion of body 2 at its
-    /// end, or `None` if the bodies are not coupled.
+    /// Solves a step with coupled pressure and traction without changing the state. Returns the motion of body 2 at the
+    /// end of the step, or `None` if the bodies are not coupled.
     pub(in crate::history) fn find_jointly(
         &mut self,
         load: &LoadStep,
@@ -96,7 +96,7 @@ impl History {
     }
 }
 
-/// Sets up a step that moves other particles into the cells; `twist` is the twist of body 2 at its end.
+/// Sets up a step that moves other particles into the cells. `twist` is the twist of body 2 at the end of the step.
 fn roll(
     joint: &mut CoupledIncrement,
     state: &State,
@@ -117,7 +117,7 @@ fn roll(
     }))
 }
 
-/// Creates the solver for the steps of a coupled state; `None` if the state is not coupled.
+/// Creates the solver for the steps of a coupled state. Returns `None` if the state is not coupled.
 pub(in crate::history) fn new_joint(
     bodies: &HalfSpace,
     state: &State,

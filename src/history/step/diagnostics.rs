@@ -83,8 +83,8 @@ impl StepDiagnostics {
 }
 
 impl Cycle {
-    /// Returns the [warnings](crate::history::StepResult::warnings) of all steps, each once, with the largest count.
-    /// The warning for a narrow slip zone appears only if the zone was too narrow in all steps.
+    /// Returns the [warnings](crate::history::StepResult::warnings) of all steps. Each warning appears once, with its
+    /// largest count. The warning for a narrow slip zone appears only if the zone was too narrow in all steps.
     /// [`History::normal`](crate::History::normal) returns the warnings about the grid and the contact spots.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {

@@ -44,25 +44,25 @@ use crate::warning::Resolution;
 
 /// Two bodies in contact with a load history: pressure, traction, slip and energy after each step.
 ///
-/// Vectors are `[x, y]`; in the scalar model the component across its axis is zero.
+/// Vectors are `[x, y]`. In the scalar model the component across the axis of the tractions is zero.
 ///
 /// # Memory
-/// In addition to its bodies, a history needs 168 bytes per cell of the grid and 350 bytes per cell of the bounding box
-/// of the contact, including operators. In the vector model ([`HistoryBuilder::model`]) it needs 590 bytes per cell of
-/// the box. Most of this memory is borrowed for the duration of a step. Further histories of the same bodies with boxes
-/// of the same size need 121 bytes per cell of the grid and 51 bytes per cell of the box (91 in the vector model), if
-/// they are not stepped concurrently. A relative displacement adds 32 bytes per cell of the grid. Histories of bodies
-/// of different materials need several times as much memory.
+/// In addition to its bodies, a history needs 168 bytes per cell of the grid. It also needs 350 bytes per cell of the bounding
+/// box of the contact, or 590 in the vector model ([`HistoryBuilder::model`]). These numbers include the operators. Most of this
+/// memory is borrowed for the duration of a step. Further histories of the same bodies with boxes of the same size need less
+/// memory if they are not stepped concurrently. Each needs 121 bytes per cell of the grid and 51 bytes per cell of the box (91
+/// in the vector model). A relative displacement adds 32 bytes per cell of the grid. Histories of bodies of different materials
+/// need several times as much memory.
 ///
-/// A contact that outgrows its box moves to a wider box. A contact that needs at most half of the cells of its box,
-/// before and after a step, moves to a smaller box. Data for other boxes are kept for 256 steps, as long as these boxes
-/// cover at most twice the cells of the largest box. A contact that alternates between such boxes allocates no memory
-/// after the first cycles. Its state keeps memory for the largest box, but a clone of the state does not.
+/// A contact that outgrows its box moves to a wider box. A contact moves to a smaller box if it needs at most half of the cells
+/// of its box before and after a step. Buffers for other boxes are kept for 256 steps, if these boxes cover at most twice the
+/// cells of the largest box. A contact that alternates between these boxes allocates no memory after the first cycles. The state
+/// of the history keeps memory for the largest box, but a clone of the state does not.
 ///
 /// # State and threads
 /// The [`state`](Self::state) is a value. A clone of it can be restored ([`set_state`](Self::set_state)) or continued
-/// ([`from_state`](Self::from_state)), and [`to_bytes`](Self::to_bytes) saves it. Many histories may share one
-/// [`HalfSpace`] on many threads; the result of each is bitwise identical to its result alone.
+/// ([`from_state`](Self::from_state)), and [`to_bytes`](Self::to_bytes) saves it. Many histories may share one [`HalfSpace`] on
+/// many threads. The result of each history is bitwise identical to its result alone.
 ///
 /// # Examples
 ///
@@ -102,19 +102,18 @@ pub struct History {
     pub(super) increments: IncrementPool,
     /// Tangential contact of the present step.
     pub(super) increment: Option<TangentialIncrement>,
-    /// Solver of coupled pressure and traction, which replaces `candidate` and `increment`; `None` for bodies without
-    /// coupling.
+    /// Solver of coupled pressure and traction, which replaces `candidate` and `increment`. `None` for bodies without coupling.
     pub(super) joint: Option<Box<CoupledIncrement>>,
     pub(super) step: StepResult,
-    /// Lift due to the tractions of rolled steps with one-way coupling; `None` before the first such step.
+    /// Lift due to the tractions of rolled steps with one-way coupling, or `None` before the first such step.
     pub(super) lifting: Option<StepLift>,
-    /// Window in which the fields of the step may be non-zero; `None` if all fields are zero.
+    /// Window in which the fields of the step may be non-zero, or `None` if all fields are zero.
     written: Option<Window>,
 }
 
 shown!(History: bodies, state);
 
-/// Name for error messages of the parts of a state that slabs have in common.
+/// Name of the values that all slabs of a state have in common, for error messages.
 const ALL_BUT_FIELDS: &str = "state (except for its fields)";
 
 const _: () = {
@@ -124,7 +123,7 @@ const _: () = {
 
 impl History {
     /// Starts a builder from the required input: bodies, gap before loading (lengths, on the grid of the bodies) and
-    /// friction. A gap passed by reference or in an [`Arc`] with other owners is copied; a gap passed by value is not.
+    /// friction. A gap passed by reference or in an [`Arc`] with other owners is copied. A gap passed by value is not copied.
     /// Before the first step there is neither contact nor traction.
     pub fn builder(
         bodies: &HalfSpace,
@@ -172,9 +171,9 @@ impl History {
     }
 
     /// Restores a state of this history, or of another history on equal bodies, including its gap, friction and
-    /// settings. The state is copied into the existing buffers. The function allocates memory only if the contact has moved to a
-    /// different window since the state was saved, or if only one of the two states has a relative displacement.
-    /// [`last_step`](Self::last_step) remains the last step taken.
+    /// settings. The state is copied into the existing buffers. The function allocates memory if the contact has moved to a
+    /// different window since the state was saved. It also allocates memory if only one of the two states has a relative
+    /// displacement. [`last_step`](Self::last_step) remains the last step taken.
     ///
     /// # Errors
     /// Errors of [`History::from_state`]. The history is unchanged after an error.
@@ -183,7 +182,7 @@ impl History {
             state.check_bodies(&self.bodies),
             &[(ALL_BUT_FIELDS, &state.numbers_on(&self.bodies))],
         )?;
-        // On distributed bodies a copy is restored, so that a rank failure leaves the present state unchanged.
+        // On distributed bodies the function restores a copy, so that a rank failure leaves the present state unchanged.
         let is_copied = self.bodies.is_shared() || !self.state.has_room_for(state);
         let mut whole = is_copied.then(|| state.try_clone()).transpose()?;
         if let Some(whole) = &mut whole {
@@ -227,7 +226,7 @@ impl History {
         resume(&self.bodies, &self.state, press, joint)
     }
 
-    /// Takes a step and returns its result; [`History::last_step`] returns it later.
+    /// Takes a step and returns its result. [`History::last_step`] returns this result later.
     ///
     /// # Errors
     /// - [`Error::NotFinite`], [`Error::NegativeOrNotFinite`], [`Error::NotPositive`] or [`Error::ApproachBeyondMeanGap`] if a
@@ -395,13 +394,12 @@ impl History {
         narrow(&self.bodies, state, before, press_window, margins);
     }
 
-    /// Changes the gap before loading, for instance after wear. All other quantities are kept; the pressure is kept
-    /// until the first step that does not hold it. Prescribe the normal load again in the next step. A step that holds
-    /// the pressure has the warning [`StalePressure`](crate::Warning::StalePressure). The [plastic
-    /// depth](State::yielded) is added to the gap.
+    /// Changes the gap before loading, for instance after wear. All other quantities are kept. The pressure changes in the first
+    /// step that does not hold it. Prescribe the normal load again in the next step. A step that holds the pressure has the
+    /// warning [`StalePressure`](crate::Warning::StalePressure). The [plastic depth](State::yielded) is added to the gap.
     ///
-    /// Before a step that [rolls](crate::history#rolling), pass the gap of that step, in which the texture has moved
-    /// with the particles. The gap is copied without allocation.
+    /// Before a step that [rolls](crate::history#rolling), pass the gap at the end of that step. In this gap the texture has
+    /// moved with the particles. The gap is copied without allocation.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.
@@ -443,8 +441,8 @@ impl History {
         Ok(())
     }
 
-    /// Changes tolerance, method and limits of the following steps, for instance after a restart; the state is kept. A
-    /// tighter tolerance bounds the errors of later steps only.
+    /// Changes tolerance, method and limits of the following steps, for instance after a restart. The state is kept. A tighter
+    /// tolerance bounds the errors of later steps only.
     ///
     /// # Errors
     /// - Errors of [`Settings::check`].

@@ -1,7 +1,8 @@
 //! Pool of the tangential contacts of steps.
 //!
-//! A step borrows a contact for its duration from a pool, which serves all histories of the same bodies with windows of
-//! the same size. Pools for earlier window sizes are kept in case a contact returns to them.
+//! A step borrows a tangential contact from a pool for the duration of the step. A pool serves all histories of the
+//! same bodies with windows of the same size. Pools for earlier window sizes are kept in case a contact returns to
+//! them.
 
 use std::sync::Arc;
 

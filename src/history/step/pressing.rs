@@ -17,18 +17,20 @@ use crate::parallel::layout::Layout;
 const MOST_STEPS: usize = 1024;
 
 impl History {
-    /// Takes a load in steps of equal growth of the contact, as many as a tolerance requires, and returns their number.
+    /// Takes a load in as many steps as a tolerance requires and returns their number. The contact grows by equal amounts in
+    /// these steps.
     ///
     /// Use this method to press dissimilar bodies, because their stick and slip zones depend on how the contact grows
-    /// ([dissimilar bodies](crate::guide::load_steps#load-steps-of-dissimilar-bodies)). The history takes the load in 1, 2, 4, 8, ...
-    /// steps, each time from its present state. It stops at the first number of steps whose tractions differ from the
-    /// tractions of half as many steps by at most the tolerance.
-    /// [`StepErrorEstimate::traction`](crate::history::StepErrorEstimate::traction) defines this difference. The
-    /// tolerance lies in `(0, 1)`; 0.01 is a good choice.
+    /// ([dissimilar bodies](crate::guide::load_steps#load-steps-of-dissimilar-bodies)). The history takes the load in 1, 2, 4, 8,
+    /// ... steps, always from its present state. After each attempt it compares the tractions with the tractions of the previous
+    /// attempt. It stops when they differ by at most the tolerance.
+    /// [`StepErrorEstimate::traction`](crate::history::StepErrorEstimate::traction) defines this difference. The tolerance lies
+    /// in `(0, 1)`, and 0.01 is a good choice.
     ///
     /// The error of the tractions decreases with an order between 1 and 1.5. The error of the steps taken was at most 0.9
     /// of the tolerance with two steps, and at most 0.75 of the tolerance with four or more
-    /// ([measurements](crate::guide::load_steps#load-steps-of-dissimilar-bodies)). These ratios are estimates, not bounds. The stick ratio has a first-order error
+    /// ([measurements](crate::guide::load_steps#load-steps-of-dissimilar-bodies)). These ratios are estimates, not bounds.
+    /// The stick ratio has a first-order error
     /// ([table](crate::guide::load_steps#load-steps-of-dissimilar-bodies)).
     ///
     /// Between its initial and final values, a normal force grows as the cube of a length that increases in equal
@@ -36,9 +38,8 @@ impl History {
     /// contact radius. All other prescribed quantities change in proportion to the normal load, as in
     /// [`AdaptiveSteps`](crate::history::AdaptiveSteps).
     ///
-    /// For a load of n steps the history solves 2n - 1 steps. The call ends at two steps for bodies without coupling,
-    /// for a contact that does not grow (a flat punch) and for a contact without friction, because one step is exact in
-    /// these cases.
+    /// For a load of n steps the history solves 2n - 1 steps. One step is exact for bodies without coupling, for a contact that
+    /// does not grow (a flat punch) and for a contact without friction. The call then ends at two steps.
     ///
     /// A tolerance below about a hundred times the tolerance of the [settings](History::settings) cannot be met. The
     /// call allocates the memory of one state.
@@ -117,8 +118,7 @@ struct LoadRamp<'a> {
 }
 
 impl LoadRamp<'_> {
-    /// Takes the load in twice as many steps each time, until the tractions of two attempts differ by at most the
-    /// tolerance.
+    /// Doubles the number of steps of the load until the tractions of two attempts differ by at most the tolerance.
     fn refine(
         &mut self,
         history: &mut History,

@@ -16,7 +16,7 @@ use crate::warning::Warning;
 
 /// Slip, energies, forces and reports of one step.
 ///
-/// Vectors are `[x, y]`; in the scalar model the component across its axis is zero. The
+/// Vectors are `[x, y]`. In the scalar model the component across the axis of the tractions is zero. The
 /// [`History`](crate::history::History) has the state after the step.
 #[derive(Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
@@ -152,16 +152,16 @@ impl StepResult {
         &self.slip_distance
     }
 
-    /// Returns the energy that each cell dissipates in the step, `-A q s >= 0`, computed from the traction of the cell
-    /// at the end of the step.
+    /// Returns the energy that each cell dissipates in the step, `-A q s >= 0`. The traction q is the traction of the
+    /// cell at the end of the step.
     #[doc(alias = "dissipated energy")]
     #[must_use]
     pub fn dissipated_energy(&self) -> &Field {
         &self.dissipated_energy
     }
 
-    /// Returns the energy that each cell dissipates in the step, `-A (q_n + q_{n+1})/2 s`, computed from the mean of
-    /// its tractions before and after the step. This energy closes the [`EnergyBalance`].
+    /// Returns the energy that each cell dissipates in the step, `-A (q_n + q_{n+1})/2 s`. It is computed from the mean
+    /// of the tractions before and after the step. This energy closes the [`EnergyBalance`].
     #[must_use]
     pub fn dissipated_energy_midpoint(&self) -> &Field {
         &self.dissipated_energy_midpoint
@@ -191,20 +191,20 @@ impl StepResult {
         self.force
     }
 
-    /// Returns the moment about z at the origin of the grid that the tractions of body 2 exert on body 1 at the end of
-    /// the step (force times length, positive from x to y).
+    /// Returns the moment of the tractions on body 1 at the end of the step (force times length, positive from x to y).
+    /// The moment is about the origin of the grid.
     #[must_use]
     pub fn moment(&self) -> f64 {
         self.moment
     }
 
-    /// Returns the shift of body 2 relative to body 1 at the end of the step, since the start of the history (lengths).
+    /// Returns the shift of body 2 relative to body 1 from the start of the history to the end of the step (lengths).
     #[must_use]
     pub fn shift(&self) -> [f64; 2] {
         self.shift
     }
 
-    /// Returns the rotation of body 2 relative to body 1 at the end of the step, since the start of the history
+    /// Returns the rotation of body 2 relative to body 1 from the start of the history to the end of the step
     /// (radians).
     #[must_use]
     pub fn twist(&self) -> f64 {
@@ -218,7 +218,7 @@ impl StepResult {
         self.creepage
     }
 
-    /// Returns the ratio of stick cells to contact cells at the end of the step; zero without contact.
+    /// Returns the ratio of stick cells to contact cells at the end of the step. The ratio is zero without contact.
     #[must_use]
     pub fn stick_ratio(&self) -> f64 {
         let contact = self.stick_cells + self.slip_cells;
@@ -231,15 +231,14 @@ impl StepResult {
         self.stick_cells == 0 && self.slip_cells > 0
     }
 
-    /// Returns the report of the normal contact, or `None` if the pressure was held. If load and gap are equal to the
-    /// load and the gap of the previous step, the pressure is reused. The report then contains the earlier error bounds
-    /// and no work.
+    /// Returns the report of the normal contact, or `None` if the pressure was held. If load and gap have not changed
+    /// since the previous step, the pressure is reused. The report then contains the earlier error bounds and no work.
     #[must_use]
     pub fn normal_report(&self) -> Option<&Report> {
         solved(&self.normal_report)
     }
 
-    /// Returns the report of the tangential contact; `None` before the first contact.
+    /// Returns the report of the tangential contact, or `None` before the first contact.
     #[must_use]
     pub fn tangential_report(&self) -> Option<&Report> {
         solved(&self.tangential_report)
@@ -255,8 +254,8 @@ impl StepResult {
     /// - [`Warning::HeldShiftLostForce`],
     /// - [`Warning::NeglectedLift`] for a rolled step with one-way coupling.
     ///
-    /// Other warnings, for example about spots too small to resolve, are returned by
-    /// [`History::normal`](crate::History::normal) only.
+    /// Only [`History::normal`](crate::History::normal) returns the other warnings, for example about spots too small
+    /// to resolve.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         self.remarks.warnings()

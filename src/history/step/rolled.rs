@@ -9,8 +9,7 @@ use crate::rolling::LeadingEdge;
 use crate::rolling::RollingShift;
 use crate::tangential::{Axis, RigidMotion, TangentialControl, TangentialModel, TangentialTarget};
 
-/// Rolling in a step: the number of cells, the side at which particles enter the contact, and the creepages and spin of
-/// body 2.
+/// Rolling in a step: the number of cells, the leading edge, and the creepages and spin of body 2.
 ///
 /// The default is free rolling to the [leading edge](LeadingEdge) at the largest x, with zero creepage and spin.
 ///
@@ -77,17 +76,17 @@ impl Rolling {
         self
     }
 
-    /// Sets the creepages $`[\xi, \eta]`$ along x and y, the motion of body 2 over body 1 per length rolled
-    /// (dimensionless, default zero). Positive creepages cause positive forces; Kalker's creepages have the opposite sign.
-    /// If the step prescribes a force along an axis, the creepage along it follows and must be zero here.
+    /// Sets the creepages $`[\xi, \eta]`$ along x and y (dimensionless, default zero). A creepage is the motion of body 2
+    /// over body 1 per length rolled. Positive creepages cause positive forces. Kalker's creepages have the opposite sign.
+    /// If the step prescribes a force along an axis, the creepage along this axis follows and must be zero here.
     #[must_use]
     pub fn creepage(mut self, creepage: [f64; 2]) -> Self {
         self.creepage = creepage;
         self
     }
 
-    /// Sets the spin $`\varphi`$, the rotation of body 2 relative to body 1 per length rolled, about the origin of the
-    /// grid (one over a length, positive from x to y, default zero).
+    /// Sets the spin $`\varphi`$ about the origin of the grid (one over a length, positive from x to y, default zero).
+    /// The spin is the rotation of body 2 relative to body 1 per length rolled.
     #[must_use]
     pub fn spin(mut self, spin: f64) -> Self {
         self.spin = spin;
@@ -122,7 +121,8 @@ impl Rolling {
         length: f64,
     ) -> TangentialTarget {
         for (axis, control) in demand.controls.iter_mut().enumerate() {
-            // Zero creepage remains a held shift, so that the start of the solve can distinguish it from a motion.
+            // An axis with zero creepage keeps a held shift, so that the start of the solve can distinguish it from a
+            // motion.
             if *control == TangentialControl::Hold && self.creepage[axis] != 0.0 {
                 let shift = state.motion.shift[axis] + length * self.creepage[axis];
                 *control = TangentialControl::Shift(shift);
@@ -262,8 +262,8 @@ impl State {
 }
 
 impl State {
-    /// Writes the reference tractions of the next trend to its buffer. They are the tractions before the step, scaled
-    /// with the pressure if it has changed from `before`.
+    /// Writes the reference tractions of the next trend to its buffer. The reference tractions are the tractions before
+    /// the step, scaled with the pressure if the pressure has changed from `before`.
     pub(crate) fn keep_traction(&mut self, travel: &RollingShift, before: Option<&Field>) {
         let (grid, after) = (self.grid(), self.normal.pressure());
         let before = before.unwrap_or(after);

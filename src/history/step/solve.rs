@@ -19,9 +19,9 @@ use crate::tangential::{
 };
 
 impl History {
-    /// Solves the normal and the tangential contact of a step and returns the motion of body 2 at its end. The only
-    /// part of the state that changes is the window of the memory, which may become wider. If the solve fails or the
-    /// observer panics, the history is restored.
+    /// Solves the normal and the tangential contact of a step and returns the motion of body 2 at its end. In the state
+    /// only the window of the memory changes. It may become wider. If the solve fails or the observer panics, the
+    /// history is restored.
     pub(in crate::history) fn attempt(
         &mut self,
         load: &LoadStep,
@@ -117,8 +117,8 @@ impl History {
         Ok(())
     }
 
-    /// Solves for the tractions of the step under the pressure of the candidate, or under the pressure of the state if
-    /// it is held.
+    /// Solves for the tractions of the step under the pressure of the candidate. If the pressure is held, it is the
+    /// pressure of the state.
     fn find_tractions(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<RigidMotion> {
         let (grid, demand) = (self.bodies.grid(), self.state.demand(load, &self.bodies));
         let travel = load.rolling().map(|rolling| rolling.travel(&self.bodies));
@@ -199,7 +199,7 @@ impl History {
 /// Step in progress.
 struct StepTransaction<'a> {
     history: &'a mut History,
-    /// Window of the memory before the step; `None` before the first contact.
+    /// Window of the memory before the step, or `None` before the first contact.
     remembered: Option<Window>,
     is_over: bool,
 }
@@ -273,9 +273,9 @@ fn roll(
     })
 }
 
-/// Returns the window for the tractions under a pressure. It is the present window, or a wider window with a margin for
-/// further growth if the contact has left the present window. Returns the present window if there is no contact, and
-/// `None` before the first contact.
+/// Returns the window for the tractions under a pressure, or `None` before the first contact. The present window is
+/// returned if it contains the contact or if there is no contact. Otherwise the window is wider, with a margin for
+/// further growth. The window of the first contact has no margin.
 fn window_of(bodies: &HalfSpace, pressure: &Field, present: Option<Window>) -> Option<Window> {
     let (grid, samples) = (bodies.grid(), pressure.as_slice());
     let Some(contact) = bodies.around(|i| samples[i] > 0.0) else {

@@ -40,7 +40,7 @@ impl<'a> From<&'a Field> for Coefficient<'a> {
 }
 
 impl Coefficient<'_> {
-    /// Returns the value that must agree on all ranks; `None` for a coefficient per cell.
+    /// Returns the value that must agree on all ranks, or `None` for a coefficient per cell.
     pub(super) fn common(self) -> Option<f64> {
         match self {
             Self::Uniform(coefficient) => Some(coefficient),
@@ -74,7 +74,7 @@ impl Coefficient<'_> {
     }
 }
 
-/// Returns the largest value of a non-negative field; zero if a rank has no cells.
+/// Returns the largest value of a non-negative field, or zero if a rank has no cells.
 pub(super) fn greatest(field: &Field) -> f64 {
     field.max().max(0.0)
 }

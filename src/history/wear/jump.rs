@@ -12,16 +12,16 @@ use crate::operator::Operator;
 /// Returns the largest number of cycles whose wear can be applied at once with a stable pressure. Explicit wear by
 /// Archard's law is stable below this number. The number is infinite if no cell slips.
 ///
-/// Removing the depth $`N k s\,p`$ changes a pressure mode with the compliance $`\lambda`$, an eigenvalue of
-/// $`C_{zz}`$, by the factor $`1 - N k s / \lambda`$. All modes decay if
+/// Consider a pressure mode with the compliance $`\lambda`$, an eigenvalue of $`C_{zz}`$. Removing the depth $`N k s\,p`$ changes
+/// this mode by the factor $`1 - N k s / \lambda`$. All modes decay if
 ///
 /// ```math
 /// N\,k\,s < 2\,\lambda_{min} \qquad (= 1.16\,h/E^* \text{ on square cells of side } h;\ 0.90\,h/E^* \text{ on a periodic grid}),
 /// ```
 ///
-/// and no mode changes sign below half of this number, which is the limit of [`CycleJump`]. `coefficient` is the sum
-/// for both bodies, and `slip_distance` belongs to one cycle. For the energy law, pass the product of its coefficient
-/// and the coefficient of friction. For [distributed](HalfSpace::distributed) bodies the call is collective.
+/// and no mode changes sign below half of this number, which is the limit of [`CycleJump`]. `coefficient` is the sum of the
+/// coefficients of both bodies. `slip_distance` is the slip distance of one cycle. For the energy law, pass the product of its
+/// coefficient and the coefficient of friction. For [distributed](HalfSpace::distributed) bodies the call is collective.
 ///
 /// # Errors
 /// - [`Error::NegativeOrNotFinite`] if the uniform coefficient is negative or not finite.
@@ -61,9 +61,9 @@ pub fn max_stable_cycles<'a>(
 /// pressure.
 ///
 /// Let $`h`$ be the depth that a cycle removes by any law that is proportional to the slip pressure $`p`$. This depth
-/// changes by $`h/p`$ per unit of pressure. If $`N h / p < \lambda_{min}`$ in every cell, no pressure mode changes
-/// sign; this is half of the [stable](max_stable_cycles) number of cycles. The shape of the contact and the number of
-/// remaining cycles set further limits.
+/// changes by $`h/p`$ per unit of pressure. If $`N h / p < \lambda_{min}`$ in every cell, no pressure mode changes sign. This
+/// limit is half of the [stable](max_stable_cycles) number of cycles. The shape of the contact and the number of remaining cycles
+/// set further limits.
 ///
 /// ```
 /// use stickslip::history::wear::{self, CycleJump};
@@ -112,8 +112,8 @@ pub struct CycleJump {
 const CLOSED: f64 = 0.25;
 
 impl CycleJump {
-    /// Creates a jump over cycles like `cycle`, in which `depth` (lengths) was removed from both bodies together. A
-    /// cell that did not slip under pressure sets no limit, for example next to the contact after the depth was
+    /// Creates a jump over cycles like `cycle`. `depth` is the depth removed from both bodies together in this cycle (lengths). A
+    /// cell that did not slip under pressure sets no limit. Such a cell can have a depth next to the contact if the depth was
     /// smoothed.
     ///
     /// # Errors
@@ -147,28 +147,28 @@ impl CycleJump {
         })
     }
 
-    /// Sets the largest depth that may be removed at once (a length; default: no limit). A hundredth of the approach
-    /// preserves the shape of a ball.
+    /// Sets the largest depth that may be removed at once (a length, no limit by default). A hundredth of the approach preserves
+    /// the shape of a ball.
     pub fn largest_depth(mut self, depth: f64) -> Self {
         self.largest_depth = Some(depth);
         self
     }
 
-    /// Sets the largest [residual](Cycle::cyclic_residual) of an acceptable cycle (relative to its amplitude; default:
-    /// 0.25). A first cycle from rest, or after a change of the gap, does not close and is not representative of the
-    /// following cycles.
+    /// Sets the largest [residual](Cycle::cyclic_residual) of an acceptable cycle (relative to its amplitude, default 0.25). The
+    /// first cycle from rest does not close, and it is not representative of the following cycles. The same holds for the first
+    /// cycle after a change of the gap.
     pub fn max_residual(mut self, residual: f64) -> Self {
         self.max_residual = residual;
         self
     }
 
-    /// Sets the number of cycles that are left to simulate, an upper limit of the jump (default: no limit).
+    /// Sets the remaining number of cycles of the simulation, which is an upper limit of the jump (no limit by default).
     pub fn cycles_left(mut self, cycles: f64) -> Self {
         self.cycles_left = Some(cycles);
         self
     }
 
-    /// Returns the number of cycles, not rounded: the smallest of the limits, or infinity without a limit.
+    /// Returns the number of cycles without rounding. It is the smallest of the limits, or infinity without a limit.
     ///
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`] if a limit is negative or not finite.
@@ -199,7 +199,7 @@ impl CycleJump {
 fn cycles_without_overshoot(bodies: &HalfSpace, rate: f64) -> Result<f64> {
     let compliance = bodies.operator(Component::ZZ)?;
     compliance.check_bounded()?;
-    // If a datum makes the compliance indefinite, the force is prescribed, and changes of the pressure have zero mean.
+    // If a datum makes the compliance indefinite, the force is prescribed. Changes of the pressure then have zero mean.
     let least = match compliance.lower_bound() {
         least if least > 0.0 => least,
         _ => compliance.bound_without_mean().0,

@@ -9,11 +9,10 @@ use crate::parallel;
 /// Adds the depth that Archard's law removes, `k p |s|` (lengths).
 ///
 /// `coefficient` is k = K/H, Archard's dimensionless coefficient over the hardness, for one body or the sum for both
-/// bodies. It is the volume removed per normal force and sliding distance (one over a pressure; 1 mm3/(N m) is 1e-9
-/// 1/Pa). `slip_distance` is the slip distance of a [step](crate::history::StepResult::slip_distance), or of a
-/// [cycle](crate::history::Cycle::slip_distance) together with its [slip
-/// pressure](crate::history::Cycle::slip_pressure). See Archard, J. Appl. Phys. 24 (1953) 981,
-/// <https://doi.org/10.1063/1.1721448>.
+/// bodies. The coefficient is the volume removed per normal force and sliding distance. Its unit is one over a pressure, and 1
+/// mm3/(N m) is 1e-9 1/Pa. `slip_distance` is the slip distance of a [step](crate::history::StepResult::slip_distance), or of a
+/// [cycle](crate::history::Cycle::slip_distance) together with its [slip pressure](crate::history::Cycle::slip_pressure). See
+/// Archard, J. Appl. Phys. 24 (1953) 981, <https://doi.org/10.1063/1.1721448>.
 ///
 /// # Errors
 /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the uniform coefficient is negative or not finite.
@@ -74,15 +73,14 @@ pub fn energy<'a>(
     Ok(())
 }
 
-/// Adds the depth that the energy law removes beyond a threshold: the increase of `alpha max(0, E/A - e)` in a step or
-/// cycle (lengths). The depths of the steps therefore sum to the law for the total energy.
+/// Adds the depth that the energy law removes beyond a threshold (lengths). The depth is the increase of `alpha max(0, E/A - e)`
+/// in a step or cycle. The depths of the steps therefore sum to the law for the total energy.
 ///
-/// `threshold` e is the energy per area below which nothing wears. `accumulated` is the energy E that each cell has
-/// dissipated since the start, including the present step;
-/// [`History::dissipated_energy`](crate::history::History::dissipated_energy) returns it after the step. `energy` is
-/// the energy of the step or cycle. Fouvry, Liskiewicz, Kapsa, Hannel & Sauger, Wear 255 (2003) 287,
-/// <https://doi.org/10.1016/S0043-1648(03)00117-0>, use the energy of the whole contact; this function uses the energy
-/// of each cell.
+/// `threshold` e is the energy per area below which nothing wears. `accumulated` is the energy E that each cell has dissipated
+/// since the start, including the present step. [`History::dissipated_energy`](crate::history::History::dissipated_energy)
+/// returns this energy after the step. `energy` is the energy of the step or cycle. Fouvry, Liskiewicz, Kapsa, Hannel & Sauger,
+/// Wear 255 (2003) 287, <https://doi.org/10.1016/S0043-1648(03)00117-0>, use the energy of the whole contact. In contrast, this
+/// function uses the energy of each cell.
 ///
 /// ```
 /// use stickslip::history::wear;
@@ -126,7 +124,7 @@ pub fn threshold_energy<'a>(
     )?;
     let (total, energy) = (accumulated.as_slice(), energy.as_slice());
     remove(depth, |i| {
-        // Only the part of the energy of the step that lies above the threshold counts.
+        // Only the energy of the step above the threshold counts.
         let beyond = (total[i] - threshold * area).clamp(0.0, energy[i]);
         coefficient.at(i) / area * beyond
     });

@@ -1,8 +1,8 @@
 //! Wear depth, and the number of cycles that a simulation may jump over.
 //!
-//! The laws add to a field of the caller. The field may be the depth of one body, the depth of a cycle, or the gap
-//! itself, because removal from either body opens the gap. The [`Coefficient`] of a law is a number or a field. A
-//! user-defined law needs only slip, pressure or energy of a [step](crate::history::StepResult) or a
+//! The laws add to a field of the caller. The field may be the depth of one body or the depth of a cycle. It may also
+//! be the gap itself, because removal from either body opens the gap. The [`Coefficient`] of a law is a number or a
+//! field. A user-defined law needs only slip, pressure or energy of a [step](crate::history::StepResult) or a
 //! [cycle](crate::history::Cycle). [`CycleJump`] computes the number of cycles whose wear may be applied at once.
 //!
 //! In this example wear is applied to the gap after every step:

@@ -21,9 +21,9 @@ use crate::tangential::{Axis, Friction, TangentialModel};
 ///
 /// Between bodies of different materials tractions lift the surfaces, and the pressure changes. A
 /// [`RollingProblem`](crate::rolling::RollingProblem) requires a given pressure, which ignores the lift. This problem
-/// solves for pressure and tractions together. It adds the lift to the gap, solves for the pressure and the tractions
-/// again, and repeats until the tractions no longer change. For bodies that [are not
-/// coupled](crate::ElasticPair::is_coupled) one pass is exact; its results are bitwise identical to the results of a
+/// solves for pressure and tractions together. Each pass of the solve adds the lift to the gap and solves for the pressure and
+/// the tractions again. The passes end when the tractions no longer change. For bodies that [are not
+/// coupled](crate::ElasticPair::is_coupled) one pass is exact. Its results are bitwise identical to the results of a
 /// [`NormalProblem`](crate::NormalProblem) and a `RollingProblem`.
 ///
 /// ```
@@ -67,7 +67,7 @@ try_clone!(CoupledRollingProblem { friction } {
 
 shown!(CoupledRollingProblem: bodies, normal, edge, cells, controls, spin, entry_rule, settings);
 
-/// Options of a [`CoupledRollingProblem`]; each has a default.
+/// Options of a [`CoupledRollingProblem`], all with defaults.
 #[derive(Debug, Clone)]
 #[must_use = "a builder does nothing until build() is called"]
 pub struct CoupledRollingProblemBuilder {
@@ -76,9 +76,9 @@ pub struct CoupledRollingProblemBuilder {
 }
 
 impl CoupledRollingProblem {
-    /// Creates a builder from the bodies, the gap before loading (lengths, on the grid of the bodies), the friction and
-    /// the normal load. Without options both creepages and the spin are zero. A gap passed by reference is copied; a
-    /// gap passed by value or in an [`Arc`] is not.
+    /// Creates a builder from the bodies, the gap before loading (lengths, on the grid of the bodies), the friction and the
+    /// normal load. Without options both creepages and the spin are zero. A gap passed by reference is copied. A gap passed by
+    /// value or in an [`Arc`] is not copied.
     pub fn builder(
         bodies: &HalfSpace,
         gap: impl Into<Arc<Field>>,
@@ -112,7 +112,8 @@ impl CoupledRollingProblem {
     /// - [`Error::GridTooShort`] if the grid ends less than a step ahead of the contact.
     /// - [`Error::BeyondFrictionCapacity`] or [`Error::BeyondFrictionMoment`] if the loads exceed the capacity of
     ///   friction.
-    /// - [`Error::Memory`] if memory runs out; the errors of [`HalfSpace::operator`].
+    /// - [`Error::Memory`] if memory runs out.
+    /// - The errors of [`HalfSpace::operator`].
     pub fn solve(&self) -> Result<CoupledRollingSolution> {
         let mut solver = CoupledRollingSolver::new(self.try_clone()?)?;
         let mut solution = solver.try_new_solution()?;
@@ -124,7 +125,8 @@ impl CoupledRollingProblem {
     /// from the last solution.
     ///
     /// # Errors
-    /// - [`Error::Memory`] if memory runs out; the errors of [`HalfSpace::operator`].
+    /// - [`Error::Memory`] if memory runs out.
+    /// - The errors of [`HalfSpace::operator`].
     pub fn into_solver(self) -> Result<CoupledRollingSolver> {
         CoupledRollingSolver::new(self)
     }

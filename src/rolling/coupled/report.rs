@@ -22,8 +22,8 @@ pub struct CoupledRollingReport {
     pub rolling: Report,
     /// Number of passes. Each pass solves for the pressure and then for the tractions.
     pub passes: usize,
-    /// Residual of the coupling. It is half the range of the lift added by the last pass, taken over the contact and divided by
-    /// the largest normal displacement. If the approach is prescribed, the largest absolute value of that lift replaces half its
+    /// Residual of the coupling. It is half the range of the lift that the last pass added within the contact, divided by the
+    /// largest normal displacement. If the approach is prescribed, the largest absolute value of this lift replaces half its
     /// range.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub coupling_residual: f64,
@@ -38,9 +38,9 @@ pub struct CoupledRollingReport {
     /// the pressure of the solution.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub traction_error_bound: f64,
-    /// Estimate of the relative error of the pressure in the energy norm for the coupled contact as a whole. It is not
-    /// a bound. The estimate assumes the sensitivities of [`ErrorEstimate`](crate::coupled::ErrorEstimate). It is
-    /// `None` if the product of these sensitivities is one or more.
+    /// Estimate of the relative error of the pressure in the energy norm for the whole coupled contact. The estimate is not a
+    /// bound. The estimate assumes the sensitivities of [`ErrorEstimate`](crate::coupled::ErrorEstimate). It is `None` if the
+    /// product of these sensitivities is one or more.
     pub error_estimate: Option<f64>,
 }
 
@@ -94,7 +94,7 @@ impl CoupledRollingReport {
         .fold(0.0, crate::cgm::reduce::larger)
     }
 
-    /// Sets the status. Returns an error if it is not [`Status::Converged`].
+    /// Sets the status and returns an error if the status is not [`Status::Converged`].
     pub(super) fn end(&mut self, status: Status) -> Result<()> {
         self.work.status = status;
         if status == Status::Converged {

@@ -58,7 +58,7 @@ impl<'de> serde::Deserialize<'de> for CoupledRollingSolution {
 }
 
 impl CoupledRollingSolution {
-    /// Returns the normal half: pressure, gap under load, approach, contact area. The gap includes the lift by the
+    /// Returns the normal half: pressure, gap under load, approach and contact area. The gap includes the lift by the
     /// tractions. For coupled bodies the report of this half is the report of the coupled solve.
     #[must_use]
     pub fn normal(&self) -> &NormalSolution {
@@ -78,7 +78,7 @@ impl CoupledRollingSolution {
         &self.report
     }
 
-    /// Returns the warnings about the normal half; see [`Warning`].
+    /// Returns the warnings about the normal half. See [`Warning`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         unwrap_or_abort(self.try_warnings())

@@ -19,16 +19,18 @@ use crate::rolling::{RollingControl, RollingProblem, RollingSolution, RollingSol
 use crate::support::debug::shown;
 use crate::tangential::{Axis, Friction, Lifting, TangentialModel, lift_residual};
 
-/// Tolerance of the halves in the first pass, and ratio of their tolerance to the error of the coupling in later passes.
-/// With a ratio of 0.1, the passes alternated between two states under strong friction.
+/// Tolerance of the halves in the first pass.
 const START: f64 = 1e-3;
+/// Ratio of the tolerance of the halves to the error of the coupling in later passes. With a ratio of 0.1, the passes
+/// alternated between two states under strong friction.
 const SHARPER: f64 = 0.03;
 /// Fraction of the tolerance that is available for the errors of the halves.
 const HALVES: f64 = 0.3;
 /// Smallest tolerance of the tractions. A smaller tolerance would be below round-off.
 const LEAST_TOLERANCE: f64 = 1e-13;
-/// Maximum number of passes of a solve, and number of passes without halving the error after which the solve has stalled.
+/// Maximum number of passes of a solve.
 const MOST_PASSES: usize = 100;
+/// Number of passes without halving the error after which the solve has stalled.
 const PATIENCE: usize = 15;
 /// Factor that reduces a force to just below the friction capacity of an intermediate pass.
 const HELD: f64 = 0.999;
@@ -60,9 +62,9 @@ const TYPICAL: f64 = 0.7;
 pub struct CoupledRollingSolver {
     pub(super) problem: CoupledRollingProblem,
     pub(super) normal: NormalSolver,
-    /// Rolling solver of the last pass; `None` before the first pass.
+    /// Rolling solver of the last pass, or `None` before the first pass.
     pub(super) rolling: Option<RollingSolver>,
-    /// Operator of the lift on the whole grid; `None` for bodies that are not coupled.
+    /// Operator of the lift on the whole grid, or `None` for bodies that are not coupled.
     pub(super) lifting: Option<Lifting>,
     /// Bound on the coupling between the energy norms, multiplied by the square root of the largest tangential
     /// eigenvalue.
@@ -81,7 +83,7 @@ shown!(CoupledRollingSolver: problem);
 
 /// Outcome of a pass over both halves.
 struct Pass {
-    /// Status of a half that did not reach its tolerance; `None` if neither half failed.
+    /// Status of a half that did not reach its tolerance, or `None` if neither half failed.
     failure: Option<Status>,
     /// Error for a force beyond the friction capacity, if the pass reduced a force.
     held: Option<Error>,
@@ -153,8 +155,10 @@ impl CoupledRollingSolver {
     /// Sets the gap before loading for the next solve.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`] or [`Error::Sample`]; [`Error::ApproachBeyondMeanGap`] if a prescribed approach is too
-    ///   large for the gap; [`Error::Memory`]. The gap is then unchanged.
+    /// - [`Error::GridMismatch`], [`Error::Sample`] or [`Error::Memory`].
+    /// - [`Error::ApproachBeyondMeanGap`] if a prescribed approach is too large for the gap.
+    ///
+    /// The gap is unchanged after an error.
     pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
         let bodies = &self.problem.bodies;
         gap.check("gap", bodies.grid())?;
@@ -218,8 +222,8 @@ impl CoupledRollingSolver {
     /// Solves as [`Self::solve_into`] does, with an observer that receives every iteration and may cancel.
     ///
     /// # Errors
-    /// The errors of [`Self::solve_into`]; [`Error::NotConverged`] with [`Status::Cancelled`] if the observer has
-    /// cancelled.
+    /// - The errors of [`Self::solve_into`].
+    /// - [`Error::NotConverged`] with [`Status::Cancelled`] if the observer has cancelled.
     pub fn solve_observed(
         &mut self,
         solution: &mut CoupledRollingSolution,

@@ -1,8 +1,8 @@
 //! Derivatives of forces and moment with respect to creepages and spin, including the pressure that follows the tractions.
 //!
-//! With fixed zones the equations of both halves are linear. The solver computes the change of the pressure for a given
-//! change of the tractions, then the change of the tractions for the new change of the pressure. It repeats both solves
-//! until the tractions no longer change.
+//! With fixed zones the equations of both halves are linear. The first solve of a pass computes the change of the pressure
+//! for a given change of the tractions. The second solve computes the change of the tractions for this change of the
+//! pressure. The passes end when the tractions no longer change.
 
 use std::ops::ControlFlow;
 

@@ -24,8 +24,8 @@ const AT_REST: f64 = 1e-9;
 /// narrower range round-off would dominate.
 const NARROW: f64 = 1e-8;
 
-/// Tractions with magnitudes equal to their limits m along $`v = t + c`$, where t is the motion due to a rotation and c
-/// the motion due to a shift. The length of v is rounded to $`\sqrt{v^2 + \epsilon^2}`$.
+/// Tractions with magnitudes equal to their limits m along $`v = t + c`$. Here t is the motion due to a rotation, and c
+/// is the motion due to a shift. The length of v is rounded to $`\sqrt{v^2 + \epsilon^2}`$.
 #[derive(Debug, Default)]
 pub(in crate::rolling) struct Sliding {
     /// Sum of m times the rounded length.
@@ -36,7 +36,7 @@ pub(in crate::rolling) struct Sliding {
     stiffness: [f64; 3],
 }
 
-/// Motion of a contact that slides as a whole: a rotation about the origin and a shift.
+/// Motion of a contact in which all cells slide: a rotation about the origin and a shift.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::rolling) struct SlidingMotion {
     pub(in crate::rolling) turn: f64,
@@ -48,7 +48,7 @@ pub(in crate::rolling) struct SlidingMotion {
 pub(in crate::rolling) struct Prescribed {
     /// Sums of the tractions along the axes with a prescribed force.
     pub(in crate::rolling) sums: [Option<f64>; 2],
-    /// Creepages; zero along an axis with a prescribed force.
+    /// Creepages, with zero along an axis with a prescribed force.
     pub(in crate::rolling) creepage: [f64; 2],
 }
 
@@ -77,9 +77,9 @@ impl RollingProblem {
     /// moment is continuous in the spin, so a spin exists for each moment between these limits.
     ///
     /// At a large spin each traction is at its limit m along the motion of the middle of its path. The exception is a
-    /// cell whose path has its middle at rest. For tractions within their limits whose sums along some axes are f,
-    /// $`\sum q \cdot t \le \sum m |t + c| - c \cdot f`$ for every shift c along those axes. The smallest of these bounds
-    /// is the moment about the middles of the paths when the contact slides as a whole.
+    /// cell whose path has its middle at rest. Let the sums of tractions within their limits be f along some axes. Then
+    /// $`\sum q \cdot t \le \sum m |t + c| - c \cdot f`$ for every shift c along these axes. The smallest of these bounds
+    /// is the moment about the middles of the paths when the whole contact slides.
     ///
     /// # Errors
     /// - The errors of [`HalfSpace::operator`](crate::HalfSpace::operator) if the middle of a path is at rest.
@@ -156,7 +156,7 @@ impl RollingProblem {
         Ok(sign * about_middles - lever * sum)
     }
 
-    /// Returns the sum of the tractions across the rolling direction if no force is prescribed there.
+    /// Returns the sum of the tractions across the rolling direction if no force is prescribed across it.
     fn sum_across(&self, prescribed: &Prescribed, motion: SlidingMotion) -> Result<f64> {
         let across = self.axis_across();
         match self.resting_cell(prescribed, motion) {
@@ -227,8 +227,8 @@ impl RollingProblem {
         }
     }
 
-    /// Returns the cell with the least motion of the middle of its path among the cells that can carry traction, as its
-    /// indices in the window and in the grid.
+    /// Returns the slowest of the cells that can carry traction, as its indices in the window and in the grid. The middle
+    /// of the path of this cell has the least motion.
     pub(in crate::rolling) fn slowest_cell(&self, motion: SlidingMotion) -> Option<(usize, usize)> {
         let speed = |index: usize| {
             let [x, y] = self.moved(motion, index);

@@ -9,7 +9,7 @@ use crate::error::{Result, finite};
 pub enum RollingControl {
     /// Creepage: motion of body 2 over body 1 per length rolled (dimensionless), with the sign opposite to Kalker's.
     Creepage(f64),
-    /// Tangential force on body 1 (a force); the creepage follows. The resultant of the forces along both axes must be
+    /// Tangential force on body 1 (a force), from which the creepage follows. The resultant of the forces along both axes must be
     /// less than the friction capacity. Without friction no force is allowed.
     Force(f64),
 }
@@ -29,8 +29,8 @@ impl RollingControl {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum SpinControl {
-    /// Spin $`\varphi`$, the rotation of body 2 relative to body 1 per length rolled (one over a length, positive from
-    /// x to y), about the origin of the grid.
+    /// Spin $`\varphi`$ about the origin of the grid (one over a length, positive from x to y). It is the rotation of body 2
+    /// relative to body 1 per length rolled.
     Spin(f64),
     /// Moment on body 1 about the origin of the grid (a force times a length, positive from x to y). The spin follows.
     ///
@@ -41,8 +41,8 @@ pub enum SpinControl {
     ///
     /// If no force is prescribed across the rolling direction, the moment does not always increase with the spin. The moment is
     /// taken about the cell centres, whereas the spin moves the midpoints of the particle paths. Some spins then cause a moment
-    /// outside the range, by less than a tenth of the range for contacts of five cells or more. Such moments are rejected because
-    /// their spin is not unique. A contact of one or two cells can have the same moment at every large spin.
+    /// outside the range. For contacts of five cells or more, the excess is less than a tenth of the range. Such moments are
+    /// rejected because their spin is not unique. A contact of one or two cells can have the same moment at every large spin.
     Moment(f64),
 }
 

@@ -58,8 +58,8 @@ impl RollingSolver {
         self.creep_forces_observed(points, unwatched)
     }
 
-    /// Returns [`creep_forces`](Self::creep_forces) with an observer that receives every iteration of each solve and may
-    /// cancel.
+    /// Returns [`creep_forces`](Self::creep_forces) with an observer, which receives every iteration of each solve and
+    /// may cancel.
     ///
     /// # Errors
     /// The errors of [`creep_forces`](Self::creep_forces).

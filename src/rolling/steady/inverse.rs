@@ -10,9 +10,9 @@ use crate::rolling::WindowShift;
 /// Preconditioner of steady rolling: the sum from the leading edge, followed by the circulant inverse of C.
 ///
 /// The sum assumes that the displacement vanishes ahead of the window. On a grid that is periodic along y, and in rows
-/// of long cells, this displacement is large, but the slip does not depend on it. The inverse of C therefore acts on
-/// displacements up to a constant. An inverse that includes the mean of C spread a prescribed force over the cells with
-/// a sum near zero, and the linear problem did not converge.
+/// of long cells, this displacement is large. The slip does not depend on this displacement, so the inverse of C acts
+/// on displacements up to a constant. In a test with an inverse that includes the mean of C, the linear problem did not
+/// converge. This inverse spread a prescribed force over the cells with a sum near zero.
 #[derive(Debug, Clone)]
 pub(in crate::rolling) struct SteadyPreconditioner {
     inverse: ElasticPreconditioner<2>,

@@ -19,7 +19,7 @@ pub(in crate::rolling) struct SteadyLift {
 }
 
 impl SteadyLift {
-    /// Creates the operators of coupled bodies; `None` for bodies without coupling.
+    /// Creates the operators of coupled bodies. Returns `None` for bodies without coupling.
     pub(super) fn new(bodies: &HalfSpace, pressed: &PressureOnWindow) -> Result<Option<Self>> {
         if !bodies.pair().is_coupled() {
             return Ok(None);

@@ -44,7 +44,7 @@ try_clone!(RollingProblem { pressed, friction, own, drawn } {
 
 shown!(RollingProblem: bodies, step, controls, spin, settings);
 
-/// Options of a [`RollingProblem`]; each has a default.
+/// Options of a [`RollingProblem`], all with defaults.
 #[derive(Debug, Clone)]
 #[must_use = "a builder does nothing until build() is called"]
 pub struct RollingProblemBuilder<'a> {
@@ -134,8 +134,8 @@ impl RollingProblem {
         Ok(())
     }
 
-    /// Returns the displacements of a grid cell over a step by unit creepages along x and y and by a unit spin, at the
-    /// middle of the path.
+    /// Returns the displacements of a grid cell over a step, at the middle of its path. They are caused by unit creepages
+    /// along x and y and by a unit spin.
     pub(in crate::rolling) fn motions(&self, index: usize) -> [[f64; 2]; 3] {
         let ([x, y], [ahead_x, ahead_y]) = (centre(self.bodies.grid(), index), self.halfway());
         let middle = [x + ahead_x, y + ahead_y];
@@ -196,8 +196,8 @@ impl RollingProblemBuilder<'_> {
     /// If the slip turns within the contact, as under spin or oblique creepage, the forces converge with first order in
     /// the step. With two corrections the order is 1.5 to 2, as measured on the page of the
     /// [module](crate::rolling#slip-that-turns). The corrections cost two more solves, each of which starts from the
-    /// last tractions. The slip of the solution remains the mean over the step, to which corrected tractions are not
-    /// exactly opposite.
+    /// last tractions. The slip of the solution remains the mean over the step. Corrected tractions are not exactly
+    /// opposite to this mean.
     pub fn slip_corrections(mut self, corrections: usize) -> Self {
         self.slip_corrections = corrections;
         self
@@ -221,8 +221,7 @@ impl RollingProblemBuilder<'_> {
     /// - [`Error::UnsupportedByModel`] for rolling along an axis on which the grid is periodic, or for spin on such a grid.
     /// - [`Error::UnsupportedForCoatings`] for user-defined operators.
     /// - [`Error::GridTooShort`] if the grid ends less than a step ahead of the contact.
-    /// - [`Error::BeyondFrictionCapacity`] if the forces exceed the friction capacity or reach it, so that the contact
-    ///   slides.
+    /// - [`Error::BeyondFrictionCapacity`] if the forces reach or exceed the friction capacity, so that the contact slides.
     /// - [`Error::BeyondFrictionMoment`] if the moment is outside the range that friction can carry under the prescribed
     ///   forces.
     /// - [`Error::Tolerance`], [`Error::IterationLimit`] or [`Error::Method`] for invalid settings.
@@ -309,7 +308,8 @@ pub(in crate::rolling) fn check_motion(
     Ok(())
 }
 
-/// Returns the contribution of the pressure to the slip of each cell; zero for bodies of the same material.
+/// Returns the contribution of the pressure to the slip of each cell. The contribution is zero for bodies of the same
+/// material.
 fn coupling_slip(
     bodies: &HalfSpace,
     pressed: &PressureOnWindow,

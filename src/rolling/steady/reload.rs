@@ -31,9 +31,8 @@ pub(in crate::rolling) struct Press {
 }
 
 impl RollingSolver {
-    /// Sets the pressure of the next solve: the solution of a normal contact on the same bodies, or a field. The entry rule
-    /// requires the gap ahead of the contact. A field does not include a gap and therefore requires
-    /// [`EntryRule::WholeStep`].
+    /// Sets the pressure of the next solve, from a normal contact on the same bodies or from a field. The entry rule requires the
+    /// gap ahead of the contact. A field does not include a gap and therefore requires [`EntryRule::WholeStep`].
     ///
     /// The next solve starts from the last tractions, scaled with the friction limit of each cell. Until that solve,
     /// [`stiffness`](Self::stiffness) refers to the last solution. If the contact is within the largest window so far, no
@@ -50,7 +49,8 @@ impl RollingSolver {
     /// - [`Error::NotFinite`] if the friction limits overflow.
     /// - [`Error::BeyondFrictionCapacity`] or [`Error::BeyondFrictionMoment`] if the prescribed forces or moment exceed
     ///   the new capacity of friction. Set smaller loads first.
-    /// - [`Error::Memory`] if a wider window does not fit into memory; other errors of [`HalfSpace::operator`].
+    /// - [`Error::Memory`] if a wider window does not fit into memory.
+    /// - Other errors of [`HalfSpace::operator`].
     ///
     /// The solver is unchanged after an error.
     ///
@@ -128,7 +128,7 @@ impl RollingSolver {
         outcome
     }
 
-    /// Returns the normal contact computed by [`set_load`](Self::set_load); `None` before the first load.
+    /// Returns the normal contact computed by [`set_load`](Self::set_load), or `None` before the first load.
     #[must_use]
     pub fn normal(&self) -> Option<&NormalSolution> {
         let press = self.press.as_deref()?;

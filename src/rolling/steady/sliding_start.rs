@@ -3,15 +3,15 @@
 use crate::rolling::RollingSolver;
 use crate::rolling::steady::capacity::{Prescribed, SlidingMotion};
 
-/// Slip of every cell, relative to the largest slip that tractions cause, above which the contact slides as a whole.
+/// Slip above which the whole contact slides, relative to the largest slip that tractions cause.
 const SLIDES: f64 = 3.0;
 
 impl RollingSolver {
-    /// Starts from the tractions of a contact that slides as a whole, if spin and forces require such large
-    /// creepages.
+    /// Starts from the tractions of gross sliding if spin and forces require creepages that make the whole contact
+    /// slide.
     ///
     /// Near the friction limit the force hardly changes with the creepage. If Newton's method then starts from other
-    /// tractions, its creepages grow without limit.
+    /// tractions, the creepages of its iterates grow without limit.
     pub(in crate::rolling) fn start_sliding(&mut self) {
         let problem = &self.problem;
         let prescribed = Prescribed::of(problem.controls, problem.bodies.grid().cell_area());

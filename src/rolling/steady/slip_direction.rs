@@ -1,16 +1,16 @@
 //! Corrections of the direction of slip, for slip that turns within the contact.
 //!
-//! The slip s of a step is a mean over the step, and the traction at the end of the step opposes it. If the slip turns, the
-//! direction of the traction lags by half a step. Forces then converge with first order in the step. The slip at the end of
-//! the step is
+//! The slip s of a step is the mean slip over the step. The traction at the end of the step opposes this mean. If the slip
+//! turns, the direction of the traction lags by half a step. Forces then converge with first order in the step. The slip at
+//! the end of the step is
 //!
 //! ```math
 //! s_\text{end} = s + \tfrac12 (s - s') + O(d^2) ,
 //! ```
 //!
-//! with the slip s' of the previous step at the previous position of the particle. A correction solves the problem again,
-//! with $`\tfrac12 (s - s')`$ of the last solution added to the slip of cells that slip in both steps. The added term is
-//! constant during a solve, so each solve is monotone and has its certificate.
+//! with the slip s' of the previous step at the previous position of the particle. A correction adds $`\tfrac12 (s - s')`$
+//! of the last solution to the slip of cells that slip in both steps, and solves the problem again. The added term is
+//! constant during a solve. Each solve is therefore monotone and has its certificate.
 
 use crate::cgm::Settings;
 use crate::contact::{SolveContext, has_iterate, with_counts_of};
@@ -72,7 +72,7 @@ impl RollingSolver {
             self.limits[cell] > 0.0 && is_at_limit(x.hypot(y), self.limits[cell])
         };
         for place in 0..cells {
-            // The loop starts at the trailing edge, so that the upstream cell still has its last correction.
+            // The loop starts at the trailing edge, so that the upstream cell still contains its previous correction.
             let cell = if step.edge.is_positive() {
                 place
             } else {

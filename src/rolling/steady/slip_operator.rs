@@ -39,7 +39,8 @@ impl SteadyOperator {
         }
     }
 
-    /// Sets the bound on the eigenvalues for chains of at most `chain` cells that are one step apart.
+    /// Sets the bound on the eigenvalues for chains of at most `chain` cells. Consecutive cells of a chain are one step
+    /// apart.
     pub(in crate::rolling) fn set_chain(&mut self, chain: usize) {
         self.lower_bound = least(chain) * self.bound;
     }

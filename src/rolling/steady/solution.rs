@@ -26,8 +26,8 @@ pub struct RollingSolution {
     zones: Vec<Zone>,
     creepage: [f64; 2],
     spin: f64,
-    /// Lift by the tractions that the pressure ignores, in millionths of the normal displacement; `None` if the lift
-    /// needs no warning.
+    /// Lift by the tractions that the pressure ignores, in millionths of the normal displacement. `None` if the lift needs no
+    /// warning.
     neglected_lift: Option<usize>,
     boundary: Boundary,
     /// Vector from the position of a particle after a step to the middle of its path.
@@ -148,16 +148,16 @@ impl RollingSolution {
         self.traction[0].grid()
     }
 
-    /// Returns the traction q on body 1 along x and y (pressures); zero outside the contact.
+    /// Returns the traction q on body 1 along x and y (pressures), which is zero outside the contact.
     #[must_use]
     pub fn traction(&self) -> [&Field; 2] {
         self.traction.each_ref()
     }
 
-    /// Returns the slip of the surface of body 1 over the surface of body 2 per length rolled (dimensionless), over the
-    /// step that brought the particles to their current positions. In slip cells the slip is opposite to the traction,
-    /// up to the tolerance. It is zero in all other cells, and in cells at their limit whose residual motion is along
-    /// the traction.
+    /// Returns the slip of the surface of body 1 over the surface of body 2 per length rolled (dimensionless). It belongs to
+    /// the step that brought the particles to their current positions. In slip cells the slip is opposite to the traction, up
+    /// to the tolerance. The slip is zero in all other cells, and in cells at their limit whose residual motion is along the
+    /// traction.
     #[must_use]
     pub fn slip(&self) -> [&Field; 2] {
         self.slip.each_ref()
@@ -187,8 +187,8 @@ impl RollingSolution {
         self.traction.each_ref().map(Field::integral)
     }
 
-    /// Returns the moment about z, at the origin of the grid, of the tractions on body 1 at their cell centres (a force times
-    /// a length, positive from x to y).
+    /// Returns the moment of the tractions on body 1 about the origin of the grid (a force times a length, positive from x to
+    /// y). Each traction acts at the centre of its cell.
     #[must_use]
     pub fn moment(&self) -> f64 {
         let grid = self.grid();
@@ -211,9 +211,9 @@ impl RollingSolution {
     /// particle by the displacement at the middle of its path. The contribution of h decreases with the step.
     ///
     /// Between bodies of the same material all of the work is dissipated, including the work at the trailing edge. The work is
-    /// more accurate than the integral of the [dissipation](Self::dissipation), which never exceeds the work. Between bodies of
-    /// different materials the pressure also does work, which is not included. Such bodies dissipate energy even without a
-    /// creepage force.
+    /// more accurate than the integral of the [dissipation](Self::dissipation). This integral never exceeds the work. Between
+    /// bodies of different materials the pressure also does work, which is not included. Such bodies dissipate energy even
+    /// without a creepage force.
     #[must_use]
     pub fn work(&self) -> f64 {
         let ([x, y], [xi, eta]) = (self.force(), self.creepage);
@@ -223,9 +223,8 @@ impl RollingSolution {
     }
 
     /// Returns the energy that slip dissipates in each cell per length rolled, $`-q \cdot s`$ (a pressure). Wear laws
-    /// use this energy. It is evaluated with the tractions at the end of a step. Between bodies of the same material
-    /// the integral of this energy is therefore less than the [work](Self::work); the difference decreases with the
-    /// cell size.
+    /// use this energy. It is evaluated with the tractions at the end of a step. Between bodies of the same material the
+    /// integral of this energy is therefore less than the [work](Self::work). The difference decreases with the cell size.
     ///
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
@@ -240,7 +239,7 @@ impl RollingSolution {
         Ok(dissipation)
     }
 
-    /// Returns the ratio of sticking cells to cells in contact; zero without contact.
+    /// Returns the ratio of sticking cells to cells in contact, or zero without contact.
     #[must_use]
     pub fn stick_ratio(&self) -> f64 {
         let count = |zone: Zone| self.zones.iter().filter(|z| **z == zone).count();
@@ -248,7 +247,7 @@ impl RollingSolution {
         stick as f64 / (stick + slip).max(1) as f64
     }
 
-    /// Returns the warnings about the solution; see [`Warning`]. They include [`Warning::NeglectedLift`] if tractions of
+    /// Returns the warnings about the solution (see [`Warning`]). They include [`Warning::NeglectedLift`] if tractions of
     /// dissimilar bodies change the pressure by more than the tolerance.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {

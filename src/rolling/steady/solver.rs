@@ -64,10 +64,10 @@ pub struct RollingSolver {
     pub(in crate::rolling) problem: RollingProblem,
     /// Pressure and limits that are checked before the problem accepts them.
     pub(in crate::rolling) candidate: PressureOnWindow,
-    /// Coupling operators for the tangential displacement by the pressure of bodies of different materials; `None` before the
+    /// Coupling operators for the tangential displacement by the pressure of bodies of different materials. `None` before the
     /// first change of the pressure.
     pub(in crate::rolling) drawing: Option<CouplingDisplacement>,
-    /// Normal solver for new loads; `None` until the caller has set it.
+    /// Normal solver for new loads, or `None` until the caller has set a solver.
     pub(in crate::rolling) press: Option<Box<Press>>,
     pub(in crate::rolling) operator: Arc<SteadyOperator>,
     pub(in crate::rolling) inverse: Arc<SteadyPreconditioner>,
@@ -86,7 +86,7 @@ pub struct RollingSolver {
     pub(in crate::rolling) report: Report,
     /// Report of the last solve at one spin.
     pub(in crate::rolling) passes: Report,
-    /// Part of `linear` that corrects the direction of slip; empty without corrections.
+    /// Contribution to `linear` that corrects the direction of slip. Empty without corrections.
     pub(in crate::rolling) lag: [Vec<f64>; 2],
     /// Whether there is a last solution.
     pub(in crate::rolling) is_warm: bool,
@@ -157,7 +157,7 @@ impl RollingSolver {
         let ratio = self.unit / unit;
         let scaled = self.traction.iter_mut().chain(&mut self.trend.change);
         for traction in scaled.flatten() {
-            // If the ratio of the units overflows, the old tractions are useless and set to zero.
+            // If the ratio of the units overflows, the old tractions are useless and become zero.
             *traction = if ratio.is_finite() {
                 ratio * *traction
             } else {
@@ -269,23 +269,22 @@ impl RollingSolver {
     }
 
     /// Solves into `solution` and overwrites its previous content. For a prescribed moment, several solves determine
-    /// the spin. The tolerance of each of these solves is at most a tenth of the tolerance of the settings. The report
-    /// contains the sum of their work, and the limits apply to all of them together. The load error of a moment is
-    /// relative to half the range of the moments that spins cause.
+    /// the spin. The tolerance of each of these solves is at most a tenth of the tolerance of the settings. The report contains
+    /// the sum of the work of these solves, and the limits apply to all of them together. The load error of a moment is relative
+    /// to half the range of the moments that spins cause.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the solution has a different grid. Nothing is then changed.
-    /// - [`Error::NotConverged`] with the last feasible iterate in `solution`, including when no spin is found for a moment near
-    ///   the limit.
+    /// - [`Error::NotConverged`] with the last feasible iterate in `solution`, for instance if no spin is found for a moment
+    ///   near the limit.
     /// - [`Error::Memory`] if memory runs out. If this happens during the search for the spin of a moment, `solution`
     ///   contains the result at a different spin.
     pub fn solve_into(&mut self, solution: &mut RollingSolution) -> Result<()> {
         self.solve_observed(solution, |_| ControlFlow::Continue(()))
     }
 
-    /// Solves as [`Self::solve_into`] does, with an observer that receives every iteration and may cancel. Once the
-    /// observer has cancelled, the solve returns [`Error::NotConverged`] with [`Status::Cancelled`], even if the
-    /// iterate is within the tolerance.
+    /// Solves as [`Self::solve_into`] does, with an observer that receives every iteration and may cancel. After a cancellation
+    /// the solve returns [`Error::NotConverged`] with [`Status::Cancelled`], even if the iterate is within the tolerance.
     ///
     /// # Errors
     /// The errors of [`Self::solve_into`].
@@ -389,8 +388,8 @@ impl RollingSolver {
         CellCompliance::new(&self.own_mean, &self.own_deviator)
     }
 
-    /// Returns the slip that is opposite to the traction of a cell in the last solution. It is the slip over the step,
-    /// or the slip at the end of the step if directions are corrected.
+    /// Returns the slip that is opposite to the traction of a cell in the last solution. This slip is the mean slip over the
+    /// step. If directions are corrected, it is the slip at the end of the step.
     pub(in crate::rolling) fn slip(&self, cell: usize) -> [f64; 2] {
         let product = self.workspace.product();
         let moved = plus(at(&product, cell), 1.0, at(&slices(&self.linear), cell));

@@ -10,10 +10,9 @@ struct SearchPoint {
 /// Search by inverse quadratic interpolation between bounds, or by bisection if interpolation is not safe (T. R. Chandrupatla,
 /// Advances in Engineering Software 28 (1997) 145, <https://doi.org/10.1016/S0965-9978(96)00051-8>).
 ///
-/// The moment does not always increase with the spin. Its limits for spins of plus and minus infinity are known. The
-/// search starts with one of these limits as a bound, and the moment always crosses its target between the bounds. The
-/// positions are $`v = \varphi/(s + |\varphi|)`$, from minus one to one, where s is a spin at which most of the contact
-/// slides.
+/// The moment does not always increase with the spin. The limits of the moment for spins of plus and minus infinity are known.
+/// The search starts with one of these limits as a bound, and the moment always crosses its target between the bounds. The
+/// positions are $`v = \varphi/(s + |\varphi|)`$, from minus one to one. Here s is a spin at which most of the contact slides.
 #[derive(Debug)]
 pub(in crate::rolling) struct SpinSearch {
     scale: f64,
@@ -41,8 +40,8 @@ impl SpinSearch {
         }
     }
 
-    /// Returns the next spin after a spin with the deficit `missing`; `None` if the spins between the bounds differ only by
-    /// round-off.
+    /// Returns the next spin after a spin with the deficit `missing`. Returns `None` if the spins between the bounds differ
+    /// only by round-off.
     pub(in crate::rolling) fn next(&mut self, spin: f64, missing: f64) -> Option<f64> {
         let point = SearchPoint {
             at: spin / (self.scale + spin.abs()),

@@ -38,13 +38,13 @@ impl RollingSolver {
     /// \frac{\partial (F_x, F_y, M)}{\partial (\xi, \eta, \varphi)} ,
     /// ```
     ///
-    /// with one row per load. The entries for spin have an additional factor of length, and so do the entries in the row of
-    /// the moment. Sticking cells follow the motion. The tractions of slipping cells rotate with their slip and remain at
-    /// their limits, whether the motion or the load is prescribed. Before the first solve all cells stick, and the
-    /// entries are Kalker's coefficients times $`G a b`$ and lengths. The matrix is not symmetric. If the whole contact
-    /// slides in one direction, a part of the matrix is zero. On 64 cells across a sphere the three columns take 90 to
-    /// 140 products in double precision. A solve after an increase of the creepage by one per cent takes a third to
-    /// half as many products.
+    /// with one row per load. The entries in the column of the spin and in the row of the moment have an additional factor
+    /// of length. Sticking cells follow the motion. The tractions of slipping cells rotate with their slip and remain at
+    /// their limits, whether the motion or the load is prescribed. Before the first solve all cells stick, and the entries
+    /// are Kalker's coefficients times $`G a b`$ and lengths. The matrix is not symmetric. If the whole contact slides in
+    /// one direction, some entries of the matrix are zero. On 64 cells across a sphere the three columns take 90 to 140
+    /// products in double precision. A solve after an increase of the creepage by one per cent takes a third to half as
+    /// many products.
     ///
     /// ```
     /// # use stickslip::{rolling::RollingProblem, *};
@@ -70,8 +70,8 @@ impl RollingSolver {
         self.stiffness_observed(unwatched)
     }
 
-    /// Returns [`stiffness`](Self::stiffness) with an observer that is called before every product with the operator and
-    /// may cancel. The observer receives the residual of the current linear problem.
+    /// Returns [`stiffness`](Self::stiffness) with an observer. The observer is called before every product with the
+    /// operator and may cancel. The observer receives the residual of the current linear problem.
     ///
     /// # Errors
     /// The errors of [`stiffness`](Self::stiffness).

@@ -18,7 +18,7 @@ pub(in crate::rolling) struct CreepTrend {
     pub(in crate::rolling) change: [Vec<f64>; 2],
     /// Creepages, and spin times a length, of the last solve.
     motion: [f64; 3],
-    /// Change of this motion in the last solve; zero if the trend is unknown.
+    /// Change of this motion in the last solve. Zero if the trend is unknown.
     by: [f64; 3],
 }
 
