@@ -1,5 +1,5 @@
-//! List of the moving cells; for intervals it is the complement of the active set. With this list, the cost of vector operations
-//! scales with the number of moving cells and not with the size of the grid.
+//! List of the moving cells. For intervals the list is the complement of the active set. The list makes the cost of vector
+//! operations proportional to the number of moving cells, not to the size of the grid.
 
 use std::ops::Range;
 
@@ -42,7 +42,7 @@ impl ChunkCells<'_> {
         self.offsets.iter().map(|&offset| usize::from(offset))
     }
 
-    /// Visits the cells whose motion is stored, either all cells or the moving cells. `f` receives the position of the motion in
+    /// Visits the cells whose motion is stored: all cells or only the moving cells. `f` receives the position of the motion in
     /// its chunk and the position of the cell in its chunk.
     pub(in crate::cgm) fn visit<M: Row<N>, const N: usize>(&self, mut f: impl FnMut(usize, usize)) {
         if M::IS_STEADY {
@@ -69,7 +69,8 @@ impl ChunkCells<'_> {
         }
     }
 
-    /// Sums `f(position in the compressed part, position in the chunk)` in lanes, so that additions overlap.
+    /// Sums `f(position in the compressed part, position in the chunk)` in several lanes, so that the processor overlaps
+    /// additions.
     #[inline]
     pub(in crate::cgm) fn sums<T: Reduction>(&self, mut f: impl FnMut(usize, usize) -> T) -> T {
         let mut lanes = [T::ZERO; 4];
@@ -210,7 +211,7 @@ impl FreeCells {
         }
     }
 
-    /// Calls `work` with the entries of every chunk and its part of the data, and sums the results.
+    /// Calls `work` with the entries of every chunk and with the values of this chunk, and sums the results.
     pub(in crate::cgm) fn sweep<D: Split, T: Reduction>(
         &self,
         data: D,

@@ -16,7 +16,7 @@ pub struct Workspace<S: ConstraintSet<N>, const N: usize = 1> {
     pub(super) linear: LinearWorkspace<S::CellMotion, N>,
     pub(super) product: [Vec<f64>; N],
     pub(super) gradient: [Vec<f64>; N],
-    /// Centre of the restraint in a proximal-point stage; empty until sets cycle.
+    /// Centre of the restraint in a proximal-point stage. The vectors are empty until sets cycle.
     pub(super) centre: [Vec<f64>; N],
     pub(super) conjugate: Conjugate<N>,
     pub(super) multiplier: [f64; N],
