@@ -91,8 +91,8 @@ impl Rectangle {
     /// Returns the coefficients of the relative displacement `u_1 - u_2` of two bodies.
     ///
     /// The tractions act on body 1 and the opposite tractions on body 2. The coefficients `xx`, `yy`, `zz`, `xy` and `yx` of both
-    /// bodies are added, and the normal-shear terms `xz`, `yz`, `zx` and `zy` are subtracted. For a pair that [represents a
-    /// kernel](ElasticPair::stands_for_kernel) the result is for its half-spaces, not for the kernel.
+    /// bodies are added. The coefficients `xz`, `yz`, `zx` and `zy` between normal and tangential components are subtracted. For
+    /// a pair that [represents a kernel](ElasticPair::stands_for_kernel) the result is for its half-spaces, not for the kernel.
     #[must_use]
     pub fn pair_tensor(&self, pair: &ElasticPair, x: f64, y: f64) -> Tensor {
         self.assemble(pair.compliances(), LayerCorrection::of(pair).as_ref(), x, y)
