@@ -467,7 +467,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         let mut unchanged = outside == 0.0 && !self.has_springs();
         if outside > 0.0 {
             update_cells(&mut self.x, |i, x| constraint.of(i).project(x));
-            // No cell displaces any other cell more than itself.
+            // A traction on a cell displaces no other cell more than the loaded cell.
             self.move_by(self.self_compliance * outside / self.displacement);
         }
         let prescribed = self.sums();

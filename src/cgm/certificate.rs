@@ -131,8 +131,8 @@ impl IterateMeasures {
         }
     }
 
-    /// Returns whether the squares of unknowns and displacements, and of small fractions of them, are in the range of `f64`. A
-    /// NaN counts as in range because it propagates to the result.
+    /// Returns whether the squares of unknowns and displacements are in the range of `f64`. The test includes the squares of
+    /// small fractions of these values. A NaN counts as in range because it propagates to the result.
     pub(crate) fn has_squares(&self) -> bool {
         let [unknown, displacement, gradient] = self.sizes;
         // A gradient that is small compared with the displacements is a small residual.
@@ -228,8 +228,8 @@ pub(crate) fn measure<const N: usize>(
 }
 
 /// Returns the change of the bound `B^2` caused by a spring, for gradients whose sum is `pushed`. The mean of these gradients is
-/// divided by the compliance `n c` of uniform unknowns instead of the smallest eigenvalue if this reduces the bound. The same
-/// holds if the operator maps constants to zero.
+/// divided by the compliance `n c` of uniform unknowns instead of the smallest eigenvalue if this reduces the bound. The mean is
+/// also divided by `n c` if the operator maps constants to zero.
 fn by_spring(
     pushed: f64,
     cells: f64,

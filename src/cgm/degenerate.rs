@@ -29,8 +29,8 @@ const LEAST_TURN: f64 = 1e-13;
 
 impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     /// Returns the unit direction along which slipping cells cannot change the sums if no cell is free. Returns `None` if there
-    /// is no such direction. All tractions are parallel to this direction, or so nearly parallel that a rotation by one radian
-    /// would change the sum by less than its deficit.
+    /// is no such direction. All tractions are parallel to this direction, or nearly so. In the second case a rotation by one
+    /// radian would change the sum by less than its deficit.
     pub(super) fn uncontrollable_direction(&self, system: &TotalsSystem<N>) -> Option<[f64; N]> {
         let (has_sum, mobility) = (system.has_sum(), system.mobility);
         if has_sum == [false; N] {

@@ -47,14 +47,14 @@
 //! The first bound is the Frank-Wolfe gap (<https://doi.org/10.1002/nav.3800030109>) and is of first order in the residual. The
 //! second bound is of second order. Only the first bound is available for an operator that does not provide `lambda`. This bound
 //! is infinite while a cell without an upper bound has a gradient that would increase its unknown. An iteration with such an
-//! operator stops on the residual alone.
+//! operator uses only the residual as its stopping criterion.
 //!
 //! A spring of compliance `c` adds the term `c (sum x)^2 / 2` to the objective. It adds the term `c (sum (x - x*))^2 >= 0` to
-//! `E^2`. Its multiplier follows the sum, `delta = X - c sum x`. Thus `g` is the gradient of the whole objective, and the bound
-//! also holds for the energy norm of `C` alone. In `B`, the mean of `r` over the `n` cells is then divided by `n c` instead of
-//! `lambda` if `n c` is larger. It is also divided by `n c` if the operator maps constants to zero, because only the spring then
-//! resists the mean. Residuals are relative to the largest displacement or, if larger, to the product of the least spring
-//! compliance and `sum |x|`.
+//! `E^2`. Its multiplier follows the sum, `delta = X - c sum x`. Thus `g` is the gradient of the whole objective. The bound also
+//! holds for the energy norm of `C` without the spring. In `B`, the mean of `r` over the `n` cells is then divided by `n c`
+//! instead of `lambda` if `n c` is larger. It is also divided by `n c` if the operator maps constants to zero, because only the
+//! spring then resists the mean. Residuals are relative to the largest displacement or, if larger, to the product of the least
+//! spring compliance and `sum |x|`.
 //!
 //! A deviation of a total due to round-off is reported separately: here `x*` is the minimiser for the total of `x`. If the
 //! operator maps constants to zero, `lambda` bounds the other eigenvalues. In this case `x*` is the minimiser for the total of

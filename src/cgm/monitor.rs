@@ -9,7 +9,7 @@ use crate::parallel::layout::Layout;
 use crate::report::{Iteration, Report, Status};
 use crate::support::clock::Instant;
 
-/// Residual at which sets change by round-off alone.
+/// Residual at which only round-off changes the sets.
 const ROUND_OFF: f64 = 1e-12;
 
 /// Settings, observer and clock of one solve.
@@ -56,13 +56,13 @@ impl<'a> Monitor<'a> {
         }
     }
 
-    /// Starts a proximal-point stage with this tolerance, or starts the problem itself.
+    /// Starts a proximal-point stage with this tolerance, or the original problem for `None`.
     pub(super) fn begin(&mut self, stage: Option<f64>) {
         self.stage = stage;
         self.best = f64::INFINITY;
     }
 
-    /// Returns whether the problem itself is being solved, not a stage.
+    /// Returns whether the original problem is being solved, not a stage.
     pub(super) fn is_last(&self) -> bool {
         self.stage.is_none()
     }

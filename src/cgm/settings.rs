@@ -43,9 +43,9 @@ pub struct Settings {
     pub method: Method,
     /// Accepted error (default 1e-8). It bounds the certified error in the energy norm, relative to the norm of the solution. It
     /// also bounds the largest complementarity residual, relative to the largest displacement. For an operator without a
-    /// [`lower_bound`](crate::Operator::lower_bound) it bounds the residual alone. The relative sum of all traction errors
-    /// exceeds this error by a factor of at most three on square cells. On cells with an aspect ratio of 1 : 315 the factor is at
-    /// most eight. The error of single cells at the edge of a smooth contact may be ten to a hundred times larger.
+    /// [`lower_bound`](crate::Operator::lower_bound) it bounds only the residual. The relative sum of all traction errors exceeds
+    /// this error by a factor of at most three on square cells. On cells with an aspect ratio of 1 : 315 the factor is at most
+    /// eight. The error of single cells at the edge of a smooth contact may be ten to a hundred times larger.
     pub tolerance: f64,
     /// Maximum number of conjugate-gradient steps (default 10 000).
     pub max_iterations: usize,
@@ -93,8 +93,8 @@ impl Settings {
         self
     }
 
-    /// Returns the settings that all ranks must have in common. The time limit is not one of them, because the clock of the first
-    /// rank decides for all ranks.
+    /// Returns the settings that all ranks must have in common. The time limit is excluded, because the clock of the first rank
+    /// decides for all ranks.
     pub(crate) fn common(&self) -> Self {
         Self {
             time_limit: None,
@@ -122,7 +122,7 @@ impl Settings {
 /// `settings`.
 macro_rules! settings_methods {
     () => {
-        /// Sets all solver settings, for example those of another solver or of a file.
+        /// Sets all solver settings, for example the settings of a different solver or of a file.
         pub fn settings(mut self, settings: crate::cgm::Settings) -> Self {
             self.settings = settings;
             self

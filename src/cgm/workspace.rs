@@ -9,7 +9,7 @@ use crate::report::Report;
 
 /// Buffers of an iteration except `x`. They are created once and reused by every solve of the same size.
 ///
-/// `S` is the kind of set of each cell: an [`Interval`](crate::cgm::Interval) or a [`Disc`](crate::cgm::Disc).
+/// `S` is the type of the set of each cell: an [`Interval`](crate::cgm::Interval) or a [`Disc`](crate::cgm::Disc).
 /// [`Problem::workspace`](crate::cgm::Problem::workspace) creates a workspace.
 #[derive(Debug, Clone)]
 pub struct Workspace<S: ConstraintSet<N>, const N: usize = 1> {

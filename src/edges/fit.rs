@@ -47,7 +47,7 @@ pub(super) struct FitValues {
     pub(super) weights: Square<f64>,
 }
 
-/// Quantities of a round at each position of the stencil. These are the weights, the weights of trusted values only, the signed
+/// Quantities of a round at each position of the stencil. These are the weights, the weights of trusted values, the signed
 /// distances from the edge (positive inside), and the squared distances of the cells outside.
 struct Sample {
     weights: Square<f64>,
@@ -119,7 +119,7 @@ impl Fit {
         modulus: f64,
         has_edge: bool,
     ) -> Option<Sample> {
-        // If all values underflow or vanish, there is no scale for the distances.
+        // If all values underflow or vanish, the scale of the distances is undefined.
         if !(self.square > 0.0 && self.square.is_finite()) {
             return None;
         }

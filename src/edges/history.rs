@@ -30,8 +30,8 @@ impl History {
     /// previous friction.
     ///
     /// The table is for a sphere with mu = 0.5 and forces along one axis. The grid has centre values and 128 x 128 cells on three
-    /// contact radii. The table lists the error of the stick area (mean and worst of 8 positions) and of the traction (L1, mean),
-    /// for the raw cells and for the fit:
+    /// contact radii. The table compares the errors of the raw cells and of the fit. The errors of the stick area are the mean
+    /// and the maximum over 8 positions. The errors of the traction (L1 norm) are the mean:
     ///
     /// | force over mu W | area, counted | area, fit | traction, raw cells | traction, fit |
     /// |---|---|---|---|---|

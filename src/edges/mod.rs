@@ -36,20 +36,20 @@
 //! side at the edge. The fraction was measured on circles and rotated ellipses. It is 0.088 with [`CellValue::Uniform`], 0.129
 //! with [`CellValue::Centre`], and 0.102 on grids with [`Boundary::Periodic`]. A sharp punch therefore keeps its raw cells.
 //! Nearly all cells of a rough contact also keep their raw values if its shortest waves are less than sixteen cells long. If
-//! hundreds of cells of such a contact touch, the error of the corrected area is at most 2.5 % (1 % in the mean over seeds). The
+//! hundreds of cells of such a contact touch, the error of the corrected area is at most 2.5 %. Its mean over seeds is 1 %. The
 //! counted area is 4 to 16 % too large. If fifty cells touch, the error of the corrected area can reach 7 %.
 //!
-//! In 600 tests with ellipses of any shape, angle and position, the pressure error of the fit exceeded the error of the raw cells
-//! for two ellipses. Both were three cells across, with 20 and 29 cells in total. The median ratio of the error of the fit to the
-//! error of the raw cells was 0.36.
+//! Tests were run with 600 ellipses of any shape, angle and position. The pressure error of the fit exceeded the error of the raw
+//! cells for two ellipses. Both were three cells across, with 20 and 29 cells in total. The median ratio of the error of the fit
+//! to the error of the raw cells was 0.36.
 //!
 //! For dissimilar bodies the edge of the contact has the same accuracy, 1e-3 of the area. The error of the edge of the stick zone
-//! is 0.6 % for Dundurs' beta up to 0.29 and 2 % for beta up to 0.5. For larger values it is up to 14 %. For beta of 0.5 or more,
-//! between a third and nearly all of the fits of the stick zone are rejected.
+//! increases with Dundurs' beta. It is 0.6 % for beta up to 0.29, 2 % for beta up to 0.5, and up to 14 % for larger values. For
+//! beta of 0.5 or more, between a third and nearly all of the fits of the stick zone are rejected.
 //!
 //! A test with 200 random cases on 60 x 60 cells gave 360 solutions. The cases were ellipses, quartics, rough spheres and rough
-//! planes on free and periodic grids. In seven solutions, the error of the area or of the pressure (at the centres or in the
-//! mean) exceeded the error of the raw cells by more than a tenth. These seven solutions were:
+//! planes on free and periodic grids. In seven solutions, an error of the fit exceeded the error of the raw cells by more than a
+//! tenth. The compared quantities were the area and the pressure, at the centres and in the mean. These seven solutions were:
 //!
 //! - Two quartics 13 cells across, each with both cell values. Two thirds of their fits were rejected. The error of the pressure
 //!   at the centres was up to 17 % larger.
@@ -74,15 +74,15 @@
 //! | gap r^4, 0.4 | 1.0 | 3.7e-2, 3.2e-2 | 2.9e-2, 2.9e-2 | 1.2e-2, 1.0e-2 | 0.98 |
 //! | gap r^4, 0.8 | 2.9 | 1.5e-2, 1.2e-2 | 1.8e-3, 1.4e-3 | 1.2e-2, 8.4e-3 | 0.59 |
 //!
-//! For the gap r^4 at 0.4 on 64 x 64 cells, the error of the traction is 6e-3 with the fit and 1.3e-2 for the raw cells. For the
-//! same gap at 0.6 on 40 x 40 cells, the slip ring is about two cells wide. In this case the fit increases the error of the
-//! largest traction by a factor of 1.4 and the error of the stick area by a factor of 1.7.
+//! Results for the gap r^4 on two other grids were as follows. At 0.4 on 64 x 64 cells, the error of the traction is 6e-3 with
+//! the fit and 1.3e-2 for the raw cells. At 0.6 on 40 x 40 cells, the slip ring is about two cells wide. The fit then increases
+//! the error of the largest traction by a factor of 1.4. It increases the error of the stick area by a factor of 1.7.
 //!
 //! Away from the edge, the means over cells are $`p + \Delta_h p/24`$.
 //!
 //! The largest traction belongs to the cell nearest the edge of the stick zone. Near this edge $`\mu p`$ decreases by up to a
-//! fifteenth from one cell to the next. For a sphere at 40 % of the sliding force on 128 x 128 cells, the error of the largest
-//! traction is 3e-4 in the mean of eight positions and at most 9e-4.
+//! fifteenth from one cell to the next. Consider a sphere at 40 % of the sliding force on 128 x 128 cells, at eight positions.
+//! The error of the largest traction is 3e-4 in the mean and at most 9e-4.
 //!
 //! ```
 //! use stickslip::*;

@@ -26,8 +26,7 @@ pub(super) fn outline(
     for (cell, corners) in cells {
         if corners.is_some() {
             means.add_pieces(*cell, &contains, &mut pieces)?;
-            // The edge can also cut off a corner of a cell although the neighbours of the cell are all on the same side of the
-            // edge.
+            // The edge can also cut off a corner of a cell if all its neighbours are on the same side of the edge.
             let is_new =
                 |next: &usize| cells.binary_search_by_key(next, |(cell, _)| *cell).is_err();
             let around = neighbours(*cell, size, repeats).into_iter().flatten();

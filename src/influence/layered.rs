@@ -185,7 +185,7 @@ impl LayerCorrection {
         part(1.0) + part(-1.0)
     }
 
-    /// Computes the integrals at points that share their rules, at most `LANES` of them.
+    /// Computes the integrals at up to `LANES` points that share their rules.
     fn by_rules(
         &self,
         component: Component,

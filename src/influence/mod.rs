@@ -1,8 +1,8 @@
 //! Influence coefficients: displacements of a half-space under a uniformly loaded rectangle.
 //!
-//! A cell of sides `2a x 2b` centred on the origin carries a uniform traction. The coefficient `C_ij(x, y)` is the component `i`
-//! of the displacement at the point `(x, y)` of the surface under a unit component `j` of the traction (a length over a
-//! pressure). Traction and displacement refer to body 1, with z into the body. Pressure is positive if it pushes into the body.
+//! A cell of sides `2a x 2b` centred on the origin carries a uniform traction. The coefficient `C_ij(x, y)` is the displacement
+//! component `i` at the surface point `(x, y)` per unit traction component `j` (a length over a pressure). Traction and
+//! displacement refer to body 1, with z into the body. Pressure is positive if it pushes into the body.
 //!
 //! Let the corners be `(X, Y, s) = (x+a, y+b, +), (x-a, y+b, -), (x+a, y-b, -), (x-a, y-b, +)`, with `R = hypot(X, Y)`. The five
 //! integrals of the Boussinesq and Cerruti kernels over the cell are

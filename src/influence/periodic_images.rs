@@ -6,13 +6,13 @@ use crate::numerics::gauss::GAUSS_4;
 /// Row of cells that is periodic along y, in the unit of the [`Cell`].
 ///
 /// The integrals of the images with numbers up to [`WHOLE`] are summed with the weight one. The weights of the next
-/// images decrease to zero. A uniform strip replaces the images beyond. The weights correct for the difference up to
+/// images decrease to zero. A uniform strip replaces the farther images. The weights correct for the difference up to
 /// the fifteenth derivative at the end of the strip. They are the weights of the midpoint rule with Gregory's end
 /// corrections in central differences. The remaining error is 4e-15 of an image at the distance of one period.
 ///
 /// The strip has infinite displacement. The displacement of `1/R` is taken relative to the datum. The displacements of
-/// `X^2/R^3` are relative to an arbitrary point of the surface, because the strip moves all points of the surface by
-/// the same amount.
+/// `X^2/R^3` are relative to an arbitrary point of the surface. The choice has no effect, because the strip moves all
+/// these points by the same amount.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Images {
     /// Period of the row.

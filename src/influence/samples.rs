@@ -114,7 +114,7 @@ impl Samples {
         self.images.is_none() && self.added.is_none()
     }
 
-    /// Returns a coefficient of the pair on a grid whose cells are the sampled cells or a multiple of them.
+    /// Returns a coefficient of the pair on a grid whose cells have the size of the sampled cells or a multiple of this size.
     ///
     /// # Errors
     /// - The errors of [`Samples::new`].

@@ -243,7 +243,7 @@ impl<'a> Fragments<'a> {
             team.all_to_all(blocks, &is_expected);
             return Vec::new();
         };
-        // A rank that has all rows keeps the row instead of sending it to itself.
+        // A rank that has all rows keeps the row and sends no message.
         let own = std::mem::take(&mut blocks[me]);
         is_expected[sender] = sender != me;
         let mut received = team.all_to_all(blocks, &is_expected);

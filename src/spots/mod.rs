@@ -48,7 +48,7 @@ pub struct ContactSpots {
 
 shown!(ContactSpots: grid, largest());
 
-/// Deserialised data before validation.
+/// Deserialised spots before validation.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(remote = "ContactSpots")]

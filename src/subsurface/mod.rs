@@ -1,7 +1,7 @@
 //! Stress and displacement below the surface of each body, from the pressure and the tractions of a contact.
 //!
-//! Closed forms exist for the stresses and displacements that a uniform traction on a cell causes in the half-space (Love 1929;
-//! Ahmadi, Keer & Mura 1983). The effects of all cells are added:
+//! A uniform traction on a cell causes stresses and displacements in the half-space, which are known in closed form (Love 1929
+//! and Ahmadi, Keer & Mura 1983). The effects of all cells are added:
 //!
 //! ```math
 //! \sigma_{ij}(x, y, z) = \sum_{\text{cells}} \left[S^p_{ij}\,p + S^x_{ij}\,q_x + S^y_{ij}\,q_y\right] .
@@ -40,16 +40,17 @@
 //! # On the surface
 //!
 //! The values at depth zero are the limits from inside the body. On the surface, `szz`, `sxz` and `syz` follow from the
-//! tractions. On an edge between cells they follow from the mean of the tractions on both sides. `sxx`, `syy` and `sxy` jump or
-//! are logarithmically infinite on an edge between cells of different tractions. On such an edge, the value is the mean of the
-//! finite parts on both sides. The finite part contains the longer half side of a cell instead of the distance to the edge.
-//! Planes are computed at cell centres, where these singularities do not occur.
+//! tractions. On an edge between cells, the mean of the tractions on both sides applies. `sxx`, `syy` and `sxy` jump or are
+//! logarithmically infinite on an edge between cells of different tractions. On such an edge, the value is the mean of the finite
+//! parts on both sides. The finite part contains the longer half side of a cell instead of the distance to the edge. Planes are
+//! computed at cell centres, where these singularities do not occur.
 //!
 //! # Sources
 //!
-//! A. E. H. Love, Phil. Trans. R. Soc. A 228 (1929) 377, <https://doi.org/10.1098/rsta.1929.0009>; N. Ahmadi, L. M.
-//! Keer, T. Mura, Int. J. Solids Struct. 19 (1983) 357, <https://doi.org/10.1016/0020-7683(83)90032-X>; K. L.
-//! Johnson, Contact Mechanics (1985), sections 3.1 and 3.2.
+//! - A. E. H. Love, Phil. Trans. R. Soc. A 228 (1929) 377, <https://doi.org/10.1098/rsta.1929.0009>.
+//! - N. Ahmadi, L. M. Keer, T. Mura, Int. J. Solids Struct. 19 (1983) 357,
+//!   <https://doi.org/10.1016/0020-7683(83)90032-X>.
+//! - K. L. Johnson, Contact Mechanics (1985), sections 3.1 and 3.2.
 //!
 //! The example `fretting_rig` plots:
 #![cfg_attr(doc, doc = include_str!("../pictures/fretting_rig.html"))]

@@ -48,9 +48,9 @@ use crate::support::debug::shown;
 ///
 /// - Free surroundings: the result is exact, equal to the sum over cells.
 /// - [`Periodic`](crate::Boundary::Periodic): the effect of every wave of traction decays as `exp(-kz)` times a linear function
-///   of z. The surface displacements are those of the operators. The tractions consist of the waves that fit the grid. The mean
-///   traction causes `szz = -p`, `sxz = -qx`, `syz = -qy` and `sxx = syy = -p nu/(1 - nu)` at every depth (no lateral strain). It
-///   causes no displacement, so displacements have zero mean at every depth.
+///   of z. The surface displacements equal the displacements of the operators. The tractions consist of the waves that fit the
+///   grid. The mean traction causes `szz = -p`, `sxz = -qx`, `syz = -qy` and `sxx = syy = -p nu/(1 - nu)` at every depth (no
+///   lateral strain). It causes no displacement, so displacements have zero mean at every depth.
 /// - [`PeriodicAlongY`](crate::Boundary::PeriodicAlongY): the result is the sum over all images along y. Displacements
 ///   are relative to the datum, a point of the surface. One row of cells is in plane strain.
 ///

@@ -21,7 +21,7 @@ pub(super) struct Strips {
 }
 
 impl Strips {
-    /// Returns `None` if the grid is not periodic along y alone.
+    /// Creates the strips for a grid that is periodic along y only. Returns `None` for other grids.
     pub(super) fn new(grid: Grid, boundary: Boundary) -> Option<Self> {
         let Boundary::PeriodicAlongY { datum } = boundary else {
             return None;

@@ -41,7 +41,7 @@ pub fn ellipsoid(grid: Grid, radius_x: f64, radius_y: f64) -> Result<Field> {
 /// lengths.
 ///
 /// For a cylinder of a different direction use [`paraboloid`]. On a grid that is not periodic, the cylinder ends at the edges of
-/// the grid and the pressure has peaks at these ends (see [`Warning::ContactSpansGrid`](crate::Warning::ContactSpansGrid)). For a
+/// the grid and the pressure has peaks at both ends (see [`Warning::ContactSpansGrid`](crate::Warning::ContactSpansGrid)). For a
 /// line contact in plane strain use bodies with [`Boundary::PeriodicAlongY`](crate::Boundary::PeriodicAlongY).
 ///
 /// # Errors

@@ -193,13 +193,13 @@ impl Waves {
         })
     }
 
-    /// Replaces every amplitude by a function of its mode and itself.
+    /// Replaces every amplitude by a function of its mode and of the amplitude.
     pub(super) fn update(&mut self, f: impl Fn(Mode, Complex<f64>) -> Complex<f64> + Sync) {
         self.update_with([], |mode, value, []| f(mode, value));
     }
 
-    /// Replaces every amplitude by a function of its mode and of the amplitudes of this mode in these and in other
-    /// waves on the same grid.
+    /// Replaces every amplitude by a function of its mode and of the amplitudes of this mode. The amplitudes are the
+    /// replaced amplitude and the amplitudes in other waves on the same grid.
     pub(super) fn update_with<const N: usize>(
         &mut self,
         others: [&Self; N],

@@ -134,8 +134,8 @@ pub(crate) struct ConeRun<'a, 'b, F> {
 }
 
 /// Solves from the tractions `x` and the multipliers of the workspace, and overwrites both with the solution. The status is
-/// `None` if the start is rejected or if the sets cycle. In these cases a different start might succeed. The measures are those
-/// of the returned `x`.
+/// `None` if the start is rejected or if the sets cycle. A different start might then succeed. The returned measures belong to
+/// the returned `x`.
 ///
 /// # Errors
 /// - [`Error::Memory`](crate::Error::Memory) if the memory does not suffice.

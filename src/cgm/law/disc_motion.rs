@@ -26,11 +26,11 @@ pub enum DiscMotion {
     Fixed,
 }
 
-/// Weights of a cell in the preconditioner: for the inverse operator and for the cell alone.
+/// Weights of a cell in the preconditioner: a weight for the inverse operator and a weight for the single cell.
 ///
 /// Let $`k`$ be the sum of the stiffness of the circle and the additional compliance of the cell. The inverse operator $`M`$ does
 /// not include $`k`$. The inverse of the system $`C + k`$ is known in two limits. It is $`M`$ for $`k \ll C`$. For $`k \gg C`$ it
-/// is $`1 / (c_1 + k)`$ in each cell, where $`c_1`$ is the compliance of a cell that moves alone. Between these limits the
+/// is $`1 / (c_1 + k)`$ in each cell, where $`c_1`$ is the compliance of a single moving cell. Between these limits the
 /// preconditioner is
 ///
 /// ```math
@@ -39,10 +39,10 @@ pub enum DiscMotion {
 ///
 /// with the weights $`0 < W \le 1`$ of the cells. Both terms are symmetric and positive definite, and so is the preconditioner.
 /// It is exact in both limits. At the stiffness $`e`$, the weight $`W^2`$ of a pattern is one quarter. The value of $`e`$ is half
-/// of $`c_1`$, chosen from measurements. The number of steps was measured on smooth and rough balls in growing contact. It
-/// changes by 2 % if $`e`$ varies from two fifths to three fifths of $`c_1`$ and $`c_1`$ from four to six times the least
-/// eigenvalue of a half-space. The square root of this weight would require a tenth more steps, or a third more if cells come
-/// into contact.
+/// of $`c_1`$, chosen from measurements. The number of steps was measured on smooth and rough balls in growing contact. In these
+/// tests $`e`$ varied from two fifths to three fifths of $`c_1`$, and $`c_1`$ from four to six times the least eigenvalue of a
+/// half-space. The number of steps changed by 2 %. The square root of this weight would require a tenth more steps, or a third
+/// more if cells come into contact.
 #[expect(
     unnameable_types,
     reason = "it appears in the sealed traits of the sets alone"
@@ -51,7 +51,7 @@ pub enum DiscMotion {
 pub struct Weight {
     /// Factor of the residual before the inverse operator, and of the result after it.
     pattern: f64,
-    /// Factor of the residual in the term of the cell alone.
+    /// Factor of the residual in the term of the single cell.
     own: f64,
 }
 

@@ -128,7 +128,7 @@ impl Constraint for Bounds<'_> {
     type Set = Interval;
 
     fn cells(&self) -> Option<usize> {
-        // Slices of different lengths fit no number of cells.
+        // Slices of different lengths do not fit any number of cells.
         Some(if self.lower.len() == self.upper.len() {
             self.lower.len()
         } else {

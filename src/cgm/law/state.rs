@@ -70,8 +70,8 @@ pub trait CellMotion<const N: usize>: Row<N> {
     #[must_use]
     fn with_preconditioner_weight(self, self_compliance: f64, diagonal: f64) -> Self;
 
-    /// Returns the motion of a cell that a gradient `g` releases from its bound, or the unchanged motion if `g` does not push the
-    /// cell away from the bound.
+    /// Returns the motion of a cell after a gradient `g` has released the cell from its bound. If `g` does not push the cell away
+    /// from the bound, the motion is unchanged.
     #[must_use]
     fn released_from_bound(self, g: [f64; N]) -> Self;
 }
@@ -109,8 +109,8 @@ pub trait LinearisedSet<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 
     /// Returns whether a point is inside the bounds, where the whole gradient must vanish.
     fn is_inside(self, x: [f64; N]) -> bool;
 
-    /// Returns the forbidden part of a gradient `g` at a point `x` of the set: the part that is not an inward normal of a bound.
-    /// This part must vanish at the minimum. Returns NaN if `g` is NaN.
+    /// Returns the forbidden part of a gradient `g` at a point `x` of the set. The forbidden part is not an inward normal of a
+    /// bound and must vanish at the minimum. Returns NaN if `g` is NaN.
     #[must_use]
     fn forbidden(self, x: [f64; N], g: [f64; N]) -> [f64; N];
 

@@ -136,7 +136,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             |entries, ((mut x, mut gradient), (mut full, residual))| {
                 let images = within(&image, &entries.chunk);
                 if let (Some(step), false) = (step, MotionOf::<K, N>::IS_STEADY) {
-                    // The gradient of the other cells determines which of them will move.
+                    // The gradient of the other cells determines which cells will move.
                     for (gradient, images) in gradient.iter_mut().zip(images) {
                         for (g, u) in gradient.items.iter_mut().zip(images) {
                             *g += step.length * u;

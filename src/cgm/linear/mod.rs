@@ -11,7 +11,7 @@
 //!
 //! Conjugate gradients solve the system of a symmetric problem. GMRES solves the systems of other problems and of stiffnesses.
 //! The preconditioner is the product of $`R`$, an approximate inverse of the operator and the transpose of $`R`$. In cells whose
-//! local terms are large, [weights](Weight) combine this product with the inverse for the cell alone.
+//! local terms are large, [weights](Weight) combine this product with the inverse for the single cell.
 
 mod cg;
 mod gmres;

@@ -1,17 +1,19 @@
 //! Last fallback when sets cycle: the proximal-point method. The semismooth Newton method computes each point.
 //!
 //! The method moves the centre $`\hat x`$ to the minimiser of $`f(x) + \tfrac{s}{2} |x - \hat x|^2`$. Each such move brings the
-//! centre closer to the minimum of $`f`$ for every $`s > 0`$, whatever the start and the behaviour of the sets (Rockafellar, SIAM
-//! J. Control Optim. 14 (1976) 877, <https://doi.org/10.1137/0314056>). A larger stiffness $`s`$ improves the conditioning of
-//! $`C + s`$, and the sets settle in fewer steps. A smaller stiffness moves the centre further. Therefore $`s`$ starts at the
-//! largest eigenvalue of $`C`$, decreases after every solved stage, and is finally zero. It increases if the sets cycle again.
+//! centre closer to the minimum of $`f`$ for every $`s > 0`$. This holds for any start and any behaviour of the sets
+//! (Rockafellar, SIAM J. Control Optim. 14 (1976) 877, <https://doi.org/10.1137/0314056>). A larger stiffness $`s`$ improves the
+//! conditioning of $`C + s`$, and the sets settle in fewer steps. A smaller stiffness moves the centre further. Therefore $`s`$
+//! starts at the largest eigenvalue of $`C`$, decreases after every solved stage, and is finally zero. It increases if the sets
+//! cycle again.
 //!
-//! The method is intended for discs on periodic grids with cells that are much longer than wide. There the ratio of the extreme
-//! eigenvalues of $`C`$ is of the order of the aspect ratio of the cells. The method was tested on 10 000 grids of white noise,
-//! with tangential loads oblique to the axes. The aspect ratios of the cells were 1 to 1e6, with 2 to 15 cells along each side.
-//! All of these problems were solved, whereas projected gradients alone failed on 3 in 100. Proximal points without preceding
-//! projected gradients are more expensive. In 80 000 solves of random problems, 16 more solves stalled than with projected
-//! gradients. Solves with pressures bounded by the hardness required 1.5 times as many products as with projected gradients.
+//! The method is intended for discs on periodic grids with cells that are much longer than wide. On such grids the ratio of the
+//! extreme eigenvalues of $`C`$ is of the order of the aspect ratio of the cells. The method was tested on 10 000 grids of white
+//! noise, with tangential loads oblique to the axes. The aspect ratios of the cells were 1 to 1e6, with 2 to 15 cells along each
+//! side. All of these problems were solved, whereas projected gradients alone failed on 3 in 100. Proximal points without
+//! preceding projected gradients are more expensive. In 80 000 solves of random problems, 16 more solves stalled than with
+//! projected gradients. Solves with pressures bounded by the hardness required 1.5 times as many products as with projected
+//! gradients.
 
 use std::ops::ControlFlow;
 

@@ -106,7 +106,7 @@ fn add_integrands<const N: usize>(
 
 /// Quadrature rules and their minimum distances, in longer sides. At larger distances than its minimum, the error of a
 /// rule is below round-off. The shear stress under a tangential traction deep below the cell determines these
-/// distances, because it is of second order in the ratio of side to depth. Below the smallest of these distances, the
+/// distances. This stress is of second order in the ratio of side to depth. Below the smallest of these distances, the
 /// closed form loses at most one digit by cancellation.
 const RULES: [(f64, QuadratureRule); 7] = [
     (3000.0, &GAUSS_3),

@@ -1,7 +1,7 @@
 //! The integrals that compose all components.
 
-/// Integral over the loaded rectangle: a potential `V`, `L` or `W` of the [module](super), a derivative of a potential,
-/// or a component of the tensor `T`.
+/// Integral over the loaded rectangle. It is a potential `V`, `L` or `W` of the [module](super), a derivative of a
+/// potential, or a component of the tensor `T`.
 ///
 /// The first five integrals are lengths. The other integrals are dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

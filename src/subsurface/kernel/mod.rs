@@ -108,9 +108,10 @@
 //!
 //! # Sources
 //!
-//! Love, Phil. Trans. R. Soc. A 228 (1929) 377, doi 10.1098/rsta.1929.0009; Ahmadi, Keer & Mura, Int. J. Solids
-//! Struct. 19 (1983) 357; Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, 1990; Johnson, Contact
-//! Mechanics, 1985, section 3.1.
+//! - A. E. H. Love, Phil. Trans. R. Soc. A 228 (1929) 377, <https://doi.org/10.1098/rsta.1929.0009>.
+//! - N. Ahmadi, L. M. Keer, T. Mura, Int. J. Solids Struct. 19 (1983) 357.
+//! - J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990).
+//! - K. L. Johnson, Contact Mechanics (1985), section 3.1.
 
 mod cell;
 mod edge;

@@ -18,7 +18,7 @@ const FUNCTIONS: usize = 15;
 const DISPLACEMENTS: usize = 5;
 /// Order of the Bessel function of each function.
 const ORDERS: [usize; FUNCTIONS] = [0, 1, 1, 0, 2, 0, 1, 0, 2, 1, 0, 2, 1, 1, 3];
-/// Number of functions for lines that are even in the distance. The first three of them, and the first two odd functions,
+/// Number of functions for lines that are even in the distance. The first three even functions and the first two odd functions
 /// are displacements.
 const EVEN: usize = 8;
 

@@ -92,8 +92,8 @@ impl Levelled {
 /// # Errors
 /// - [`Error::Sample`] with the first infinite height.
 /// - [`Error::Degree`] if the degree exceeds 20.
-/// - [`Error::Undetermined`] if there are too few known heights. The error is also returned if the known heights lie so
-///   close to a zero curve of a polynomial of the form that they do not determine the form.
+/// - [`Error::Undetermined`] if there are too few known heights. The error is also returned if the known heights lie
+///   too close to a zero curve of a polynomial of the form.
 ///
 /// # References
 /// - Å. Björck, *Linear Algebra Appl.* 88-89 (1987) 31-48,

@@ -115,7 +115,7 @@ impl SelfAffine {
             if power == 0.0 {
                 return Complex::default();
             }
-            // Two opposite waves along y are both stored. One of them is drawn, and the other is its conjugate.
+            // Two opposite waves along y are both stored. The first wave is drawn, and the second wave is its conjugate.
             let [i, j] = mode.numbers;
             let is_mirrored = i == 0 && j < 0;
             let numbers = [i, if is_mirrored { -j } else { j }];

@@ -58,11 +58,11 @@ pub enum Amplitudes {
 /// | [`seed`](Self::seed) | 0 |
 ///
 /// # Refining the grid
-/// The modulus of each wave and its phase in the middle of the grid depend only on the seed and on the two numbers of
-/// periods per side. A finer grid over the same rectangle therefore samples the same surface if the cut-off wavelength
-/// is given and exceeds two cells. Otherwise the surface on the finer grid also contains shorter waves, and its common
-/// factor differs. If a skewness or kurtosis is given, the phases depend on the heights of all cells, and the surfaces
-/// differ.
+/// Each wave has a modulus and a phase in the middle of the grid. Both depend only on the seed and on the two numbers
+/// of periods per side. A finer grid over the same rectangle therefore samples the same surface if the cut-off
+/// wavelength is given and exceeds two cells. Otherwise the surface on the finer grid also contains shorter waves, and
+/// its common factor differs. If a skewness or kurtosis is given, the phases depend on the heights of all cells, and
+/// the surfaces differ.
 ///
 /// ```
 /// use stickslip::{Grid, surface::SelfAffine};
