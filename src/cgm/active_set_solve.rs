@@ -96,7 +96,7 @@ pub struct ActiveSetSolve<'a, 'b, K: Constraint<N>, const N: usize> {
     pub(super) start: IterateStart,
     /// Lower bound of the eigenvalues on the unknowns that the totals allow.
     pub(super) lower_bound: LowerBound,
-    /// Displacement of a cell under a unit traction on it.
+    /// Displacement of a cell under a unit traction on this cell.
     pub(super) self_compliance: f64,
     /// Reduction of the inner residual with which the next pass of Newton's method starts.
     pub(super) inner_reduction: f64,
@@ -156,8 +156,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
     /// Determines whether springs alone store the energy of uniform unknowns. Does nothing if the result would not affect the
     /// error bound.
     ///
-    /// The test applies uniform unknowns of one. If the bound holds for all unknowns, the operator then displaces some cell by at
-    /// least the bound.
+    /// The test sets all unknowns to one. If the bound holds for all unknowns, the operator then displaces some cell by at least
+    /// the bound.
     pub(super) fn find_bound_of_mean(&mut self) {
         let (least, layout) = (self.lower_bound.value, self.layout());
         let cells = layout.of_all_ranks();

@@ -33,7 +33,7 @@ pub(crate) struct Certificate {
 impl Certificate {
     /// Returns the quantity that must fall to the tolerance: the largest of residual, load error and certified error. The
     /// certified error is included only if the operator provides a bound on its smallest eigenvalue. Without this bound only the
-    /// duality gap would be available, whose square root falls only with the square root of the residual.
+    /// duality gap would be available. Its square root falls only with the square root of the residual.
     pub(super) fn merit(&self, lower_bound: f64) -> f64 {
         let error = if lower_bound > 0.0 {
             self.gap.sqrt()
@@ -228,8 +228,8 @@ pub(crate) fn measure<const N: usize>(
 }
 
 /// Returns the change of the bound `B^2` caused by a spring, for gradients whose sum is `pushed`. The mean of these gradients is
-/// divided by the compliance `n c` of uniform unknowns instead of the smallest eigenvalue if this reduces the bound. The mean is
-/// also divided by `n c` if the operator maps constants to zero.
+/// divided by the smallest eigenvalue or by the compliance `n c` of uniform unknowns. The function uses `n c` if this reduces the
+/// bound or if the operator maps constants to zero.
 fn by_spring(
     pushed: f64,
     cells: f64,

@@ -23,8 +23,8 @@ pub(super) enum BoundState {
     Deficit(f64),
 }
 
-/// Relative change of a total due to rotation that counts as round-off. Close to the friction limit, slipping cells are rotated
-/// only slightly away from the total, and this small rotation carries the total.
+/// Relative change of a total due to rotation that counts as round-off. Close to the friction limit, the tractions of slipping
+/// cells are rotated only slightly away from the total. This small rotation carries the total.
 const LEAST_TURN: f64 = 1e-13;
 
 impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {

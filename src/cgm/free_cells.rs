@@ -1,5 +1,5 @@
-//! List of the moving cells. For intervals the list is the complement of the active set. The list makes the cost of vector
-//! operations proportional to the number of moving cells, not to the size of the grid.
+//! List of the moving cells. For intervals the list is the complement of the active set. The cost of vector operations is
+//! proportional to the length of this list, not to the size of the grid.
 
 use std::ops::Range;
 
@@ -183,12 +183,12 @@ impl FreeCells {
         }
     }
 
-    /// Sums over the parts of a compressed vector.
+    /// Sums over the pieces of a compressed vector.
     pub(in crate::cgm) fn sum<T: Reduction>(&self, leaf: impl Fn(Range<usize>) -> T + Sync) -> T {
         self.sweep((), |entries, ()| leaf(entries.range))
     }
 
-    /// Splits a compressed vector into the parts of the chunks.
+    /// Splits a compressed vector into one piece per chunk.
     pub(in crate::cgm) fn compressed<'a, T>(&'a self, items: &'a mut [T]) -> UnevenChunks<'a, T> {
         UnevenChunks {
             items: &mut items[..self.len()],
@@ -196,7 +196,7 @@ impl FreeCells {
         }
     }
 
-    /// Splits the stored motions into the parts of the chunks.
+    /// Splits the stored motions into one piece per chunk.
     pub(in crate::cgm) fn motions<'a, M: Row<N>, const N: usize>(
         &'a self,
         motions: &'a mut [M],

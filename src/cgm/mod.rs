@@ -9,8 +9,8 @@
 //! symmetric unless it [reports otherwise](crate::Operator::is_symmetric). `K_i` is the set that a [`Constraint`] assigns to the
 //! cell: an [`Interval`] for one unknown, a [`Disc`] for two. A [`Total`] prescribes the sum of a component or ties it to a
 //! spring. The solver returns the multiplier of the total. For a normal contact, `x` is the pressure, `b` is the gap, and the
-//! multiplier is the approach. `S` is then the load divided by the area of a cell. For a tangential contact, `x` is the traction
-//! along one axis or in the plane, limited by friction, and the multiplier is the shift. Vectors are arrays of one slice per
+//! multiplier is the approach. `S` is then the load divided by the area of a cell. For a tangential contact, `x` is the traction,
+//! which friction limits along one axis or in the plane. The multiplier is then the shift. Vectors are arrays of one slice per
 //! component. A [diagonal](Problem::diagonal) `D`, an additional compliance of the cells, may be added to `C`. The statements
 //! below then hold for `C + D`.
 //!
@@ -58,7 +58,8 @@
 //!
 //! A deviation of a total due to round-off is reported separately: here `x*` is the minimiser for the total of `x`. If the
 //! operator maps constants to zero, `lambda` bounds the other eigenvalues. In this case `x*` is the minimiser for the total of
-//! `x` even if no total is prescribed, so `x - x*` has sum zero. All these statements hold up to the round-off of the product.
+//! `x` even if no total is prescribed. Therefore `x - x*` has sum zero. All these statements hold up to the round-off of the
+//! product.
 //!
 //! # Round-off
 //!

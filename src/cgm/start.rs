@@ -22,8 +22,8 @@ pub(crate) enum InitialGuess<const N: usize> {
 pub(super) const ROUND_OFF: f64 = 1e-13;
 
 impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
-    /// Returns the final status if the start and the multipliers of its earlier solve are feasible and have a merit within the
-    /// tolerance. Otherwise returns `None`. In this case the product is up to date if the start is feasible.
+    /// Examines the start with the multipliers of its earlier solve. Returns the final status if the start is feasible and its
+    /// merit is within the tolerance. Otherwise returns `None`. In this case the product is up to date if the start is feasible.
     pub(super) fn verify_start(&mut self, known: InitialGuess<N>) -> Option<Status> {
         let multiplier = match known {
             InitialGuess::PreviousSolution(multiplier) => multiplier,

@@ -157,7 +157,7 @@ pub(super) struct TotalsSystem<const N: usize> {
     patterns: Small<N>,
     /// Matrix of all components that are prescribed or tied to a spring.
     pub(super) border: Border<N>,
-    /// Motion that the cells can follow if all cells are moved by one along a component, summed over the cells.
+    /// Sum over the cells of the motion that they can follow if all cells are moved by one along a component.
     pub(super) mobility: Small<N>,
 }
 
@@ -266,7 +266,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         w.linear.moving.any(&w.linear.rows, Row::is_free)
     }
 
-    /// Returns the motion that the cells can follow if all cells are moved by one along each component, summed over the cells.
+    /// Returns the sum over the cells of the motion that they can follow if all cells are moved by one along each component.
     pub(super) fn mobility(&self) -> Small<N> {
         let w = &*self.workspace;
         let unit = |a: usize| std::array::from_fn(|c| if a == c { 1.0 } else { 0.0 });

@@ -37,7 +37,7 @@ const PARTS: usize = 8;
 
 /// Values in the cells around a cell, relative to the largest value of the grid.
 pub(super) struct FitValues {
-    /// Square of the pressure for cells inside. For cells outside the value is `-x^(2/3)`, where `x` is 3/4 of the gap divided by
+    /// Square of the pressure for cells inside. For cells outside the value is `-x^(2/3)`. Here `x` is 3/4 of the gap, divided by
     /// the unit of length and by the largest pressure. The modulus is not included.
     pub(super) lifted: Square<f64>,
     pub(super) is_inside: Square<bool>,

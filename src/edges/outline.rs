@@ -11,7 +11,7 @@ use crate::memory::fallible;
 /// corner with the smallest x and y.
 pub(super) type Corners = [f64; 4];
 
-/// Returns the zero line of the distances. The distance at a corner is the mean over the cells that share it. Around cells
+/// Returns the zero line of the distances. The distance at a corner is the mean over the cells around the corner. Around cells
 /// without a fit, the pieces are the cell sides at the edge of the set. The cells must be sorted by index.
 pub(super) fn outline(
     grid: Grid,

@@ -41,7 +41,7 @@ pub(super) struct Search<'a> {
     pub(super) is_outside_known: &'a (dyn Fn(usize) -> bool + Sync),
     /// Modulus at a cell for a normal of the edge.
     pub(super) modulus: &'a (dyn Fn(usize, [f64; 2]) -> f64 + Sync),
-    /// Overestimate of the covered area by counting, per side of a cell at the edge, in units of the area of a cell.
+    /// Overestimate of the covered area by counting, per side of a cell at the edge. The unit is the area of a cell.
     pub(super) excess: f64,
     /// Largest residual of a fit (root mean square, in cells).
     pub(super) largest_miss: f64,

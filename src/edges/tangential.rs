@@ -87,9 +87,9 @@ impl TangentialEdges {
 }
 
 impl TangentialSolution {
-    /// Returns the edges of the contact and of the stick zone inside the cells. `normal` and `friction` must be the arguments of
-    /// the problem. The page of [`edges`](crate::edges) describes the method. The result is valid for a contact that is loaded
-    /// once. After the steps of a history use [`History::edges`](crate::History::edges).
+    /// Returns the edges of the contact and of the stick zone inside the cells. `normal` and `friction` must be the contact and
+    /// the friction of the problem. The page of [`edges`](crate::edges) describes the method. The result is valid for a contact
+    /// that is loaded once. After the steps of a history use [`History::edges`](crate::History::edges).
     ///
     /// ```
     /// use stickslip::*;
@@ -145,8 +145,7 @@ pub(super) struct PartialSlipContact<'a> {
     pub(super) friction: &'a Friction,
     pub(super) zones: &'a [Zone],
     pub(super) traction: [&'a [f64]; 2],
-    /// Component of the traction of a cell in the direction of the next slip of the cell, and magnitude of the remaining
-    /// component.
+    /// Component of the traction in the direction of the next slip of a cell, and magnitude of the remaining component.
     pub(super) parts: &'a (dyn Fn(usize) -> [f64; 2] + Sync),
     /// Slip distance of a slipping cell after it last stuck, or `None` if the distance is unknown.
     pub(super) slip: &'a (dyn Fn(usize) -> Option<f64> + Sync),

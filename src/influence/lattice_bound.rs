@@ -15,8 +15,8 @@ const OCTAVES: i32 = 12;
 /// Number of shells of aliases in the sum.
 const SHELLS: i32 = 12;
 
-/// Hermitian 2 x 2 matrix: its diagonal, and the off-diagonal entry, which is real or imaginary. A 1 x 1 matrix is stored
-/// as a diagonal one.
+/// Hermitian 2 x 2 matrix: its diagonal, and the off-diagonal entry, which is real or imaginary. A 1 x 1 matrix is stored as a
+/// diagonal matrix.
 type HermitianPair = [f64; 3];
 
 /// Returns a lower estimate of the eigenvalues of the compliance for some directions. The estimate is valid for any rectangle of

@@ -30,8 +30,8 @@ use crate::influence::periodic_images::{FAR, pieces};
 pub(crate) struct LayerCorrection {
     kernel: Kernel,
     near: Response,
-    /// Depth H, and difference between the responses of the base and of the outermost layer, for each coated body or for a
-    /// kernel. The response of the pair includes the sum over both bodies.
+    /// Values for each coated body or for a kernel: the depth H, and the difference between the responses of the base and of the
+    /// outermost layer. The response of the pair includes the sum over both bodies.
     images: Vec<(f64, Response)>,
     /// Smallest depth H.
     scale: f64,
@@ -250,9 +250,9 @@ impl LayerCorrection {
         [self.rule(a, x, y), self.rule(b, y, x)]
     }
 
-    /// Returns the cheapest rule along a side of half length `a`. The cell is at the distance `x` along this side and `y`
-    /// perpendicular to it. The nearest singularity of the kernels is at the imaginary distance i H. Returns `None` if the side
-    /// is too long.
+    /// Returns the cheapest rule along a side of half length `a`. The cell is at the distance `x` along this side and at the
+    /// distance `y` perpendicular to this side. The nearest singularity of the kernels is at the imaginary distance i H. Returns
+    /// `None` if the side is too long.
     fn rule(&self, a: f64, x: f64, y: f64) -> Option<usize> {
         rule(a, x.hypot(y), self.scale)
     }

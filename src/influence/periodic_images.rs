@@ -5,7 +5,7 @@ use crate::numerics::gauss::GAUSS_4;
 
 /// Row of cells that is periodic along y, in the unit of the [`Cell`].
 ///
-/// The integrals of the images with numbers up to [`WHOLE`] are summed with the weight one. The weights of the next
+/// The integrals of the images with numbers up to [`WHOLE`] have the weight one in the sum. The weights of the next
 /// images decrease to zero. A uniform strip replaces the farther images. The weights correct for the difference up to
 /// the fifteenth derivative at the end of the strip. They are the weights of the midpoint rule with Gregory's end
 /// corrections in central differences. The remaining error is 4e-15 of an image at the distance of one period.

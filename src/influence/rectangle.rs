@@ -78,8 +78,8 @@ impl Rectangle {
 
     /// Returns the coefficients of one body at `(x, y)` from the centre of the loaded cell (lengths).
     ///
-    /// The error is about 1e-15 of `C_zz` at any distance. For coated bodies the error is below 1e-12 of `C_zz` at the cell
-    /// itself, and each call evaluates the integrals again. Use a [`Table`](crate::influence::Table) for many points.
+    /// The error is about 1e-15 of `C_zz` at any distance. For coated bodies the error is below 1e-12 of `C_zz` of the loaded
+    /// cell, and each call evaluates the integrals again. Use a [`Table`](crate::influence::Table) for many points.
     #[must_use]
     pub fn tensor(&self, material: &Material, x: f64, y: f64) -> Tensor {
         match ElasticPair::new(*material, Material::rigid()) {

@@ -1,6 +1,6 @@
 //! Stress and displacement below the surface of each body, from the pressure and the tractions of a contact.
 //!
-//! A uniform traction on a cell causes stresses and displacements in the half-space, which are known in closed form (Love 1929
+//! A uniform traction on a cell causes stresses and displacements in the half-space. Closed forms are known for both (Love 1929
 //! and Ahmadi, Keer & Mura 1983). The effects of all cells are added:
 //!
 //! ```math
@@ -8,8 +8,8 @@
 //! ```
 //!
 //! [`at_points`] computes the sum at any points. [`Planes`] computes it at the cell centres of planes at chosen depths, by fast
-//! transforms. For [coated](crate::layers) bodies only planes can be computed, in the layers and below them. A uniform stress
-//! from a different source, such as a bulk stress, can be [added](Tractions::with_uniform_stress).
+//! transforms. For [coated](crate::layers) bodies only planes can be computed, both in the layers and in the base. A uniform
+//! stress from a different source, such as a bulk stress, can be [added](Tractions::with_uniform_stress).
 //!
 //! ```
 //! use stickslip::subsurface::{self, Body};

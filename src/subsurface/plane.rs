@@ -178,8 +178,8 @@ impl Plane {
         self.displacement.as_ref().map(<[Field; 3]>::each_ref)
     }
 
-    /// Returns the warnings about the plane. They include [`Warning::StressAtEdge`] if shear tractions end at the edge of a
-    /// contact and the depth is less than a side of a cell.
+    /// Returns the warnings about the plane. They include [`Warning::StressAtEdge`] if the depth is less than a side of a cell
+    /// and shear tractions end at the edge of a contact.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let at_edge = self.is_at_edge.then_some(Warning::StressAtEdge);

@@ -84,11 +84,11 @@ use crate::support::debug::shown;
 ///
 /// # Ranks
 ///
-/// For [distributed](HalfSpace::distributed) bodies every rank creates planes at the same depths. Each rank stores the parts of
-/// kernels, transforms and planes that belong to its rows and columns. The values are bitwise identical to the values of a single
-/// process. Solves are collective calls, and the observer of the first rank decides whether they continue. Values at the centres
-/// of cells ([`CellValue::Centre`](crate::CellValue::Centre)) are rejected with an error on a grid that is not periodic along
-/// both axes. Calls of [`write_vti`](Self::write_vti) are rejected as well.
+/// For [distributed](HalfSpace::distributed) bodies every rank creates planes at the same depths. Each rank stores the kernels,
+/// transforms and planes of its own rows and columns. The values are bitwise identical to the values of a single process. Solves
+/// are collective calls, and the observer of the first rank decides whether they continue. Values at the centres of cells
+/// ([`CellValue::Centre`](crate::CellValue::Centre)) are rejected with an error on a grid that is not periodic along both axes.
+/// Calls of [`write_vti`](Self::write_vti) are rejected as well.
 ///
 /// # Examples
 ///
@@ -262,7 +262,7 @@ impl Planes {
 
     /// Passes the planes of a body at all depths to `visit`, in the given order. The plane is passed by reference and
     /// overwritten, so `visit` must copy the values that it needs later. Kernels that did not exist before the call are discarded
-    /// after each depth, so the memory does not grow with the number of depths.
+    /// after each depth. The memory therefore does not grow with the number of depths.
     ///
     /// # Errors
     /// - The errors of [`Planes::solve`].

@@ -60,10 +60,10 @@ pub struct PointResult {
 ///
 /// # Cost
 ///
-/// A point takes about 0.3 microseconds per loaded cell, and about fifty times as long if several rows are periodic along y. For
-/// a whole plane use [`Planes`](crate::subsurface::Planes). The threads of the caller's pool share the work if the number of
-/// points or of cells exceeds [`SERIAL_CELL_LIMIT`](crate::SERIAL_CELL_LIMIT). The results are bitwise identical for any number
-/// of threads.
+/// A point takes about 0.3 microseconds per loaded cell. If several rows are periodic along y, it takes about fifty times as
+/// long. For a whole plane use [`Planes`](crate::subsurface::Planes). The threads of the caller's pool share the work if the
+/// number of points or of cells exceeds [`SERIAL_CELL_LIMIT`](crate::SERIAL_CELL_LIMIT). The results are bitwise identical for
+/// any number of threads.
 ///
 /// ```
 /// use stickslip::subsurface::{self, Body};

@@ -26,9 +26,9 @@ impl Planes {
     /// also contains the vector `displacement` if it was [requested](Self::with_displacements). All values are written as
     /// doubles, without loss of precision. The z axis is common to both bodies, so body 2 is at `z <= 0`.
     ///
-    /// The values are point data at the cell centres, where they are computed. The origin of the image is the first
-    /// cell centre. In a [flat image](crate::io::vti) of the surface these points are the centres of the cells. Depths
-    /// are computed and written sequentially, so the memory does not grow with the number of depths.
+    /// The values are point data at the cell centres, at which they are computed. The origin of the image is the first cell
+    /// centre. In a [flat image](crate::io::vti) of the surface these points are the centres of the cells. Depths are computed
+    /// and written sequentially, so the memory does not grow with the number of depths.
     ///
     /// ```
     /// use stickslip::subsurface::{Body, Planes, Tractions};

@@ -1,4 +1,4 @@
-//! Selection of a part of a surface.
+//! Selection of columns and rows of a surface.
 
 use std::ops::Range;
 

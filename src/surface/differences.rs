@@ -37,8 +37,8 @@ pub(super) fn rms_slopes(z: &[f64], slab: &Slab) -> [f64; 2] {
 /// the local rows and of the next row.
 ///
 /// Each rectangle of four neighbouring heights is cut into two triangles along either diagonal, and the two results are
-/// averaged. This is the mean of `sqrt(1 + s_x^2 + s_y^2) - 1` over the four corners, where `s_x` and `s_y` are the
-/// slopes of the two sides of a corner. The slope along an axis of one cell is zero.
+/// averaged. The result is the mean of `sqrt(1 + s_x^2 + s_y^2) - 1` over the four corners. The two sides at a corner
+/// have the slopes `s_x` and `s_y`. The slope along an axis of one cell is zero.
 pub(super) fn developed_area_ratio(z: &[f64], slab: &Slab) -> f64 {
     let grid = slab.whole();
     let (nx, ny) = (grid.nx(), grid.ny());

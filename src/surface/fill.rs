@@ -61,7 +61,8 @@ impl Filled {
 /// The solver is the conjugate gradient method with a modified incomplete factorisation (Gustafsson 1978). The initial
 /// guess is the mean height. The iteration ends when the error, in the norm of the mean-square slope, has fallen to
 /// 1e-15 of its initial value. In a plane with holes of up to 1000 cells across, the error of the filled heights is
-/// then 1e-14 of the range. If the sides of the cells differ, the round-off is multiplied by the square of their ratio.
+/// then 1e-14 of the range of the plane. If the sides of the cells differ, the round-off is multiplied by the square of
+/// their ratio.
 ///
 /// # Errors
 /// - [`Error::Sample`] with the first infinite height.

@@ -34,7 +34,7 @@ const REACH: f64 = 1.7;
 /// transmits the fraction $`2^{-(\lambda_c/\lambda)^2}`$ of a wave of length $`\lambda`$. The fraction is one half at
 /// $`\lambda = \lambda_c`$. An S filter returns $`\bar z`$, an L filter $`z - \bar z`$. The discrete weights have exactly this
 /// transmission for every wave of the grid. For an index of eight cells or more the weights equal samples of $`s`$ to 3e-6 of the
-/// largest weight. For an index of two cells the weights alternate in sign far from the middle, because the cells are too wide to
+/// largest weight. For an index of two cells the weights alternate in sign far from the middle. The cells are then too wide to
 /// resolve a Gaussian.
 ///
 /// | option | default |
@@ -44,8 +44,8 @@ const REACH: f64 = 1.7;
 ///
 /// # End effects
 /// A periodic surface has no end effects. Otherwise the mean at a point is the weighted sum of the existing heights, divided by
-/// the sum of their weights (zero-order regression). This mean is exact up to the edge for a constant, but not for a tilt or a
-/// curvature. Therefore [`level`](super::level()) the surface first.
+/// the sum of the weights. This method is called zero-order regression. The mean is exact up to the edge for a constant, but not
+/// for a tilt or a curvature. Therefore [`level`](super::level()) the surface first.
 ///
 /// On a profile, 0.4 % of the weight lies beyond half a nesting index on either side. The fraction beyond a whole index is 5e-8.
 /// Edges and holes affect the heights that are closer than half a nesting index. If both filters are set, the index of the L

@@ -16,9 +16,9 @@ pub fn inverted(heights: &Field) -> Field {
 
 /// Returns the surface mirrored along x, `z(-x, y)`.
 ///
-/// A body may be measured from above and then turned over about the y axis, so that it faces a second body. The
-/// mirrored surface is then the surface of the measured body in the frame of the second body. The heights still point
-/// out of the measured body. Missing heights stay missing.
+/// A body may be measured from above and then turned over about the y axis to face a second body. The mirrored surface
+/// is then the surface of the measured body in the frame of the second body. The heights still point out of the
+/// measured body. Missing heights stay missing.
 #[must_use]
 pub fn mirror_x(heights: &Field) -> Field {
     let mut mirrored = heights.clone();

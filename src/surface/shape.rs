@@ -9,7 +9,7 @@ use crate::grid::field::Field;
 /// Returns the gap `h = (x^2 + y^2) / (2 R)` of a sphere that touches a plane at the origin. For two spheres,
 /// `1/R = 1/R_1 + 1/R_2`.
 ///
-/// The gap is the gap of the osculating paraboloid, as in Hertz's theory, because half-space theory is of first order in the
+/// The function returns the gap of the osculating paraboloid, as in Hertz's theory. Half-space theory is of first order in the
 /// slopes. `radius` and `h` are lengths.
 ///
 /// # Errors
@@ -41,8 +41,8 @@ pub fn ellipsoid(grid: Grid, radius_x: f64, radius_y: f64) -> Result<Field> {
 /// lengths.
 ///
 /// For a cylinder of a different direction use [`paraboloid`]. On a grid that is not periodic, the cylinder ends at the edges of
-/// the grid and the pressure has peaks at both ends (see [`Warning::ContactSpansGrid`](crate::Warning::ContactSpansGrid)). For a
-/// line contact in plane strain use bodies with [`Boundary::PeriodicAlongY`](crate::Boundary::PeriodicAlongY).
+/// the grid and the pressure has peaks at both ends ([`Warning::ContactSpansGrid`](crate::Warning::ContactSpansGrid)). For a line
+/// contact in plane strain use bodies with [`Boundary::PeriodicAlongY`](crate::Boundary::PeriodicAlongY).
 ///
 /// # Errors
 /// - [`Error::NotPositive`] if the radius is not positive and finite.
@@ -58,8 +58,7 @@ const ROUND_OFF: f64 = 1e-12;
 /// origin. The principal directions of the body are arbitrary.
 ///
 /// `curvatures` are $`[\kappa_{xx}, \kappa_{xy}, \kappa_{yy}]`$ (one over lengths). Let $`\kappa_1`$ be the principal curvature
-/// along the direction at the angle $`\alpha`$ from x, and $`\kappa_2`$ the principal curvature perpendicular to this direction.
-/// Then
+/// at the angle $`\alpha`$ from x, and $`\kappa_2`$ the principal curvature perpendicular to it. Then
 ///
 /// ```math
 /// \kappa_{xx} = \kappa_1 \cos^2\alpha + \kappa_2 \sin^2\alpha , \quad

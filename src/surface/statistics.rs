@@ -215,8 +215,8 @@ impl Statistics {
         self.profile_rms_slope
     }
 
-    /// Returns the developed interfacial area ratio Sdr: the excess of the area of the surface over the area of its
-    /// projection, divided by the latter. The ratio is a fraction, not a percentage.
+    /// Returns the developed interfacial area ratio Sdr. It is the excess of the area of the surface over the area of
+    /// its projection, as a fraction of the projected area. It is not a percentage.
     ///
     /// Every four neighbouring heights span two triangles, which are separated by one of the two diagonals. The result
     /// is the mean over both diagonals. For small slopes the ratio is half the square of the slope.

@@ -1,5 +1,5 @@
-//! Border of the linear system of a semismooth Newton step. The border consists of the spread of the multipliers over the cells
-//! and of the changes of the multipliers that keep the totals.
+//! Border of the linear system of a semismooth Newton step. It consists of the spread of the multipliers over the cells and of
+//! the multiplier changes that keep the totals.
 
 use crate::cgm::cone::cell_state::{CellKind, ConeCellState};
 use crate::cgm::cone::workspace::gradient;
@@ -11,7 +11,7 @@ use crate::cgm::{Total, reduce};
 use crate::numerics::cell_vector::{dot, norm, slices};
 use crate::parallel;
 
-/// Fraction of the mobility along an axis below which slipping cells cannot carry a change along it.
+/// Fraction of the mobility along an axis below which slipping cells cannot carry a change along this axis.
 const LEAST_TURN: f64 = 1e-13;
 /// Maximum number of times that all cells of a contact are set to stick if their tractions cannot rotate.
 const TRIALS: usize = 2;

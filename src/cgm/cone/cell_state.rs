@@ -152,7 +152,7 @@ impl ConeCellState {
         if self.is_held { 0.0 } else { value }
     }
 
-    /// Returns the part of a uniform motion that the cell can follow as a matrix in x and y.
+    /// Returns the matrix in x and y that projects a uniform motion on the motion that the cell can follow.
     pub(super) fn mobility(self) -> [[f64; 2]; 2] {
         match self.kind {
             CellKind::Open | CellKind::Frictionless => [[0.0; 2]; 2],
@@ -165,7 +165,7 @@ impl ConeCellState {
     }
 
     /// Returns the state with limit, slope and stiffness at slip `s`. In the stiffness, `least` replaces a smaller limit.
-    /// `self_compliance` is the displacement of a cell under a unit traction on it.
+    /// `self_compliance` is the displacement of a cell under a unit traction on this cell.
     pub(super) fn measured(
         mut self,
         s: [f64; 2],

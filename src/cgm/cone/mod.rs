@@ -72,7 +72,7 @@ pub(crate) struct ConeProblem<'a, F> {
     pub(crate) totals: [Total; N],
     /// Lower bounds of the eigenvalues of the normal and of the tangential part of the operator.
     pub(crate) lower_bounds: [LowerBound; 2],
-    /// Tangential displacement of a cell under a unit tangential traction on it.
+    /// Tangential displacement of a cell under a unit tangential traction on this cell.
     pub(crate) self_compliance: f64,
     /// Ratio of tangential to normal displacement under pressure, for the minimum scale of the tangential residuals.
     pub(crate) coupling: f64,

@@ -87,12 +87,12 @@ impl<F: FrictionCone> NewtonSteps for ConeRun<'_, '_, F> {
 
     fn has_stalled(&mut self, merit: f64) -> bool {
         let course = &mut self.course;
-        // A deficit of the totals does not matter: the first step corrects it.
+        // A deficit of the totals does not matter, because the first step corrects it.
         if course.best.is_infinite() && self.opening.refuses(course.residual) {
             return true;
         }
-        // Close to sliding, the shift grows with each step, and the tractions rotate into the direction of the force at a
-        // constant residual. The force then converges before the residual.
+        // Close to sliding, the shift grows with each step and the tractions rotate into the direction of the force. The residual
+        // is constant during these steps, so the force converges first.
         let is_nearer = course.missing > ROUND_OFF && course.load_error < 0.5 * course.missing;
         course.missing = course.missing.min(course.load_error);
         if merit < 0.5 * course.best {

@@ -1,4 +1,5 @@
-//! Discs: two unknowns per cell, a vector whose length is at most a limit, with the updates of the semismooth Newton method.
+//! Discs, with the updates of the semismooth Newton method. The two unknowns of a cell are a vector whose length is at most a
+//! limit.
 //!
 //! A cell at its limit keeps one unknown, the angle of its traction `q`. Let `g = C q + b - delta` be the gradient (the slip).
 //! Let $`t`$ be the tangent and $`n = q/m`$ the outward normal of the circle. The derivative of the condition $`t \cdot g = 0`$

@@ -1,4 +1,5 @@
-//! Motion of a cell of a disc in the semismooth Newton step: free while it sticks, along the circle while it slips.
+//! Motion of a cell of a disc in the semismooth Newton step. The motion is free while the cell sticks, and along the circle while
+//! it slips.
 
 use crate::cgm::law::state::{CellMotion, Row};
 use crate::numerics::cell_vector::{dot, norm};
@@ -40,7 +41,7 @@ pub enum DiscMotion {
 /// with the weights $`0 < W \le 1`$ of the cells. Both terms are symmetric and positive definite, and so is the preconditioner.
 /// It is exact in both limits. At the stiffness $`e`$, the weight $`W^2`$ of a pattern is one quarter. The value of $`e`$ is half
 /// of $`c_1`$, chosen from measurements. The number of steps was measured on smooth and rough balls in growing contact. In these
-/// tests $`e`$ varied from two fifths to three fifths of $`c_1`$, and $`c_1`$ from four to six times the least eigenvalue of a
+/// tests $`e`$ was two fifths to three fifths of $`c_1`$. The value of $`c_1`$ was four to six times the least eigenvalue of a
 /// half-space. The number of steps changed by 2 %. The square root of this weight would require a tenth more steps, or a third
 /// more if cells come into contact.
 #[expect(
@@ -49,7 +50,7 @@ pub enum DiscMotion {
 )]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Weight {
-    /// Factor of the residual before the inverse operator, and of the result after it.
+    /// Factor of the input and of the result of the inverse operator.
     pattern: f64,
     /// Factor of the residual in the term of the single cell.
     own: f64,

@@ -31,7 +31,7 @@ pub trait Row<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
     /// Row of a cell that does not move.
     const FIXED: Self;
 
-    /// Returns whether the cell takes part in the linear system.
+    /// Returns whether the linear system contains the cell.
     fn moves(self) -> bool;
 
     /// Returns whether the cell moves in any direction.
@@ -46,8 +46,8 @@ pub trait Row<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
     /// Returns the term that the curvature of a bound adds to the equations for a change of the unknowns.
     fn bend(self, v: [f64; N]) -> [f64; N];
 
-    /// Returns the displacement of the cell that a change `d` of its tractions causes in addition to the displacement by the
-    /// operator.
+    /// Returns the additional displacement of the cell under a change `d` of its tractions. The displacement by the operator is
+    /// not included.
     fn lag(self, _d: [f64; N]) -> [f64; N] {
         [0.0; N]
     }

@@ -174,8 +174,8 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         w.moving.sum(|range| squares(&residual[range])).sqrt()
     }
 
-    /// Allocates vector `j` of the basis and the vectors that are read together with it. A later solve with one more step
-    /// therefore rarely allocates.
+    /// Allocates vector `j` of the basis and the vectors that are read together with this vector. A later solve with one more
+    /// step therefore rarely allocates.
     fn extend_basis(&mut self, j: usize) -> ControlFlow<Status> {
         let w = &mut *self.workspace;
         let group = w.basis.chunks_mut(AT_ONCE).nth(j / AT_ONCE);

@@ -239,8 +239,8 @@ impl SelfAffine {
         }
     }
 
-    /// Sets the shortest wavelength of the spectrum, at least two cells (default 8 cells, measured along the longer
-    /// side of a cell).
+    /// Sets the shortest wavelength of the spectrum, which must be at least two cells. The default is 8 cells, measured
+    /// along the longer side of a cell.
     #[must_use]
     pub fn cut_off_wavelength(self, wavelength: f64) -> Self {
         Self {
@@ -256,12 +256,12 @@ impl SelfAffine {
     }
 
     /// Cuts the surface out of the middle of a periodic surface of twice the side lengths. Opposite edges then do not
-    /// match. The mean of the part is removed. For [`Amplitudes::Exact`] the part is scaled to the target. Skewness and
-    /// kurtosis apply to the part.
+    /// match. The mean of the cropped surface is removed. For [`Amplitudes::Exact`] the cropped surface is scaled to
+    /// the target. Skewness and kurtosis apply to the cropped surface.
     ///
-    /// With [`Amplitudes::Gaussian`] the part is not scaled, and removing its mean reduces its mean square. If no
-    /// longest wavelength is given, the mean square of the heights of the part is about 0.7 times the square of the
-    /// target. This factor is the average over all seeds.
+    /// With [`Amplitudes::Gaussian`] the cropped surface is not scaled, and removing its mean reduces its mean square.
+    /// If no longest wavelength is given, the mean square of the heights is about 0.7 times the square of the target.
+    /// This factor is the average over all seeds.
     #[must_use]
     pub fn cropped(self) -> Self {
         Self {
@@ -280,8 +280,8 @@ impl SelfAffine {
         }
     }
 
-    /// Sets the kurtosis of the heights, $`\langle z^4\rangle/\langle z^2\rangle^2`$, at least the squared skewness
-    /// plus one. If only the skewness is given, the default is 3, the value of a Gaussian surface.
+    /// Sets the kurtosis of the heights, $`\langle z^4\rangle/\langle z^2\rangle^2`$. The kurtosis must be at least the
+    /// squared skewness plus one. If only the skewness is given, the default is 3, the value of a Gaussian surface.
     #[must_use]
     pub fn kurtosis(self, kurtosis: f64) -> Self {
         Self {
