@@ -5,14 +5,14 @@
 //! \quad\text{optionally}\quad \textstyle\sum_i x_i = S .
 //! ```
 //!
-//! Each cell `i` has `N` unknowns. `C` is an [`Operator`](crate::Operator). This operator is positive definite. It is also
-//! symmetric unless it [reports otherwise](crate::Operator::is_symmetric). `K_i` is the set that a [`Constraint`] assigns to the
-//! cell: an [`Interval`] for one unknown, a [`Disc`] for two. A [`Total`] prescribes the sum of a component or ties it to a
-//! spring. The solver returns the multiplier of the total. For a normal contact, `x` is the pressure, `b` is the gap, and the
-//! multiplier is the approach. `S` is then the load divided by the area of a cell. For a tangential contact, `x` is the traction,
-//! which friction limits along one axis or in the plane. The multiplier is then the shift. Vectors are arrays of one slice per
-//! component. A [diagonal](Problem::diagonal) `D`, an additional compliance of the cells, may be added to `C`. The statements
-//! below then hold for `C + D`.
+//! Each cell `i` has `N` unknowns. `C` is a positive definite [`Operator`](crate::Operator). It is symmetric unless it [reports
+//! otherwise](crate::Operator::is_symmetric). `K_i` is the set that a [`Constraint`] assigns to the cell: an [`Interval`] for one
+//! unknown, a [`Disc`] for two. A [`Total`] prescribes the sum of a component or ties it to a spring. The solver returns the
+//! multiplier of the total. For a normal contact, `x` is the pressure, `b` is the gap, and the multiplier is the approach. `S` is
+//! then the load divided by the area of a cell. For a tangential contact, `x` is the traction, which friction limits along one
+//! axis or in the plane. The multiplier is then the shift. Vectors are arrays of one slice per component. A
+//! [diagonal](Problem::diagonal) `D`, an additional compliance of the cells, may be added to `C`. The statements below then hold
+//! for `C + D`.
 //!
 //! The solver is a semismooth Newton method. The sets determine how each cell may move. Conjugate gradients solve the linear
 //! problem of the moving cells, bordered by the totals. Then the sets are updated. For intervals this is a primal-dual active-set

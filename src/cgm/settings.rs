@@ -6,8 +6,8 @@ use crate::error::{Error, Result};
 
 /// Iteration method that computes the constrained minimum.
 ///
-/// If the active sets start to cycle, projected-gradient steps complete the solve. If the sets still cycle, the solver uses a
-/// sequence of better-conditioned problems.
+/// If the active sets start to cycle, projected-gradient steps follow. If the sets still cycle, a sequence of better-conditioned
+/// problems completes the solve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

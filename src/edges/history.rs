@@ -17,8 +17,8 @@ const LARGEST_MISS: f64 = 0.02;
 const STUCK: f64 = 1e-3;
 
 impl History {
-    /// Returns the edges of the contact and of the stick zone after the last step, located inside the cells. The friction is the
-    /// current friction. The page of [`edges`](crate::edges) describes the method.
+    /// Returns the edges of the contact and of the stick zone after the last step, located inside the cells. The function uses
+    /// the current friction. The page of [`edges`](crate::edges) describes the method.
     ///
     /// The value in the stick zone is the friction reserve $`\mu p - q \cdot t`$ in the direction in which a cell would slip.
     /// Here t is the unit vector of the traction in the nearest slipping cell. After a reversal this value falls to zero at the
@@ -31,7 +31,7 @@ impl History {
     ///
     /// The table is for a sphere with mu = 0.5 and forces along one axis. The grid has centre values and 128 x 128 cells on three
     /// contact radii. The table compares the errors of the raw cells and of the fit. The errors of the stick area are the mean
-    /// and the maximum over 8 positions. The errors of the traction (L1 norm) are the mean:
+    /// and the maximum over 8 positions. The errors of the traction (L1 norm) are means over these positions:
     ///
     /// | force over mu W | area, counted | area, fit | traction, raw cells | traction, fit |
     /// |---|---|---|---|---|

@@ -74,9 +74,9 @@
 //! | gap r^4, 0.4 | 1.0 | 3.7e-2, 3.2e-2 | 2.9e-2, 2.9e-2 | 1.2e-2, 1.0e-2 | 0.98 |
 //! | gap r^4, 0.8 | 2.9 | 1.5e-2, 1.2e-2 | 1.8e-3, 1.4e-3 | 1.2e-2, 8.4e-3 | 0.59 |
 //!
-//! Results for the gap r^4 on two other grids were as follows. At 0.4 on 64 x 64 cells, the error of the traction is 6e-3 with
-//! the fit and 1.3e-2 for the raw cells. At 0.6 on 40 x 40 cells, the slip ring is about two cells wide. The fit then increases
-//! the error of the largest traction by a factor of 1.4. It increases the error of the stick area by a factor of 1.7.
+//! Two other grids were tested with the gap r^4. At 0.4 on 64 x 64 cells, the error of the traction is 6e-3 with the fit and
+//! 1.3e-2 for the raw cells. At 0.6 on 40 x 40 cells, the slip ring is about two cells wide. The fit then increases the error of
+//! the largest traction by a factor of 1.4. It increases the error of the stick area by a factor of 1.7.
 //!
 //! Away from the edge, the means over cells are $`p + \Delta_h p/24`$.
 //!

@@ -16,8 +16,8 @@ use crate::influence::periodic_images::{FAR, pieces};
 /// point force depend on the distance r, the kernels of a line load on the distance x. Both are smooth on the scale of the
 /// outermost layer.
 ///
-/// The term $`\Delta\,e^{-kH}/k`$ of the response corresponds to a force at the depth H. It contains the pole of the base at k =
-/// 0. The remainder is R(k), which is negligible beyond [`GONE`]. The tabulated kernels of points are
+/// The term $`\Delta\,e^{-kH}/k`$ of the response corresponds to a force at the depth H. It contains the pole of the base at
+/// `k = 0`. The remainder is R(k), which is negligible beyond [`GONE`]. The tabulated kernels of points are
 ///
 /// ```math
 /// \int k R_n J_0 \,\mathrm{d}k, \quad \int k \tfrac{R_l + R_t}{2} J_0 \,\mathrm{d}k, \quad

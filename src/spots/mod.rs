@@ -99,7 +99,7 @@ pub struct Spot {
     /// Length of the edge along the sides of the cells (a length). For a round spot it exceeds the true length by a factor of
     /// 4/pi.
     pub perimeter: f64,
-    /// Number of sticking cells divided by the number of cells, or `None` for a contact without a tangential load.
+    /// Number of sticking cells divided by the number of cells, or `None` for the spots of a [`NormalSolution`].
     pub stick_ratio: Option<f64>,
 }
 

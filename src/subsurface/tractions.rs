@@ -25,7 +25,7 @@ use crate::tangential::TangentialSolution;
 ///
 /// On bodies with [`CellValue::Centre`] the fields contain values at the cell centres. The sum uses uniform cells that
 /// carry $`p - \Delta_h p/24`$. These uniform cells cause the same surface displacements as the values at the centres.
-/// On a free grid, the outermost cells must not carry any traction.
+/// On a free grid this holds only if the outermost cells carry no traction.
 ///
 /// The sign convention is the convention of the whole crate. A positive pressure is compression, and the tractions act
 /// on body 1 along x and y.

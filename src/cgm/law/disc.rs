@@ -10,7 +10,7 @@
 //! ```
 //!
 //! the stiffness of the operator along the circle plus $`|g|/m`$. The second term results from the rotation of the tangent with
-//! the traction. Iterations of clipped gradients omit this term and stall (Zhao, Vollebregt & Oosterlee, report 14-02 of the
+//! the traction. Without this term, iterations of clipped gradients stall (Zhao, Vollebregt & Oosterlee, report 14-02 of the
 //! Delft Institute of Applied Mathematics, 2014).
 
 use crate::cgm::active_set_solve::ActiveSetSolve;

@@ -36,7 +36,7 @@ const RETREAT: f64 = 3.0;
 const SOLVED: f64 = 1e-2;
 /// Reduction of the inner residual. Sets that are updated from less accurate solutions start to cycle earlier.
 const REDUCTION: f64 = 1e-4;
-/// Number of products for the estimate of the largest eigenvalue, of which the order of magnitude suffices.
+/// Number of products for the estimate of the largest eigenvalue. The order of magnitude of this eigenvalue suffices.
 const POWERS: usize = 8;
 /// Number of attempts without restraint that do not halve the residual before the iteration counts as stalled.
 const STALLS: usize = 6;
