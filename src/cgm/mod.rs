@@ -11,8 +11,8 @@
 //! multiplier of the total. For a normal contact, `x` is the pressure, `b` is the gap, and the multiplier is the approach. `S` is
 //! then the load divided by the area of a cell. For a tangential contact, `x` is the traction, which friction limits along one
 //! axis or in the plane. The multiplier is then the shift. Vectors are arrays of one slice per component. A
-//! [diagonal](Problem::diagonal) `D`, an additional compliance of the cells, may be added to `C`. The statements below then hold
-//! for `C + D`.
+//! [diagonal](Problem::diagonal) `D`, an additional compliance of the cells, may be added to `C`. The following statements then
+//! hold for `C + D`.
 //!
 //! The solver is a semismooth Newton method. The sets determine how each cell may move. Conjugate gradients solve the linear
 //! problem of the moving cells, bordered by the totals. Then the sets are updated. For intervals this is a primal-dual active-set
