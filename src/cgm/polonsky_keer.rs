@@ -1,8 +1,8 @@
 //! Method of Polonsky & Keer: a single loop of conjugate gradients with clipping, for bounds on both sides.
 //!
-//! With bounds `|q| <= mu p` the method is the tangential loop of Wang et al. (2021), eqs 17-26, with three corrections to the
-//! paper. Entries inside the bounds are clipped as well (eq 21). An entry that becomes free is clipped on both sides (eq 22). The
-//! conjugation term has a positive sign (eq 24).
+//! For the bounds `|q| <= mu p` the method is the tangential loop of Wang et al. (2021), eqs 17-26. Three errors of the paper are
+//! corrected. Entries inside the bounds are clipped as well (eq 21). An entry that becomes free is clipped on both sides (eq 22).
+//! The conjugation term has a positive sign (eq 24).
 
 use std::ops::ControlFlow;
 

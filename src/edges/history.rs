@@ -22,11 +22,11 @@ impl History {
     ///
     /// The value in the stick zone is the friction reserve $`\mu p - q \cdot t`$ in the direction in which a cell would slip.
     /// Here t is the unit vector of the traction in the nearest slipping cell. After a reversal this value falls to zero at the
-    /// new edge like $`2 (\mu p - |q|)`$ at the edge of a first loading. Slipping cells contribute to the fit if they stuck until
-    /// the last step and this step did not change the normal load. After small steps there might be no such cells. After
-    /// [`set_state`](Self::set_state), after a restart and after a rolling step, these cells cannot be identified. In both cases
-    /// the edge follows only from the values in the stick zone. A cell that continues to slip while its traction rotates by a few
-    /// degrees cannot be distinguished from a cell that stuck. After a change of the friction the zones still belong to the
+    /// new edge. It behaves like $`2 (\mu p - |q|)`$ at the edge of a first loading. Slipping cells contribute to the fit if they
+    /// stuck until the last step and this step did not change the normal load. After small steps there might be no such cells.
+    /// After [`set_state`](Self::set_state), after a restart and after a rolling step, these cells cannot be identified. In both
+    /// cases the edge follows only from the values in the stick zone. A cell that continues to slip while its traction rotates by
+    /// a few degrees cannot be distinguished from a cell that stuck. After a change of the friction the zones still belong to the
     /// previous friction.
     ///
     /// The table is for a sphere with mu = 0.5 and forces along one axis. The grid has centre values and 128 x 128 cells on three

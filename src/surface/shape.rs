@@ -37,8 +37,8 @@ pub fn ellipsoid(grid: Grid, radius_x: f64, radius_y: f64) -> Result<Field> {
     sampled(grid, |x, y| 0.5 * (x * x / radius_x + y * y / radius_y))
 }
 
-/// Returns the gap `h = x^2 / (2 R)` of a cylinder along y that touches a plane along the line `x = 0`. Radius and gap are
-/// lengths.
+/// Returns the gap `h = x^2 / (2 R)` of a cylinder along y. The cylinder touches a plane along the line `x = 0`. Radius and gap
+/// are lengths.
 ///
 /// For a cylinder of a different direction use [`paraboloid`]. On a grid that is not periodic, the cylinder ends at the edges of
 /// the grid and the pressure has peaks at both ends ([`Warning::ContactSpansGrid`](crate::Warning::ContactSpansGrid)). For a line
@@ -97,7 +97,7 @@ pub fn paraboloid(grid: Grid, curvatures: [f64; 3]) -> Result<Field> {
     })
 }
 
-/// Returns the gap `h = slope * sqrt(x^2 + y^2)` of a cone that touches a plane with its tip at the origin.
+/// Returns the gap `h = slope * sqrt(x^2 + y^2)` of a cone. The tip of the cone touches a plane at the origin.
 ///
 /// `slope` is the tangent of the angle between cone and plane (dimensionless). The gap `h` is a length.
 ///
@@ -111,7 +111,7 @@ pub fn cone(grid: Grid, slope: f64) -> Result<Field> {
 /// Returns the gap of a flat-ended cylindrical punch centred on the origin. The gap is zero in the cells whose centre is within
 /// `radius` of the origin, and `recess` in the other cells (lengths).
 ///
-/// The recess must exceed the displacements, so that the body around the punch does not come into contact.
+/// The recess must exceed the displacements. Otherwise the body would come into contact around the punch.
 ///
 /// # Errors
 /// - [`Error::NotPositive`] if the radius or the recess is not positive and finite, or if the punch does not cover any cell

@@ -35,8 +35,8 @@ impl Slab {
         }
     }
 
-    /// Treats a field as a whole surface, even if it is a slab of a distributed surface. Returns an error if the field
-    /// has no cells.
+    /// Treats a field as a whole surface, even if the field is a slab of a distributed surface. Returns an error if the
+    /// field has no cells.
     pub(super) fn alone(heights: &Field) -> Result<Self> {
         let grid = heights.grid();
         let [nx, ny] = grid.size();

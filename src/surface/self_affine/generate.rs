@@ -103,7 +103,7 @@ impl SelfAffine {
         Ok(Some([skewness, kurtosis]))
     }
 
-    /// Draws the waves of the periodic surface for a target of one, so that no square overflows or underflows.
+    /// Draws the waves of the periodic surface for a target of one. Squares for this target neither overflow nor underflow.
     pub(super) fn waves(&self, cut: &CropWindow, mut waves: Waves) -> Result<Waves> {
         let law = SpectrumLaw::new(self, cut.whole)?;
         let total = match self.target {
