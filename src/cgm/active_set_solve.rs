@@ -89,22 +89,22 @@ pub struct ActiveSetSolve<'a, 'b, K: Constraint<N>, const N: usize> {
     pub(super) x: [&'a mut [f64]; N],
     pub(super) workspace: &'a mut Workspace<K::Set, N>,
     /// Bound on the error of product and gradient for the current `x`, relative to the largest displacement. The bound is zero
-    /// after a product in double precision, and infinite once `x` has moved.
+    /// after a product in double precision. It is infinite after a change of `x`.
     pub(super) product_error: f64,
     /// Error bound of the gradient alone, which is updated by the steps of the linear problem.
     pub(super) gradient_error: f64,
     pub(super) start: IterateStart,
     /// Lower bound of the eigenvalues on the unknowns that the totals allow.
     pub(super) lower_bound: LowerBound,
-    /// Displacement of a cell under a unit traction on it.
+    /// Displacement of a cell under a unit traction on this cell.
     pub(super) self_compliance: f64,
     /// Reduction of the inner residual with which the next pass of Newton's method starts.
     pub(super) inner_reduction: f64,
-    /// Stiffness added to the operator around the centre of a proximal-point stage; zero outside such stages.
+    /// Stiffness added to the operator around the centre of a proximal-point stage, or zero outside such stages.
     pub(super) restraint: f64,
     /// Restraint above which the inverse of the operator alone is useless as a preconditioner.
     pub(super) stiff: f64,
-    /// Merit of the last verified iterate; `None` if the iterate is not feasible or has changed since.
+    /// Merit of the last verified iterate, or `None` if the iterate is not feasible or has changed after the verification.
     pub(super) shown: Option<f64>,
     pub(super) progress: Progress,
     pub(super) totals: TotalsSystem<N>,
@@ -112,7 +112,7 @@ pub struct ActiveSetSolve<'a, 'b, K: Constraint<N>, const N: usize> {
     pub(super) is_near: bool,
     /// Largest displacement at the last examination.
     pub(super) displacement: f64,
-    /// Whether the totals determine all unknowns: every cell is at an extreme point of its set.
+    /// Whether the totals determine all unknowns because every cell is at an extreme point of its set.
     is_extreme: bool,
 }
 
@@ -153,11 +153,11 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         }
     }
 
-    /// Determines whether springs alone store the energy of uniform unknowns, provided that this affects the error
-    /// bound.
+    /// Determines whether springs alone store the energy of uniform unknowns. Does nothing if the result would not affect the
+    /// error bound.
     ///
-    /// An operator whose eigenvalues on all unknowns exceed the bound displaces some cell by at least the bound under uniform
-    /// unknowns of one.
+    /// The test sets all unknowns to one. If the bound holds for all unknowns, the operator then displaces some cell by at least
+    /// the bound.
     pub(super) fn find_bound_of_mean(&mut self) {
         let (least, layout) = (self.lower_bound.value, self.layout());
         let cells = layout.of_all_ranks();
@@ -212,8 +212,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         });
     }
 
-    /// Moves cells to restore the sums: all cells if `all`; otherwise only the moving cells or only the cells inside their
-    /// bounds, if these cells suffice. Returns whether the cells keep their motion states.
+    /// Moves cells to restore the sums. Moves all cells if `all` is set. Otherwise moves only the moving cells or only the cells
+    /// inside their bounds if these cells suffice. Returns whether the cells keep their motion states.
     pub(super) fn restore_totals(&mut self, all: bool) -> bool {
         let motions = &self.workspace.linear.rows;
         let is_steady = MotionOf::<K, N>::IS_STEADY;
@@ -260,8 +260,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         self.product_error = 0.0;
     }
 
-    /// Computes product and gradient in single precision. This is accurate enough to iterate, but a test of convergence may use
-    /// it only if the solution is [examined elsewhere](crate::cgm::Problem::verified_by_caller).
+    /// Computes product and gradient in single precision. This precision suffices for the iteration. A test of convergence may
+    /// use the result only if the solution is [examined elsewhere](crate::cgm::Problem::verified_by_caller).
     pub(super) fn refresh_f32(&mut self) {
         self.refresh_in(Precision::Single);
         self.product_error = SINGLE;
@@ -331,9 +331,10 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         });
     }
 
-    /// Returns a small replacement for the curvature `d' C d` of a direction `d` if this curvature is zero; `square` is `d' d`.
-    /// The resulting step brings the moving cells to their bounds. An operator that maps constants to zero does not resist a
-    /// uniform direction. The operator of a single periodic cell maps everything to zero and has no stiffness for comparison.
+    /// Returns a small replacement for the curvature `d' C d` of a direction `d` if this curvature is zero. The argument `square`
+    /// is `d' d`. The resulting step brings the moving cells to their bounds. An operator that maps constants to zero does not
+    /// resist a uniform direction. The operator of a single periodic cell maps everything to zero and has no stiffness for
+    /// comparison.
     pub(super) fn slide(&self, curvature: f64, square: f64) -> Option<f64> {
         let stiffness = self.lower_bound.value * square;
         let is_flat = self.problem.totals.contains(&Total::Free)
@@ -389,8 +390,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         self.monitor.notify_observer(&self.workspace.linear.report)
     }
 
-    /// Returns the multiplier for which `x = 0` is feasible and optimal, or `None` if there is none. An iteration towards zero
-    /// would lose the scale of its residual.
+    /// Returns the multiplier for which `x = 0` is feasible and optimal, or `None` if no such multiplier exists. An iteration
+    /// towards zero would lose the scale of its residual.
     pub(super) fn multiplier_at_zero(&self) -> Option<[f64; N]> {
         let Posed {
             constraint, totals, ..
@@ -434,8 +435,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         Status::Converged
     }
 
-    /// Moves all cells to the only feasible point if the sums are the extreme sums along a direction. The multiplier is set to
-    /// the value at which the first cell would move.
+    /// Moves all cells to the only feasible point if the sums are the extreme sums along a direction. Sets the multiplier to the
+    /// value at which the first cell would move.
     pub(super) fn at_extreme(&mut self, direction: [f64; N]) -> Status {
         let Posed {
             constraint, totals, ..
@@ -456,8 +457,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         Status::Converged
     }
 
-    /// Moves the iterate into its sets and to its sums unless it is feasible up to round-off. Afterwards its product is up to
-    /// date, or as accurate as required.
+    /// Moves the iterate into its sets and adjusts it to its sums, unless it is already feasible up to round-off. Afterwards its
+    /// product is up to date or as accurate as required.
     pub(super) fn make_feasible(&mut self) -> ProjectionOutcome {
         let mut keeps_sets = true;
         let constraint = self.problem.constraint;
@@ -466,7 +467,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         let mut unchanged = outside == 0.0 && !self.has_springs();
         if outside > 0.0 {
             update_cells(&mut self.x, |i, x| constraint.of(i).project(x));
-            // No cell displaces any other cell more than itself.
+            // A traction on a cell displaces no other cell more than the loaded cell.
             self.move_by(self.self_compliance * outside / self.displacement);
         }
         let prescribed = self.sums();
@@ -504,8 +505,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         }
     }
 
-    /// Records that `x` has moved but the product has not been updated: the relative error of the product grows by
-    /// `part`.
+    /// Records a change of `x` without an update of the product. The relative error of the product grows by `part`.
     fn move_by(&mut self, part: f64) {
         let is_known = part > 0.0 && self.problem.own.is_none();
         if is_known && self.problem.is_examined_elsewhere {
@@ -539,8 +539,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         let findings = self.certificate();
         let mut merit = self.merit(&findings);
         if self.is_extreme && !merit.is_nan() {
-            // No other unknowns have these sums, so only the sums can be wrong. The gradient points along the slip in all
-            // cells only in the limit of a large motion.
+            // No other unknowns have these sums, so only the sums can be inaccurate. Only in the limit of a large motion does the
+            // gradient point along the slip in all cells.
             merit = findings.load_error;
             let report = &mut self.workspace.linear.report;
             (report.residual, report.duality_gap) = (0.0, 0.0);

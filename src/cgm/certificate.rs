@@ -1,5 +1,5 @@
-//! Error certificate of an iterate: a bound on its distance from the minimum, computed from one product with the duality
-//! (Frank-Wolfe) gap and the smallest eigenvalue.
+//! Error certificate of an iterate: a bound on its distance from the minimum. The bound is computed from one product, with the
+//! duality (Frank-Wolfe) gap and the smallest eigenvalue.
 //!
 //! The documentation of the module [`cgm`](crate::cgm) derives the bound.
 
@@ -31,9 +31,9 @@ pub(crate) struct Certificate {
 }
 
 impl Certificate {
-    /// Returns the quantity that must fall to the tolerance: the largest of residual, load error and, if the operator provides a
-    /// bound on its smallest eigenvalue, the certified error. Without that bound only the duality gap is available. The gap is
-    /// left out because its square root falls only with the square root of the residual.
+    /// Returns the quantity that must fall to the tolerance: the largest of residual, load error and certified error. The
+    /// certified error is included only if the operator provides a bound on its smallest eigenvalue. Without this bound only the
+    /// duality gap would be available. Its square root falls only with the square root of the residual.
     pub(super) fn merit(&self, lower_bound: f64) -> f64 {
         let error = if lower_bound > 0.0 {
             self.gap.sqrt()
@@ -86,8 +86,8 @@ pub(crate) fn examine<const N: usize>(
     }
 }
 
-/// Range of unknowns and displacements for which squares, including squares of small fractions, neither overflow nor underflow in
-/// a sum over all cells.
+/// Range of unknowns and displacements whose squares neither overflow nor underflow in a sum over all cells. The range leaves a
+/// margin for squares of small fractions of these values.
 const ORDINARY: RangeInclusive<f64> = 1e-140..=1e140;
 
 /// Measures of a feasible iterate, in the units of its problem.
@@ -95,15 +95,14 @@ const ORDINARY: RangeInclusive<f64> = 1e-140..=1e140;
 pub(crate) struct IterateMeasures {
     /// Largest gradient that complementarity does not allow.
     pub(crate) forbidden: f64,
-    /// Largest displacement among the cells that can move, replaced by a lower limit if it is smaller.
+    /// Largest displacement among the cells that can move. `least_displacement` replaces a smaller value.
     displacement: f64,
     least_displacement: f64,
-    /// Largest components among the same cells: of the unknowns, of the displacements and of the gradients that complementarity
-    /// does not allow.
+    /// Largest components of the unknowns, of the displacements and of the forbidden gradients among the cells that can move.
     sizes: [f64; 3],
     /// Bound `E` of the error in the energy norm.
     pub(crate) bound: f64,
-    /// `x' C x`, replaced by a lower limit if it is smaller.
+    /// Energy `x' C x`. `least_energy` replaces a smaller value.
     energy: f64,
     least_energy: f64,
     /// Deviation from the prescribed sums, relative to `sum |x|`.
@@ -132,8 +131,8 @@ impl IterateMeasures {
         }
     }
 
-    /// Returns whether the squares of unknowns and displacements, and of small fractions of them, are in the range of `f64`. A
-    /// NaN counts as in range because it propagates to the result.
+    /// Returns whether the squares of unknowns and displacements are in the range of `f64`. The test includes the squares of
+    /// small fractions of these values. A NaN counts as in range because it propagates to the result.
     pub(crate) fn has_squares(&self) -> bool {
         let [unknown, displacement, gradient] = self.sizes;
         // A gradient that is small compared with the displacements is a small residual.
@@ -229,8 +228,8 @@ pub(crate) fn measure<const N: usize>(
 }
 
 /// Returns the change of the bound `B^2` caused by a spring, for gradients whose sum is `pushed`. The mean of these gradients is
-/// divided by the compliance `n c` of uniform unknowns instead of the smallest eigenvalue if this reduces the bound, or if the
-/// operator maps constants to zero.
+/// divided by the smallest eigenvalue or by the compliance `n c` of uniform unknowns. The function uses `n c` if this reduces the
+/// bound or if the operator maps constants to zero.
 fn by_spring(
     pushed: f64,
     cells: f64,
@@ -399,7 +398,7 @@ impl<const N: usize> CertificateMeasures<N> {
         }
         self.free += usize::from(set.is_inside(x));
         if forbidden != 0.0 {
-            // Either contribution is valid; the smaller is used.
+            // Both contributions are valid, and the smaller contribution is used.
             let dual = set.duality_gap(x, g);
             let square = if lower_bound > 0.0 {
                 forbidden * forbidden / lower_bound
@@ -429,8 +428,8 @@ impl<const N: usize> CertificateMeasures<N> {
     }
 }
 
-/// Returns `a / b`, zero if `a` is zero, or infinity if `b` is not positive. Returns NaN if either is NaN, so that a
-/// broken product is detected.
+/// Returns `a / b`, zero if `a` is zero, or infinity if `b` is not positive. Returns NaN if `a` or `b` is NaN, so that an invalid
+/// product is detected.
 fn ratio(a: f64, b: f64) -> f64 {
     if a == 0.0 && !b.is_nan() {
         0.0

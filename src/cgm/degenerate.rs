@@ -1,5 +1,5 @@
-//! Degenerate problems of the semismooth Newton method: all cells at their bounds, and preconditioners that are not positive
-//! definite.
+//! Degenerate problems of the semismooth Newton method. Either all cells are at their bounds, or the preconditioner is not
+//! positive definite.
 
 use crate::cgm::active_set_solve::ActiveSetSolve;
 use crate::cgm::law::interval::EDGE;
@@ -23,14 +23,14 @@ pub(super) enum BoundState {
     Deficit(f64),
 }
 
-/// Relative change of a total due to rotation that counts as round-off. Close to the friction limit, slipping cells are rotated
-/// only slightly away from the total, and this small rotation carries the total.
+/// Relative change of a total due to rotation that counts as round-off. Close to the friction limit, the tractions of slipping
+/// cells are rotated only slightly away from the total. This small rotation carries the total.
 const LEAST_TURN: f64 = 1e-13;
 
 impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
-    /// Returns the unit direction of the sums that slipping cells cannot change if no cell is free, or `None` if there is no such
-    /// direction. All tractions point along this direction, or so nearly that rotating them by an angle of one would change the
-    /// sum by less than its deficit.
+    /// Returns the unit direction along which slipping cells cannot change the sums if no cell is free. Returns `None` if there
+    /// is no such direction. All tractions are parallel to this direction, or nearly so. In the second case a rotation by one
+    /// radian would change the sum by less than its deficit.
     pub(super) fn uncontrollable_direction(&self, system: &TotalsSystem<N>) -> Option<[f64; N]> {
         let (has_sum, mobility) = (system.has_sum(), system.mobility);
         if has_sum == [false; N] {
@@ -46,7 +46,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         (!can_turn || !reaches()).then_some(normal)
     }
 
-    /// Returns the change of the sum along a direction if each cell rotates by an angle of one, to first order.
+    /// Returns the first-order change of the sum along a direction if the traction of each cell rotates by one radian.
     fn tangent_change(&self, normal: [f64; N]) -> f64 {
         let x = slices(&self.x);
         let (moving, motions) = (&self.workspace.linear.moving, &self.workspace.linear.rows);
@@ -70,9 +70,9 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         Some([missing, magnitude])
     }
 
-    /// Releases slipping cells if no rotation of their tractions can change the total along `normal`, a unit vector. If the total
-    /// has a deficit, releases the cells that would stick first under a motion that reduces the deficit, provided that these
-    /// cells can carry the deficit. If the total is met and no cell is pushed, releases the cells that would stick first in
+    /// Releases slipping cells if no rotation of their tractions can change the total along the unit vector `normal`. If the
+    /// total has a deficit, releases the cells that would stick first under a motion that reduces the deficit. These cells must
+    /// be able to carry the deficit. If the total is met and no cell is pushed, releases the cells that would stick first in
     /// either direction. Otherwise releases all cells.
     pub(super) fn release_bound_cells(&mut self, system: &mut TotalsSystem<N>, normal: [f64; N]) {
         let opposite = normal.map(|n| -n);
@@ -111,8 +111,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         true
     }
 
-    /// Releases the moving cells for which `is_selected` holds; its arguments are the unknowns and the gradient of a
-    /// cell.
+    /// Releases the moving cells for which `is_selected` returns true. Its arguments are the unknowns and the gradient of a cell.
     fn free(&mut self, is_selected: impl Fn([f64; N], [f64; N]) -> bool + Sync) {
         let x = slices(&self.x);
         let w = &mut *self.workspace;
@@ -129,8 +128,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     }
 
     /// Sets the multiplier if all cells are at their bounds along a unit vector and have the prescribed sum. Any multiplier
-    /// between the gradients of the cells at the upper and at the lower bound is valid; the middle is chosen. Returns `None` if
-    /// no sum is prescribed or no cell can move.
+    /// between the gradients of the cells at the upper and at the lower bound is valid. The function selects the middle of this
+    /// interval. Returns `None` if no sum is prescribed or no cell can move.
     pub(super) fn multiplier_at_bounds(&mut self, normal: [f64; N]) -> Option<BoundState> {
         let [missing, magnitude] = self.missing_along(normal)?;
         if missing.abs() > ROUND_OFF * magnitude {
@@ -164,8 +163,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
 }
 
 impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
-    /// Returns `Ok` if `v' M v` is positive and finite for three vectors on the cells that can move: a uniform vector, the final
-    /// residual and the largest entries of the residual.
+    /// Returns `Ok` if `v' M v` is positive and finite for three vectors on the cells that can move. The vectors are a uniform
+    /// vector, the final residual and the largest entries of this residual.
     pub(super) fn check_preconditioner(&mut self) -> Result<()> {
         let (problem, multiplier) = (self.problem, self.workspace.multiplier);
         let forbidden = |i: usize, x, gradient| {
@@ -194,8 +193,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         })
     }
 
-    /// Returns `v' M v` for a vector `v` that is computed from the unknowns and the gradient of each cell, if this product should
-    /// be positive and finite but is not.
+    /// Returns `v' M v` if this product should be positive and finite but is not. `v` computes the vector from the unknowns and
+    /// the gradient of each cell.
     fn negative_curvature_along(
         &mut self,
         v: impl Fn(usize, [f64; N], [f64; N]) -> [f64; N] + Sync,

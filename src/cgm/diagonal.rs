@@ -5,9 +5,10 @@ use crate::numerics::cell_vector::plus;
 /// A symmetric tensor per cell: a multiple of the identity and, for two components, a traceless part.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct CellCompliance<'a> {
-    /// Mean over all directions; empty if no cell has an additional compliance.
+    /// Mean over all directions. The slice is empty if no cell has an additional compliance.
     mean: &'a [f64],
-    /// Entries `[a, b]` of the matrix with the rows `[a, b]` and `[b, -a]`; empty if the matrix is zero in all cells.
+    /// Entries `[a, b]` of the matrix with the rows `[a, b]` and `[b, -a]`. The slice is empty if the matrix is zero in all
+    /// cells.
     deviator: &'a [[f64; 2]],
 }
 

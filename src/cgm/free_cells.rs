@@ -1,5 +1,5 @@
-//! List of the moving cells; for intervals it is the complement of the active set. With this list, the cost of vector operations
-//! scales with the number of moving cells and not with the size of the grid.
+//! List of the moving cells. For intervals the list is the complement of the active set. The cost of vector operations is
+//! proportional to the length of this list, not to the size of the grid.
 
 use std::ops::Range;
 
@@ -42,7 +42,7 @@ impl ChunkCells<'_> {
         self.offsets.iter().map(|&offset| usize::from(offset))
     }
 
-    /// Visits the cells whose motion is stored, either all cells or the moving cells. `f` receives the position of the motion in
+    /// Visits the cells whose motion is stored: all cells or only the moving cells. `f` receives the position of the motion in
     /// its chunk and the position of the cell in its chunk.
     pub(in crate::cgm) fn visit<M: Row<N>, const N: usize>(&self, mut f: impl FnMut(usize, usize)) {
         if M::IS_STEADY {
@@ -69,7 +69,8 @@ impl ChunkCells<'_> {
         }
     }
 
-    /// Sums `f(position in the compressed part, position in the chunk)` in lanes, so that additions overlap.
+    /// Sums `f(position in the compressed part, position in the chunk)` in several lanes, so that the processor overlaps
+    /// additions.
     #[inline]
     pub(in crate::cgm) fn sums<T: Reduction>(&self, mut f: impl FnMut(usize, usize) -> T) -> T {
         let mut lanes = [T::ZERO; 4];
@@ -182,12 +183,12 @@ impl FreeCells {
         }
     }
 
-    /// Sums over the parts of a compressed vector.
+    /// Sums over the pieces of a compressed vector.
     pub(in crate::cgm) fn sum<T: Reduction>(&self, leaf: impl Fn(Range<usize>) -> T + Sync) -> T {
         self.sweep((), |entries, ()| leaf(entries.range))
     }
 
-    /// Splits a compressed vector into the parts of the chunks.
+    /// Splits a compressed vector into one piece per chunk.
     pub(in crate::cgm) fn compressed<'a, T>(&'a self, items: &'a mut [T]) -> UnevenChunks<'a, T> {
         UnevenChunks {
             items: &mut items[..self.len()],
@@ -195,7 +196,7 @@ impl FreeCells {
         }
     }
 
-    /// Splits the stored motions into the parts of the chunks.
+    /// Splits the stored motions into one piece per chunk.
     pub(in crate::cgm) fn motions<'a, M: Row<N>, const N: usize>(
         &'a self,
         motions: &'a mut [M],
@@ -210,7 +211,7 @@ impl FreeCells {
         }
     }
 
-    /// Calls `work` with the entries of every chunk and its part of the data, and sums the results.
+    /// Calls `work` with the entries of every chunk and with the values of this chunk, and sums the results.
     pub(in crate::cgm) fn sweep<D: Split, T: Reduction>(
         &self,
         data: D,

@@ -5,21 +5,21 @@
 //! \quad\text{optionally}\quad \textstyle\sum_i x_i = S .
 //! ```
 //!
-//! Each cell `i` has `N` unknowns. `C` is an [`Operator`](crate::Operator). It is positive definite, and symmetric unless it
-//! [reports otherwise](crate::Operator::is_symmetric). `K_i` is the set that a [`Constraint`] assigns to the cell: an
-//! [`Interval`] for one unknown, a [`Disc`] for two. A [`Total`] prescribes the sum of a component or ties it to a spring. The
-//! solver returns the multiplier of the total. For a normal contact `x` is the pressure, `b` the gap, `S` the load over the cell
-//! area and the multiplier the approach. For a tangential contact `x` is the traction within its friction limit, along one axis
-//! or in the plane, and the multiplier is the shift. Vectors are arrays of one slice per component. A
-//! [diagonal](Problem::diagonal) `D`, an additional compliance of the cells, may be added to `C`. The statements below then hold
-//! for `C + D`.
+//! Each cell `i` has `N` unknowns. `C` is a positive definite [`Operator`](crate::Operator). It is symmetric unless it [reports
+//! otherwise](crate::Operator::is_symmetric). `K_i` is the set that a [`Constraint`] assigns to the cell: an [`Interval`] for one
+//! unknown, a [`Disc`] for two. A [`Total`] prescribes the sum of a component or ties it to a spring. The solver returns the
+//! multiplier of the total. For a normal contact, `x` is the pressure, `b` is the gap, and the multiplier is the approach. `S` is
+//! then the load divided by the area of a cell. For a tangential contact, `x` is the traction, which friction limits along one
+//! axis or in the plane. The multiplier is then the shift. Vectors are arrays of one slice per component. A
+//! [diagonal](Problem::diagonal) `D`, an additional compliance of the cells, may be added to `C`. The following statements then
+//! hold for `C + D`.
 //!
 //! The solver is a semismooth Newton method. The sets determine how each cell may move. Conjugate gradients solve the linear
-//! problem of the moving cells, bordered by the totals, and then the sets are updated. For intervals this is a primal-dual
-//! active-set method; for discs the linear problem contains the curvature of the circles. If the sets cycle, projected-gradient
-//! steps move the iterate away from the cycle. If the sets still cycle, proximal-point steps, a sequence of better conditioned
-//! problems, lead to the minimum. Without symmetry there is no objective, but the optimality conditions are the same, and GMRES
-//! replaces conjugate gradients.
+//! problem of the moving cells, bordered by the totals. Then the sets are updated. For intervals this is a primal-dual active-set
+//! method. For discs the linear problem contains the curvature of the circles. If the sets cycle, projected-gradient steps move
+//! the iterate away from the cycle. If the sets still cycle, proximal-point steps, a sequence of better conditioned problems,
+//! lead to the minimum. Without symmetry there is no objective, but the optimality conditions are the same. GMRES then replaces
+//! conjugate gradients.
 //!
 //! [`Method`] selects the iteration. For every method and outcome, the returned iterate is feasible and the [`Report`] is
 //! recomputed from a product with it. The duality gap in the report bounds the error in the energy norm (see
@@ -27,37 +27,38 @@
 //!
 //! # The certified error
 //!
-//! Let `x` be feasible with gradient `g = C x + b - delta` (the multiplier may be any number if a total is prescribed), `x*` the
-//! minimiser and `E^2 = (x - x*)' C (x - x*)`. The gradient at the minimiser has a non-negative product with `x - x*`, and the
-//! two gradients differ by `C (x - x*)`. Therefore
+//! Let `x` be feasible with gradient `g = C x + b - delta`. If a total is prescribed, the multiplier may be any number. Let `x*`
+//! be the minimiser and `E^2 = (x - x*)' C (x - x*)`. The scalar product of the gradient at the minimiser with `x - x*` is not
+//! negative. The two gradients differ by `C (x - x*)`. Therefore
 //!
 //! ```math
 //! E^2 \le g' (x - x^*) .
 //! ```
 //!
-//! The contribution of each entry to the right side is bounded in one of two ways. The first bound is its duality gap
-//! `a_i = g_i x_i - min over y_i of g_i y_i`. The second uses a lower bound `lambda` of the eigenvalues of `C`:
-//! `sum r_i (x - x*)_i <= |r| E / sqrt(lambda)`, where `r_i` is the part of `g_i` that complementarity does not allow. With `A`
-//! the sum of the first bounds and `B = |r| / sqrt(lambda)`, `E^2 <= A + B E`, hence
+//! The contribution of each entry to the right-hand side is bounded in one of two ways. The first bound is its duality gap
+//! `a_i = g_i x_i - min over y_i of g_i y_i`. The second bound uses a lower bound `lambda` of the eigenvalues of `C`:
+//! `sum r_i (x - x*)_i <= |r| E / sqrt(lambda)`. Here `r_i` is the part of `g_i` that complementarity does not allow. Let `A` be
+//! the sum of the first bounds and `B = |r| / sqrt(lambda)`. Then `E^2 <= A + B E`, hence
 //!
 //! ```math
 //! E \le B/2 + \sqrt{B^2/4 + A} .
 //! ```
 //!
 //! The first bound is the Frank-Wolfe gap (<https://doi.org/10.1002/nav.3800030109>) and is of first order in the residual. The
-//! second bound is of second order. For an operator that provides no such `lambda` only the first bound is available. The first
-//! bound is infinite while a cell without an upper bound has a gradient that would increase its unknown. An iteration with such
-//! an operator stops on the residual alone.
+//! second bound is of second order. Only the first bound is available for an operator that does not provide `lambda`. This bound
+//! is infinite while a cell without an upper bound has a gradient that would increase its unknown. An iteration with such an
+//! operator uses only the residual as its stopping criterion.
 //!
-//! A spring of compliance `c` adds `c (sum x)^2 / 2` to the objective and `c (sum (x - x*))^2 >= 0` to `E^2`. Its multiplier
-//! follows the sum, `delta = X - c sum x`. Thus `g` is the gradient of the whole objective, and the bound also holds for the
-//! energy norm of `C` alone. In `B`, the mean of `r` over the `n` cells is then divided by `n c` instead of `lambda` if `n c` is
-//! larger, or if the operator maps constants to zero and only the spring resists the mean. Residuals are then relative to the
-//! largest displacement, or to the stretch of the stiffest spring under unknowns of one sign if this stretch is larger.
+//! A spring of compliance `c` adds the term `c (sum x)^2 / 2` to the objective. It adds the term `c (sum (x - x*))^2 >= 0` to
+//! `E^2`. Its multiplier follows the sum, `delta = X - c sum x`. Thus `g` is the gradient of the whole objective. The bound also
+//! holds for the energy norm of `C` without the spring. In `B`, the mean of `r` over the `n` cells is then divided by `n c`
+//! instead of `lambda` if `n c` is larger. It is also divided by `n c` if the operator maps constants to zero, because only the
+//! spring then resists the mean. Residuals are relative to the largest displacement or, if larger, to the product of the least
+//! spring compliance and `sum |x|`.
 //!
 //! A deviation of a total due to round-off is reported separately: here `x*` is the minimiser for the total of `x`. If the
-//! operator maps constants to zero and `lambda` bounds the other eigenvalues, `x*` is also the minimiser for the total of `x`,
-//! whether or not a total is prescribed: `x - x*` then has sum zero. Such an operator belongs to a periodic grid. Under a
+//! operator maps constants to zero, `lambda` bounds the other eigenvalues. In this case `x*` is the minimiser for the total of
+//! `x` even if no total is prescribed. Therefore `x - x*` has sum zero. Such an operator belongs to a periodic grid. Under a
 //! prescribed approach the bound is then relative to the contact under the computed force, and excludes the error of this force.
 //! A bowl at 0.999 of the mean gap, on 64 x 64 cells and with a tolerance of 1e-2, has a bound of 0.9 % and an error of the force
 //! of 3.8 %.
@@ -67,8 +68,9 @@
 //! # Round-off
 //!
 //! An iteration with a tolerance below the round-off of the product ends with [`Status::Stalled`] and reports the certified error
-//! that was reached. The table lists [`Report::energy_error_bound`] for a tolerance of 1e-16. The three values are the bound for
-//! the pressure and the bounds for the traction in the scalar and in the vector model at 0.6 of the sliding force.
+//! that was reached. The table lists [`Report::energy_error_bound`] for a tolerance of 1e-16. The first of the three values is
+//! the bound for the pressure. The others are the bounds for the traction in the scalar and in the vector model at 0.6 of the
+//! sliding force.
 //!
 //! | cells | sphere | rough surface | flat on flat |
 //! |--:|---|---|---|
@@ -79,9 +81,9 @@
 //! | 512 x 512 | 1.1e-14, 3.3e-15, 6.5e-15 | 3.6e-15, 1.1e-15, 0.8e-15 | 8.5e-13, 0.3e-13, 4.4e-13 |
 //! | 1024 x 1024 | 1.2e-14, 5.7e-15, 4.7e-15 | 4.6e-15, 2.7e-15, 1.1e-15 | not measured |
 //!
-//! The error of the first two surfaces grows approximately as the square root of the number of cells along a side, like the error
-//! bound from the residual and the smallest eigenvalue. In the vector model, a solve with a force within 1e-7 of sliding may
-//! stall much earlier on some surfaces, because the motion then depends on the last digits of the force.
+//! The error of the first two surfaces grows approximately as the square root of the number of cells along a side. The error
+//! bound from the residual and the smallest eigenvalue grows in the same way. In the vector model, a solve with a force within
+//! 1e-7 of sliding may stall much earlier on some surfaces. The motion then depends on the last digits of the force.
 //!
 //! # Example
 //!

@@ -9,7 +9,7 @@ use crate::parallel::layout::Layout;
 use crate::report::{Iteration, Report, Status};
 use crate::support::clock::Instant;
 
-/// Residual at which sets change by round-off alone.
+/// Residual at which only round-off changes the sets.
 const ROUND_OFF: f64 = 1e-12;
 
 /// Settings, observer and clock of one solve.
@@ -22,11 +22,11 @@ pub(super) struct Monitor<'a> {
     steps: usize,
     /// Least merit so far of the current stage or problem.
     pub(super) best: f64,
-    /// Residual at which the current proximal-point stage ends; `None` outside a stage.
+    /// Residual at which the current proximal-point stage ends, or `None` outside a stage.
     stage: Option<f64>,
     /// Number of free cells at the last examination.
     pub(super) free: usize,
-    /// Failed allocation during the solve, if any; the solve then ends with this error.
+    /// Error of a failed allocation during the solve, if any. The solve ends with this error.
     pub(super) allocation_error: Option<Error>,
 }
 
@@ -56,13 +56,13 @@ impl<'a> Monitor<'a> {
         }
     }
 
-    /// Starts a proximal-point stage with this tolerance, or the problem itself.
+    /// Starts a proximal-point stage with this tolerance, or the original problem for `None`.
     pub(super) fn begin(&mut self, stage: Option<f64>) {
         self.stage = stage;
         self.best = f64::INFINITY;
     }
 
-    /// Returns whether the problem itself is being solved, not a stage.
+    /// Returns whether the original problem is being solved, not a stage.
     pub(super) fn is_last(&self) -> bool {
         self.stage.is_none()
     }
@@ -92,7 +92,7 @@ impl<'a> Monitor<'a> {
         self.proceed(report)
     }
 
-    /// Returns the final status if the residual no longer falls and is round-off, else `None`.
+    /// Returns the final status if the residual is round-off and no longer falls. Otherwise returns `None`.
     pub(super) fn stuck(&self) -> Option<Status> {
         (self.best <= ROUND_OFF).then_some(Status::Stalled)
     }
@@ -174,10 +174,11 @@ const EARLY: f64 = 5e-4;
 
 /// Fraction of the tolerance to which the last inner iteration reduces the residual.
 const LAST: f64 = 0.6;
-/// Remaining reduction above which the linear problem is solved to the tolerance in one step, although the sets may still change.
+/// Remaining reduction above which the linear problem is solved to the tolerance in one step. The sets may still change after
+/// this step.
 const IN_SIGHT: f64 = 0.02;
 
-/// Number of outer steps without progress after which the method is stuck, provided that the sets no longer change. A step makes
+/// Number of outer steps without progress after which the method counts as stuck if the sets no longer change. A step makes
 /// progress if the residual halves or if fewer entries than ever before change sets.
 const PATIENCE: usize = 4;
 
@@ -186,17 +187,17 @@ const PATIENCE: usize = 4;
 pub(super) struct Progress {
     /// Number of steps without progress that count as a cycle while the sets change.
     cycle: usize,
-    /// Number of entries that changed sets in the last step; `usize::MAX` before the first step.
+    /// Number of entries that changed sets in the last step, or `usize::MAX` before the first step.
     pub(super) changes: usize,
     fewest: usize,
     best: f64,
     without: usize,
-    /// Reduction of the inner residual while sets change; it may be tightened but is never relaxed.
+    /// Reduction of the inner residual while sets change. The value may decrease but never increases.
     pub(super) inner_reduction: f64,
 }
 
 impl Progress {
-    /// Creates the state before the first step; `cycle` steps without progress count as a cycle.
+    /// Creates the state before the first step. `cycle` steps without progress count as a cycle.
     pub(super) fn new(cycle: usize, inner_reduction: f64) -> Self {
         Self {
             cycle,

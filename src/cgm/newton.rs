@@ -1,11 +1,11 @@
 //! Semismooth Newton method: an outer loop that updates the sets and an inner loop of unclipped preconditioned conjugate
 //! gradients.
 //!
-//! Each outer step measures the residual, in single precision while it is large. It then solves the linear problem of the moving
-//! cells to a moderate accuracy and lets them violate their bounds. At that equilibrated state it decides for all cells
-//! simultaneously how they move next. For intervals this is the primal-dual active-set method (Hintermueller, Ito & Kunisch, SIAM
-//! J. Optim. 13 (2002) 865, <https://doi.org/10.1137/S1052623401383558>). For discs it is a semismooth Newton method with the
-//! curvature of the circles in the linear problem.
+//! Each outer step measures the residual, in single precision while the residual is large. The step then solves the linear
+//! problem of the moving cells to a moderate accuracy. These cells may violate their bounds. From this equilibrated state, the
+//! step determines the next motion of all cells simultaneously. For intervals this is the primal-dual active-set method
+//! (Hintermueller, Ito & Kunisch, SIAM J. Optim. 13 (2002) 865, <https://doi.org/10.1137/S1052623401383558>). For discs it is a
+//! semismooth Newton method with the curvature of the circles in the linear problem.
 
 use std::ops::ControlFlow;
 
@@ -22,10 +22,10 @@ use crate::report::Status;
 
 /// Number of outer steps without progress that count as a cycle.
 const CYCLE: usize = 12;
-/// Number of such steps with curved bounds, for which sets settle sooner.
+/// Number of outer steps without progress that count as a cycle with curved bounds, whose sets settle in fewer steps.
 const CYCLE_CURVED: usize = 5;
 
-/// Residual of a near start below which its gradient identifies the sets.
+/// Residual of an interpolated start below which its gradient identifies the sets.
 const NEAR: f64 = 0.1;
 
 /// Operations of a problem that Newton's method requires.
@@ -46,10 +46,11 @@ pub(super) trait NewtonSteps {
     /// Solves the linear problem and lets the cells leave their sets.
     fn solve_linear(&mut self, merit: f64) -> ControlFlow<Status>;
 
-    /// Decides at the equilibrated state, for all cells simultaneously, how they move next, and projects them onto their sets.
+    /// Determines the next motion of all cells simultaneously from the equilibrated state, and projects the cells onto their
+    /// sets.
     fn decide(&mut self) -> ControlFlow<Status>;
 
-    /// Returns the final status of a problem whose sets cycle if its residual is round-off, else `None`.
+    /// Returns the final status of a problem whose sets cycle if its residual is round-off. Otherwise returns `None`.
     fn stuck(&self) -> Option<Status>;
 }
 
@@ -106,7 +107,7 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for ActiveSetSolve<'_, '_, K,
         self.check_termination(merit)?;
         self.shown = None;
         if !keeps_sets {
-            // Some cells were far beyond their bounds, and moving them has pushed other cells off their bounds.
+            // Some cells were far beyond their bounds. Moving these cells has pushed other cells off their bounds.
             self.mark_and_measure()?;
         }
         ControlFlow::Continue(merit)
@@ -150,8 +151,8 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for ActiveSetSolve<'_, '_, K,
         let (changes, sums) = self.reclassify();
         self.progress.changes = changes;
         if MotionOf::<K, N>::IS_CURVED || changes > 0 {
-            // Projection has moved unknowns in addition to the steps. If no cell has changed, the correction below is only
-            // round-off of the sums.
+            // Projection has moved unknowns in addition to the steps. If no cell has changed its state, the following correction
+            // is only round-off of the sums.
             self.gradient_error = f64::INFINITY;
             self.list_and_spread();
         }
@@ -229,7 +230,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         self.set_totals();
     }
 
-    /// Lists the moving cells. If no cell moves, the iterate could not change; some cells are then released unless no cell is
+    /// Lists the moving cells. If no cell moves, the iterate cannot change. In this case, cells are released unless no cell is
     /// pushed from its bound.
     fn list_moving(&mut self) {
         let w = &mut *self.workspace;
@@ -238,7 +239,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             if w.linear.moving.of_all_ranks() == 0 {
                 match self.multiplier_at_bounds([1.0; N]) {
                     Some(BoundState::Rests) => {}
-                    // Only cells that reduce the deficit are released; the others would return to their bounds in the next step.
+                    // Only cells that reduce the deficit are released. The other cells would return to their bounds in the next
+                    // step.
                     Some(BoundState::Deficit(missing)) => self.release(|_, _| [-missing; N]),
                     Some(BoundState::Released) | None => {
                         if !self.is_fresh() {
@@ -261,7 +263,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         }
     }
 
-    /// Releases the cells that are pushed off their bounds; `push` computes the push from gradient and multiplier.
+    /// Releases the cells that are pushed off their bounds. `push` computes the pushing gradient from the gradient and the
+    /// multiplier.
     fn release(&mut self, push: impl Fn([f64; N], [f64; N]) -> [f64; N] + Sync) {
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
@@ -272,8 +275,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         });
     }
 
-    /// Sets the multipliers of the totals to the mean gradient on the free cells, or on all moving cells if no cell is free.
-    /// Components without a total receive zero.
+    /// Sets the multipliers of the totals to the mean gradient on the free cells. If no cell is free, the mean over all moving
+    /// cells is used. The multipliers of components without a total are zero.
     fn set_mean_multiplier(&mut self) {
         let w = &mut *self.workspace;
         let (motions, gradient) = (&w.linear.rows, slices(&w.gradient));
@@ -321,12 +324,12 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         });
     }
 
-    /// Decides at the equilibrated state, for all cells simultaneously, how they move next, and projects them onto their sets.
-    /// Returns the number of changed cells and the sums of all unknowns.
+    /// Determines the next motion of all cells simultaneously from the equilibrated state, and projects the cells onto their
+    /// sets. Returns the number of changed cells and the sums of all unknowns.
     fn reclassify(&mut self) -> (usize, [f64; N]) {
         let problem = self.problem;
-        // A gradient of the wrong sign below this value is noise of the inner solution. Without this threshold the cell
-        // would change its state back and forth.
+        // A gradient of the wrong sign below this value is noise of the inner solution. Without this threshold, cells would
+        // alternate between two states.
         let noise = (0.01 * self.monitor.tolerance()).max(f64::EPSILON) * self.displacement;
         let self_compliance = self.self_compliance;
         self.product_error = f64::INFINITY;

@@ -1,8 +1,8 @@
 //! Method of Polonsky & Keer: a single loop of conjugate gradients with clipping, for bounds on both sides.
 //!
-//! With bounds `|q| <= mu p` the method is the tangential loop of Wang et al. (2021), eqs 17-26, with three corrections to the
-//! paper. Entries inside the bounds are clipped as well (eq 21), an entry that becomes free is clipped on both sides (eq 22),
-//! and the conjugation term has a positive sign (eq 24).
+//! For the bounds `|q| <= mu p` the method is the tangential loop of Wang et al. (2021), eqs 17-26. Three errors of the paper are
+//! corrected. Entries inside the bounds are clipped as well (eq 21). An entry that becomes free is clipped on both sides (eq 22).
+//! The conjugation term has a positive sign (eq 24).
 
 use std::ops::ControlFlow;
 
@@ -62,7 +62,7 @@ impl<K: Constraint<1, Set = Interval>> ActiveSetSolve<'_, '_, K, 1> {
                 }
             }
 
-            // d = r + theta (R / R_old) d (eq 24), with its mean removed so that it keeps the total.
+            // The direction is d = r + theta (R / R_old) d (eq 24). Its mean is removed so that the step keeps the total.
             let squares = self.squares_of_free();
             let conjugation = if conjugate { squares / previous } else { 0.0 };
             previous = squares;
@@ -218,7 +218,8 @@ impl<K: Constraint<1, Set = Interval>> ActiveSetSolve<'_, '_, K, 1> {
         }
     }
 
-    /// Shifts the free entries to the total (eqs 25, 26) within the bounds, or all entries if the free entries cannot reach it.
+    /// Shifts the free entries within the bounds such that the total is met (eqs 25, 26). Shifts all entries if the free entries
+    /// do not suffice.
     fn restore_total(&mut self) {
         let [Some(total)] = self.sums() else {
             return;

@@ -1,5 +1,5 @@
-//! The minimisation problem and its solution strategy: the selected method, then projected gradients, then proximal points if the
-//! active sets cycle.
+//! The minimisation problem and its solution strategy. If the active sets of the selected method cycle, projected gradients and
+//! then proximal points follow.
 
 use std::ops::ControlFlow;
 
@@ -35,8 +35,8 @@ pub struct Problem<'a, C, K, P = Identity, const N: usize = 1> {
 }
 
 impl<'a, C: Operator<N>, K: Constraint<N>, const N: usize> Problem<'a, C, K, Identity, N> {
-    /// Creates the problem with operator `C`, linear term `b` (one slice per component) and constraint `K`, without a prescribed
-    /// total and without a preconditioner.
+    /// Creates the problem with operator `C`, linear term `b` (one slice per component) and constraint `K`. The problem has no
+    /// prescribed total and no preconditioner.
     pub fn new(operator: C, linear: [&'a [f64]; N], constraint: K) -> Self {
         let preconditioner = Identity::new(operator.cells());
         Self {
@@ -62,7 +62,8 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
     }
 
     /// Adds a compliance to each cell: the solver minimises with `C + D` instead of `C`. `D` has one non-negative number for all
-    /// components of a cell (default: none; an empty slice also means none). [`Workspace::product`] remains the product with `C`.
+    /// components of a cell. By default, and for an empty slice, no compliance is added. [`Workspace::product`] remains the
+    /// product with `C`.
     ///
     /// ```
     /// use stickslip::cgm::{self, NonNegative, Problem, Settings};
@@ -93,9 +94,9 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         self
     }
 
-    /// Marks a problem whose solution is only a start for another solve, or is examined by the caller with an exact product.
-    /// Convergence may then be tested with a product whose error is a small fraction of the tolerance. The report and the stored
-    /// product have the same error, so they do not certify the solution.
+    /// Marks a problem whose solution this solve does not certify. The solution is a start for a different solve, or the caller
+    /// examines it with an exact product. Convergence may then be tested with a product whose error is a small fraction of the
+    /// tolerance. The report and the stored product have the same error.
     pub(crate) fn verified_by_caller(mut self) -> Self {
         self.is_examined_elsewhere = true;
         self
@@ -107,7 +108,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         self
     }
 
-    /// Sets an approximate inverse of `C`, symmetric and positive definite. Only [`Method::ActiveSet`] uses it.
+    /// Sets an approximate inverse of `C`, which must be symmetric and positive definite. Only [`Method::ActiveSet`] uses it.
     #[must_use]
     pub fn preconditioner<Q: Operator<N>>(self, preconditioner: Q) -> Problem<'a, C, K, Q, N> {
         Problem {
@@ -123,7 +124,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         }
     }
 
-    /// Creates the buffers for solving this problem, or other problems of its size and kind of set.
+    /// Creates the buffers for this problem, which are also valid for other problems of the same size and type of set.
     ///
     /// # Errors
     /// - [`Error::Memory`] if the memory does not suffice.
@@ -274,7 +275,7 @@ impl<C: Operator, K: Constraint, P: Operator> Problem<'_, C, K, P> {
     }
 }
 
-/// Multipliers and report of a minimum; the minimiser itself is returned in `x`.
+/// Multipliers and report of a minimum. The minimiser itself is returned in `x`.
 #[derive(Debug, Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
@@ -320,8 +321,8 @@ pub fn minimise<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize
 }
 
 /// Minimises like [`minimise`], with the caller's workspace and an observer. The workspace also stores the product, the
-/// multiplier and the report. The observer is called at every step and may cancel. Allocates nothing if the workspace was used
-/// before for a solve with at least as many steps.
+/// multiplier and the report. The observer is called at every step and may cancel the solve. The solve does not allocate memory
+/// if the workspace was used before for a solve with at least as many steps.
 ///
 /// # Errors
 /// The errors of [`minimise`].
@@ -397,7 +398,7 @@ pub(crate) fn minimise_from<K: Constraint<N>, const N: usize>(
 /// Number of projected-gradient steps after the first cycle and after the second cycle.
 const GRADIENTS: [usize; 2] = [32, 64];
 
-/// Runs the selected method, with projected-gradient steps and finally proximal-point steps if its sets cycle.
+/// Runs the selected method. If its sets cycle, projected-gradient steps and finally proximal-point steps follow.
 fn iterate<K: Constraint<N>, const N: usize>(run: &mut ActiveSetSolve<'_, '_, K, N>) -> Status {
     let once = |run: &mut ActiveSetSolve<'_, '_, K, N>| match run.monitor.settings.method {
         Method::ActiveSet => newton(run),

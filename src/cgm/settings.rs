@@ -6,21 +6,21 @@ use crate::error::{Error, Result};
 
 /// Iteration method that computes the constrained minimum.
 ///
-/// If the active sets start to cycle, the solve is completed by projected-gradient steps and, if necessary, by a sequence of
-/// better-conditioned problems.
+/// If the active sets start to cycle, projected-gradient steps follow. If the sets still cycle, a sequence of better-conditioned
+/// problems completes the solve.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Method {
     /// Active sets in the outer loop and preconditioned conjugate gradients without clipping in the inner loop. The residual is
-    /// recomputed at every outer step, in double precision once it is small. This method is the default. It needs 2 to 5 times
-    /// fewer products than [`Self::PolonskyKeer`].
+    /// recomputed at every outer step. The product is in double precision once the residual is small. This method is the default.
+    /// It needs 2 to 5 times fewer products than [`Self::PolonskyKeer`].
     #[default]
     ActiveSet,
-    /// A single loop that clips at every step: Polonsky & Keer, Wear 231 (1999) 206,
+    /// A single loop that clips at every step. Its sources are Polonsky & Keer, Wear 231 (1999) 206,
     /// <https://doi.org/10.1016/S0043-1648(99)00113-1>, and eqs 17-26 of Wang et al. (2021) with corrected signs. The method
-    /// needs two products per step unless nothing was clipped. The method requires a symmetric operator and one unknown per
-    /// cell; other problems return [`Error::Method`].
+    /// needs two products per step unless no entry was clipped. It requires a symmetric operator and one unknown per cell. Other
+    /// problems return [`Error::Method`].
     PolonskyKeer,
 }
 
@@ -41,11 +41,11 @@ pub enum Method {
 pub struct Settings {
     /// Iteration method (default [`Method::ActiveSet`]).
     pub method: Method,
-    /// Accepted error (default 1e-8). It bounds the certified error in the energy norm, relative to the norm of the solution, and
-    /// the largest complementarity residual, relative to the largest displacement. For an operator without a
-    /// [`lower_bound`](crate::Operator::lower_bound) it bounds the residual alone. The sum of all traction errors is equally
-    /// small, within a factor of three on square cells and of eight on cells with an aspect ratio of 1 : 315. The error of single
-    /// cells at the edge of a smooth contact may be ten to a hundred times larger.
+    /// Accepted error (default 1e-8). It bounds the certified error in the energy norm, relative to the norm of the solution. It
+    /// also bounds the largest complementarity residual, relative to the largest displacement. For an operator without a
+    /// [`lower_bound`](crate::Operator::lower_bound) it bounds only the residual. The relative sum of all traction errors exceeds
+    /// this error by a factor of at most three on square cells. On cells with an aspect ratio of 1 : 315 the factor is at most
+    /// eight. The error of single cells at the edge of a smooth contact may be ten to a hundred times larger.
     pub tolerance: f64,
     /// Maximum number of conjugate-gradient steps (default 10 000).
     pub max_iterations: usize,
@@ -93,7 +93,8 @@ impl Settings {
         self
     }
 
-    /// Returns the settings that all ranks must have in common; the clock of the first rank decides for all ranks.
+    /// Returns the settings that all ranks must have in common. The time limit is excluded, because the clock of the first rank
+    /// decides for all ranks.
     pub(crate) fn common(&self) -> Self {
         Self {
             time_limit: None,
@@ -117,17 +118,18 @@ impl Settings {
     }
 }
 
-/// Setters of the solver settings, identical for each problem builder; the builder stores them in a field `settings`.
+/// Setters of the solver settings, which are identical for each problem builder. The builder stores the settings in a field
+/// `settings`.
 macro_rules! settings_methods {
     () => {
-        /// Sets all solver settings, for example those of another solver or of a file.
+        /// Sets all solver settings, for example the settings of a different solver or of a file.
         pub fn settings(mut self, settings: crate::cgm::Settings) -> Self {
             self.settings = settings;
             self
         }
 
-        /// Sets the accepted error: certified in the energy norm, and as a residual relative to the largest displacement (default
-        /// 1e-8; see [`Settings::tolerance`](crate::cgm::Settings::tolerance)).
+        /// Sets the accepted error (default 1e-8). [`Settings::tolerance`](crate::cgm::Settings::tolerance) states the errors
+        /// that it bounds.
         pub fn tolerance(mut self, tolerance: f64) -> Self {
             self.settings.tolerance = tolerance;
             self
@@ -163,13 +165,13 @@ macro_rules! solver_settings {
             &self.$($path).+
         }
 
-        /// Changes tolerance, method and limits of the next solve, which still starts from the last solution.
+        /// Changes tolerance, method and limits of the next solve. This solve still starts from the last solution.
         ///
         /// # Errors
         /// The settings remain unchanged after an error:
         /// - The errors of [`Settings::check`](crate::cgm::Settings::check).
         /// - [`Error::Method`](crate::Error::Method) if the model does not support the method.
-        /// - [`Error::Ranks`](crate::Error::Ranks) if the ranks disagree or one of them fails.
+        /// - [`Error::Ranks`](crate::Error::Ranks) if the settings differ between ranks or if one of the ranks fails.
         pub fn set_settings(&mut self, settings: crate::cgm::Settings) -> Result<()> {
             let check: fn(&Self, &crate::cgm::Settings) -> Result<()> = $check;
             let checked = settings.check().and_then(|()| check(self, &settings));

@@ -1,5 +1,5 @@
-//! Warm start from an earlier solution: if nothing has changed, the certificate of one product shows that the earlier solution is
-//! still valid.
+//! Warm start from an earlier solution. If the problem has not changed, the certificate of one product shows that the earlier
+//! solution is still valid.
 
 use crate::cgm::active_set_solve::{ActiveSetSolve, IterateStart};
 use crate::cgm::totals::{Total, sums_of};
@@ -13,8 +13,8 @@ pub(crate) enum InitialGuess<const N: usize> {
     Nothing,
     /// The start was a solution with these multipliers. The solver examines it first.
     PreviousSolution([f64; N]),
-    /// The start is near the solution, prolongated from a coarser grid or extrapolated: its gradient identifies the cells that
-    /// become free.
+    /// The start is near the solution because it is prolongated from a coarser grid or extrapolated. Its gradient identifies the
+    /// cells that become free.
     Interpolated,
 }
 
@@ -22,8 +22,8 @@ pub(crate) enum InitialGuess<const N: usize> {
 pub(super) const ROUND_OFF: f64 = 1e-13;
 
 impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
-    /// Returns the final status if the start, with the multipliers of its earlier solve, is feasible and its measured merit
-    /// satisfies the tolerance. Otherwise returns `None`; the product is then up to date if the start is feasible.
+    /// Examines the start with the multipliers of its earlier solve. Returns the final status if the start is feasible and its
+    /// merit is within the tolerance. Otherwise returns `None`. In this case the product is up to date if the start is feasible.
     pub(super) fn verify_start(&mut self, known: InitialGuess<N>) -> Option<Status> {
         let multiplier = match known {
             InitialGuess::PreviousSolution(multiplier) => multiplier,

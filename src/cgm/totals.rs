@@ -7,11 +7,11 @@
 //! = \begin{pmatrix} r \\ \varrho \end{pmatrix}, \qquad r = e\,\delta - (C x + b),
 //! ```
 //!
-//! where the columns of $`e`$ are ones in one component each, $`\varrho`$ is the deficit of the totals, and the diagonal $`D`$ is
-//! zero for a prescribed sum. A spring of compliance `c` from the far end `X` carries $`\sum x = (X - \delta)/c`$, for which
-//! $`D = 1/c`$. The patterns $`w_a = M e_a`$, with the preconditioner $`M`$ for $`C^{-1}`$, describe how a change of each
-//! multiplier moves the unknowns, approximately like a flat punch. Eliminating $`d`$ with $`M`$ leaves one small system for the
-//! multipliers,
+//! where $`\varrho`$ is the deficit of the totals. Each column of $`e`$ is one in one component and zero in the other components.
+//! The diagonal $`D`$ is zero for a prescribed sum. A spring of compliance `c` from the far end `X` carries
+//! $`\sum x = (X - \delta)/c`$, so $`D = 1/c`$. Let the preconditioner $`M`$ approximate $`C^{-1}`$. The patterns $`w_a = M e_a`$
+//! are the changes of the unknowns per change of each multiplier. They resemble the pressure under a flat punch. Eliminating
+//! $`d`$ with $`M`$ leaves a small system for the multipliers,
 //!
 //! ```math
 //! (e_b' w_a + D_{ab})\,\eta_a = \varrho_b - e_b' M r .
@@ -38,11 +38,11 @@ use crate::parallel::layout::Layout;
 pub enum Total {
     /// No condition: the multiplier is zero.
     Free,
-    /// A prescribed sum; the multiplier is an unknown.
+    /// A prescribed sum, whose multiplier is an unknown.
     Sum(f64),
     /// A spring: the multiplier is `far_end - compliance * sum`.
     Spring {
-        /// The multiplier at which the spring is slack.
+        /// Multiplier at which the spring carries no force.
         far_end: f64,
         /// Change of the multiplier per unit of the sum, positive and finite.
         compliance: f64,
@@ -67,7 +67,7 @@ impl Total {
         }
     }
 
-    /// Returns whether the total imposes no load: it is free, or its sum or far end is zero.
+    /// Returns whether the total imposes no load, because it is free or because its sum or far end is zero.
     pub(crate) fn is_idle(self) -> bool {
         match self {
             Self::Free => true,
@@ -121,8 +121,8 @@ impl Total {
         matches!(self, Self::Spring { .. })
     }
 
-    /// Returns the admissible multiplier nearest to the given one: within round-off of the value of the spring for this sum, zero
-    /// for a free component, and unchanged for a prescribed sum.
+    /// Returns the admissible multiplier nearest to the given multiplier. For a spring the result is within round-off of the
+    /// value of the spring for this sum. The result is zero for a free component, and the given multiplier for a prescribed sum.
     pub(super) fn held(self, multiplier: f64, [sum, magnitude]: [f64; 2]) -> f64 {
         match self {
             Self::Free => 0.0,
@@ -157,7 +157,7 @@ pub(super) struct TotalsSystem<const N: usize> {
     patterns: Small<N>,
     /// Matrix of all components that are prescribed or tied to a spring.
     pub(super) border: Border<N>,
-    /// Sum over the cells of the parts of a uniform motion along each component that they can follow.
+    /// Sum over the cells of the motion that they can follow if all cells are moved by one along a component.
     pub(super) mobility: Small<N>,
 }
 
@@ -210,8 +210,8 @@ impl<const N: usize> TotalsSystem<N> {
         })
     }
 
-    /// Returns whether the patterns are usable. With a diagonal entry that is not positive and finite, a change of a total would
-    /// make the iterate NaN or infinite.
+    /// Returns whether the patterns are usable. If a diagonal entry is not positive and finite, a change of a total would make
+    /// the iterate NaN or infinite.
     pub(super) fn is_well_posed(&self) -> bool {
         let prescribed = self.prescribed();
         let moves = (0..N).any(|a| self.mobility.0[a][a] > 0.0);
@@ -266,7 +266,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         w.linear.moving.any(&w.linear.rows, Row::is_free)
     }
 
-    /// Returns the sum over the cells of the parts of a uniform motion along each component that they can follow.
+    /// Returns the sum over the cells of the motion that they can follow if all cells are moved by one along each component.
     pub(super) fn mobility(&self) -> Small<N> {
         let w = &*self.workspace;
         let unit = |a: usize| std::array::from_fn(|c| if a == c { 1.0 } else { 0.0 });

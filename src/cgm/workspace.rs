@@ -9,14 +9,14 @@ use crate::report::Report;
 
 /// Buffers of an iteration except `x`. They are created once and reused by every solve of the same size.
 ///
-/// `S` is the kind of set of each cell: an [`Interval`](crate::cgm::Interval) or a [`Disc`](crate::cgm::Disc).
+/// `S` is the type of the set of each cell: an [`Interval`](crate::cgm::Interval) or a [`Disc`](crate::cgm::Disc).
 /// [`Problem::workspace`](crate::cgm::Problem::workspace) creates a workspace.
 #[derive(Debug, Clone)]
 pub struct Workspace<S: ConstraintSet<N>, const N: usize = 1> {
     pub(super) linear: LinearWorkspace<S::CellMotion, N>,
     pub(super) product: [Vec<f64>; N],
     pub(super) gradient: [Vec<f64>; N],
-    /// Centre of the restraint in a proximal-point stage; empty until sets cycle.
+    /// Centre of the restraint in a proximal-point stage. The vectors are empty until sets cycle.
     pub(super) centre: [Vec<f64>; N],
     pub(super) conjugate: Conjugate<N>,
     pub(super) multiplier: [f64; N],

@@ -10,9 +10,9 @@ const UNKNOWNS: usize = POWERS + 1;
 /// Number of rounds in which the slope at the edge is determined.
 const ROUNDS: usize = 3;
 
-/// Distance from the edge, in cells, within which values inside are not trusted.
+/// Distance from the edge, in cells, within which the values of cells inside are not trusted.
 const BLURRED_INSIDE: f64 = 0.8;
-/// Distance from the edge, in cells, within which values outside are not trusted.
+/// Distance from the edge, in cells, within which the values of cells outside are not trusted.
 const BLURRED_OUTSIDE: f64 = 0.5;
 
 /// Distance of a cell centre outside the edge, in cells, beyond which the edge is in a different cell.
@@ -37,18 +37,18 @@ const PARTS: usize = 8;
 
 /// Values in the cells around a cell, relative to the largest value of the grid.
 pub(super) struct FitValues {
-    /// Square of the pressure for cells inside. For cells outside the value is `-x^(2/3)`, where `x` is 3/4 of the gap
-    /// divided by the unit of length and by the largest pressure; the modulus is not included.
+    /// Square of the pressure for cells inside. For cells outside the value is `-x^(2/3)`. Here `x` is 3/4 of the gap, divided by
+    /// the unit of length and by the largest pressure. The modulus is not included.
     pub(super) lifted: Square<f64>,
     pub(super) is_inside: Square<bool>,
     /// Whether all four neighbours of a cell are also inside.
     pub(super) is_core: Square<bool>,
-    /// Weights of the stencil; zero for cells without a valid value.
+    /// Weights of the stencil, or zero for cells without a valid value.
     pub(super) weights: Square<f64>,
 }
 
-/// Data of a round at each position of the stencil: weights, weights of trusted values only, signed distances from the
-/// edge (positive inside), and squared distances of the cells outside.
+/// Quantities of a round at each position of the stencil. These are the weights, the weights of trusted values, the signed
+/// distances from the edge (positive inside), and the squared distances of the cells outside.
 struct Sample {
     weights: Square<f64>,
     trusted: Square<f64>,
@@ -90,7 +90,7 @@ impl Fit {
         for round in 1..=ROUNDS {
             let sample = fit.sample(stencil, values, modulus(fit.normal()), round > 1)?;
             let solution = fit.refine(stencil, &sample)?;
-            // Further rounds would not move the edge into this cell.
+            // Additional rounds would not move the edge into this cell.
             if round == ROUNDS || fit.distance([0.0; 2]) < -FAR_OUTSIDE {
                 let counts = sample.trusted.iter().flatten();
                 fit.count = counts.filter(|weight| **weight > 0.0).count();
@@ -119,7 +119,7 @@ impl Fit {
         modulus: f64,
         has_edge: bool,
     ) -> Option<Sample> {
-        // If all values underflow or vanish, there is no scale for the distances.
+        // If all values underflow or vanish, the scale of the distances is undefined.
         if !(self.square > 0.0 && self.square.is_finite()) {
             return None;
         }
@@ -168,7 +168,7 @@ impl Fit {
             *coefficient = part * self.square;
         }
         let [c, x, y, xx, xy, yy] = self.coefficients;
-        // The slope is evaluated at the nearest point of the edge, estimated by the tangent plane.
+        // The slope is evaluated at the nearest point of the edge. The tangent plane gives an estimate of this point.
         let steepness = x * x + y * y;
         let step = |part: f64| {
             if steepness > 0.0 {
@@ -189,7 +189,7 @@ impl Fit {
         c + x * (cx + cxx * x + cxy * y) + y * (cy + cyy * y)
     }
 
-    /// Returns the signed distance of a position from the edge (positive inside), in cells, estimated by the slope at the
+    /// Returns the signed distance of a position from the edge (positive inside), in cells. The estimate uses the slope at the
     /// edge.
     pub(super) fn distance(&self, place: [f64; 2]) -> f64 {
         self.at(place) / self.square
@@ -222,7 +222,7 @@ fn length([x, y]: [f64; 2]) -> f64 {
     x.hypot(y)
 }
 
-/// Returns the slope of the squared pressure, taken from a plane fitted to the cells inside.
+/// Returns the slope of the squared pressure from a plane that is fitted to the cells inside.
 fn first_gradient(stencil: &FitStencil, values: &FitValues) -> Option<[f64; 2]> {
     let mut weights = values.weights;
     for (weight, is_inside) in weights

@@ -9,7 +9,7 @@ use crate::history::{History, StepResult};
 use crate::memory::fallible;
 use crate::tangential::Zone;
 
-/// Largest residual of a fit of the stick zone (root mean square, in cells). An old edge within a few cells of the new one
+/// Largest residual of a fit of the stick zone (root mean square, in cells). An old edge within a few cells of the new edge
 /// distorts the values.
 const LARGEST_MISS: f64 = 0.02;
 
@@ -17,31 +17,31 @@ const LARGEST_MISS: f64 = 0.02;
 const STUCK: f64 = 1e-3;
 
 impl History {
-    /// Returns the edges of the contact and of the stick zone inside the cells after the last step, under the current
-    /// friction. The page of [`edges`](crate::edges) describes the method.
+    /// Returns the edges of the contact and of the stick zone after the last step, located inside the cells. The function uses
+    /// the current friction. The page of [`edges`](crate::edges) describes the method.
     ///
-    /// The value in the stick zone is the friction reserve in the direction in which a cell would slip, $`\mu p - q
-    /// \cdot t`$, where t is the unit vector of the traction in the nearest slipping cell. After a reversal this value
-    /// falls to zero at the new edge like $`2 (\mu p - |q|)`$ at the edge of a first loading. Slipping cells contribute
-    /// to the fit if they stuck until the last step and this step did not change the normal load. After small steps
-    /// there might be no such cells. After [`set_state`](Self::set_state), after a restart and after a rolling step
-    /// they cannot be identified. The edge then follows only from the values in the stick zone. The table below is for
-    /// forces along one axis. Cells that continue to slip while their traction turns by a few degrees cannot be
-    /// distinguished from cells that stuck. After a change of the friction the zones still belong to the previous
-    /// friction.
+    /// The value in the stick zone is the friction reserve $`\mu p - q \cdot t`$ in the direction in which a cell would slip.
+    /// Here t is the unit vector of the traction in the nearest slipping cell. After a reversal this value falls to zero at the
+    /// new edge. It behaves like $`2 (\mu p - |q|)`$ at the edge of a first loading. Slipping cells contribute to the fit if they
+    /// stuck until the last step and this step did not change the normal load. After small steps there might be no such cells.
+    /// After [`set_state`](Self::set_state), after a restart and after a rolling step, these cells cannot be identified. In both
+    /// cases the edge follows only from the values in the stick zone. A cell that continues to slip while its traction rotates by
+    /// a few degrees cannot be distinguished from a cell that stuck. After a change of the friction the zones still belong to the
+    /// previous friction.
     ///
-    /// The table is for a sphere, mu = 0.5, centre values, and 128 x 128 cells on three contact radii. It lists the error
-    /// of the stick area (mean and worst of 8 positions) and of the traction (L1, mean), for the raw cells and for the fit:
+    /// The table is for a sphere with mu = 0.5 and forces along one axis. The grid has centre values and 128 x 128 cells on three
+    /// contact radii. The table compares the errors of the raw cells and of the fit. The errors of the stick area are the mean
+    /// and the maximum over 8 positions. The errors of the traction (L1 norm) are means over these positions:
     ///
-    /// | force over mu W | area, counted | found | traction, cells | found |
+    /// | force over mu W | area, counted | area, fit | traction, raw cells | traction, fit |
     /// |---|---|---|---|---|
     /// | to 0.4 in one step or four | 9.2e-3, 1.1e-2 | 1.4e-4, 2.4e-4 | 3.1e-3 | 4.9e-4 |
     /// | to 0.4 in twenty | 9.2e-3, 1.1e-2 | 4.4e-4, 9.8e-4 | 3.1e-3 | 7.8e-4 |
     /// | 0.7 to 0 in one step or four | 9.3e-3, 1.2e-2 | 1.4e-4, 3.7e-4 | 7.5e-3 | 2.5e-3 |
     /// | 0.7 to 0 in twenty | 9.3e-3, 1.2e-2 | 4.8e-4, 7.5e-4 | 7.5e-3 | 3.2e-3 |
-    /// | 0.7 to -0.5, the old edge 3 cells from the new one | 1.1e-2, 1.3e-2 | 8.4e-4, 2.7e-3 | 3.8e-3 | 2.8e-3 |
+    /// | 0.7 to -0.5, the old edge 3 cells from the new edge | 1.1e-2, 1.3e-2 | 8.4e-4, 2.7e-3 | 3.8e-3 | 2.8e-3 |
     ///
-    /// The traction also has a kink at the old edge. There the returned traction is the traction of the raw cells.
+    /// The traction also has a kink at the old edge. At this edge the returned traction is the traction of the raw cells.
     ///
     /// ```
     /// use stickslip::*;
@@ -84,8 +84,8 @@ impl History {
                 let along = qx[i] * x + qy[i] * y;
                 [along, (qx[i] - along * x).hypot(qy[i] - along * y)]
             },
-            // The slip is valid in cells that stuck before the step. If a cell already slipped in the same direction, its
-            // traction has not changed, and both energies are equal.
+            // The slip is valid in cells that stuck before the step. If a cell had already slipped in the same direction, its
+            // traction has not changed. Both energies are then equal.
             slip: &|i| {
                 let has_stuck = mid_step[i] < (1.0 - STUCK) * dissipated[i];
                 (is_slip_known && has_stuck).then(|| slip[i])
@@ -110,8 +110,8 @@ impl History {
             && of_state == bits(step.shift(), step.twist(), step.tangential_force())
     }
 
-    /// Returns the direction of the traction in slipping cells, and for each sticking cell the direction in the nearest
-    /// slipping cell. The directions are zero in contacts without slipping cells.
+    /// Returns a direction for each cell. It is the direction of the traction in slipping cells, and the direction in the nearest
+    /// slipping cell for sticking cells. The directions are zero in contacts without slipping cells.
     fn directions(&self) -> Result<Vec<[f64; 2]>> {
         let (zones, [qx, qy]) = (self.zones(), self.traction().map(Field::as_slice));
         let (size, repeats) = (self.grid().size(), self.boundary().repeats());

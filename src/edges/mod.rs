@@ -1,8 +1,9 @@
-//! Edges of a contact and of its stick zone inside the cells: areas, outlines and pressures more accurate than counts of cells.
+//! Edges of a contact and of its stick zone inside the cells. The resulting areas, outlines and pressures are more accurate than
+//! counts of cells.
 //!
 //! A cell is either in contact or not. The error of the counted area is therefore the length of the edge times a fraction of a
-//! cell side, and the error of the pressure in the outermost cells is a fraction of its value. The values near the edge determine
-//! its position more accurately. At a distance s from a smooth edge the pressure rises and the gap opens as
+//! cell side. The error of the pressure in the outermost cells is a fraction of this pressure. The values near the edge determine
+//! the position of the edge more accurately. At a distance s from a smooth edge the pressure rises and the gap opens as
 //!
 //! ```math
 //! p = K \sqrt{s}, \qquad g = \frac{4 K}{3 E^*}\,s^{3/2}, \qquad\text{so that}\qquad
@@ -10,61 +11,61 @@
 //! ```
 //!
 //! passes through zero at the edge with the slope $`K^2`$ on both sides. For each cell at the edge, a quadratic is fitted to
-//! $`\varphi`$ of the surrounding 7 x 7 cells by weighted least squares, with an additional square term for the cells outside.
-//! The cells nearest the edge are excluded because their values are inaccurate. The slope $`K^2`$ at the edge is determined in
-//! three rounds. The zero of the quadratic is the edge and determines the covered fraction of the cell. The square root
-//! $`\sqrt{\varphi}`$ gives the pressure at the centre and its mean over the cell.
+//! $`\varphi`$ of the surrounding 7 x 7 cells by weighted least squares. The fit has an additional square term for the cells
+//! outside. The cells nearest the edge are excluded because their values are inaccurate. The slope $`K^2`$ at the edge is
+//! determined in three rounds. The zero of the quadratic is the edge and determines the covered fraction of the cell. The square
+//! root $`\sqrt{\varphi}`$ gives the pressure at the centre and its mean over the cell.
 //!
-//! The edge of the stick zone has the same form. The friction reserve $`\mu p - |q|`$ replaces the pressure, the slip replaces
-//! the gap, and the modulus $`1/E = \tfrac12 (c_n + c_l \sin^2\theta)`$ replaces $`E^*`$. Here $`\theta`$ is the angle between
-//! the traction and the normal of the edge, and $`c_n = \sum (1-\nu)/G`$ and $`c_l = \sum \nu/G`$ are sums over both bodies. For
-//! the stick zone of a history, in which the load may have been reversed, see [`History::edges`](crate::History::edges).
+//! The formulas for the edge of the stick zone have the same form. The friction reserve $`\mu p - |q|`$ replaces the pressure,
+//! and the slip replaces the gap. The modulus E with $`1/E = \tfrac12 (c_n + c_l \sin^2\theta)`$ replaces $`E^*`$. Here
+//! $`\theta`$ is the angle between the traction and the normal of the edge. The coefficients $`c_n = \sum (1-\nu)/G`$ and
+//! $`c_l = \sum \nu/G`$ are sums over both bodies. In a history the load may have been reversed.
+//! [`History::edges`](crate::History::edges) describes the stick zone of a history.
 //!
 //! # Validity
 //!
 //! A fit is rejected in the following cases:
 //!
-//! - The root mean square of the residual of the fit exceeds 0.05 cells (0.02 cells for the stick zone of a history,
-//!   0.01 cells without any value outside).
+//! - The root mean square of the residual of the fit exceeds 0.05 cells. The limit is 0.02 cells for the stick zone of a history,
+//!   and 0.01 cells without any value outside.
 //! - The fit contradicts the state of the cell.
 //! - The fit has fewer than ten values.
 //! - No cell within reach has all its neighbours in the set.
 //!
-//! A cell whose fit is rejected keeps its raw pressure. Its covered area is reduced by a fraction c of the cell area
-//! for each side at the edge. The fraction was measured on circles and rotated ellipses: c is 0.088 with
-//! [`CellValue::Uniform`], 0.129 with [`CellValue::Centre`], and 0.102 on grids with [`Boundary::Periodic`]. A sharp
-//! punch therefore keeps its raw cells, as do nearly all cells of a rough contact whose shortest waves are less than
-//! sixteen cells long. The corrected area of such a rough contact still has an error of at most 2.5 % if hundreds of
-//! cells touch (mean over seeds: 1 %), while the counted area is 4 to 16 % too large. If fifty cells touch, the error
-//! of the corrected area can reach 7 %.
+//! A cell whose fit is rejected keeps its raw pressure. Its covered area is reduced by a fraction c of the cell area for each
+//! side at the edge. The fraction was measured on circles and rotated ellipses. It is 0.088 with [`CellValue::Uniform`], 0.129
+//! with [`CellValue::Centre`], and 0.102 on grids with [`Boundary::Periodic`]. A sharp punch therefore keeps its raw cells.
+//! Nearly all cells of a rough contact also keep their raw values if its shortest waves are less than sixteen cells long. If
+//! hundreds of cells of such a contact touch, the error of the corrected area is at most 2.5 %. Its mean over seeds is 1 %. The
+//! counted area is 4 to 16 % too large. If fifty cells touch, the error of the corrected area can reach 7 %.
 //!
-//! In 600 tests with ellipses of any shape, angle and position, the fit had a larger pressure error than the raw cells for two
-//! ellipses. Both were three cells across, with 20 and 29 cells in total. The median ratio of the error of the fit to the error
-//! of the raw cells was 0.36.
+//! Tests were run with 600 ellipses of any shape, angle and position. The pressure error of the fit exceeded the error of the raw
+//! cells for two ellipses. Both were three cells across, with 20 and 29 cells in total. The median ratio of the error of the fit
+//! to the error of the raw cells was 0.36.
 //!
-//! For dissimilar bodies the edge of the contact has the same accuracy, 1e-3 of the area. The edge of the stick zone is
-//! accurate to 0.6 % for Dundurs' beta up to 0.29, to 2 % for beta up to 0.5, and only to 14 % for larger values. For
+//! For dissimilar bodies the edge of the contact has the same accuracy, 1e-3 of the area. The error of the edge of the stick zone
+//! increases with Dundurs' beta. It is 0.6 % for beta up to 0.29, 2 % for beta up to 0.5, and up to 14 % for larger values. For
 //! beta of 0.5 or more, between a third and nearly all of the fits of the stick zone are rejected.
 //!
-//! A test with 200 random cases on 60 x 60 cells (ellipses, quartics, rough spheres and rough planes, free and
-//! periodic) gave 360 solutions. In seven of them the area, or the pressure at the centres or in the mean, had an error
-//! that exceeded the error of the raw cells by more than a tenth. These seven solutions were:
+//! A test with 200 random cases on 60 x 60 cells gave 360 solutions. The cases were ellipses, quartics, rough spheres and rough
+//! planes on free and periodic grids. In seven solutions, an error of the fit exceeded the error of the raw cells by more than a
+//! tenth. The compared quantities were the area and the pressure, at the centres and in the mean. These seven solutions were:
 //!
-//! - two quartics 13 cells across, each with both cell values, with two thirds of their fits rejected (pressure at the centres up
-//!   to 17 % worse);
-//! - a periodic plane (also pressure at the centres);
-//! - a free plane with 50 cells in contact (area, with both cell values).
+//! - Two quartics 13 cells across, each with both cell values. Two thirds of their fits were rejected. The error of the pressure
+//!   at the centres was up to 17 % larger.
+//! - A periodic plane, with a larger error of the pressure at the centres.
+//! - A free plane with 50 cells in contact and with both cell values. The error of the area was larger.
 //!
 //! # Narrow slip rings
 //!
-//! A slip ring of less than two cells provides no values of the slip, because its cells are also at the edge of the
-//! contact. The fit is then extrapolated from the stick zone. It is rejected if its residual exceeds 0.01 cells. Under
-//! spheres and ellipses the squared value is a quadratic, and the fit finds the edge. For a gap proportional to r^4, the fit is
-//! rejected and the cells keep their raw values. [`unfitted_fraction`](Edges::unfitted_fraction) of [`TangentialEdges::stick`]
-//! reports the fraction of these cells. The table lists errors on 32 x 32 cells over three contact radii, averaged over four
-//! positions. The first value is the error of the raw cells, the second the error of the fit:
+//! A slip ring of less than two cells provides no values of the slip. Its cells are also at the edge of the contact. In this case
+//! the fit is extrapolated from the stick zone. It is rejected if its residual exceeds 0.01 cells. Under spheres and ellipses the
+//! squared value is a quadratic, and the fit finds the edge. For a gap proportional to r^4, the fit is rejected and the cells
+//! keep their raw values. [`unfitted_fraction`](Edges::unfitted_fraction) of [`TangentialEdges::stick`] reports the fraction of
+//! these cells. The table lists errors on 32 x 32 cells over three contact radii, averaged over four positions. The first value
+//! is the error of the raw cells, and the second value is the error of the fit:
 //!
-//! | contact, force over mu W | slip ring, cells | traction | largest traction | stick area | refused |
+//! | contact, force over mu W | slip ring, cells | traction | largest traction | stick area | rejected fits |
 //! |---|---|---|---|---|---|
 //! | sphere, 0.2 | 0.8 | 5.2e-2, 1.0e-2 | 1.3e-1, 5e-3 | 1.4e-2, 2.2e-3 | 0.23 |
 //! | sphere, 0.4 | 1.7 | 2.3e-2, 5.6e-3 | 2.9e-2, 8e-4 | 1.8e-2, 2.0e-3 | 0.18 |
@@ -73,15 +74,15 @@
 //! | gap r^4, 0.4 | 1.0 | 3.7e-2, 3.2e-2 | 2.9e-2, 2.9e-2 | 1.2e-2, 1.0e-2 | 0.98 |
 //! | gap r^4, 0.8 | 2.9 | 1.5e-2, 1.2e-2 | 1.8e-3, 1.4e-3 | 1.2e-2, 8.4e-3 | 0.59 |
 //!
-//! On 64 x 64 cells the error of the traction for the gap r^4 at 0.4 is 6e-3 with the fit, instead of 1.3e-2 for the raw cells.
-//! In a ring of about two cells under this gap (40 x 40 cells, 0.6), the fit increases the error of the largest traction by a
-//! factor of 1.4 and the error of the stick area by a factor of 1.7.
+//! Two other grids were tested with the gap r^4. At 0.4 on 64 x 64 cells, the error of the traction is 6e-3 with the fit and
+//! 1.3e-2 for the raw cells. At 0.6 on 40 x 40 cells, the slip ring is about two cells wide. The fit then increases the error of
+//! the largest traction by a factor of 1.4. It increases the error of the stick area by a factor of 1.7.
 //!
 //! Away from the edge, the means over cells are $`p + \Delta_h p/24`$.
 //!
-//! The largest traction belongs to the cell nearest the edge of the stick zone, where $`\mu p`$ decreases by up to a
-//! fifteenth from one cell to the next. On a sphere at 40 % of the sliding force, with 128 x 128 cells, the error of
-//! the largest traction is 3e-4 in the mean of eight positions and at most 9e-4.
+//! The largest traction belongs to the cell nearest the edge of the stick zone. Near this edge $`\mu p`$ decreases by up to a
+//! fifteenth from one cell to the next. Consider a sphere at 40 % of the sliding force on 128 x 128 cells, at eight positions.
+//! The error of the largest traction is 3e-4 in the mean and at most 9e-4.
 //!
 //! ```
 //! use stickslip::*;
@@ -133,8 +134,9 @@ use crate::support::debug::shown;
 use search::{LARGEST_MISS, Search};
 pub use tangential::TangentialEdges;
 
-/// Edge of a set of cells (the contact or its stick zone), located inside the cells. Returned by [`NormalSolution::edges`],
-/// [`TangentialSolution::edges`](crate::TangentialSolution::edges) and [`History::edges`](crate::History::edges).
+/// Edge of a set of cells (the contact or its stick zone), located inside the cells. The functions [`NormalSolution::edges`],
+/// [`TangentialSolution::edges`](crate::TangentialSolution::edges) and [`History::edges`](crate::History::edges) return this
+/// type.
 #[derive(Clone, PartialEq)]
 pub struct Edges {
     cells: Vec<EdgeCell>,
@@ -147,7 +149,7 @@ pub struct Edges {
 
 shown!(Edges: grid(), area(), unfitted_fraction());
 
-/// Cell at the edge of the set: a cell of the set with a neighbour outside, or a cell outside that touches the set at a
+/// Cell at the edge of the set. It is a cell of the set with a neighbour outside, or a cell outside that touches the set at a
 /// side or a corner.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[non_exhaustive]
@@ -160,7 +162,7 @@ pub struct EdgeCell {
     pub centre: f64,
     /// Mean of the pressure, or of the friction reserve, over the cell (a pressure).
     pub mean: f64,
-    /// Whether the edge was fitted; otherwise the values are the raw values of the cell.
+    /// Whether the edge was fitted. If not, the values are the raw values of the cell.
     pub is_fitted: bool,
 }
 
@@ -177,8 +179,8 @@ impl Edges {
         &self.cells
     }
 
-    /// Returns the values at the centres of all cells: the pressure for a contact, the friction reserve for a stick zone
-    /// (pressures). At the edge the values are from the fit.
+    /// Returns the values at the centres of all cells (pressures). The values are the pressure for a contact and the friction
+    /// reserve for a stick zone. At the edge they are the values of the fit.
     #[must_use]
     pub fn centres(&self) -> &Field {
         &self.centres
@@ -196,14 +198,14 @@ impl Edges {
         self.area
     }
 
-    /// Returns the edge as straight pieces, each given by its two end points (lengths), inside the cells at the edge. For cells
-    /// whose fit was rejected the pieces are cell sides.
+    /// Returns the edge as straight pieces inside the cells at the edge. Each piece is given by its two end points (lengths). For
+    /// cells whose fit was rejected, the pieces are cell sides.
     #[must_use]
     pub fn outline(&self) -> &[[[f64; 2]; 2]] {
         &self.outline
     }
 
-    /// Returns the fraction of the cells at the edge whose fit was rejected; zero without cells at the edge.
+    /// Returns the fraction of the cells at the edge whose fit was rejected, or zero without cells at the edge.
     #[must_use]
     pub fn unfitted_fraction(&self) -> f64 {
         let refused = self.cells.iter().filter(|cell| !cell.is_fitted).count();
@@ -211,8 +213,7 @@ impl Edges {
     }
 }
 
-/// Returns the fraction of the area of a cell by which counting overestimates the covered area, for each side of the
-/// cell at the edge.
+/// Returns the overestimate of the covered area by counting, per side of a cell at the edge. The unit is the area of a cell.
 fn excess(boundary: Boundary, cell_value: CellValue) -> f64 {
     match (boundary, cell_value) {
         (Boundary::Periodic, _) => 0.102,
@@ -222,8 +223,8 @@ fn excess(boundary: Boundary, cell_value: CellValue) -> f64 {
 }
 
 impl NormalSolution {
-    /// Returns the edge of the contact inside the cells, and the pressure there. The page of [`edges`](crate::edges) describes
-    /// the method.
+    /// Returns the edge of the contact inside the cells, and the pressure at this edge. The page of [`edges`](crate::edges)
+    /// describes the method.
     ///
     /// # Errors
     /// - [`Error::Memory`] if memory runs out.
@@ -280,7 +281,7 @@ fn check_resolved(normal: &NormalSolution) -> Result<()> {
     Ok(())
 }
 
-/// Returns an error if the grid is a slab of a grid that is distributed over ranks.
+/// Returns an error if the grid is only a slab of a distributed grid.
 fn check_whole(grid: Grid) -> Result<()> {
     if grid == grid.whole() {
         Ok(())

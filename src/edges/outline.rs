@@ -7,12 +7,12 @@ use crate::grid::Grid;
 use crate::grid::neighbours::neighbours;
 use crate::memory::fallible;
 
-/// Signed distances of the corners of a cell from the edge (positive inside), counter-clockwise, starting at the corner
-/// with the smallest x and y.
+/// Signed distances of the corners of a cell from the edge (positive inside). The corners are in counter-clockwise order from the
+/// corner with the smallest x and y.
 pub(super) type Corners = [f64; 4];
 
-/// Returns the zero line of the distances. Cells that share a corner average their distances there. Around cells without a
-/// fit, the pieces are the cell sides at the edge of the set. The cells must be sorted by index.
+/// Returns the zero line of the distances. The distance at a corner is the mean over the cells around the corner. Around cells
+/// without a fit, the pieces are the cell sides at the edge of the set. The cells must be sorted by index.
 pub(super) fn outline(
     grid: Grid,
     repeats: [bool; 2],
@@ -26,8 +26,7 @@ pub(super) fn outline(
     for (cell, corners) in cells {
         if corners.is_some() {
             means.add_pieces(*cell, &contains, &mut pieces)?;
-            // The edge can also cut off a corner of a cell whose neighbours are all on the same side of the edge as the
-            // cell.
+            // The edge can also cut off a corner of a cell if all its neighbours are on the same side of the edge.
             let is_new =
                 |next: &usize| cells.binary_search_by_key(next, |(cell, _)| *cell).is_err();
             let around = neighbours(*cell, size, repeats).into_iter().flatten();
@@ -91,7 +90,7 @@ impl Means {
         Ok(means)
     }
 
-    /// Returns the index of a corner of a cell, equal for all cells around this corner.
+    /// Returns the index of a corner of a cell. The index is the same for all cells around this corner.
     fn corner(&self, cell: usize, which: usize) -> usize {
         let [nx, ny] = self.grid.size();
         let (column, row) = (
@@ -135,7 +134,8 @@ impl Means {
     }
 }
 
-/// Returns the pieces in a cell with these corners: none, one, or two if opposite corners have the same sign.
+/// Returns the pieces in a cell with these corners. There are at most two pieces, and two only if opposite corners have the same
+/// sign.
 fn pieces_within(ends: &[([f64; 2], f64); 4]) -> [Option<[[f64; 2]; 2]>; 2] {
     // The array holds the points at which the edge crosses the sides, in order.
     let mut crossings = [None; 4];

@@ -14,8 +14,8 @@ use crate::parallel::{self, Blocks};
 
 /// Largest residual of a fit (root mean square, in cells), for a contact and for a stick zone of a first loading.
 pub(super) const LARGEST_MISS: f64 = 0.05;
-/// Largest residual of a fit that uses only values inside (root mean square, in cells). Such a fit is extrapolated to the edge,
-/// which is reliable only if the values inside are nearly a quadratic, as under a sphere.
+/// Largest residual of a fit that uses only values inside (root mean square, in cells). Such a fit is extrapolated to the edge.
+/// The extrapolation is reliable only if the values inside are nearly a quadratic, as under a sphere.
 const LARGEST_MISS_INSIDE: f64 = 0.01;
 /// Smallest number of values in a fit.
 const FEWEST: usize = 10;
@@ -41,7 +41,7 @@ pub(super) struct Search<'a> {
     pub(super) is_outside_known: &'a (dyn Fn(usize) -> bool + Sync),
     /// Modulus at a cell for a normal of the edge.
     pub(super) modulus: &'a (dyn Fn(usize, [f64; 2]) -> f64 + Sync),
-    /// Fraction of the area of a cell by which counting overestimates the covered area, for each side at the edge.
+    /// Overestimate of the covered area by counting, per side of a cell at the edge. The unit is the area of a cell.
     pub(super) excess: f64,
     /// Largest residual of a fit (root mean square, in cells).
     pub(super) largest_miss: f64,
@@ -202,7 +202,7 @@ impl Search<'_> {
         }
     }
 
-    /// Writes the means over the core cells of a row, for a smooth pressure with these values at the centres.
+    /// Writes the means of a smooth pressure over the core cells of a row, given the values at the centres.
     fn raw_means(&self, states: &States, row: usize, means: &mut [f64]) {
         let [nx, ny] = self.grid.size();
         // Core cells have all their neighbours, so rows at a free edge of the grid contain none.

@@ -7,11 +7,11 @@ use crate::memory::fallible;
 use crate::spots::ContactSpots;
 
 impl Edges {
-    /// Returns the areas of the spots of this contact (lengths squared), in the order of the spots, including the
-    /// covered fractions of the cells at the edges. For a stick zone it returns the stick area in each spot.
-    /// [`Spot::area`](crate::Spot::area), in contrast, counts cells. The areas add up to the [area](Self::area). A cell
-    /// between several spots is divided among them in proportion to the number of their cells that it touches. If the
-    /// spots belong to a different contact, cells that are not next to any spot are omitted.
+    /// Returns the areas of the spots of this contact (lengths squared), in the order of the spots. For a stick zone it returns
+    /// the stick area in each spot. The areas include the covered fractions of the cells at the edges, whereas
+    /// [`Spot::area`](crate::Spot::area) counts cells. The sum of the areas is the [area](Self::area). A cell between several
+    /// spots is divided among these spots in proportion to the number of their cells that touch it. If the spots belong to a
+    /// different contact, cells without an adjacent spot are omitted.
     ///
     /// ```
     /// use stickslip::*;

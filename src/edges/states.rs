@@ -88,15 +88,15 @@ impl States {
     }
 }
 
-/// Returns the state of the middle cell of 3 x 3 cells, with 1 for cells in the set and 0 for other cells.
+/// Returns the state of the middle cell of 3 x 3 cells. The values are 1 for cells in the set and 0 for other cells.
 fn state_of([below, middle, above]: [&[u8]; 3]) -> State {
     let any = |row: &[u8]| row[0] | row[1] | row[2];
     let is_core = middle[0] & middle[1] & middle[2] & below[1] & above[1];
     (any(below) | any(middle) | any(above)) + middle[1] + is_core
 }
 
-/// Returns the indices before and after an index along an axis. An index beyond an edge of the grid is replaced by its
-/// periodic image, or by `None` if the axis is not periodic.
+/// Returns the indices before and after an index along an axis. The periodic image replaces an index beyond an edge of
+/// the grid. If the axis is not periodic, such an index is `None`.
 pub(super) fn beside(place: usize, count: usize, repeats: bool) -> [Option<usize>; 2] {
     let before = place.checked_sub(1);
     let after = Some(place + 1).filter(|next| *next < count);

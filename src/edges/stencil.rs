@@ -24,7 +24,7 @@ pub(super) const SECOND: usize = 3;
 /// Width of the Gaussian that weighs the cells, in cells.
 const WIDTH: f64 = 1.8;
 
-/// Exponents of x and y in the products; the terms of the quadratic come first.
+/// Exponents of x and y in the products. The terms of the quadratic come first.
 const EXPONENTS: [[usize; 2]; PRODUCTS] = [
     [0, 0],
     [1, 0],
@@ -68,8 +68,8 @@ const fn product_of() -> [[usize; POWERS]; POWERS] {
     table
 }
 
-/// Square of cells around a cell. The unit of length is the square root of the cell area, or the cell side along the line if
-/// the grid is a line of cells.
+/// Square of cells around a cell. The unit of length is the square root of the cell area. On a line of cells the unit is the cell
+/// side along the line.
 pub(super) struct FitStencil {
     size: [usize; 2],
     repeats: [bool; 2],
@@ -84,7 +84,7 @@ pub(super) struct FitStencil {
 
 impl FitStencil {
     pub(super) fn new(grid: Grid, repeats: [bool; 2]) -> Self {
-        // The values do not vary across a line of cells, so any side is valid there.
+        // The values do not vary perpendicular to a line of cells, so any side is valid in this direction.
         let (unit, sides) = match grid.size() {
             [_, 1] => (grid.dx(), [1.0; 2]),
             [1, _] => (grid.dy(), [1.0; 2]),
@@ -113,8 +113,7 @@ impl FitStencil {
         }
     }
 
-    /// Returns the rows and the columns of the square around a cell; `None` for rows and columns beyond an edge of the
-    /// grid.
+    /// Returns the rows and the columns of the square around a cell, or `None` for rows and columns beyond an edge of the grid.
     pub(super) fn about(&self, cell: usize) -> [[Option<usize>; SIDE]; 2] {
         let [nx, ny] = self.size;
         [self.along(1, cell / nx, ny), self.along(0, cell % nx, nx)]

@@ -10,8 +10,8 @@ use crate::normal::NormalSolution;
 use crate::support::debug::shown;
 use crate::tangential::{Friction, TangentialSolution, Zone};
 
-/// Edges of the contact and of the stick zone inside the cells, and the traction at these edges. Returned by
-/// [`TangentialSolution::edges`] and [`History::edges`](crate::History::edges).
+/// Edges of the contact and of the stick zone inside the cells, and the traction at these edges. The functions
+/// [`TangentialSolution::edges`] and [`History::edges`](crate::History::edges) return this type.
 #[derive(Clone, PartialEq)]
 pub struct TangentialEdges {
     contact: Edges,
@@ -55,9 +55,8 @@ impl TangentialEdges {
         &self.mean_traction
     }
 
-    /// Returns the largest traction at the centre of a cell (a pressure), usually in a cell next to the edge of the
-    /// stick zone. After a reversal the largest traction might be at the old edge, where the values are the tractions
-    /// of the raw cells.
+    /// Returns the largest traction at the centre of a cell (a pressure). This cell is usually next to the edge of the stick
+    /// zone. After a reversal the largest traction might be at the old edge, where the values are the tractions of the raw cells.
     #[must_use]
     pub fn peak_traction(&self) -> f64 {
         self.traction.max()
@@ -69,13 +68,14 @@ impl TangentialEdges {
         self.stick_area
     }
 
-    /// Returns the area of the slip zone: the area of the [contact](Edges::area) minus the area of the stick zone.
+    /// Returns the area of the slip zone (a length squared). It is the area of the [contact](Edges::area) minus the area of the
+    /// stick zone.
     #[must_use]
     pub fn slip_area(&self) -> f64 {
         (self.contact.area() - self.stick_area).max(0.0)
     }
 
-    /// Returns the ratio of stick area to contact area; zero without contact.
+    /// Returns the ratio of stick area to contact area, or zero without contact.
     #[must_use]
     pub fn stick_ratio(&self) -> f64 {
         if self.contact.area() > 0.0 {
@@ -87,9 +87,9 @@ impl TangentialEdges {
 }
 
 impl TangentialSolution {
-    /// Returns the edges of the contact and of the stick zone inside the cells, under the pressure and the friction of the
-    /// problem. The page of [`edges`](crate::edges) describes the method. The result is valid for a contact that is loaded once.
-    /// After the steps of a history use [`History::edges`](crate::History::edges).
+    /// Returns the edges of the contact and of the stick zone inside the cells. `normal` and `friction` must be the contact and
+    /// the friction of the problem. The page of [`edges`](crate::edges) describes the method. The result is valid for a contact
+    /// that is loaded once. After the steps of a history use [`History::edges`](crate::History::edges).
     ///
     /// ```
     /// use stickslip::*;
@@ -145,9 +145,9 @@ pub(super) struct PartialSlipContact<'a> {
     pub(super) friction: &'a Friction,
     pub(super) zones: &'a [Zone],
     pub(super) traction: [&'a [f64]; 2],
-    /// Component of the traction of a cell in the direction of its next slip, and magnitude of the remaining component.
+    /// Component of the traction in the direction of the next slip of a cell, and magnitude of the remaining component.
     pub(super) parts: &'a (dyn Fn(usize) -> [f64; 2] + Sync),
-    /// Slip distance of a slipping cell since it last stuck; `None` if it is unknown.
+    /// Slip distance of a slipping cell after it last stuck, or `None` if the distance is unknown.
     pub(super) slip: &'a (dyn Fn(usize) -> Option<f64> + Sync),
     /// Largest residual of a fit of the stick zone, as in [`Search`].
     pub(super) largest_miss: f64,

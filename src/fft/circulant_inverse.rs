@@ -12,9 +12,9 @@ use crate::operator::{Operator, Scratch};
 use crate::parallel::layout::Layout;
 use crate::parallel::ranks::partition::RowPartition;
 
-/// Number of cells between a grid and its images around the torus. Without such cells, opposite edges of the grid are
-/// adjacent, and conjugate gradients converge a fifth to a quarter more slowly if both edges are in contact. More than two
-/// cells make no difference (measured).
+/// Number of cells between a grid and its images around the torus. Without such cells, opposite edges of the grid are adjacent.
+/// In measurements, conjugate gradients then converged a fifth to a quarter more slowly if both edges were in contact. More than
+/// two cells made no difference.
 const APART: usize = 2;
 
 /// Approximate inverse of a [`Convolution`](super::Convolution). The coefficients are wrapped around the grid and two cells
@@ -34,7 +34,7 @@ pub struct CirculantInverse<const N: usize = 1> {
 
 impl<const N: usize> CirculantInverse<N> {
     /// Creates the inverse on `[nx, ny]` cells from a symmetric tensor of kernels. Eigenvalues below `floor` are raised to
-    /// `floor`, because wrapping can produce eigenvalues smaller than those of the operator on any part of the grid.
+    /// `floor`, because wrapping can produce smaller eigenvalues than the operator has on any part of the grid.
     ///
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
@@ -47,8 +47,8 @@ impl<const N: usize> CirculantInverse<N> {
         Self::with_mean((size, share), kernels, floor, false)
     }
 
-    /// Creates the inverse for displacements up to a constant, on a grid that is periodic along y. The mean has the weight
-    /// of the longest wave, independent of the datum of the displacements.
+    /// Creates the inverse for displacements up to a constant. The grid is periodic along y. The mean has the weight of the
+    /// longest wave, independent of the datum of the displacements.
     ///
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.

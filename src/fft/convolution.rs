@@ -26,11 +26,11 @@ use crate::parallel::ranks::partition::RowPartition;
 use crate::report::EigenvalueBound;
 use crate::support::debug::shown;
 
-/// Operator `u_i = sum_j C_ij * t_j` on a grid, which computes N displacement components of every cell from N traction
-/// components of all cells. A product takes one forward and one inverse fast transform per component.
+/// Operator `u_i = sum_j C_ij * t_j` on a grid. It computes N displacement components of every cell from N traction components of
+/// all cells. A product takes one forward and one inverse fast transform per component.
 ///
-/// The operator has no periodic images ([`Self::new`]) or is periodic along both axes ([`Self::periodic`]). For grids that
-/// are periodic along y alone use [`HalfSpace::operator`](crate::HalfSpace::operator), and for several components
+/// The operator has no periodic images ([`Self::new`]) or is periodic along both axes ([`Self::periodic`]). For grids that are
+/// periodic along y alone use [`HalfSpace::operator`](crate::HalfSpace::operator). For several components use
 /// [`HalfSpace::tensor_operator`](crate::HalfSpace::tensor_operator).
 ///
 /// Tractions are pressures, displacements are lengths. The result equals the direct sum up to round-off (typically 1e-15 of
@@ -38,9 +38,9 @@ use crate::support::debug::shown;
 ///
 /// # Memory
 ///
-/// The operator takes 12 bytes per cell for each of the N (N + 1)/2 coefficients, and each workspace 16 N bytes per cell. On
-/// a grid that is periodic along y alone the coefficients take 6 bytes instead of 12. On a grid that is periodic along both
-/// axes the coefficients take 3 bytes, and each workspace 8 N bytes.
+/// The operator takes 12 bytes per cell for each of the N (N + 1)/2 coefficients. Each workspace takes 16 N bytes per cell. If
+/// the grid is periodic along y alone, each coefficient takes 6 bytes instead of 12. If it is periodic along both axes, each
+/// coefficient takes 3 bytes and each workspace 8 N bytes.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, Material, Operator, fft::Convolution, influence::Component};
@@ -61,11 +61,11 @@ pub struct Convolution<const N: usize = 1> {
     plan: Plan<f64>,
     symbol: Symbol<f64, N>,
     single: SingleProduct<N>,
-    /// Smallest eigenvalue of the periodic continuation, and lower bound of the eigenvalues of the operator, both for tractions
-    /// without a mean on periodic grids.
+    /// Smallest eigenvalue of the periodic continuation, and lower bound of the eigenvalues of the operator. On periodic grids
+    /// both apply to tractions without a mean.
     least: f64,
     lower_bound_without_mean: f64,
-    /// Lower bound of all eigenvalues, except the eigenvalue of the mean on a grid that is periodic along both axes.
+    /// Lower bound of all eigenvalues. It excludes the eigenvalue of the mean on a grid that is periodic along both axes.
     lower_bound: f64,
     upper_bound: f64,
     /// Energy of a uniform traction along each direction, if the periodic continuation does not bound it.
@@ -98,9 +98,9 @@ impl Convolution {
         })
     }
 
-    /// Creates the operator on a grid that is periodic along x and y, with the symbols of the [`influence`](crate::influence)
-    /// page and no padding. The operator is exact for tractions that consist of the waves that fit the grid, down to two
-    /// cells per period. A mean traction causes no displacement, so displacements have mean zero.
+    /// Creates the operator on a grid that is periodic along x and y. The operator uses the symbols of the
+    /// [`influence`](crate::influence) page and no padding. It is exact for tractions that consist of waves that fit the grid,
+    /// down to two cells per period. A mean traction causes no displacement, so displacements have mean zero.
     ///
     /// ```
     /// use std::f64::consts::TAU;
@@ -119,8 +119,8 @@ impl Convolution {
     /// # Ok::<(), stickslip::Error>(())
     /// ```
     ///
-    /// For a pair that [represents a kernel](ElasticPair::stands_for_kernel) this is the operator of its half-spaces, not of
-    /// the kernel.
+    /// For a pair that [represents a kernel](ElasticPair::stands_for_kernel), the result is the operator of the half-spaces of
+    /// the pair, not of the kernel.
     #[must_use]
     pub fn periodic(grid: Grid, pair: &ElasticPair, component: Component) -> Self {
         let symbols = InfluenceKernel::Symbols(Symbols::new(grid, &(*pair).into(), component));
@@ -131,9 +131,9 @@ impl Convolution {
 }
 
 impl<const N: usize> Convolution<N> {
-    /// Creates the operator on `[nx, ny]` cells from a symmetric tensor of kernels (indexed by displacement, then traction)
-    /// or from one kernel of any parity. Tables must contain the [`samples`] of at least these cells. Symbols must belong to
-    /// exactly these cells.
+    /// Creates the operator on `[nx, ny]` cells. The kernels are a symmetric tensor (indexed by displacement, then traction) or
+    /// one kernel of any parity. Tables must contain the [`samples`] of at least these cells. Symbols must belong to exactly
+    /// these cells.
     ///
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
@@ -177,7 +177,7 @@ impl<const N: usize> Convolution<N> {
 
 impl<const N: usize> Convolution<N> {
     /// Replaces the smallest eigenvalue of the periodic continuation by a given value of the given origin. On a grid that is
-    /// periodic along y the value applies to tractions without a mean, and [`Self::with_uniform_waves`] completes the bound.
+    /// periodic along y, the value applies to tractions without a mean. [`Self::with_uniform_waves`] completes the bound.
     pub(crate) fn bounded(self, least: f64, known: EigenvalueBound) -> Self {
         let lower_bound = (least - 1e-14 * self.upper_bound).max(0.0);
         Self {
@@ -216,15 +216,15 @@ impl<const N: usize> Convolution<N> {
         self.least
     }
 
-    /// Returns a lower bound of the eigenvalues, for tractions without a mean on a periodic grid and for all tractions on a
-    /// free grid.
+    /// Returns a lower bound of the eigenvalues. The bound applies to tractions without a mean on a periodic grid and to all
+    /// tractions on a free grid.
     pub(crate) fn lower_bound_without_mean(&self) -> f64 {
         self.lower_bound_without_mean
     }
 
     /// Returns a lower bound of the eigenvalues for the tractions that a problem allows. A component with a prescribed sum
-    /// (`None`) has no mean. For the other components the value is the compliance that is added for a uniform traction: zero,
-    /// or the compliance of a spring.
+    /// (`None`) has no mean. For the other components the value is the compliance that is added for a uniform traction. It is
+    /// zero or the compliance of a spring.
     ///
     /// # Errors
     /// - [`Error::DatumTooNear`](crate::Error::DatumTooNear) if the compliance of these tractions is not positive definite.
@@ -288,9 +288,9 @@ fn lower_bound<const N: usize>([low, high]: [f64; 2], kernels: [[&InfluenceKerne
     }
 }
 
-/// Returns the integrals of all coefficients at every distance within the transform of `size` cells of `grid`; `None` for a
-/// grid that is periodic along both axes, which uses symbols. The distances along y are distributed over the ranks, and
-/// coated bodies add a correction.
+/// Returns the integrals of all coefficients at every distance within the transform of `size` cells of `grid`. Returns `None` for
+/// a grid that is periodic along both axes, because such a grid uses symbols. The distances along y are distributed over the
+/// ranks, and coated bodies add a correction.
 pub(crate) fn samples(
     grid: Grid,
     boundary: Boundary,
@@ -347,9 +347,9 @@ impl<const N: usize> Operator<N> for Convolution<N> {
             .convolve(&self.symbol, x, out, [1.0; 2], tiles, double);
     }
 
-    /// Computes the product in single precision. The error is about 3e-7 of the largest displacement, and the cost is two thirds
-    /// of the cost of a product in double precision. Double precision is used if the smallest eigenvalue is too small relative to
-    /// the largest to be resolved with this error.
+    /// Computes the product in single precision. The error is about 3e-7 of the largest displacement. The cost is two thirds of
+    /// the cost of a product in double precision. Double precision is used if single precision does not resolve the smallest
+    /// eigenvalue relative to the largest eigenvalue.
     fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
         if !self.is_single_enough {
             return self.apply(x, out, scratch);
@@ -367,14 +367,14 @@ impl<const N: usize> Operator<N> for Convolution<N> {
 
     /// Returns the smallest eigenvalue of the periodic continuation, a lower bound for the operator on the grid.
     ///
-    /// - For a periodic grid it is the smallest eigenvalue on fields of mean zero. A single periodic cell has no such field,
-    ///   and its bound is the symbol of a wave of one period over the cell.
+    /// - For a periodic grid it is the smallest eigenvalue on fields of mean zero. For a single periodic cell, which has no such
+    ///   field, the bound is the symbol of a wave of one period over the cell.
     /// - It is zero for a single component between two different directions.
-    /// - It is zero for pressure with shear if Poisson's ratios are negative, on some grids, where the continuation is not
-    ///   positive definite although the operator is.
+    /// - It is zero for pressure with shear on some grids if Poisson's ratios are negative. The continuation is then not positive
+    ///   definite although the operator is.
     /// - For stiff layers on soft bodies the continuation can also be indefinite. The bound is then a conservative estimate
     ///   of the smallest eigenvalue of the infinite lattice of these cells.
-    /// - It is zero for a grid that is periodic along y if a datum that is too near makes the operator indefinite.
+    /// - It is zero for a grid that is periodic along y if the datum is so near that the operator is indefinite.
     fn lower_bound(&self) -> f64 {
         self.lower_bound
     }

@@ -8,7 +8,7 @@ use crate::influence::{Symbols, Table};
 pub(crate) enum InfluenceKernel {
     /// Coefficient at every distance, for free surroundings.
     Table(Table),
-    /// Coefficient at every distance up to half the period, for a grid that is periodic along y.
+    /// Coefficient at every distance, up to half the period along y, for a grid that is periodic along y.
     Rows(Table),
     /// Symbol at every wave, for a grid that is periodic along both axes.
     Symbols(Symbols),
@@ -29,7 +29,7 @@ impl InfluenceKernel {
         self.component().is_odd()
     }
 
-    /// Returns the smaller symbol of the two waves with one period over a periodic grid; zero for other
+    /// Returns the smaller symbol of the two waves with one period over a periodic grid. Returns zero for other
     /// boundaries.
     pub(crate) fn least_of_one_period(&self) -> f64 {
         match self {

@@ -2,8 +2,8 @@
 
 use crate::influence::integrals::{Cell, Integral};
 
-/// Distance, in units of the longer side, beyond which the series replaces quadrature. The truncation error is below 6e-16 of
-/// every integral, measured against values with 60 digits.
+/// Distance, in units of the longer side, beyond which the series replaces quadrature. The truncation error, measured against
+/// values with 60 digits, is below 6e-16 of every integral.
 const FAR: f64 = 20.0;
 
 /// Number of pairs of derivatives in the series.
@@ -21,9 +21,9 @@ const EXPONENTS: usize = 2 * PAIRS + 3;
 /// \partial_x^{2 i} \partial_y^{2 j} f(x, y) .
 /// ```
 ///
-/// All kernels are homogeneous of degree -1. With $`s = 1/r^2`$ and $`u = x^2 s`$, the sum is therefore
-/// $`\sum_n s^n P_n(u)`$ with polynomials of degree $`n + 1`$ or less. The factor of the sum is one power of each
-/// coordinate in which $`f`$ is odd, divided by a power of $`r`$.
+/// All kernels are homogeneous of degree -1. The sum is therefore $`\sum_n s^n P_n(u)`$ with $`s = 1/r^2`$, $`u = x^2 s`$ and
+/// polynomials $`P_n`$ of degree $`n + 1`$ or less. The factor of this sum is the product of the coordinates in which $`f`$ is
+/// odd, divided by a power of $`r`$.
 #[derive(Debug)]
 pub(super) struct FarFieldSeries {
     cell: Cell,
@@ -59,7 +59,8 @@ impl FarFieldSeries {
         }
     }
 
-    /// Computes the integral at the points `(x, y)` of a row, near and far, with ascending `x >= 0` and `y >= 0`.
+    /// Computes the integral at the points `(x, y)` of a row, with ascending `x >= 0` and with `y >= 0`. The points can be near
+    /// or far.
     pub(super) fn along_row(&self, xs: &[f64], y: f64, out: &mut [f64]) {
         let far = FAR * 2.0 * self.cell.a.max(self.cell.b);
         let near = xs.partition_point(|x| x.hypot(y) < far);
@@ -95,8 +96,8 @@ impl FarFieldSeries {
     }
 }
 
-/// Derivative of a kernel: a sum of `c x^p y^q / r^m`, indexed by `[p][q]`, where `m` is `p + q + 1` plus the order of
-/// the derivative.
+/// Derivative of a kernel: a sum of terms `c x^p y^q / r^m`, indexed by `[p][q]`. The exponent `m` is `p + q + 1` plus the order
+/// of the derivative.
 #[derive(Clone, Copy)]
 struct Monomials {
     order: usize,
@@ -221,7 +222,7 @@ mod tests {
         }
     }
 
-    /// Compares the series with values that have 40 digits, for large and for nearly vanishing integrals.
+    /// Compares the series with values of 40 digits, for large integrals and for integrals that nearly vanish.
     #[test]
     fn series_keep_their_relative_accuracy() {
         for (integral, [a, b], [x, y], expected) in [

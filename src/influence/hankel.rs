@@ -1,4 +1,4 @@
-//! Functions of a distance that are smooth on the scale of a depth: tables, Hankel integrals, and integrals over cells.
+//! Tables, Hankel integrals and integrals over cells of functions of a distance that are smooth on the scale of a depth.
 
 use std::f64::consts::{SQRT_2, TAU};
 use std::sync::LazyLock;
@@ -7,14 +7,14 @@ use crate::numerics::gauss::{
     GAUSS_2, GAUSS_3, GAUSS_4, GAUSS_5, GAUSS_6, GAUSS_8, GAUSS_12, QuadratureRule,
 };
 
-/// Number of pieces of a table: up to half the scale, to the scale, to twice the scale and so on.
+/// Number of pieces of a table. The pieces end at half the scale, at the scale, at twice the scale and so on.
 pub(crate) const PIECES: usize = 100;
 /// Number of Chebyshev coefficients per piece.
 pub(crate) const TERMS: usize = 21;
 /// Maximum phase of the wave over a panel of twelve points, at the far end of a piece.
 const PHASE: f64 = 7.0;
 
-/// Gauss rules along a side of a cell, each with a minimum for the sum of the semi-axes of the ellipse through the nearest
+/// Gauss rules along a side of a cell. Each rule has a minimum for the sum of the semi-axes of the ellipse through the nearest
 /// singularity of the kernels, in half sides. The error of a rule with n points is this sum to the power -2n, about 1e-14.
 pub(crate) const RULES: [(f64, QuadratureRule); 7] = [
     (3200.0, &GAUSS_2),
@@ -49,11 +49,10 @@ pub(crate) fn ends_of(piece: usize, scale: f64) -> [f64; 2] {
     [if piece == 0 { 0.0 } else { 0.5 * end }, end]
 }
 
-/// Returns wave numbers up to `gone`, beyond which the response is negligible, with the weights of a quadrature for distances
-/// between the ends of a piece. The first interval ends at `least`, because the response hardly varies below this wave
-/// number.
+/// Returns the wave numbers and weights of a quadrature for distances between the ends of a piece. The response is negligible for
+/// wave numbers above `gone`. The first interval ends at `least`, because the response hardly varies below this wave number.
 ///
-/// Far from the origin short waves are cut off smoothly on the scale of the distance. The error of this cut-off is below
+/// Far from the origin, short waves are cut off smoothly on the scale of the distance. The error of this cut-off is below
 /// round-off.
 pub(crate) fn wave_numbers([near, far]: [f64; 2], gone: f64, least: f64) -> Vec<(f64, f64)> {
     let is_cut = near * gone > 156.0;

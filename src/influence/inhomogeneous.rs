@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::bodies::kernel::{CoefficientTable, Kernel, KernelSource};
 use crate::influence::LayerCorrection;
 
-/// Correction or replacement for inhomogeneous bodies on a grid that is not periodic along both axes.
+/// Correction or replacement of the coefficients for inhomogeneous bodies. The grid is not periodic along both axes.
 #[derive(Debug)]
 pub(crate) enum KernelCorrection {
     /// Correction added to the coefficients of the half-spaces that determine the response to short waves.
@@ -15,7 +15,8 @@ pub(crate) enum KernelCorrection {
 }
 
 impl KernelCorrection {
-    /// Creates the correction of a pair or a kernel; `None` for homogeneous bodies, which need no correction.
+    /// Creates the correction of a pair or a kernel. Returns `None` for homogeneous bodies, which require no
+    /// correction.
     pub(crate) fn of(kernel: &Kernel) -> Option<Arc<Self>> {
         let added = match kernel.given() {
             None => Self::LayerCorrection(Box::new(LayerCorrection::of(kernel.pair())?)),

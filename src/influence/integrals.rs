@@ -27,7 +27,7 @@ pub(super) enum Integral {
 impl Integral {
     pub(super) const COUNT: usize = 5;
 
-    /// Returns whether the integral is odd in x and odd in y; otherwise it is even.
+    /// Returns whether the integral is odd in x and whether it is odd in y. An integral that is not odd is even.
     pub(super) const fn is_odd(self) -> [bool; 2] {
         match self {
             Self::Potential | Self::AlongX => [false, false],
@@ -123,9 +123,8 @@ impl Cell {
         }
     }
 
-    /// Integrates a kernel of known parity at one point: in closed form near the cell, by Gauss-Legendre
-    /// quadrature farther away. Far from the cell the closed form loses `2 eps (r/h)^2` to cancellation, while
-    /// the quadrature loses nothing.
+    /// Integrates a kernel of known parity at one point: in closed form near the cell, by Gauss-Legendre quadrature farther away.
+    /// Far from the cell the closed form has an error of `2 eps (r/h)^2` by cancellation, whereas the quadrature has none.
     fn at_point(
         self,
         point: [f64; 2],
@@ -145,8 +144,8 @@ impl Cell {
             self.quadrature(rule, &[x], y, far, &mut value);
             return sign * value[0];
         }
-        // A point next to a slender cell is far away in units of the short side, and the closed form cancels
-        // there. The cell is halved until the pieces are compact or far away.
+        // A point next to a slender cell is far away in units of the short side, so the closed form suffers from cancellation.
+        // Therefore the cell is halved until the pieces are compact or far away.
         let Self { a, b } = self;
         let (half, [step_x, step_y]) = if a > 4.0 * b {
             (Self { a: 0.5 * a, b }, [0.5 * a, 0.0])
@@ -184,9 +183,9 @@ impl Cell {
         }
     }
 
-    /// Returns the cheapest rule at this distance, and the distance up to which it suffices; `None` near the cell. The relative
-    /// error is below 1e-15 for `1/R`, measured against values with 40 digits; for the other kernels it is below 4e-15 of the
-    /// integral of `1/R`.
+    /// Returns the cheapest rule at this distance, and the distance up to which the rule suffices. Returns `None` near the cell.
+    /// The errors were measured against values of 40 digits. The relative error is below 1e-15 for `1/R`. For the other kernels
+    /// the error is below 4e-15 of the integral of `1/R`.
     fn rule(self, x: f64, y: f64) -> Option<(QuadratureRule, f64)> {
         let side = 2.0 * self.a.max(self.b);
         let distance = x.hypot(y) / side;
@@ -237,8 +236,8 @@ fn diagonal_near(cell: Cell, x: f64, y: f64) -> f64 {
     cell.corners(x, y).map(corner).iter().sum()
 }
 
-/// Computes the integral of `X/R^2` near the cell. The differences in `x` are formed first, in closed form, so
-/// that the value keeps its relative accuracy near `x = 0`, where it vanishes. Requires `x >= 0`.
+/// Computes the integral of `X/R^2` near the cell. The differences in `x` are formed first, in closed form. The value therefore
+/// keeps its relative accuracy near `x = 0`, where it vanishes. Requires `x >= 0`.
 fn radial_x_near(cell: Cell, x: f64, y: f64) -> f64 {
     let edge = |y: f64| {
         if y == 0.0 {

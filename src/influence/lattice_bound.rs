@@ -15,12 +15,12 @@ const OCTAVES: i32 = 12;
 /// Number of shells of aliases in the sum.
 const SHELLS: i32 = 12;
 
-/// Hermitian 2 x 2 matrix: its diagonal, and the off-diagonal entry, which is real or imaginary. A 1 x 1 matrix is stored
-/// as a diagonal one.
+/// Hermitian 2 x 2 matrix: its diagonal, and the off-diagonal entry, which is real or imaginary. A 1 x 1 matrix is stored as a
+/// diagonal matrix.
 type HermitianPair = [f64; 3];
 
-/// Returns a lower estimate of the eigenvalues of the compliance for some directions, valid for any rectangle of cells
-/// of a free grid.
+/// Returns a lower estimate of the eigenvalues of the compliance for some directions. The estimate is valid for any rectangle of
+/// cells of a free grid.
 ///
 /// Let $`C_j`$ be the coefficients at all distances j of an infinite lattice, and
 /// $`S(\theta) = \sum_j C_j\,e^{-i\theta \cdot j}`$. Tractions t that vanish outside some cells have the energy
@@ -38,19 +38,18 @@ type HermitianPair = [f64; 3];
 /// k_m = (\theta + 2 \pi m)/h ,
 /// ```
 ///
-/// times $`1 + (4 - 2\cos\theta_x - 2\cos\theta_y)/24`$ for values at [centres](CellValue::Centre). Shells of aliases
-/// alternate in sign and decrease as the cube of their number. The last shell of the sum therefore bounds the sum of all
-/// omitted shells. S is even in each phase, and smooth except at phase zero, where it has a pole, or a limit on a rigid
-/// base. It is sampled in steps of pi/16, and in twelve octaves below the first step. A sample that is a minimum along an
-/// axis is lowered by half of the second difference along this axis. This reduction is at least 1.5 times the amount by
-/// which a parabola through the samples can fall below the sample. If S decreases towards phase zero, the sample is
-/// lowered by the decrease over the last octave. The result is a conservative estimate of the smallest eigenvalue, not an
-/// enclosure. It is zero if S is NaN.
+/// times $`1 + (4 - 2\cos\theta_x - 2\cos\theta_y)/24`$ for values at [centres](CellValue::Centre). Shells of aliases alternate
+/// in sign and decrease as the cube of their number. The last shell of the sum therefore bounds the sum of all omitted shells. S
+/// is even in each phase. It is smooth except at phase zero, where it has a pole (or a limit for a body on a rigid base). It is
+/// sampled in steps of pi/16, and in twelve octaves below the first step. If a sample is a minimum along an axis, it is lowered
+/// by half of the second difference along this axis. A parabola through the samples can fall below the sample by at most two
+/// thirds of this reduction. If S decreases towards phase zero, the sample is lowered by the decrease over the last octave. The
+/// result is a conservative estimate of the smallest eigenvalue, not an enclosure. It is zero if S is NaN.
 ///
-/// On a grid that is periodic along y, tractions contain only the phases of its waves along y. These phases are sampled if
-/// there are few of them. Phase zero corresponds to a wave along x of infinite length, which tractions without a mean do
-/// not contain. The energy of tractions without a mean is the integral over all other phases, so the result is the bound
-/// for these tractions.
+/// On a grid that is periodic along y, tractions contain only the phases of the waves that fit the period along y. If there are
+/// few of these phases, they are sampled. Phase zero corresponds to a wave along x of infinite length, which tractions without a
+/// mean do not contain. The energy of such tractions is the integral over all other phases. The result is therefore the bound for
+/// tractions without a mean.
 pub(crate) fn least_of_lattice<const N: usize>(
     (grid, repeats_along_y): (Grid, bool),
     bodies: &Kernel,
@@ -106,7 +105,7 @@ pub(crate) fn least_of_lattice<const N: usize>(
     bounds.fold(f64::INFINITY, f64::min)
 }
 
-/// Returns the phases along y of the waves of a periodic grid; `None` if sampling all phases takes fewer samples.
+/// Returns the phases along y of the waves of a periodic grid. Returns `None` if sampling all phases requires fewer samples.
 fn waves_along_y(cells: usize) -> Option<Vec<f64>> {
     let waves = 0..=cells / 2;
     (cells < 2 * STEPS as usize).then(|| waves.map(|n| TAU * n as f64 / cells as f64).collect())

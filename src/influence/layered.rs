@@ -16,8 +16,8 @@ use crate::influence::periodic_images::{FAR, pieces};
 /// point force depend on the distance r, the kernels of a line load on the distance x. Both are smooth on the scale of the
 /// outermost layer.
 ///
-/// The part $`\Delta\,e^{-kH}/k`$ of the response has the pole of the base at k = 0 and corresponds to a force at the depth H.
-/// The remainder is R(k), which is negligible beyond [`GONE`]. The tabulated kernels of points are
+/// The term $`\Delta\,e^{-kH}/k`$ of the response corresponds to a force at the depth H. It contains the pole of the base at
+/// `k = 0`. The remainder is R(k), which is negligible beyond [`GONE`]. The tabulated kernels of points are
 ///
 /// ```math
 /// \int k R_n J_0 \,\mathrm{d}k, \quad \int k \tfrac{R_l + R_t}{2} J_0 \,\mathrm{d}k, \quad
@@ -30,7 +30,7 @@ use crate::influence::periodic_images::{FAR, pieces};
 pub(crate) struct LayerCorrection {
     kernel: Kernel,
     near: Response,
-    /// For each coated body, or for a kernel: the depth H and the difference between the responses of the base and of the
+    /// Values for each coated body or for a kernel: the depth H, and the difference between the responses of the base and of the
     /// outermost layer. The response of the pair includes the sum over both bodies.
     images: Vec<(f64, Response)>,
     /// Smallest depth H.
@@ -54,7 +54,7 @@ const LANES: usize = 8;
 type Lanes = [f64; LANES];
 
 impl LayerCorrection {
-    /// Creates the correction of a pair; `None` for homogeneous bodies, which need no correction.
+    /// Creates the correction of a pair. Returns `None` for homogeneous bodies, which require no correction.
     pub(crate) fn of(pair: &ElasticPair) -> Option<Self> {
         if !pair.is_coated() {
             return None;
@@ -100,7 +100,8 @@ impl LayerCorrection {
         }
     }
 
-    /// Returns two pi times the integral of a component over a cell of half sides `[a, b]`, at `(x, y)` from its centre.
+    /// Returns two pi times the integral of a component over a cell of half sides `[a, b]`. The point is at `(x, y)` from the
+    /// centre of the cell.
     pub(crate) fn over_cell(&self, component: Component, sides: [f64; 2], x: f64, y: f64) -> f64 {
         let mut value = [0.0];
         self.at_each(component, sides, &[x], y, &mut value);
@@ -184,7 +185,7 @@ impl LayerCorrection {
         part(1.0) + part(-1.0)
     }
 
-    /// Computes the integrals at points that share their rules, at most `LANES` of them.
+    /// Computes the integrals at up to `LANES` points that share their rules.
     fn by_rules(
         &self,
         component: Component,
@@ -210,8 +211,8 @@ impl LayerCorrection {
         }
     }
 
-    /// Returns the integral over a cell and all its images along y, at `0 <= y <= period/2` from the nearest of them.
-    /// Displacements are relative to the datum, [as](crate::influence::periodic_images) for the closed forms.
+    /// Returns the integral over a cell and all its images along y. The distance `y` from the nearest image is between zero and
+    /// `period/2`. Displacements are relative to the datum, [as](crate::influence::periodic_images) for the closed forms.
     pub(crate) fn over_rows(
         &self,
         component: Component,
@@ -249,8 +250,9 @@ impl LayerCorrection {
         [self.rule(a, x, y), self.rule(b, y, x)]
     }
 
-    /// Returns the cheapest rule along a side of half length `a`, for a cell at `x` along this side and `y` across. The
-    /// nearest singularity of the kernels is at the imaginary distance i H. Returns `None` if the side is too long.
+    /// Returns the cheapest rule along a side of half length `a`. The cell is at the distance `x` along this side and at the
+    /// distance `y` perpendicular to this side. The nearest singularity of the kernels is at the imaginary distance i H. Returns
+    /// `None` if the side is too long.
     fn rule(&self, a: f64, x: f64, y: f64) -> Option<usize> {
         rule(a, x.hypot(y), self.scale)
     }
@@ -399,8 +401,8 @@ fn times_k(compliances: Compliances) -> Response {
     }
 }
 
-/// Returns a length beyond which a body responds like its base: the total thickness of the layers times the contrast of their
-/// moduli.
+/// Returns a length beyond which a body responds like its base. The length is the total thickness of the layers times the
+/// contrast of their moduli.
 pub(crate) fn slowest(body: &Material) -> f64 {
     let layers = body.layers().iter();
     let thickness: f64 = layers.clone().map(Layer::thickness).sum();

@@ -1,11 +1,11 @@
 //! Influence coefficients: displacements of a half-space under a uniformly loaded rectangle.
 //!
-//! A cell of sides `2a x 2b` centred on the origin carries a uniform traction. The coefficient `C_ij(x, y)` is the
-//! displacement component `i` at `(x, y)` on the surface per unit traction component `j` (a length over a pressure). Traction
-//! and displacement refer to body 1, with z into the body. Pressure is positive if it pushes into the body.
+//! A cell of sides `2a x 2b` centred on the origin carries a uniform traction. The coefficient `C_ij(x, y)` is the displacement
+//! component `i` at the surface point `(x, y)` per unit traction component `j` (a length over a pressure). Traction and
+//! displacement refer to body 1, with z into the body. Pressure is positive if it pushes into the body.
 //!
-//! With the corners `(X, Y, s) = (x+a, y+b, +), (x-a, y+b, -), (x+a, y-b, -), (x-a, y-b, +)` and
-//! `R = hypot(X, Y)`, the five integrals of the Boussinesq and Cerruti kernels over the cell are
+//! Let the corners be `(X, Y, s) = (x+a, y+b, +), (x-a, y+b, -), (x+a, y-b, -), (x-a, y-b, +)`, with `R = hypot(X, Y)`. The five
+//! integrals of the Boussinesq and Cerruti kernels over the cell are
 //!
 //! ```math
 //! S_X = \sum s\,X \operatorname{asinh}(Y/|X|), \quad
@@ -30,8 +30,8 @@
 //! C_{zy} = -C_{yz} = \frac{(1-2\nu) D_Y}{4 \pi G}.
 //! ```
 //!
-//! On a periodic grid a wave of traction with the wave vector `k` causes a wave of displacement. The ratio of their
-//! amplitudes is the symbol (the Fourier transform of the displacement under a point force, not averaged over cells)
+//! On a periodic grid a wave of traction with the wave vector `k` causes a wave of displacement. The ratio of their amplitudes is
+//! the symbol. It is the Fourier transform of the displacement under a point force, not averaged over cells:
 //!
 //! ```math
 //! \hat C_{xx} = \frac{1 - \nu k_x^2/k^2}{G k}, \quad
@@ -43,24 +43,22 @@
 //!
 //! and correspondingly for `zy` and `yz`. The symbol of wave number zero, a mean traction, is undefined and set to zero.
 //!
-//! On a grid that is periodic along y alone, the integrals are summed over all images of the cell along y. On a line of
-//! cells, which is uniform along y, the coefficients are integrals over a strip of half width a, relative to the datum d
-//! (Johnson 1985, sections 2.2 and 2.3). Constant parts of $`S_X`$ and $`S_Y`$ are omitted, because they only displace the
-//! body as a whole:
+//! On a grid that is periodic along y alone, the integrals are summed over all images of the cell along y. A line of cells is
+//! uniform along y. Its coefficients are integrals over a strip of half width a, relative to the datum d (Johnson 1985, sections
+//! 2.2 and 2.3). Constant terms of $`S_X`$ and $`S_Y`$ are omitted, because they only displace the body as a whole:
 //!
 //! ```math
 //! S_X + S_Y = -2 \int_{-a}^{a} \ln\frac{|x - s|}{d}\,\mathrm{d}s, \quad S_Y = S_{XY} = D_Y = 0, \quad
 //! D_X = \pi \int_{-a}^{a} \operatorname{sgn}(x - s)\,\mathrm{d}s .
 //! ```
 //!
-//! The coefficients of [coated](crate::layers) bodies are the sum of two parts: these coefficients with the constants of the
-//! outermost layers, and the correction described in [`layers`](crate::layers). Their symbols are the symbols of the
-//! responses described there.
+//! The coefficients of [coated](crate::layers) bodies are the sum of two terms. The first term is these coefficients with the
+//! constants of the outermost layers. The second term is the correction described in [`layers`](crate::layers). The symbols of
+//! coated bodies are the symbols of the responses described on the same page.
 //!
-//! Source: Appendix A of Wang, De Boer, Neville & Ghanbarzadeh, Tribology International 159 (2021) 106947. The following
-//! printed errors are corrected: in `C_xx`, `C_yy` and `C_zz` the numerator of the second logarithm is
-//! `(x+a) + hypot(x+a, y+b)`, the stray terms before the third are dropped, and the third term of `C_xx` has the factor
-//! `(1 - nu)(x - a)`.
+//! Source: Appendix A of Wang, De Boer, Neville & Ghanbarzadeh, Tribology International 159 (2021) 106947. Three printed errors
+//! are corrected. In `C_xx`, `C_yy` and `C_zz` the numerator of the second logarithm is `(x+a) + hypot(x+a, y+b)`. The stray
+//! terms before the third logarithm are omitted. The third term of `C_xx` has the factor `(1 - nu)(x - a)`.
 
 mod coefficient;
 mod far_field;

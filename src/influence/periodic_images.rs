@@ -5,13 +5,14 @@ use crate::numerics::gauss::GAUSS_4;
 
 /// Row of cells that is periodic along y, in the unit of the [`Cell`].
 ///
-/// The integrals of the images with numbers up to [`WHOLE`] are summed with the weight one. The weights of the next
-/// images decrease to zero, and the images beyond are replaced by a uniform strip. The weights correct for the
-/// difference up to the fifteenth derivative at the end of the strip (midpoint rule with Gregory's end corrections, by
-/// central differences). The remaining error is 4e-15 of an image at the distance of one period.
+/// The integrals of the images with numbers up to [`WHOLE`] have the weight one in the sum. The weights of the next
+/// images decrease to zero. A uniform strip replaces the farther images. The weights correct for the difference up to
+/// the fifteenth derivative at the end of the strip. They are the weights of the midpoint rule with Gregory's end
+/// corrections in central differences. The remaining error is 4e-15 of an image at the distance of one period.
 ///
 /// The strip has infinite displacement. The displacement of `1/R` is taken relative to the datum. The displacements of
-/// `X^2/R^3` are relative to any point of the surface, because the strip moves all of these points by the same amount.
+/// `X^2/R^3` are relative to an arbitrary point of the surface. The choice has no effect, because the strip moves all
+/// these points by the same amount.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Images {
     /// Period of the row.
@@ -36,7 +37,7 @@ const CORRECTIONS: [f64; 8] = [
     -7.981_009_139_050_703e-8,
 ];
 
-/// Number of the last image before the end of the strip that is replaced by images.
+/// Number of the last image inside the section of the strip that images replace.
 const END: i32 = WHOLE + 8;
 
 /// Distance in periods beyond which images act like a strip up to round-off, `exp(-2 pi 6) = 4e-17`.
@@ -88,7 +89,8 @@ impl Images {
     /// Returns the integral over an infinitely long strip of half width `a` along y.
     fn of_strip(self, a: f64, integral: Integral, x: f64) -> f64 {
         match integral {
-            // This is the integral of -2 ln(|x|/d), -(x + a) ln|x + a| + (x - a) ln|x - a|, in terms that do not cancel.
+            // The integral of -2 ln(|x|/d) is 4 a - 2 (x + a) ln(|x + a|/d) + 2 (x - a) ln(|x - a|/d). It is computed
+            // in terms that do not cancel.
             Integral::Potential => {
                 let log = |x: f64| (x / self.datum).abs().ln();
                 let inner = if x == 0.0 {
@@ -117,7 +119,7 @@ pub(crate) struct ImageStrip {
     pub(crate) weight: f64,
 }
 
-/// Returns the pieces that must be added to a uniform strip to obtain the row of images of a cell with half side b.
+/// Returns the pieces that must be added to a uniform strip. The sum is the row of images of a cell with half side b.
 pub(crate) fn pieces(b: f64, period: f64) -> impl Iterator<Item = ImageStrip> {
     let share = 2.0 * b / period;
     // A uniform strip represents cells of a finite length, so its ends are averaged over this length.

@@ -78,8 +78,8 @@ impl Rectangle {
 
     /// Returns the coefficients of one body at `(x, y)` from the centre of the loaded cell (lengths).
     ///
-    /// The error is about 1e-15 of `C_zz` at any distance. For coated bodies the error is below 1e-12 of `C_zz` at the cell
-    /// itself, and each call evaluates the integrals again. Use a [`Table`](crate::influence::Table) for many points.
+    /// The error is about 1e-15 of `C_zz` at any distance. For coated bodies the error is below 1e-12 of `C_zz` of the loaded
+    /// cell, and each call evaluates the integrals again. Use a [`Table`](crate::influence::Table) for many points.
     #[must_use]
     pub fn tensor(&self, material: &Material, x: f64, y: f64) -> Tensor {
         match ElasticPair::new(*material, Material::rigid()) {
@@ -91,8 +91,8 @@ impl Rectangle {
     /// Returns the coefficients of the relative displacement `u_1 - u_2` of two bodies.
     ///
     /// The tractions act on body 1 and the opposite tractions on body 2. The coefficients `xx`, `yy`, `zz`, `xy` and `yx` of both
-    /// bodies are added, and the normal-shear terms `xz`, `yz`, `zx` and `zy` are subtracted. For a pair that [represents a
-    /// kernel](ElasticPair::stands_for_kernel) the result is for its half-spaces, not for the kernel.
+    /// bodies are added. The coefficients `xz`, `yz`, `zx` and `zy` between normal and tangential components are subtracted. For
+    /// a pair that [represents a kernel](ElasticPair::stands_for_kernel) the result is for its half-spaces, not for the kernel.
     #[must_use]
     pub fn pair_tensor(&self, pair: &ElasticPair, x: f64, y: f64) -> Tensor {
         self.assemble(pair.compliances(), LayerCorrection::of(pair).as_ref(), x, y)

@@ -16,8 +16,8 @@ use crate::memory::fallible;
 use crate::parallel::ranks::partition::RowPartition;
 use crate::parallel::{self, get_or_make};
 
-/// Integrals over one cell at the distances `(i, j)` of a grid, `0 <= i < nx`, `0 <= j < ny`. The integrals are in units of
-/// the cell size, so the same samples are valid for a cell twice as large. Each integral is sampled on first use and takes 8
+/// Integrals over one cell at the distances `(i, j)` of a grid with `0 <= i < nx` and `0 <= j < ny`. The integrals are in units
+/// of the cell size, so the same samples are valid for a cell twice as large. Each integral is sampled on first use and takes 8
 /// bytes per distance.
 #[derive(Debug)]
 pub(crate) struct Samples {
@@ -80,7 +80,7 @@ impl Samples {
         })
     }
 
-    /// Creates the samples for a grid that is periodic along y, with displacements relative to a datum (a length).
+    /// Creates the samples for a grid that is periodic along y. Displacements are relative to a datum (a length).
     pub(crate) fn repeating_along_y(grid: Grid, size: [usize; 2], datum: f64) -> Result<Self> {
         let samples = Self::new(grid, size)?;
         let unit = samples.rectangle.unit;
@@ -99,7 +99,7 @@ impl Samples {
         Self { share, ..self }
     }
 
-    /// Sets the meaning of cell values.
+    /// Sets whether cell values are uniform over the cell or values at its centre.
     pub(crate) fn of(self, cell_value: CellValue) -> Self {
         Self { cell_value, ..self }
     }
@@ -114,7 +114,7 @@ impl Samples {
         self.images.is_none() && self.added.is_none()
     }
 
-    /// Returns a coefficient of the pair on a grid whose cells are the sampled cells or a multiple of them.
+    /// Returns a coefficient of the pair on a grid whose cells have the size of the sampled cells or a multiple of this size.
     ///
     /// # Errors
     /// - The errors of [`Samples::new`].
@@ -175,8 +175,8 @@ impl Samples {
         }
     }
 
-    /// Returns the integral, or the correction, at the distances of the columns from zero and of rows given by `row`: a row
-    /// number, and whether the sign is reversed.
+    /// Returns the integral, or the correction, at all columns of the given number of rows. `row` returns the number of each row,
+    /// and whether the sign of its values is reversed.
     fn integrals(
         &self,
         sampled: Sampled,

@@ -11,9 +11,9 @@ use crate::influence::integrals::Integral;
 
 /// Symbol of one coefficient for the waves that fit a periodic grid.
 ///
-/// A wave of traction `exp(i k.x)` displaces the surface by the symbol times the same wave. The symbol is
-/// real for components that are even or odd in both axes, and imaginary for the others. The displacement
-/// under a mean traction, a wave of infinite length, is undefined and set to zero.
+/// A wave of traction `exp(i k.x)` displaces the surface by the symbol times the same wave. The symbol is real for
+/// components with the same parity along both axes, and imaginary for the other components. A mean traction is a wave
+/// of infinite length. The displacement under it is undefined and set to zero.
 #[derive(Debug, Clone)]
 pub(crate) struct Symbols {
     component: Component,
@@ -43,11 +43,11 @@ impl Symbols {
         self.component
     }
 
-    /// Returns the symbol, or its imaginary part, of the wave with the given numbers of periods along x and y, up to
-    /// half the number of cells.
+    /// Returns the symbol, or its imaginary part, of the wave with the given numbers of periods along x and y. The
+    /// numbers are at most half the number of cells.
     pub(crate) fn at(&self, periods: [usize; 2]) -> f64 {
         let odd = self.component.is_odd();
-        // A wave of two cells per period has no direction, so odd components vanish there.
+        // The direction of a wave of two cells per period is undetermined, so its odd components vanish.
         let is_lost = (0..2).any(|axis| odd[axis] && 2 * periods[axis] == self.size[axis]);
         if is_lost || periods == [0, 0] {
             return 0.0;

@@ -12,7 +12,7 @@ use crate::parallel;
 use crate::parallel::ranks::partition::RowPartition;
 use crate::support::debug::shown;
 
-/// One influence coefficient at the cell distances `(i dx, j dy)`, `0 <= i < nx`, `0 <= j < ny`.
+/// One influence coefficient at the cell distances `(i dx, j dy)` with `0 <= i < nx` and `0 <= j < ny`.
 ///
 /// Distances of the opposite sign follow from the parity of the component. Only a quarter of the samples that a convolution
 /// needs is therefore evaluated and stored. A sample takes 8 bytes, or 16 bytes for `XX` and `YY`.
@@ -87,8 +87,8 @@ impl Table {
         [self.nx, self.ny]
     }
 
-    /// Returns the coefficient (a length over a pressure) from a cell to the cell `i` columns and `j` rows further on, or
-    /// `None` beyond the sampled distances.
+    /// Returns the coefficient (a length over a pressure) for a displaced cell that is `i` columns and `j` rows from the loaded
+    /// cell. Returns `None` beyond the sampled distances.
     #[must_use]
     pub fn get(&self, i: isize, j: isize) -> Option<f64> {
         let (column, row) = (i.unsigned_abs(), j.unsigned_abs());

@@ -18,7 +18,7 @@ pub(super) struct SpotSums {
     pub(super) stick: usize,
     /// Numbers of sides of cells along y and along x beyond which the contact ends.
     pub(super) open_sides: [usize; 2],
-    /// Sums of the columns and rows, counted from the first ones of the whole grid; exact below 2^53.
+    /// Sums of the columns and of the rows, counted from the first column and row of the whole grid. Sums below 2^53 are exact.
     pub(super) place: [f64; 2],
     /// Sum of the pressure, in fractions of a unit.
     parts: u128,
@@ -26,8 +26,8 @@ pub(super) struct SpotSums {
     pub(super) largest: f64,
 }
 
-/// Number of fractions per unit of the pressure. The unit is the largest power of two that is at most the largest pressure: sums
-/// over 2^47 cells do not overflow.
+/// Number of fractions per unit of the pressure. The unit is the largest power of two that does not exceed the largest pressure.
+/// Therefore sums over 2^47 cells do not overflow.
 const PARTS: f64 = (1_u128 << 80) as f64;
 
 impl SpotSums {
@@ -36,7 +36,8 @@ impl SpotSums {
         self.parts as f64 / PARTS * unit
     }
 
-    /// Adds the sums of other cells, whose columns and rows are shifted by `beyond` from the place where they were counted.
+    /// Adds the sums of other cells. Their columns and rows are shifted by `beyond` from the positions at which they were
+    /// counted.
     fn add(&mut self, other: &Self, beyond: [f64; 2]) {
         self.cells += other.cells;
         self.stick += other.stick;
@@ -93,7 +94,7 @@ pub(super) struct Fragments<'a> {
     layout: Layout,
     /// Unit of the pressure.
     pub(super) unit: f64,
-    /// Number of the fragment of every cell, counted from one; zero outside the contact.
+    /// Number of the fragment of every cell, counted from one, or zero outside the contact.
     labels: Vec<u32>,
     sums: Vec<SpotSums>,
 }
@@ -105,8 +106,9 @@ const EDGE_X: usize = 1;
 /// Place of links across the edge of the grid in y.
 const EDGE_Y: usize = 2;
 
-/// Link of two fragments, the second of which starts where the first ends: the numbers of the fragments among the fragments of
-/// all ranks, the kind of place where they meet, and the number of adjacent pairs of cells.
+/// Link of two fragments, of which the second starts where the first ends. The first pair contains the numbers of the fragments
+/// among the fragments of all ranks. The second pair contains the type of the place where the fragments meet and the number of
+/// adjacent pairs of cells.
 type Link = ([usize; 2], (usize, usize));
 
 impl<'a> Fragments<'a> {
@@ -161,8 +163,8 @@ impl<'a> Fragments<'a> {
         })
     }
 
-    /// Joins the fragments. Returns the number of the spot of every local cell, counted from one, and the sums of all spots, in
-    /// the order of their first cells.
+    /// Joins the fragments. Returns the number of the spot of every local cell, counted from one. Also returns the sums of all
+    /// spots, in the order of their first cells.
     pub(super) fn joined(mut self) -> Result<(Vec<u32>, Vec<SpotSums>)> {
         let team = self.share.map(|share| &**share.team());
         let (fragments, lengths) = RankGroup::gathered_of(team, std::mem::take(&mut self.sums))?;
@@ -171,8 +173,8 @@ impl<'a> Fragments<'a> {
         let below = self.row_below(first, fragments.len());
         let links = self.layout.collective_result(self.links(first, &below))?;
         let (mut links, _) = RankGroup::gathered_of(team, links)?;
-        // If a spot closes around the grid, the order of the links determines the direction in which the positions of its cells
-        // are counted.
+        // If a spot closes around the grid, the order of the links determines the counting direction of the positions of its
+        // cells.
         links.sort_by_key(|(_, (across, _))| *across);
         let whole = self.grid.whole().size();
         let (spots, sums) = self
@@ -212,8 +214,8 @@ impl<'a> Fragments<'a> {
         Ok(links)
     }
 
-    /// Returns the numbers of the fragments in the row below the first local row, which may be on another rank, among the
-    /// fragments of all ranks, counted from one. The list is empty below the first row of a grid that is not periodic.
+    /// Returns the numbers of the fragments in the row below the first local row, which may be on another rank. The numbers count
+    /// the fragments of all ranks from one. The list is empty below the first row of a grid that is not periodic.
     fn row_below(&self, first: usize, fragments: usize) -> Vec<u64> {
         let (nx, repeats) = (self.grid.nx(), self.repeats[1]);
         let last = self.labels.chunks_exact(nx).next_back().unwrap_or(&[]);
@@ -241,7 +243,7 @@ impl<'a> Fragments<'a> {
             team.all_to_all(blocks, &is_expected);
             return Vec::new();
         };
-        // A rank that has all rows keeps the row instead of sending it to itself.
+        // A rank that has all rows keeps the row and sends no message.
         let own = std::mem::take(&mut blocks[me]);
         is_expected[sender] = sender != me;
         let mut received = team.all_to_all(blocks, &is_expected);
@@ -296,12 +298,13 @@ fn join(
     Ok((spots, sums))
 }
 
-/// Disjoint sets of fragments that form one spot. Each entry has the parent fragment (itself for the first fragment of a spot),
-/// and the shift in columns and rows from the fragment's own position to its position relative to the parent.
+/// Disjoint sets of fragments that form one spot. Each entry contains the parent fragment, which is the fragment itself for the
+/// first fragment of a spot. It also contains the shift, in columns and rows, between the position of the fragment and its
+/// position relative to the parent.
 struct DisjointSets(Vec<(usize, [f64; 2])>);
 
 impl DisjointSets {
-    /// Returns the first fragment of a spot, and the shift of this fragment relative to it.
+    /// Returns the first fragment of the spot of `fragment`, and the shift of `fragment` relative to this first fragment.
     fn root(&mut self, fragment: usize) -> (usize, [f64; 2]) {
         let (mut at, mut beyond) = (fragment, [0.0; 2]);
         loop {
@@ -369,7 +372,7 @@ mod tests {
     /// A spot found by a walk from cell to cell: its cells, with the positions at which the walk reached them.
     type Walked = Vec<(usize, [f64; 2])>;
 
-    /// Finds the spots by walks, and whether each spot closes around the grid.
+    /// Finds the spots by walks, and determines whether each spot closes around the grid.
     fn walked(grid: Grid, repeats: [bool; 2], pressure: &[f64]) -> Vec<(Walked, bool)> {
         let mut places: HashMap<usize, [f64; 2]> = HashMap::new();
         let mut found = Vec::new();

@@ -41,14 +41,14 @@ use crate::tangential::{TangentialSolution, Zone};
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ContactSpots {
     grid: Grid,
-    /// Number of the spot of every cell, counted from one; zero outside the contact.
+    /// Number of the spot of every cell, counted from one, or zero outside the contact.
     labels: Vec<u32>,
     spots: Vec<Spot>,
 }
 
 shown!(ContactSpots: grid, largest());
 
-/// Deserialised data before validation.
+/// Deserialised spots before validation.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(remote = "ContactSpots")]
@@ -93,13 +93,13 @@ pub struct Spot {
     pub mean_pressure: f64,
     /// Largest pressure of the cells of the spot (a pressure).
     pub max_pressure: f64,
-    /// Centre of the area, in coordinates of the whole grid (lengths). For a spot across the edges of a periodic grid the centre
-    /// is given inside the grid; for a spot that spans the whole period, the centre is not meaningful.
+    /// Centre of the area, in coordinates of the whole grid (lengths). For a spot across the edges of a periodic grid, the centre
+    /// is given inside the grid. The centre is not meaningful for a spot that spans the whole period.
     pub centroid: [f64; 2],
     /// Length of the edge along the sides of the cells (a length). For a round spot it exceeds the true length by a factor of
     /// 4/pi.
     pub perimeter: f64,
-    /// Number of sticking cells divided by the number of cells; `None` for a contact that is only pressed.
+    /// Number of sticking cells divided by the number of cells, or `None` for the spots of a [`NormalSolution`].
     pub stick_ratio: Option<f64>,
 }
 
@@ -125,7 +125,7 @@ impl ContactSpots {
         &self.spots
     }
 
-    /// Returns the index in [`ContactSpots::as_slice`] of the spot that a cell belongs to, or `None` outside the contact and the
+    /// Returns the index in [`ContactSpots::as_slice`] of the spot that contains a cell, or `None` outside the contact and the
     /// grid.
     #[must_use]
     pub fn label(&self, cell: usize) -> Option<usize> {
@@ -133,8 +133,8 @@ impl ContactSpots {
         (label as usize).checked_sub(1)
     }
 
-    /// Returns the number of the spot of every cell, counted from one; zero outside the contact. The numbers are in
-    /// row-major order with x fastest.
+    /// Returns the number of the spot of every cell, counted from one, or zero outside the contact. The numbers are in row-major
+    /// order with x fastest.
     #[must_use]
     pub fn labels(&self) -> &[u32] {
         &self.labels
@@ -146,7 +146,8 @@ impl ContactSpots {
         self.grid
     }
 
-    /// Returns the spot with the largest number of cells, the first if several are equal, or `None` without contact.
+    /// Returns the spot with the largest number of cells, or `None` without contact. If several spots are equal, the first spot
+    /// is returned.
     #[must_use]
     pub fn largest(&self) -> Option<&Spot> {
         self.spots.iter().rev().max_by_key(|spot| spot.cells)

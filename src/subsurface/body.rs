@@ -8,8 +8,8 @@ use crate::subsurface::kernel::{FieldComponent, Load};
 ///
 /// In both bodies, depths are measured from the surface into the body and are never negative. The depth `d` is the
 /// plane `z = d` in body 1 and the plane `z = -d` in body 2. Components refer to the common axes x, y and z in both
-/// bodies, with z into body 1. Body 1 receives the pressure along +z and the tractions along +x and +y, and body 2 the
-/// opposite tractions. Therefore both bodies have `szz = -p`, `sxz = -qx` and `syz = -qy` on their surfaces.
+/// bodies, with z into body 1. Body 1 receives the pressure along +z and the tractions along +x and +y. Body 2 receives
+/// the opposite tractions. Therefore both bodies have `szz = -p`, `sxz = -qx` and `syz = -qy` on their surfaces.
 ///
 /// ```
 /// use stickslip::subsurface::{Body, Tractions, at_points};
@@ -81,15 +81,15 @@ impl Body {
     }
 }
 
-/// Body 2 is represented by the half-space `z >= 0` mirrored in z; its tractions along x and y have the opposite sign.
+/// Body 2 is represented by the half-space `z >= 0` mirrored in z. Its tractions along x and y have the opposite sign.
 impl Constants {
     /// Returns the material if the body is coated.
     pub(super) fn coated(&self) -> Option<&Material> {
         self.coated.as_ref()
     }
 
-    /// Returns the index of the kernels of this body at a depth: 0 for homogeneous bodies, 1 for a coated body 1, 2
-    /// for a coated body 2.
+    /// Returns the index of the kernels of this body at a depth. The index is 0 for homogeneous bodies, 1 for a coated
+    /// body 1 and 2 for a coated body 2.
     pub(super) fn place(&self) -> usize {
         match (&self.coated, self.is_second) {
             (None, _) => 0,

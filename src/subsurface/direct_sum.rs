@@ -23,7 +23,7 @@ pub(super) struct Loaded<'a> {
     cell: LoadedRectangle,
     /// Images along y, if the grid is periodic along y.
     strips: Option<Strips>,
-    /// Range of columns with loaded cells for each row; rows without loaded cells are omitted.
+    /// Range of columns with loaded cells for each row. Rows without loaded cells are omitted.
     rows: Vec<(usize, Range<usize>)>,
 }
 

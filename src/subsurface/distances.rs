@@ -2,8 +2,8 @@
 
 use crate::grid::Grid;
 
-/// Depth, in longer sides of a cell, below which a point counts as on the surface, because squares of smaller depths
-/// can underflow.
+/// Depth, in longer sides of a cell, below which a point counts as on the surface. Squares of smaller depths can
+/// underflow.
 const SURFACE: f64 = 1e-150;
 /// Largest distance of a point from the middle of the grid, in shorter sides of a cell. Its fifth power does not
 /// overflow.
@@ -27,7 +27,7 @@ pub(super) fn reach(grid: Grid, coordinate: f64) -> bool {
 
 /// Distances of a point from the cells along one axis, or from their nearest images if the axis is periodic.
 ///
-/// A point on an edge must be on the edge for the cells on both sides. If round-off moved it to one side, the
+/// A point on an edge must be on the edge of the cells on both sides. If round-off moved the point to one side, the
 /// logarithms of the two cells would not cancel.
 pub(super) struct Distances {
     at: f64,

@@ -36,7 +36,7 @@ pub struct Plane {
     normal: [Field; 3],
     shear: [Field; 3],
     displacement: Option<[Field; 3]>,
-    /// Whether the depth is less than a cell side, below tractions that end at an edge.
+    /// Whether the depth is less than a cell side and the tractions above the plane end at an edge.
     is_at_edge: bool,
 }
 
@@ -149,7 +149,8 @@ impl Plane {
         self.depth
     }
 
-    /// Returns the z coordinate on the axis common to both bodies (a length): the depth in body 1, minus the depth in body 2.
+    /// Returns the z coordinate on the common axis of both bodies (a length). It is the depth in body 1, and minus the depth in
+    /// body 2.
     #[must_use]
     pub fn z(&self) -> f64 {
         match self.body {
@@ -170,22 +171,22 @@ impl Plane {
         self.shear.each_ref()
     }
 
-    /// Returns the displacements of the body along x, y and z (lengths); `None` if they were not
+    /// Returns the displacements of the body along x, y and z (lengths), or `None` if they were not
     /// [requested](crate::subsurface::Planes::with_displacements).
     #[must_use]
     pub fn displacement(&self) -> Option<[&Field; 3]> {
         self.displacement.as_ref().map(<[Field; 3]>::each_ref)
     }
 
-    /// Returns the warnings about the plane. [`Warning::StressAtEdge`] is returned if shear tractions end at the edge of a
-    /// contact and the depth is less than a side of a cell.
+    /// Returns the warnings about the plane. They include [`Warning::StressAtEdge`] if the depth is less than a side of a cell
+    /// and shear tractions end at the edge of a contact.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let at_edge = self.is_at_edge.then_some(Warning::StressAtEdge);
         at_edge.into_iter().collect()
     }
 
-    /// Returns the stress in cell `(ix, iy)`; `None` outside the grid.
+    /// Returns the stress in cell `(ix, iy)`, or `None` outside the grid.
     #[must_use]
     pub fn get(&self, ix: usize, iy: usize) -> Option<Stress> {
         let grid = self.grid();

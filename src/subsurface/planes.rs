@@ -28,15 +28,15 @@ use crate::support::debug::shown;
 ///
 /// # Memory
 ///
-/// The kernels of a depth are computed at its first solve and kept. They take 112 bytes per cell and depth, or 152
-/// bytes with displacements (170 bytes during the computation). They take a tenth more if the padded length is not
-/// twice the number of cells. On a grid that is periodic along both axes they take a quarter of this memory. The
-/// kernels of homogeneous bodies do not depend on the materials and are used for both bodies. Clones share the kernels.
-/// [`through`](Self::through) keeps no kernels, so its memory does not grow with the number of depths. The transforms
-/// take 96 bytes per cell. A [`Plane`] takes 48 bytes per cell, or 72 bytes with displacements.
+/// The kernels of a depth are computed at the first solve of this depth and kept. They take 112 bytes per cell and depth, or 152
+/// bytes with displacements (170 bytes during the computation). They take a tenth more if the padded length is not twice the
+/// number of cells. If the grid is periodic along both axes, the kernels take a quarter of this memory. The kernels of
+/// homogeneous bodies do not depend on the materials and are used for both bodies. Clones share the kernels.
+/// [`through`](Self::through) keeps no kernels, so its memory does not grow with the number of depths. The transforms take 96
+/// bytes per cell. A [`Plane`] takes 48 bytes per cell, or 72 bytes with displacements.
 ///
-/// In [coated](crate::layers) bodies the kernels depend on the body. They take 144 bytes per cell and depth, or 216
-/// bytes with displacements, for each coated body that is computed.
+/// In [coated](crate::layers) bodies the kernels depend on the body. The kernels of each coated body that is computed take 144
+/// bytes per cell and depth, or 216 bytes with displacements.
 ///
 /// # Cost
 ///
@@ -47,21 +47,21 @@ use crate::support::debug::shown;
 /// # Boundaries
 ///
 /// - Free surroundings: the result is exact, equal to the sum over cells.
-/// - [`Periodic`](crate::Boundary::Periodic): every wave of traction decays as `exp(-kz)` times a linear function of z,
-///   and has the surface displacements of the operators. The tractions consist of the waves that fit the grid. The mean
-///   traction causes `szz = -p`, `sxz = -qx`, `syz = -qy` at every depth, `sxx = syy = -p nu/(1 - nu)` (no lateral
-///   strain), and no displacement. Displacements have zero mean at every depth.
+/// - [`Periodic`](crate::Boundary::Periodic): the effect of every wave of traction decays as `exp(-kz)` times a linear function
+///   of z. The surface displacements equal the displacements of the operators. The tractions consist of the waves that fit the
+///   grid. The mean traction causes `szz = -p`, `sxz = -qx`, `syz = -qy` and `sxx = syy = -p nu/(1 - nu)` at every depth (no
+///   lateral strain). It causes no displacement, so displacements have zero mean at every depth.
 /// - [`PeriodicAlongY`](crate::Boundary::PeriodicAlongY): the result is the sum over all images along y. Displacements
 ///   are relative to the datum, a point of the surface. One row of cells is in plane strain.
 ///
 /// # Coated bodies
 ///
 /// The waves are propagated downwards through the layers by decaying factors only, which is stable for any contrast and depth. On
-/// free grids and lines, the part that is singular at a cell is the closed form of the outermost layer. The correction consists
-/// of Hankel integrals with errors of about 1e-11 of the largest component. A depth equal to the sum of the layer thicknesses,
-/// added from the surface, is on the outer side of the interface. The next larger floating-point number is on the inner side.
-/// `szz`, `sxz`, `syz` and the displacements are continuous there, while `sxx`, `syy` and `sxy` jump. The mean of a periodic grid
-/// uses Poisson's ratio of the layer.
+/// free grids and lines, the closed form of the outermost layer represents the singular effect of a cell. The correction for the
+/// other layers consists of Hankel integrals with errors of about 1e-11 of the largest component. A depth equal to the sum of the
+/// layer thicknesses, added from the surface, is on the outer side of the interface. The next larger floating-point number is on
+/// the inner side. At an interface `szz`, `sxz`, `syz` and the displacements are continuous, whereas `sxx`, `syy` and `sxy` jump.
+/// The mean of a periodic grid uses Poisson's ratio of the layer.
 ///
 /// ```
 /// use stickslip::layers::Layer;
@@ -84,11 +84,11 @@ use crate::support::debug::shown;
 ///
 /// # Ranks
 ///
-/// For [distributed](HalfSpace::distributed) bodies every rank creates planes at the same depths. Each rank stores the parts of
-/// kernels, transforms and planes that belong to its rows and columns. The values are bitwise identical to the values of a single
-/// process. Solves are collective calls, and the observer of the first rank decides whether they continue. Values at the centres
-/// of cells ([`CellValue::Centre`](crate::CellValue::Centre)) on a grid that is not periodic along both axes, and files
-/// ([`write_vti`](Self::write_vti)), are rejected with an error.
+/// For [distributed](HalfSpace::distributed) bodies every rank creates planes at the same depths. Each rank stores the kernels,
+/// transforms and planes of its own rows and columns. The values are bitwise identical to the values of a single process. Solves
+/// are collective calls, and the observer of the first rank decides whether they continue. Values at the centres of cells
+/// ([`CellValue::Centre`](crate::CellValue::Centre)) are rejected with an error on a grid that is not periodic along both axes.
+/// Calls of [`write_vti`](Self::write_vti) are rejected as well.
 ///
 /// # Examples
 ///
@@ -134,8 +134,8 @@ impl Planes {
     /// Creates planes at the given depths (lengths, zero or positive) below the surface of either body.
     ///
     /// # Errors
-    /// - [`Error::Sample`](crate::Error::Sample) for a depth that is negative, not finite, or larger than 1e60 times the shorter
-    ///   side of a cell.
+    /// - [`Error::Sample`](crate::Error::Sample) for a depth that is negative or not finite, or that exceeds 1e60 times the
+    ///   shorter side of a cell.
     /// - [`Error::UnsupportedForCoatings`](crate::Error::UnsupportedForCoatings) for bodies defined by a
     ///   [`Kernel`](crate::Kernel).
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
@@ -202,7 +202,7 @@ impl Planes {
         self.solve_observed(index, body, tractions, unwatched)
     }
 
-    /// Solves as [`solve`](Self::solve) does, with an observer that may cancel. The observer is called before the kernels are
+    /// Solves like [`solve`](Self::solve), with an observer that may cancel. The observer is called before the kernels are
     /// sampled, and before each transform of a kernel and of three components. These calls count as products.
     ///
     /// # Errors
@@ -261,8 +261,8 @@ impl Planes {
     }
 
     /// Passes the planes of a body at all depths to `visit`, in the given order. The plane is passed by reference and
-    /// overwritten, so `visit` must copy the values that it needs later. Kernels that do not exist yet are discarded after each
-    /// depth, so the memory does not grow with the number of depths.
+    /// overwritten, so `visit` must copy the values that it needs later. Kernels that did not exist before the call are discarded
+    /// after each depth. The memory therefore does not grow with the number of depths.
     ///
     /// # Errors
     /// - The errors of [`Planes::solve`].

@@ -47,23 +47,23 @@ pub struct PointResult {
 }
 
 /// Returns the displacement and stress of a body at any points `[x, y, depth]` (lengths), by direct summation over the loaded
-/// cells. Each cell carries a uniform traction, and there is no traction outside the cells. The result is accurate to 1e-13 of
-/// the largest component at the point, at any position and depth up to 1e60 cells away. A depth of less than 1e-150 of the longer
-/// side of a cell counts as the surface.
+/// cells. Each cell carries a uniform traction. The traction outside the grid is zero. The error is at most 1e-13 of the largest
+/// component at the point, for points up to 1e60 cells away. A depth of less than 1e-150 of the longer side of a cell counts as
+/// the surface.
 ///
-/// The coordinates x and y are coordinates of the grid, and the depth is measured from the surface into the [`Body`].
-/// The values at depth zero are the limits from inside the body. There sxx, syy and sxy are logarithmically infinite or
-/// jump between cells of different tractions. On a common edge the function returns the mean of their finite parts on
-/// both sides (see [the page of the module](crate::subsurface#on-the-surface)).
+/// The coordinates x and y are coordinates of the grid, and the depth is measured from the surface into the [`Body`]. The values
+/// at depth zero are the limits from inside the body. On the surface sxx, syy and sxy are logarithmically infinite or jump
+/// between cells of different tractions. On a common edge the function returns the mean of the finite parts on both sides (see
+/// [the page of the module](crate::subsurface#on-the-surface)).
 ///
 /// If the grid is periodic along y, the sum includes all images of the cells, and displacements are relative to the datum.
 ///
 /// # Cost
 ///
-/// A point takes about 0.3 microseconds per loaded cell, and about fifty times as long if several rows are periodic along y. For
-/// a whole plane use [`Planes`](crate::subsurface::Planes). The threads of the caller's pool share the work if there are more
-/// than [`SERIAL_CELL_LIMIT`](crate::SERIAL_CELL_LIMIT) points or the grid has more cells than this. The results are bitwise
-/// identical for any number of threads.
+/// A point takes about 0.3 microseconds per loaded cell. If several rows are periodic along y, it takes about fifty times as
+/// long. For a whole plane use [`Planes`](crate::subsurface::Planes). The threads of the caller's pool share the work if the
+/// number of points or of cells exceeds [`SERIAL_CELL_LIMIT`](crate::SERIAL_CELL_LIMIT). The results are bitwise identical for
+/// any number of threads.
 ///
 /// ```
 /// use stickslip::subsurface::{self, Body};
@@ -84,13 +84,13 @@ pub struct PointResult {
 /// ```
 ///
 /// # Errors
-/// - [`Error::Sample`] for a negative depth, for a coordinate, traction or uniform stress that is not finite, or for a point
-///   farther away than 1e60 times the shorter side of a cell.
+/// - [`Error::Sample`] for a negative depth, or for a coordinate, traction or uniform stress that is not finite. The error is
+///   also returned for a point farther away than 1e60 times the shorter side of a cell.
 /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or [`Error::MaterialMismatch`] if the
 ///   tractions belong to different bodies.
 /// - [`Error::RigidBody`] for a rigid body.
-/// - [`Error::UnsupportedForCoatings`] for a coated body; use [`Planes`](crate::subsurface::Planes).
-/// - [`Error::DivergentPeriodicSum`] if the grid is periodic along both axes; use [`Planes`](crate::subsurface::Planes).
+/// - [`Error::UnsupportedForCoatings`] for a coated body. Use [`Planes`](crate::subsurface::Planes) instead.
+/// - [`Error::DivergentPeriodicSum`] if the grid is periodic along both axes. Use [`Planes`](crate::subsurface::Planes) instead.
 /// - [`Error::Memory`] if memory runs out.
 /// - [`Error::Ranks`] if the bodies are distributed over ranks.
 pub fn at_points<'a>(
@@ -103,7 +103,8 @@ pub fn at_points<'a>(
 }
 
 /// Calls [`at_points`] with an observer that may cancel. The observer is called before each portion of the points. A portion
-/// contains a few points per thread, or more if these take less than about 30 milliseconds. Portions count as products.
+/// contains a few points per thread, or more points if a portion would take less than about 30 milliseconds. Portions count as
+/// products.
 ///
 /// # Errors
 /// - The errors of [`at_points`].

@@ -1,4 +1,4 @@
-//! The integrals at a depth in Fourier space, which both bodies share, and the components composed of them.
+//! The integrals at a depth in Fourier space, which both bodies share, and the components of displacement and stress.
 
 use std::f64::consts::TAU;
 
@@ -40,8 +40,8 @@ enum SpectrumValues {
     Layered([Vec<f64>; StressEntry::COUNT], f64),
 }
 
-/// Memory of the integrals during their computation, in bytes per sampled distance: all integrals, and the rows and the
-/// spectrum of one integral.
+/// Memory of the integrals during their computation, in bytes per sampled distance. It contains all integrals, and the
+/// rows and the spectrum of one integral.
 const BYTES: usize = (PotentialIntegral::COUNT + 2) * size_of::<f64>();
 /// Memory of the components of a coated body during their computation, in bytes per sampled distance.
 const LAYERED_BYTES: usize = (StressEntry::COUNT + 2) * size_of::<f64>();
@@ -222,7 +222,7 @@ fn waves<const N: usize>(
             }
             let [x, y] = [0, 1].map(|axis| TAU / sides[axis] * periods[axis] as f64);
             for (n, (line, symbol)) in lines.iter_mut().zip(symbols([x, y])).enumerate() {
-                // A wave of two cells per period has no direction, so odd symbols vanish there.
+                // The direction of a wave of two cells per period is undetermined, so its odd symbols vanish.
                 let odd = is_odd(n);
                 let is_lost = (0..2).any(|axis| odd[axis] && 2 * periods[axis] == size[axis]);
                 line[row] = if is_lost { 0.0 } else { symbol };
@@ -238,9 +238,9 @@ fn waves<const N: usize>(
 /// Returns the Fourier transforms of the functions under the integrals, or their imaginary parts, for a nonzero wave
 /// vector `[x, y]`.
 ///
-/// The harmonic potentials are `V = 2 pi exp(-kz)/k`, `L = -V/k` and `W = V/k^2`, because each is the z derivative of
-/// the next. `T` follows from the stresses of an incompressible body: `T_ijz = z V_ij - V_z` on the diagonal,
-/// `T_xyz = z V_xy`, `T_xzz = z V_xz`, `T_xxy = z L_xxy - W_xxy - V_y`, and `T_iik = -3 V_k`.
+/// The harmonic potentials are `V = 2 pi exp(-kz)/k`, `L = -V/k` and `W = V/k^2`, because each potential is the z
+/// derivative of the next potential. `T` follows from the stresses of an incompressible body: `T_ijz = z V_ij - V_z` on
+/// the diagonal, `T_xyz = z V_xy`, `T_xzz = z V_xz`, `T_xxy = z L_xxy - W_xxy - V_y`, and `T_iik = -3 V_k`.
 fn symbols([x, y]: [f64; 2], z: f64) -> [f64; PotentialIntegral::COUNT] {
     let k = x.hypot(y);
     let (x, y, kz) = (x / k, y / k, k * z);
@@ -279,8 +279,8 @@ pub(super) struct ComposedSpectra<'a> {
 }
 
 impl ComposedSpectra<'_> {
-    /// Returns the response to a unit mean traction on a grid that is periodic along both axes. It consists of the
-    /// stresses of a body without lateral strain; the displacement is zero.
+    /// Returns the response to a unit mean traction on a grid that is periodic along both axes. The response consists
+    /// of the stresses of a body without lateral strain. The displacement is zero.
     fn mean(&self, component: FieldComponent, load: Load) -> f64 {
         let nu = match self.spectra.values {
             SpectrumValues::Integrals(_) => self.poisson_ratio,

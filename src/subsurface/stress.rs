@@ -4,7 +4,8 @@ use std::ops::{Add, AddAssign, Mul, Sub};
 
 use crate::numerics::jacobi::diagonalised;
 
-/// Symmetric stress tensor at a point (pressures), tensile positive, along the axes x, y and z, with z into body 1.
+/// Symmetric stress tensor at a point (pressures, tensile positive), along the axes x, y and z. The axis z points into
+/// body 1.
 ///
 /// ```
 /// use stickslip::subsurface::Stress;
@@ -49,7 +50,7 @@ pub struct Principal {
     /// Principal stresses (pressures, tensile positive), in descending order.
     pub values: [f64; 3],
     /// Unit vector `[x, y, z]` of each principal stress. The vectors are orthogonal and form a right-handed set. The
-    /// signs of the first two are arbitrary, and the directions of equal stresses are arbitrary within their plane.
+    /// signs of the first two vectors are arbitrary. The directions of equal stresses are arbitrary within their plane.
     pub directions: [[f64; 3]; 3],
 }
 
@@ -93,23 +94,23 @@ impl Stress {
         (0.5 * (a + b + c) + 3.0 * (xy * xy + xz * xz + yz * yz)).sqrt()
     }
 
-    /// Returns the mean of the three normal stresses, `(xx + yy + zz)/3` (a pressure): positive in tension, negative
-    /// under compression. The negative of the mean is the hydrostatic pressure.
+    /// Returns the mean of the three normal stresses, `(xx + yy + zz)/3` (a pressure). The mean is positive in tension
+    /// and negative under compression. Its negative is the hydrostatic pressure.
     #[must_use]
     pub fn hydrostatic(&self) -> f64 {
         (self.xx + self.yy + self.zz) / 3.0
     }
 
-    /// Returns the largest shear stress on any plane through the point, half the difference of the largest and the
-    /// smallest principal stress (a pressure). This is Tresca's measure.
+    /// Returns the largest shear stress on any plane through the point (a pressure). It is half the difference of the
+    /// largest and the smallest principal stress. This is Tresca's measure.
     #[must_use]
     pub fn max_shear(&self) -> f64 {
         let [largest, _, smallest] = self.principal().values;
         0.5 * (largest - smallest)
     }
 
-    /// Returns the principal stresses and their directions. The errors are of the order of round-off, in the values
-    /// relative to the largest stress.
+    /// Returns the principal stresses and their directions. The errors are of the order of round-off. The errors of the
+    /// values are relative to the largest stress.
     #[must_use]
     pub fn principal(&self) -> Principal {
         let Self {

@@ -7,8 +7,8 @@ use crate::grid::boundary::Boundary;
 use crate::influence::periodic_images::{FAR, pieces};
 use crate::subsurface::kernel::{LoadedRectangle, PotentialIntegral};
 
-/// Rows of cells that are periodic along y. The cells near the point are summed individually, and the other cells as a
-/// uniform strip (see [`periodic_images`](crate::influence::periodic_images)).
+/// Rows of cells that are periodic along y. The cells near the point are summed individually. A uniform strip
+/// represents the other cells (see [`periodic_images`](crate::influence::periodic_images)).
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Strips {
     /// Half sides of a cell.
@@ -21,7 +21,7 @@ pub(super) struct Strips {
 }
 
 impl Strips {
-    /// Returns `None` if the grid is not periodic along y alone.
+    /// Creates the strips for a grid that is periodic along y only. Returns `None` for other grids.
     pub(super) fn new(grid: Grid, boundary: Boundary) -> Option<Self> {
         let Boundary::PeriodicAlongY { datum } = boundary else {
             return None;
@@ -57,8 +57,7 @@ impl Strips {
         values
     }
 
-    /// Computes the integrals at the points `(x, y, z)` of a row, with ascending `x >= 0` and
-    /// `0 <= y <= period/2`.
+    /// Computes the integrals at the points `(x, y, z)` of a row with ascending `x >= 0` and with `0 <= y <= period/2`.
     pub(super) fn integrals_along_row(
         &self,
         cell: &LoadedRectangle,
@@ -120,8 +119,8 @@ impl Strips {
         // These are differences between the edges at x + a and x - a.
         let (arcs, logarithms, zz, zx);
         if squares[1] == 0.0 {
-            // On an edge of the surface the value is the mean of both sides, and a length replaces the zero
-            // distance in the logarithm.
+            // On an edge of the loaded strip the value is the mean of both sides. A length replaces the zero distance
+            // in the logarithm.
             squares[1] = (self.edge / self.a).powi(2);
             logarithms = (squares[0] / squares[1]).ln();
             (arcs, zz, zx) = (FRAC_PI_2, 0.0, 0.0);

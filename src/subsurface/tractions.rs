@@ -19,16 +19,16 @@ use crate::normal::NormalSolution;
 use crate::subsurface::stress::Stress;
 use crate::tangential::TangentialSolution;
 
-/// Pressure and tractions on the surface (pressures). They are created from fields, from a [`NormalSolution`], from a
-/// pair of a [`NormalSolution`] and a [`TangentialSolution`], from a [`CoupledSolution`], from a [`History`] or from a
-/// [`State`].
+/// Pressure and tractions on the surface (pressures). They can be created from fields, from a [`NormalSolution`], or
+/// from a [`NormalSolution`] with a [`TangentialSolution`]. Further sources are a [`CoupledSolution`], a [`History`]
+/// and a [`State`].
 ///
 /// On bodies with [`CellValue::Centre`] the fields contain values at the cell centres. The sum uses uniform cells that
-/// carry $`p - \Delta_h p/24`$. The values at the centres and the uniform cells cause the same displacements of the
-/// surface if the outermost cells of a free grid carry no traction.
+/// carry $`p - \Delta_h p/24`$. These uniform cells cause the same surface displacements as the values at the centres.
+/// On a free grid this holds only if the outermost cells carry no traction.
 ///
-/// The sign convention is that of the whole crate: a positive pressure is compression, and the tractions act on body 1
-/// along x and y.
+/// The sign convention is the convention of the whole crate. A positive pressure is compression, and the tractions act
+/// on body 1 along x and y.
 ///
 /// ```
 /// use stickslip::subsurface::{Body, Tractions, at_points};
@@ -75,8 +75,8 @@ impl<'a> Tractions<'a> {
     }
 
     /// Sets a uniform stress (pressures, tensile positive), such as a bulk stress. The uniform stress is added
-    /// everywhere, including the surface, to the stress that the tractions cause in the computed body. It replaces a
-    /// uniform stress set earlier. Displacements are unaffected.
+    /// everywhere, including the surface, to the stress that the tractions cause in the computed body. It replaces any
+    /// uniform stress that was set earlier. Displacements are unaffected.
     ///
     /// ```
     /// use stickslip::subsurface::{Body, Planes, Stress, Tractions};
@@ -142,7 +142,7 @@ impl<'a> Tractions<'a> {
 /// Returns the tractions of uniform cells that cause the same surface displacements as the given tractions.
 fn uniform<'a>(bodies: &HalfSpace, traction: &'a Field) -> Result<Cow<'a, [f64]>> {
     let values = traction.as_slice();
-    // On a periodic grid, the waves have their own kernels also below the surface.
+    // On a periodic grid, tractions are sums of waves below the surface as well, so uniform cells are not required.
     let is_of_waves = bodies.boundary() == Boundary::Periodic;
     if is_of_waves || bodies.cell_value() == CellValue::Uniform {
         return Ok(Cow::Borrowed(values));

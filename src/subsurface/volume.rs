@@ -22,13 +22,13 @@ const EQUAL: f64 = 1e-9;
 
 impl Planes {
     /// Writes the stress of all depths in a body to a VTI file, a volume for ParaView. The file contains the tensor `stress` (xx,
-    /// yy, zz, xy, yz, xz) and `von_mises`, both including the [uniform stress](Tractions::with_uniform_stress), and the vector
-    /// `displacement` if it was [requested](Self::with_displacements). All values are written as doubles, without loss of
-    /// precision. The z axis is common to both bodies: body 2 is at `z <= 0`.
+    /// yy, zz, xy, yz, xz) and the scalar `von_mises`, both including the [uniform stress](Tractions::with_uniform_stress). It
+    /// also contains the vector `displacement` if it was [requested](Self::with_displacements). All values are written as
+    /// doubles, without loss of precision. The z axis is common to both bodies, so body 2 is at `z <= 0`.
     ///
-    /// The values are point data at the cell centres, where they are computed. The origin of the image is the first
-    /// cell centre. In a [flat image](crate::io::vti) of the surface these points are the centres of the cells. Depths
-    /// are computed and written sequentially, so the memory does not grow with the number of depths.
+    /// The values are point data at the cell centres, at which they are computed. The origin of the image is the first cell
+    /// centre. In a [flat image](crate::io::vti) of the surface these points are the centres of the cells. Depths are computed
+    /// and written sequentially, so the memory does not grow with the number of depths.
     ///
     /// ```
     /// use stickslip::subsurface::{Body, Planes, Tractions};

@@ -1,4 +1,4 @@
-//! Selection of a part of a surface.
+//! Selection of columns and rows of a surface.
 
 use std::ops::Range;
 
@@ -8,8 +8,8 @@ use crate::grid::field::Field;
 
 /// Returns the columns and rows of a surface in the given ranges, as a surface on a new grid.
 ///
-/// The new grid has cells of the same size. Like every grid it is centred on the origin, so positions shift by the
-/// distance between the two centres. Missing heights stay missing.
+/// The new grid has cells of the same size. Every grid is centred on the origin, so the positions of the heights shift
+/// by the distance between the two centres. Missing heights stay missing.
 ///
 /// # Errors
 /// - [`Error::Range`] if a range is empty or extends beyond the grid.

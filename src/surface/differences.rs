@@ -3,8 +3,8 @@
 use super::slab::Slab;
 use crate::parallel::reduce;
 
-/// Returns the root mean square of the slopes between neighbours along x and along y, each over the existing pairs;
-/// zero along an axis of one cell. `z` are the heights of the local rows and of the next row.
+/// Returns the root mean square of the slopes between neighbours along x and along y. The mean is over the existing
+/// pairs, and the result is zero along an axis of one cell. `z` are the heights of the local rows and of the next row.
 pub(super) fn rms_slopes(z: &[f64], slab: &Slab) -> [f64; 2] {
     let grid = slab.whole();
     let (nx, ny) = (grid.nx(), grid.ny());
@@ -36,9 +36,9 @@ pub(super) fn rms_slopes(z: &[f64], slab: &Slab) -> [f64; 2] {
 /// Returns the excess of the area of a surface over its projection, relative to the projection. `z` are the heights of
 /// the local rows and of the next row.
 ///
-/// Each rectangle of four neighbouring heights is cut into two triangles along either diagonal, and the
-/// two results are averaged. This is the mean of `sqrt(1 + s_x^2 + s_y^2) - 1` over the four corners,
-/// where `s` are the slopes of the two sides that meet there. An axis of one cell has no slope.
+/// Each rectangle of four neighbouring heights is cut into two triangles along either diagonal, and the two results are
+/// averaged. The result is the mean of `sqrt(1 + s_x^2 + s_y^2) - 1` over the four corners. The two sides at a corner
+/// have the slopes `s_x` and `s_y`. The slope along an axis of one cell is zero.
 pub(super) fn developed_area_ratio(z: &[f64], slab: &Slab) -> f64 {
     let grid = slab.whole();
     let (nx, ny) = (grid.nx(), grid.ny());

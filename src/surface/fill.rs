@@ -7,7 +7,7 @@ use crate::parallel::layout::Layout;
 use crate::parallel::reduce;
 use crate::surface::heights::finite_or_missing;
 
-/// Factor by which the error in the energy norm must fall for the iteration to end.
+/// Reduction of the error in the energy norm at which the iteration ends.
 const TOLERANCE: f64 = 1e-15;
 
 /// Number of iterations allowed in addition to one per missing height.
@@ -27,7 +27,7 @@ pub struct Filled {
 }
 
 impl Filled {
-    /// Returns the heights (lengths), without missing values; the known heights are unchanged.
+    /// Returns the heights (lengths) without missing values. The known heights are unchanged.
     #[must_use]
     pub fn heights(&self) -> &Field {
         &self.heights
@@ -46,7 +46,7 @@ impl Filled {
     }
 }
 
-/// Fills missing heights, given as NaN, by harmonic interpolation: the smoothest surface through the rim of each hole.
+/// Fills missing heights (NaN) by harmonic interpolation, with the smoothest surface through the rim of each hole.
 ///
 /// The filled heights solve the five-point Laplace equation with the known heights around them as boundary values,
 ///
@@ -54,14 +54,15 @@ impl Filled {
 /// \frac{z_{i+1,j} - 2 z_{ij} + z_{i-1,j}}{\Delta x^2} + \frac{z_{i,j+1} - 2 z_{ij} + z_{i,j-1}}{\Delta y^2} = 0 ,
 /// ```
 ///
-/// The filled heights therefore lie between the lowest and the highest height of the rim, and a hole in a plane is
-/// filled with the same plane. At the edge of the grid the slope normal to the edge is zero. A tilted surface should
-/// therefore be levelled before holes at the edge are filled.
+/// The filled heights therefore lie between the lowest and the highest height of the rim. A hole in a plane is filled
+/// with the same plane. At the edge of the grid the slope normal to the edge is zero. A tilted surface should therefore
+/// be levelled before holes at the edge are filled.
 ///
 /// The solver is the conjugate gradient method with a modified incomplete factorisation (Gustafsson 1978). The initial
 /// guess is the mean height. The iteration ends when the error, in the norm of the mean-square slope, has fallen to
-/// 1e-15 of its initial value. Holes of up to 1000 cells across in a plane are then filled with an error of 1e-14 of
-/// the range of the plane. If the sides of the cells differ, the round-off is multiplied by the square of their ratio.
+/// 1e-15 of its initial value. In a plane with holes of up to 1000 cells across, the error of the filled heights is
+/// then 1e-14 of the range of the plane. If the sides of the cells differ, the round-off is multiplied by the square of
+/// their ratio.
 ///
 /// # Errors
 /// - [`Error::Sample`] with the first infinite height.
@@ -196,7 +197,7 @@ impl Holes {
         }
     }
 
-    /// Computes `D` of the incomplete factorisation `K = (D - L) D^-1 (D - L')`, where `L` holds the weights below the
+    /// Computes `D` of the incomplete factorisation `K = (D - L) D^-1 (D - L')`. `L` contains the weights below the
     /// diagonal.
     fn pivots(&self) -> Vec<f64> {
         let mut pivots = Vec::<f64>::with_capacity(self.unknowns.len());

@@ -20,10 +20,10 @@ const REACH: f64 = 1.7;
 
 /// Gaussian filter of heights: areal filters after ISO 16610-61, profile filters after ISO 16610-21.
 ///
-/// An *S filter* removes the waves that are short compared with its nesting index $`\lambda_s`$, such as the noise of
-/// the instrument. An *L filter* removes the waves that are long compared with its index $`\lambda_c`$, the waviness.
-/// Both filters together leave the S-L surface. Nesting indices are cut-off wavelengths (lengths, in the unit of the
-/// cell sides). The weighted mean
+/// An *S filter* removes the waves that are short compared with its nesting index $`\lambda_s`$. Such waves are, for example, the
+/// noise of the instrument. An *L filter* removes the waviness: the waves that are long compared with its nesting index
+/// $`\lambda_c`$. Both filters together leave the S-L surface. Nesting indices are cut-off wavelengths (lengths, in the unit of
+/// the cell sides). The weighted mean
 ///
 /// ```math
 /// \bar z(x, y) = \int s(\xi)\, s(\eta)\, z(x - \xi, y - \eta)\, \mathrm d\xi\, \mathrm d\eta , \qquad
@@ -31,11 +31,11 @@ const REACH: f64 = 1.7;
 /// \alpha = \sqrt{\ln 2/\pi}
 /// ```
 ///
-/// transmits the fraction $`2^{-(\lambda_c/\lambda)^2}`$ of a wave of length $`\lambda`$, that is, half of it at
-/// $`\lambda = \lambda_c`$. An S filter returns $`\bar z`$, an L filter $`z - \bar z`$. The discrete weights have
-/// exactly this transmission for every wave of the grid. For an index of eight cells or more the weights equal samples
-/// of $`s`$ to 3e-6 of the largest weight. For an index of two cells the weights alternate in sign far from the middle,
-/// because such wide cells do not resolve a Gaussian.
+/// transmits the fraction $`2^{-(\lambda_c/\lambda)^2}`$ of a wave of length $`\lambda`$. The fraction is one half at
+/// $`\lambda = \lambda_c`$. An S filter returns $`\bar z`$, an L filter $`z - \bar z`$. The discrete weights have exactly this
+/// transmission for every wave of the grid. For an index of eight cells or more the weights equal samples of $`s`$ to 3e-6 of the
+/// largest weight. For an index of two cells the weights alternate in sign far from the middle. The cells are then too wide to
+/// resolve a Gaussian.
 ///
 /// | option | default |
 /// |---|---|
@@ -44,12 +44,12 @@ const REACH: f64 = 1.7;
 ///
 /// # End effects
 /// A periodic surface has no end effects. Otherwise the mean at a point is the weighted sum of the existing heights, divided by
-/// the sum of their weights (zero-order regression). A constant is then exact up to the edge, but a tilt or a curvature is not,
-/// so [`level`](super::level()) the surface first.
+/// the sum of the weights. This method is called zero-order regression. The mean is exact up to the edge for a constant, but not
+/// for a tilt or a curvature. Therefore [`level`](super::level()) the surface first.
 ///
-/// For a line, 0.4 % of the weight lies beyond half a nesting index on either side, and 5e-8 of it lies beyond a whole
-/// index. Heights closer to an edge or a hole than half a nesting index (the index of the L filter if both filters are
-/// set) are affected. [`valid_range`](Self::valid_range) returns the remaining columns and rows, for use with
+/// On a profile, 0.4 % of the weight lies beyond half a nesting index on either side. The fraction beyond a whole index is 5e-8.
+/// Edges and holes affect the heights that are closer than half a nesting index. If both filters are set, the index of the L
+/// filter applies. [`valid_range`](Self::valid_range) returns the remaining columns and rows, for use with
 /// [`crop`](super::crop()).
 ///
 /// Missing heights (NaN) have no weight and stay missing, so filter before [`fill_missing`](super::fill_missing).
@@ -97,20 +97,20 @@ pub struct Filtered {
 }
 
 impl Filtered {
-    /// Returns the filtered heights (lengths); missing heights stay missing.
+    /// Returns the filtered heights (lengths). Missing heights stay missing.
     #[must_use]
     pub fn heights(&self) -> &Field {
         &self.heights
     }
 
-    /// Returns the short waves that the S filter has removed (lengths), such as noise; `None` without an S filter.
+    /// Returns the short waves that the S filter has removed (lengths), such as noise, or `None` without an S filter.
     #[must_use]
     pub fn short_waves(&self) -> Option<&Field> {
         self.short_waves.as_ref()
     }
 
-    /// Returns the long waves that the L filter has removed (lengths): the waviness, without the short waves if there
-    /// is also an S filter. Returns `None` without an L filter.
+    /// Returns the long waves that the L filter has removed (lengths): the waviness. These waves do not include the waves that an
+    /// S filter has removed. Returns `None` without an L filter.
     #[must_use]
     pub fn long_waves(&self) -> Option<&Field> {
         self.long_waves.as_ref()
@@ -124,20 +124,20 @@ impl Filtered {
 }
 
 impl GaussianFilter {
-    /// Creates an S filter, which removes short waves; `nesting_index` is the cut-off wavelength (a length).
+    /// Creates an S filter, which removes short waves. `nesting_index` is the cut-off wavelength (a length).
     #[must_use]
     pub fn s(nesting_index: f64) -> Self {
         Self::new(Some(nesting_index), None)
     }
 
-    /// Creates an L filter, which removes long waves; `nesting_index` is the cut-off wavelength (a length).
+    /// Creates an L filter, which removes long waves. `nesting_index` is the cut-off wavelength (a length).
     #[must_use]
     pub fn l(nesting_index: f64) -> Self {
         Self::new(None, Some(nesting_index))
     }
 
-    /// Creates a filter that leaves the S-L surface: it first removes waves short compared with `s`, then waves long compared
-    /// with `l` (lengths).
+    /// Creates a filter that leaves the S-L surface. The filter first removes the waves that are short compared with `s`, then
+    /// the waves that are long compared with `l` (lengths).
     #[must_use]
     pub fn sl(s: f64, l: f64) -> Self {
         Self::new(Some(s), Some(l))
@@ -152,7 +152,7 @@ impl GaussianFilter {
         }
     }
 
-    /// Sets the surface to be periodic (default no), so that its edges have no effect.
+    /// Treats the surface as periodic (default no), so that its edges have no effect.
     #[must_use]
     pub fn periodic(mut self) -> Self {
         self.is_periodic = true;
@@ -194,8 +194,8 @@ impl GaussianFilter {
     ///
     /// # Errors
     /// - [`Error::NotPositive`] if a nesting index is not positive and finite.
-    /// - [`Error::BelowMinimum`] if a nesting index is shorter than two cells or longer than the side of the surface along a
-    ///   filtered axis, or if the index of the S filter exceeds the index of the L filter.
+    /// - [`Error::BelowMinimum`] if a nesting index is shorter than two cells, or longer than the side of the surface along a
+    ///   filtered axis. The error is also returned if the index of the S filter exceeds the index of the L filter.
     /// - [`Error::Sample`] with the first infinite height.
     /// - [`Error::Undetermined`] if all heights are missing.
     /// - [`Error::NotFinite`] if the range of the heights overflows.
@@ -218,8 +218,8 @@ impl GaussianFilter {
             self.torus(grid, self.longest()),
             BYTES,
         )?;
-        // Heights are taken relative to the lowest height, so that a flat surface is exactly zero, and in units of the range, so
-        // that no sum overflows.
+        // Heights are relative to the lowest height, so that a flat surface is exactly zero. The unit is the range, so that no
+        // sum overflows.
         let datum = heights.min();
         let range = finite("range of the heights", heights.max() - datum)?;
         let unit = if range > 0.0 { range } else { 1.0 };
@@ -276,7 +276,7 @@ impl GaussianFilter {
         Ok(())
     }
 
-    /// Returns the size of the periodic grid of the transform. It exceeds the surface by enough cells that opposite ends do not
+    /// Returns the size of the periodic grid of the transform. The surface is padded with enough cells that opposite ends do not
     /// interact.
     fn torus(&self, grid: Grid, index: f64) -> [usize; 2] {
         let sides = [grid.dx(), grid.dy()];
@@ -340,7 +340,7 @@ fn cells_in(length: f64, side: f64) -> usize {
     cells
 }
 
-/// Evaluates a function of the heights in the first columns and rows of a larger grid; the other cells are zero.
+/// Evaluates a function of the heights in the first columns and rows of a larger grid. The other cells are zero.
 fn placed(z: &Field, torus: Grid, f: &(dyn Fn(f64) -> f64 + Sync)) -> Field {
     let mut placed = Field::zeros(torus);
     let rows = placed.as_mut_slice().chunks_exact_mut(torus.nx());

@@ -16,9 +16,9 @@ pub fn inverted(heights: &Field) -> Field {
 
 /// Returns the surface mirrored along x, `z(-x, y)`.
 ///
-/// If a body is measured from above and then turned over about the y axis to face a second body, the mirrored surface
-/// is the surface of the measured body in the frame of the second body. The heights still point out of the measured
-/// body. Missing heights stay missing.
+/// A body may be measured from above and then turned over about the y axis to face a second body. The mirrored surface
+/// is then the surface of the measured body in the frame of the second body. The heights still point out of the
+/// measured body. Missing heights stay missing.
 #[must_use]
 pub fn mirror_x(heights: &Field) -> Field {
     let mut mirrored = heights.clone();
@@ -31,7 +31,7 @@ pub fn mirror_x(heights: &Field) -> Field {
 
 /// Computes the gap between a rough body and a plane that touches its highest peak, `h = max z - z`.
 ///
-/// `heights` point out of the body; the gap is a length with minimum zero. The highest peak is the maximum of the given
+/// `heights` point out of the body. The gap is a length with minimum zero. The highest peak is the maximum of the given
 /// heights. For a slab of a distributed surface use [`HalfSpace::max_of`](crate::HalfSpace::max_of).
 ///
 /// # Errors
@@ -50,9 +50,9 @@ pub fn gap_from_heights(heights: &Field) -> Result<Field> {
 
 /// Computes the gap between two rough bodies that touch at one point, `h = max(z_1 + z_2) - (z_1 + z_2)`.
 ///
-/// The heights of each surface point out of its body, towards the other, so that the peaks of both bodies reduce the
-/// gap. Both surfaces must be given in the same frame: first apply [`mirror_x`] to the body that was turned over. The
-/// gap is a length with minimum zero.
+/// The heights of each surface point out of its body and towards the other body. The peaks of both bodies therefore
+/// reduce the gap. Both surfaces must be given in the same frame. First apply [`mirror_x`] to the body that was turned
+/// over. The gap is a length with minimum zero.
 ///
 /// # Errors
 /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the grids differ.

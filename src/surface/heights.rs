@@ -13,7 +13,7 @@ pub(super) fn complete(quantity: &'static str, heights: &Field) -> Result<()> {
     samples_obey(quantity, heights.as_slice(), rule, f64::is_finite)
 }
 
-/// Returns an error if a height is infinite; missing heights (NaN) are accepted.
+/// Returns an error if a height is infinite. Missing heights (NaN) are accepted.
 pub(super) fn finite_or_missing(heights: &Field) -> Result<()> {
     let rule = "must be finite, or NaN if the height is missing";
     samples_obey("height", heights.as_slice(), rule, |z| !z.is_infinite())

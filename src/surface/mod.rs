@@ -4,13 +4,13 @@
 //! the gap is arbitrary, because it only shifts the approach.
 //!
 //! # Shapes and generated surfaces
-//! Shapes such as [`sphere`] are gaps. [`SelfAffine`] generates heights of a rough surface, which [`gap_from_heights`] turns into
-//! a gap; gaps are added by [`sum`](sum()). In addition to the errors listed for each function, all functions return
-//! [`Error::Memory`](crate::Error::Memory) if a field on the grid cannot be allocated, and
+//! Shapes such as [`sphere`] are gaps. [`SelfAffine`] generates heights of a rough surface. [`gap_from_heights`] converts heights
+//! into a gap, and [`sum`](sum()) adds gaps. All functions can return two errors in addition to the errors listed for each
+//! function. They return [`Error::Memory`](crate::Error::Memory) if a field on the grid cannot be allocated, and
 //! [`Error::Sample`](crate::Error::Sample) if a height of the shape overflows.
 //!
 //! # Measured surfaces
-//! Heights `z(x, y)` point out of the body that they bound; NaN marks a missing height. To obtain a gap from a measurement:
+//! Heights `z(x, y)` point out of the body. NaN marks a missing height. To obtain a gap from a measurement:
 //!
 //! 1. Level the surface with [`level`](level()).
 //! 2. Remove the noise of the instrument with a [`GaussianFilter`].

@@ -16,18 +16,20 @@ use crate::support::serialise::checked;
 
 /// Radial power spectrum of a periodic surface, with its spectral moments.
 ///
-/// The heights relative to their mean are a sum of waves $`a_q e^{\mathrm{i} q \cdot x}`$, one for each wave vector of
-/// the grid. With the area $`A`$ of the grid, each wave occupies $`4\pi^2/A`$ of the plane of wave vectors, and
+/// The heights relative to their mean are a sum of waves $`a_q e^{\mathrm{i} q \cdot x}`$ over the wave vectors $`q`$
+/// of the grid. Let $`A`$ be the area of the grid. Each wave then occupies the area $`4\pi^2/A`$ of the plane of wave
+/// vectors, and
 ///
 /// ```math
 /// C(q) = \frac{A}{4\pi^2}\,\langle |a_q|^2 \rangle_\text{ring}, \qquad
 /// \sum |a_q|^2 = \sum_\text{rings} \frac{4\pi^2}{A}\, n\, C(q) = S_q^2 ,
 /// ```
 ///
-/// where the average is over the $`n`$ waves of a ring $`(k - \tfrac12)\Delta q \le |q| < (k + \tfrac12)\Delta q`$ and
-/// $`\Delta q`$ is $`2\pi`$ divided by the longer side of the grid. In the limit, $`\int C\,\mathrm{d}^2q = 2\pi \int
-/// C\, q\,\mathrm{d}q = S_q^2`$. Under the convention $`S_q^2 = \frac{1}{2\pi}\int C\,q\,\mathrm{d}q`$, as in Jacobs,
-/// Junge and Pastewka (2017), the values are $`4\pi^2`$ times the values of this type.
+/// where the average is over the $`n`$ waves of a ring $`(k - \tfrac12)\Delta q \le |q| < (k + \tfrac12)\Delta q`$. The
+/// width $`\Delta q`$ is $`2\pi`$ divided by the longer side of the grid. In the limit of an infinite grid,
+/// $`\int C\,\mathrm{d}^2q = 2\pi \int C\, q\,\mathrm{d}q = S_q^2`$. Jacobs, Junge and Pastewka (2017) use the
+/// convention $`S_q^2 = \frac{1}{2\pi}\int C\,q\,\mathrm{d}q`$. Their values are $`4\pi^2`$ times the values of this
+/// type.
 ///
 /// # Spectral moments
 /// The spectral moments are the moments of a profile, averaged over all directions $`\theta`$ of the profile:
@@ -39,7 +41,7 @@ use crate::support::serialise::checked;
 /// ```
 ///
 /// On an isotropic surface the averages are the moments of any profile, as in Longuet-Higgins (1957) and Nayak (1971).
-/// The sums include all waves of the grid without tapering; waves of two cells per period contribute their full mean
+/// The sums include all waves of the grid without tapering. Waves of two cells per period contribute their full mean
 /// square. If the heights are not periodic, the step at the edge of the grid increases $`m_2`$ and $`m_4`$.
 ///
 /// # References
@@ -101,13 +103,13 @@ impl PowerSpectrum {
     /// [`HalfSpace::power_spectrum`](crate::HalfSpace::power_spectrum).
     ///
     /// # Errors
-    /// - [`Error::Sample`](crate::Error::Sample) with the first height that is missing or infinite, or the first value
-    ///   or moment that overflows.
+    /// - [`Error::Sample`](crate::Error::Sample) with the first height that is missing or infinite, or with the first
+    ///   value or moment that overflows.
     pub fn of(heights: &Field) -> Result<Self> {
         Self::of_slab(heights, &Slab::alone(heights)?)
     }
 
-    /// Computes the spectrum of a surface from its local slab; the surface may be distributed over ranks.
+    /// Computes the spectrum of a surface from its local slab. The surface may be distributed over ranks.
     pub(crate) fn of_slab(heights: &Field, slab: &Slab) -> Result<Self> {
         slab.layout()
             .collective_result(complete("height", heights))?;
@@ -132,7 +134,7 @@ impl PowerSpectrum {
     }
 
     /// Returns the mean wave number $`|q| = 2\pi/\lambda`$ of the waves of each ring (one over a length), in ascending
-    /// order; rings without a wave are omitted.
+    /// order. Rings without a wave are omitted.
     #[must_use]
     pub fn wave_numbers(&self) -> &[f64] {
         &self.wave_numbers
@@ -144,7 +146,7 @@ impl PowerSpectrum {
         &self.values
     }
 
-    /// Returns the number of wave vectors in each ring; $`q`$ and $`-q`$ are counted separately.
+    /// Returns the number of wave vectors in each ring. The wave vectors $`q`$ and $`-q`$ are counted separately.
     #[must_use]
     pub fn modes(&self) -> &[usize] {
         &self.modes
@@ -156,8 +158,8 @@ impl PowerSpectrum {
         self.moments
     }
 
-    /// Returns Nayak's bandwidth parameter $`\alpha = m_0 m_4/m_2^2`$: 3/2 for isotropic waves of a single length,
-    /// larger for a broader spectrum, and NaN for a flat surface.
+    /// Returns Nayak's bandwidth parameter $`\alpha = m_0 m_4/m_2^2`$. Its value is 3/2 for isotropic waves of a single
+    /// length, larger for a broader spectrum, and NaN for a flat surface.
     #[must_use]
     pub fn nayak_parameter(&self) -> f64 {
         let [m0, m2, m4] = self.moments;
@@ -165,7 +167,7 @@ impl PowerSpectrum {
     }
 
     /// Returns the root mean square $`\sqrt{\tfrac23 m_4}`$ of the mean curvature $`\tfrac12 \nabla^2 z`$ (one over a
-    /// length), for a surface of small slope.
+    /// length). The formula is valid for small slopes.
     #[must_use]
     pub fn rms_mean_curvature(&self) -> f64 {
         (2.0 / 3.0 * self.moments[2]).sqrt()
@@ -200,7 +202,7 @@ impl Ring {
     }
 }
 
-/// Returns the rings that contain a wave, from the longest waves to the shortest; the mean is excluded.
+/// Returns the rings that contain a wave, from the longest waves to the shortest. The mean is excluded.
 fn rings(waves: &Waves, slab: &Slab) -> Vec<Ring> {
     let width = ring_width(slab.whole());
     #[expect(

@@ -14,19 +14,19 @@ const SLACK: f64 = 1e-9;
 
 /// Interpolates a surface at the cell centres of a different grid.
 ///
-/// The interpolation is bicubic: along each axis it uses the cubic through the four nearest samples, or a polynomial
-/// through all samples if the axis has fewer than four. The interpolation is exact for polynomials of degree three in x
-/// and in y. For a smooth surface the error falls with the fourth power of the cell sides of the source, `heights`.
-/// Interpolated heights can lie slightly above or below the two neighbouring samples. Both grids are centred on the
-/// origin.
+/// The interpolation is bicubic. Along each axis it uses the cubic through the four nearest samples. If the axis has
+/// fewer than four samples, it uses the polynomial through all samples. The interpolation is exact for polynomials of
+/// degree three in x and in y. For a smooth surface the error falls with the fourth power of the cell sides of
+/// `heights`. Interpolated heights can lie slightly above or below the two neighbouring samples. Both grids are centred
+/// on the origin.
 ///
 /// On a coarser grid the function evaluates heights at points and does not average them. Waves shorter than two cells
 /// of this grid are therefore aliased to longer waves.
 ///
 /// # Errors
 /// - [`Error::Sample`] with the first height that is missing or infinite, or that overflows.
-/// - [`Error::BeyondSamples`] if a cell centre of the grid is outside the grid of the source, that is, more than half a
-///   source cell beyond the outermost sample.
+/// - [`Error::BeyondSamples`] if a cell centre of the new grid is outside the grid of `heights`. Such a centre is more
+///   than half a cell beyond the outermost sample.
 /// - [`Error::Memory`] if the field cannot be allocated.
 ///
 /// ```

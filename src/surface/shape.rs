@@ -6,11 +6,11 @@ use crate::error::{Error, Result, all_finite, finite, non_negative, positive};
 use crate::grid::Grid;
 use crate::grid::field::Field;
 
-/// Returns the gap `h = (x^2 + y^2) / (2 R)` of a sphere that touches a plane at the origin; for two spheres
+/// Returns the gap `h = (x^2 + y^2) / (2 R)` of a sphere that touches a plane at the origin. For two spheres,
 /// `1/R = 1/R_1 + 1/R_2`.
 ///
-/// The gap is that of the osculating paraboloid, as in Hertz's theory, because half-space theory is of first order in
-/// the slopes. `radius` and `h` are lengths.
+/// The function returns the gap of the osculating paraboloid, as in Hertz's theory. Half-space theory is of first order in the
+/// slopes. `radius` and `h` are lengths.
 ///
 /// # Errors
 /// - [`Error::NotPositive`] if the radius is not positive and finite.
@@ -26,8 +26,8 @@ pub fn sphere(grid: Grid, radius: f64) -> Result<Field> {
     ellipsoid(grid, radius, radius)
 }
 
-/// Returns the gap `h = x^2 / (2 R_x) + y^2 / (2 R_y)` of a body with the principal radii of curvature `radius_x` and `radius_y`
-/// along the axes, which touches a plane at the origin. Radii and gap are lengths.
+/// Returns the gap `h = x^2 / (2 R_x) + y^2 / (2 R_y)` of an ellipsoid that touches a plane at the origin. `radius_x` and
+/// `radius_y` are its principal radii of curvature along the axes. Radii and gap are lengths.
 ///
 /// # Errors
 /// - [`Error::NotPositive`] if a radius is not positive and finite.
@@ -37,12 +37,12 @@ pub fn ellipsoid(grid: Grid, radius_x: f64, radius_y: f64) -> Result<Field> {
     sampled(grid, |x, y| 0.5 * (x * x / radius_x + y * y / radius_y))
 }
 
-/// Returns the gap `h = x^2 / (2 R)` of a cylinder along y that touches a plane along the line `x = 0`. Radius and gap are
-/// lengths.
+/// Returns the gap `h = x^2 / (2 R)` of a cylinder along y. The cylinder touches a plane along the line `x = 0`. Radius and gap
+/// are lengths.
 ///
-/// For a cylinder of a different direction use [`paraboloid`]. On a grid that is not periodic the cylinder ends at the edges of
-/// the grid, and the pressure has peaks at its ends; see [`Warning::ContactSpansGrid`](crate::Warning::ContactSpansGrid). For a
-/// line contact in plane strain use bodies with [`Boundary::PeriodicAlongY`](crate::Boundary::PeriodicAlongY).
+/// For a cylinder of a different direction use [`paraboloid`]. On a grid that is not periodic, the cylinder ends at the edges of
+/// the grid and the pressure has peaks at both ends ([`Warning::ContactSpansGrid`](crate::Warning::ContactSpansGrid)). For a line
+/// contact in plane strain use bodies with [`Boundary::PeriodicAlongY`](crate::Boundary::PeriodicAlongY).
 ///
 /// # Errors
 /// - [`Error::NotPositive`] if the radius is not positive and finite.
@@ -51,14 +51,14 @@ pub fn cylinder(grid: Grid, radius: f64) -> Result<Field> {
     sampled(grid, |x, _| 0.5 * x * x / radius)
 }
 
-/// Fraction of the mean curvature by which the smaller principal curvature of a cylinder may be negative due to round-off.
+/// Largest negative principal curvature, as a fraction of the mean curvature, that counts as the round-off of a cylinder.
 const ROUND_OFF: f64 = 1e-12;
 
-/// Returns the gap $`h = \frac12 (\kappa_{xx} x^2 + 2 \kappa_{xy} x y + \kappa_{yy} y^2)`$ of a body with any principal
-/// directions that touches a plane at the origin.
+/// Returns the gap $`h = \frac12 (\kappa_{xx} x^2 + 2 \kappa_{xy} x y + \kappa_{yy} y^2)`$ of a body that touches a plane at the
+/// origin. The principal directions of the body are arbitrary.
 ///
-/// `curvatures` are $`[\kappa_{xx}, \kappa_{xy}, \kappa_{yy}]`$ (one over lengths). The principal curvatures $`\kappa_1`$ at the
-/// angle $`\alpha`$ from x and $`\kappa_2`$ perpendicular to it give
+/// `curvatures` are $`[\kappa_{xx}, \kappa_{xy}, \kappa_{yy}]`$ (one over lengths). Let $`\kappa_1`$ be the principal curvature
+/// at the angle $`\alpha`$ from x, and $`\kappa_2`$ the principal curvature perpendicular to it. Then
 ///
 /// ```math
 /// \kappa_{xx} = \kappa_1 \cos^2\alpha + \kappa_2 \sin^2\alpha , \quad
@@ -66,11 +66,12 @@ const ROUND_OFF: f64 = 1e-12;
 /// \kappa_{yy} = \kappa_1 \sin^2\alpha + \kappa_2 \cos^2\alpha .
 /// ```
 ///
-/// The curvatures of two bodies add up: two crossed cylinders of radius `R` have the same gap as a sphere of radius `R`.
+/// The curvatures of two bodies add up. For example, two crossed cylinders of radius `R` have the same gap as a sphere of radius
+/// `R`.
 ///
 /// # Errors
 /// - [`Error::NotFinite`] if a curvature is not finite.
-/// - [`Error::NegativeOrNotFinite`] if a principal curvature is negative: a saddle would penetrate the plane.
+/// - [`Error::NegativeOrNotFinite`] if a principal curvature is negative. A saddle would penetrate the plane.
 ///
 /// ```
 /// use stickslip::{Grid, surface};
@@ -96,9 +97,9 @@ pub fn paraboloid(grid: Grid, curvatures: [f64; 3]) -> Result<Field> {
     })
 }
 
-/// Returns the gap `h = slope * sqrt(x^2 + y^2)` of a cone that touches a plane with its tip at the origin.
+/// Returns the gap `h = slope * sqrt(x^2 + y^2)` of a cone. The tip of the cone touches a plane at the origin.
 ///
-/// `slope` is the tangent of the angle between cone and plane, dimensionless; `h` is a length.
+/// `slope` is the tangent of the angle between cone and plane (dimensionless). The gap `h` is a length.
 ///
 /// # Errors
 /// - [`Error::NotPositive`] if the slope is not positive and finite.
@@ -107,14 +108,14 @@ pub fn cone(grid: Grid, slope: f64) -> Result<Field> {
     sampled(grid, |x, y| slope * x.hypot(y))
 }
 
-/// Returns the gap of a flat-ended cylindrical punch centred on the origin. The gap is zero in the cells whose centre
-/// is within `radius` of the origin and `recess` in the other cells (lengths).
+/// Returns the gap of a flat-ended cylindrical punch centred on the origin. The gap is zero in the cells whose centre is within
+/// `radius` of the origin, and `recess` in the other cells (lengths).
 ///
-/// The recess must exceed the displacements, so that the body around the punch does not come into contact.
+/// The recess must exceed the displacements. Otherwise the body would come into contact around the punch.
 ///
 /// # Errors
-/// - [`Error::NotPositive`] if the radius or the recess is not positive and finite, or if the punch is so small that it covers no
-///   cell centre.
+/// - [`Error::NotPositive`] if the radius or the recess is not positive and finite, or if the punch does not cover any cell
+///   centre.
 pub fn flat_punch(grid: Grid, radius: f64, recess: f64) -> Result<Field> {
     positive("radius", radius)?;
     positive("recess", recess)?;
@@ -124,10 +125,10 @@ pub fn flat_punch(grid: Grid, radius: f64, recess: f64) -> Result<Field> {
     Ok(punch)
 }
 
-/// Returns the gap $`h = A (1 - \cos(2\pi x/\lambda))`$ of straight waves with crests along y, one of them at `x = 0`. The gap is
+/// Returns the gap $`h = A (1 - \cos(2\pi x/\lambda))`$ of straight waves with crests along y and a crest at `x = 0`. The gap is
 /// zero on the crests and $`2A`$ in the troughs.
 ///
-/// `amplitude` is $`A`$, `wavelength` is $`\lambda`$ (lengths). This is the gap of Westergaard's problem. On a periodic
+/// `amplitude` is $`A`$ and `wavelength` is $`\lambda`$ (lengths). This is the gap of Westergaard's problem. On a periodic
 /// half-space the wavelength must divide the side of the grid.
 ///
 /// # Errors
@@ -140,12 +141,11 @@ pub fn sinusoidal(grid: Grid, amplitude: f64, wavelength: f64) -> Result<Field> 
     })
 }
 
-/// Returns the gap $`h = A (1 - \cos(2\pi x/\lambda_x) \cos(2\pi y/\lambda_y))`$ of waves along both axes with a crest at the
+/// Returns the gap $`h = A (1 - \cos(2\pi x/\lambda_x) \cos(2\pi y/\lambda_y))`$ of waves along both axes. A crest is at the
 /// origin. The gap is zero on the crests and $`2A`$ in the troughs.
 ///
-/// `amplitude` is $`A`$, `wavelengths` are $`[\lambda_x, \lambda_y]`$ (lengths). Source: Johnson, Greenwood and
-/// Higginson, *Int. J. Mech. Sci.* 27 (1985) 383-396,
-/// [doi:10.1016/0020-7403(85)90029-3](https://doi.org/10.1016/0020-7403(85)90029-3).
+/// `amplitude` is $`A`$ and `wavelengths` are $`[\lambda_x, \lambda_y]`$ (lengths). Source: Johnson, Greenwood and Higginson,
+/// *Int. J. Mech. Sci.* 27 (1985) 383-396, [doi:10.1016/0020-7403(85)90029-3](https://doi.org/10.1016/0020-7403(85)90029-3).
 ///
 /// # Errors
 /// - [`Error::NotPositive`] if the amplitude or a wavelength is not positive and finite.
@@ -165,8 +165,8 @@ fn sampled(grid: Grid, height: impl FnMut(f64, f64) -> f64) -> Result<Field> {
     Ok(heights)
 }
 
-/// Adds fields cell by cell. For example, the gap of a rough ball is the sum of the gap of a ball and the roughness,
-/// and the gap between two bodies is the sum of the gaps of both shapes.
+/// Adds fields cell by cell. For example, the gap of a rough ball is the sum of the gap of a ball and the gap of its roughness.
+/// The gap between two bodies is the sum of the gaps of both shapes.
 ///
 /// # Errors
 /// - [`Error::Length`] if there is no field.

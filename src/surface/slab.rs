@@ -20,7 +20,8 @@ pub(crate) struct Slab {
 }
 
 impl Slab {
-    /// Creates the local slab of a grid; `share` is the distribution of the rows, if they are distributed.
+    /// Creates the local slab of a grid. `share` is the distribution of the rows, or `None` if the rows are not
+    /// distributed.
     pub(crate) fn new(whole: Grid, share: Option<Arc<RowPartition>>) -> Self {
         let (first_row, layout) = match &share {
             Some(share) => (share.local_rows().start, Layout::shared(Arc::clone(share))),
@@ -34,8 +35,8 @@ impl Slab {
         }
     }
 
-    /// Treats a field as a whole surface, even if it is a slab of a distributed surface. Returns an error if the field
-    /// has no cells.
+    /// Treats a field as a whole surface, even if the field is a slab of a distributed surface. Returns an error if the
+    /// field has no cells.
     pub(super) fn alone(heights: &Field) -> Result<Self> {
         let grid = heights.grid();
         let [nx, ny] = grid.size();
@@ -59,7 +60,7 @@ impl Slab {
         &self.layout
     }
 
-    /// Returns the local rows and the row after them, if it exists.
+    /// Returns the local rows and the next row, if it exists.
     pub(super) fn with_next_row<'a>(&self, heights: &'a Field) -> Cow<'a, [f64]> {
         let own = heights.as_slice();
         let Some(share) = &self.share else {

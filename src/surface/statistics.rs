@@ -15,8 +15,8 @@ use crate::parallel::reduce;
 /// S-parameters of a surface (ISO 25178-2:2021), computed from its heights relative to their mean.
 ///
 /// Heights point out of the body, so that a peak is positive. The heights are not filtered, and no form except the mean
-/// is removed. Apply [`level`](super::level()) first to a tilted or curved surface. With $`z`$ relative to the mean and
-/// $`\langle\,\rangle`$ the mean over the cells,
+/// is removed. Apply [`level`](super::level()) first to a tilted or curved surface. The heights $`z`$ are relative to
+/// the mean, and $`\langle\,\rangle`$ is the mean over the cells:
 ///
 /// ```math
 /// S_a = \langle |z| \rangle, \quad S_q^2 = \langle z^2 \rangle, \quad
@@ -26,10 +26,10 @@ use crate::parallel::reduce;
 /// The kurtosis is not the excess kurtosis: its value is 3 for a Gaussian surface.
 ///
 /// # Slopes
-/// On a grid the slope depends on the method of differentiation, more strongly for shorter waves. The slope of each
-/// method is therefore returned by a function of a different name. A wave of wave number $`q`$ along x has the
-/// finite-difference slope $`\sin(q\,\Delta x/2)/(q\,\Delta x/2)`$ times the spectral slope. The factor is 0.97 at
-/// eight cells per period and $`2/\pi`$ at two cells per period.
+/// On a grid the slope depends on the method of differentiation. The effect is stronger for shorter waves. Each method
+/// therefore has its own function. A wave of wave number $`q`$ along x has the finite-difference slope
+/// $`\sin(q\,\Delta x/2)/(q\,\Delta x/2)`$ times the spectral slope. The factor is 0.97 at eight cells per period and
+/// $`2/\pi`$ at two cells per period.
 ///
 /// ```
 /// use std::f64::consts::TAU;
@@ -75,7 +75,7 @@ impl Statistics {
         Self::of_slab(heights, &Slab::alone(heights)?)
     }
 
-    /// Computes the statistics of a surface from its local slab; the surface may be distributed over ranks.
+    /// Computes the statistics of a surface from its local slab. The surface may be distributed over ranks.
     pub(crate) fn of_slab(heights: &Field, slab: &Slab) -> Result<Self> {
         slab.layout()
             .collective_result(complete("height", heights))?;
@@ -185,7 +185,7 @@ impl Statistics {
     /// ```
     ///
     /// over the pairs of neighbours within the grid, without pairs across its edge. This is the definition for a
-    /// measured surface, which is not periodic. An axis of one cell has no slope.
+    /// measured surface, which is not periodic. The slope along an axis of one cell is zero.
     #[doc(alias = "rms slope")]
     #[doc(alias = "rms gradient")]
     #[must_use]
@@ -194,11 +194,11 @@ impl Statistics {
         along_x.hypot(along_y)
     }
 
-    /// Returns the root-mean-square gradient of the periodically continued surface, exact for its waves,
-    /// $`\langle |\nabla z|^2 \rangle = \sum |q|^2 |a_q|^2 = 2 m_2`$.
+    /// Returns the root-mean-square gradient of the periodically continued surface. The gradient is exact for the waves
+    /// of the surface: $`\langle |\nabla z|^2 \rangle = \sum |q|^2 |a_q|^2 = 2 m_2`$.
     ///
-    /// A wave of two cells per period contributes the full mean square of its samples, although the samples do not
-    /// determine its phase, and hence its slope. If the heights are not periodic, the step at the edge of the grid is
+    /// A wave of two cells per period contributes the full mean square of its samples. The samples do not determine the
+    /// phase of this wave and hence not its slope. If the heights are not periodic, the step at the edge of the grid is
     /// included. See [`PowerSpectrum`](super::PowerSpectrum).
     #[doc(alias = "rms slope")]
     #[must_use]
@@ -209,14 +209,14 @@ impl Statistics {
     /// Returns the root-mean-square slopes of the profiles along x and of the profiles along y, the two terms of
     /// [`finite_difference_rms_slope`](Self::finite_difference_rms_slope). See equation 34 of the paper.
     ///
-    /// On an isotropic surface each is $`1/\sqrt2`$ times the slope of the surface.
+    /// On an isotropic surface each of the two values is $`1/\sqrt2`$ times the slope of the surface.
     #[must_use]
     pub fn profile_rms_slope(&self) -> [f64; 2] {
         self.profile_rms_slope
     }
 
-    /// Returns the developed interfacial area ratio Sdr, the excess of the area of the surface over its projection,
-    /// relative to the projection (a fraction, not a percentage).
+    /// Returns the developed interfacial area ratio Sdr. It is the excess of the area of the surface over the area of
+    /// its projection, as a fraction of the projected area. It is not a percentage.
     ///
     /// Every four neighbouring heights span two triangles, which are separated by one of the two diagonals. The result
     /// is the mean over both diagonals. For small slopes the ratio is half the square of the slope.

@@ -23,7 +23,7 @@ use crate::parallel::reduce::{self, Reduction};
 /// z(x_m, y_n) = \sum_{i, j} a_{ij}\, e^{2 \pi \mathrm{i} (i m / n_x + j n / n_y)} ,
 /// ```
 ///
-/// Only amplitudes with `i >= 0` are stored; the other amplitudes are their conjugates.
+/// Only amplitudes with `i >= 0` are stored. The other amplitudes are their conjugates.
 #[derive(Debug, Clone)]
 pub(super) struct Waves {
     grid: Grid,
@@ -42,10 +42,11 @@ pub(super) struct Mode {
     pub(super) numbers: [i64; 2],
     /// Wave vector: `2 pi` divided by the wavelength, along x and along y.
     pub(super) wave_vector: [f64; 2],
-    /// Number of waves that the amplitude represents: two, or one if its column is its own mirror image.
+    /// Number of waves that the amplitude represents. The number is one if the column is its own mirror image, and two
+    /// otherwise.
     pub(super) copies: f64,
-    /// Whether a component is at the grid's limit of two cells per period, where the sign of the wave
-    /// vector is lost.
+    /// Whether a component is at the limit of two cells per period. At this limit the sign of the wave vector is
+    /// undetermined.
     pub(super) is_at_limit: bool,
 }
 
@@ -117,8 +118,8 @@ impl Waves {
         self
     }
 
-    /// Returns the sum of the waves as a field. In a column that is its own mirror image the amplitudes of opposite
-    /// rows should be conjugates. Only the Hermitian part of the amplitudes contributes.
+    /// Returns the sum of the waves as a field. If a column is its own mirror image, the amplitudes of opposite rows in
+    /// the column should be conjugates. Only the Hermitian part of the amplitudes contributes.
     pub(super) fn into_field(self) -> Field {
         let (grid, ny) = (self.grid, self.grid.ny());
         let amplitudes = self.summed_along_y();
@@ -192,13 +193,13 @@ impl Waves {
         })
     }
 
-    /// Replaces every amplitude by a function of its mode and itself.
+    /// Replaces every amplitude by a function of its mode and of the amplitude.
     pub(super) fn update(&mut self, f: impl Fn(Mode, Complex<f64>) -> Complex<f64> + Sync) {
         self.update_with([], |mode, value, []| f(mode, value));
     }
 
-    /// Replaces every amplitude by a function of its mode, itself and the amplitudes of the same mode in other waves on
-    /// the same grid.
+    /// Replaces every amplitude by a function of its mode and of the amplitudes of this mode. The amplitudes are the
+    /// replaced amplitude and the amplitudes in other waves on the same grid.
     pub(super) fn update_with<const N: usize>(
         &mut self,
         others: [&Self; N],
@@ -214,8 +215,8 @@ impl Waves {
         });
     }
 
-    /// Makes the amplitudes of opposite rows conjugates in the columns that are their own mirror image. The amplitude of
-    /// the positive row is kept.
+    /// Makes the amplitudes of opposite rows conjugates if their column is its own mirror image. The amplitude of the
+    /// positive row is kept.
     pub(super) fn pair_opposite_rows(&mut self) {
         let (first, nx, ny) = (self.first, self.grid.nx(), self.grid.ny());
         let columns = (first..).zip(self.amplitudes.chunks_exact_mut(ny));
@@ -232,8 +233,8 @@ pub(super) fn shared_columns(grid: Grid, team: &Arc<RankGroup>) -> RowPartition 
     RowPartition::new(team, size_of_waves(grid))
 }
 
-/// Computes the rows of a field from the amplitudes of their waves along x; `at` returns the amplitude of a column and
-/// a row.
+/// Computes the rows of a field from the amplitudes of the waves along x. `at` returns the amplitude of a column and a
+/// row.
 fn along_rows(grid: Grid, at: impl Fn(usize, usize) -> Complex<f64> + Sync) -> Field {
     let (nx, width) = (grid.nx(), columns(grid));
     let along_x = RealFftPlanner::new().plan_fft_inverse(nx);

@@ -1,5 +1,5 @@
-//! Border of the linear system of a semismooth Newton step: the spread of the multipliers over the cells, and the changes of the
-//! multipliers that keep the totals.
+//! Border of the linear system of a semismooth Newton step. It consists of the spread of the multipliers over the cells and of
+//! the multiplier changes that keep the totals.
 
 use crate::cgm::cone::cell_state::{CellKind, ConeCellState};
 use crate::cgm::cone::workspace::gradient;
@@ -11,9 +11,9 @@ use crate::cgm::{Total, reduce};
 use crate::numerics::cell_vector::{dot, norm, slices};
 use crate::parallel;
 
-/// Fraction of the mobility along an axis below which slipping cells cannot carry a change along it.
+/// Fraction of the mobility along an axis below which slipping cells cannot carry a change along this axis.
 const LEAST_TURN: f64 = 1e-13;
-/// Maximum number of times that the cells of a contact are all set to stick if their tractions cannot turn.
+/// Maximum number of times that all cells of a contact are set to stick if their tractions cannot rotate.
 const TRIALS: usize = 2;
 
 /// Selection of the cells with the least slip among the cells that could carry more of the deficit.
@@ -30,7 +30,7 @@ impl NearestToStick {
     }
 }
 
-/// Returns the slip of a cell whose traction points against the deficit, else `None`.
+/// Returns the slip of a cell whose traction points against the deficit, or `None` for other cells.
 fn slip_against(law: ConeCellState, [_, x, y]: [f64; N], missing: [f64; 2]) -> Option<f64> {
     match law.kind {
         CellKind::Slip(slip) if dot(slip.normal, missing) < 0.0 => Some(norm([x, y])),
@@ -125,8 +125,8 @@ impl<F: FrictionCone> ConeRun<'_, '_, F> {
         });
     }
 
-    /// Selects the cells with the least slip among the cells that could carry more of the deficit, after setting all cells to
-    /// stick has not helped. Returns `None` before that attempt, or if there is no such cell.
+    /// Selects the cells with the least slip among the cells that could carry more of the deficit. Returns `None` if no cell
+    /// could carry more, or if all cells have not yet been set to stick [`TRIALS`] times.
     fn cell_with_least_slip(&self) -> Option<NearestToStick> {
         if self.times_held <= TRIALS {
             return None;

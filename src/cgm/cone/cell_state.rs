@@ -8,7 +8,8 @@ use crate::numerics::cell_vector::{dot, norm, plus};
 /// State of a cell in the linear system of a step.
 ///
 /// The unknowns of the cell are the changes of the pressure and of the traction. A sticking cell has both components of the
-/// traction; a slipping cell has the component along the circle of its limit, which follows the pressure.
+/// traction. A slipping cell has only the component along the circle of its limit. The radius of this circle follows the
+/// pressure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct ConeCellState {
     pub(super) kind: CellKind,
@@ -22,7 +23,7 @@ pub(crate) struct ConeCellState {
 /// Lag of a cell that comes into contact in the step: $`\kappa g\,q/p`$ for a gap g.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct EntryLag {
-    /// Mean of the entry compliance $`\kappa g/p`$ over all directions; zero if the cell does not come into contact.
+    /// Mean of the entry compliance $`\kappa g/p`$ over all directions. The mean is zero if the cell does not come into contact.
     pub(super) own: f64,
     /// Deviatoric part of the entry compliance: `[a, b]` of the matrix with the rows `[a, b]` and `[b, -a]`.
     pub(super) deviator: [f64; 2],
@@ -60,12 +61,12 @@ pub(super) struct Slip {
     limit: f64,
     /// Derivative of the friction limit with respect to the pressure.
     slope: f64,
-    /// Slip divided by the limit: the stiffness added by the curvature of the circle.
+    /// Stiffness added by the curvature of the circle: the slip divided by the limit.
     stiffness: f64,
 }
 
 impl Slip {
-    /// Creates a slipping state along a unit direction; the other fields are [measured](ConeCellState::measured).
+    /// Creates a slipping state along a unit direction. [`ConeCellState::measured`] sets the other fields.
     fn along(normal: [f64; 2]) -> CellKind {
         CellKind::Slip(Self {
             normal,
@@ -151,7 +152,7 @@ impl ConeCellState {
         if self.is_held { 0.0 } else { value }
     }
 
-    /// Returns the part of a uniform motion that the cell can follow, as a matrix in x and y.
+    /// Returns the matrix in x and y that projects a uniform motion on the motion that the cell can follow.
     pub(super) fn mobility(self) -> [[f64; 2]; 2] {
         match self.kind {
             CellKind::Open | CellKind::Frictionless => [[0.0; 2]; 2],
@@ -164,7 +165,7 @@ impl ConeCellState {
     }
 
     /// Returns the state with limit, slope and stiffness at slip `s`. In the stiffness, `least` replaces a smaller limit.
-    /// `self_compliance` is the displacement of a cell under a unit traction on it.
+    /// `self_compliance` is the displacement of a cell under a unit traction on this cell.
     pub(super) fn measured(
         mut self,
         s: [f64; 2],
@@ -186,8 +187,8 @@ impl ConeCellState {
         self
     }
 
-    /// Returns the next state of a cell and its projected tractions, given the tractions `x`, the gap and the slip `r` from the
-    /// solution of the linear system.
+    /// Returns the next state of a cell and its projected tractions. `x` are the tractions and `r` are the gap and the slip from
+    /// the solution of the linear system.
     pub(super) fn next(
         self,
         cell: usize,

@@ -1,7 +1,7 @@
 //! Entry compliance: cells that come into contact in the step lag behind their motion by $`\kappa g\,q/p`$.
 //!
-//! The lag depends on the unknown pressure. With $`r = q/p`$ its change is $`\kappa g/p\,(dq - r\,dp)`$. For a cell that slips
-//! from the moment of contact, $`r = m'(0)\,n`$ while its pressure is zero.
+//! The lag depends on the unknown pressure. Its change is $`\kappa g/p\,(dq - r\,dp)`$ with $`r = q/p`$. If a cell slips from the
+//! moment of contact, $`r = m'(0)\,n`$ while its pressure is zero.
 
 use crate::cgm::cone::cell_state::{CellKind, ConeCellState, EntryLag};
 use crate::cgm::cone::{ConeProblem, ConeRun, FrictionCone, N};

@@ -9,17 +9,17 @@
 //! |q| \le m(p), \quad s = 0 \text{ where } |q| < m, \quad s = -|s|\,q/m \text{ where } |q| = m .
 //! ```
 //!
-//! `C` is symmetric and positive definite, but the conditions are not the optimality conditions of a minimum: the limit `m` grows
-//! with the unknown pressure. The semismooth Newton method linearises limit and tractions together, `dq = m'(p) n dp + t dtau` in
-//! a cell that slips along `n`. The resulting system is not symmetric; right-preconditioned GMRES solves it on the cells in
-//! contact.
+//! `C` is symmetric and positive definite. The conditions are nevertheless not the optimality conditions of a minimum, because
+//! the limit `m` grows with the unknown pressure. The semismooth Newton method linearises limit and tractions together:
+//! `dq = m'(p) n dp + t dtau` in a cell that slips along `n`. Right-preconditioned GMRES solves the resulting non-symmetric
+//! system on the cells in contact.
 //!
-//! A cell may have a hardness, `p <= H`. While its pressure is at the hardness the bodies may overlap, and the equation of its
-//! gap is dropped.
+//! A cell may have a hardness, `p <= H`. While its pressure is at the hardness, the bodies may overlap and the equation of the
+//! gap is omitted.
 //!
-//! A cell that newly touches is set to slip, with its traction against the slip, unless the slip is at most the slip that its
-//! overlap could prevent, `|s| <= m' |g|`. If the cell stuck instead, the method would cycle at the edge of every growing
-//! contact.
+//! A cell that newly touches is set to slip, with its traction against the slip. The cell is set to stick only if its overlap
+//! could prevent the slip: `|s| <= m' |g|`. If every new cell were set to stick, the method would cycle at the edge of every
+//! growing contact.
 
 mod border;
 mod cell_state;
@@ -63,8 +63,8 @@ pub(crate) struct ConeProblem<'a, F> {
     pub(crate) layout: &'a Layout,
     /// Gap before loading, then the negated prescribed displacements of the cells along x and y.
     pub(crate) linear: [&'a [f64]; N],
-    /// The tensor $`\kappa g`$ of cells that would come into contact from a gap g. Such a cell lags behind its motion by $`\kappa
-    /// g\,q/p`$. The tensor is zero in the other cells; `None` if there is no such cell on any rank.
+    /// The tensor $`\kappa g`$ of cells that would come into contact from a gap g. Such a cell lags behind its motion by
+    /// $`\kappa g\,q/p`$. The tensor is zero in the other cells. The value is `None` if no rank has such a cell.
     pub(crate) closing: Option<CellCompliance<'a>>,
     /// Maximum pressure of each cell.
     pub(crate) hardness: PerCell<&'a [f64]>,
@@ -72,9 +72,9 @@ pub(crate) struct ConeProblem<'a, F> {
     pub(crate) totals: [Total; N],
     /// Lower bounds of the eigenvalues of the normal and of the tangential part of the operator.
     pub(crate) lower_bounds: [LowerBound; 2],
-    /// Tangential displacement of a cell under a unit tangential traction on it.
+    /// Tangential displacement of a cell under a unit tangential traction on this cell.
     pub(crate) self_compliance: f64,
-    /// Ratio of tangential to normal displacement under pressure; it sets the minimum scale of the tangential residuals.
+    /// Ratio of tangential to normal displacement under pressure, for the minimum scale of the tangential residuals.
     pub(crate) coupling: f64,
 }
 
@@ -85,8 +85,8 @@ pub(crate) struct ConeMeasures {
     pub(crate) residual: f64,
     /// Relative deficit of the prescribed sums.
     pub(crate) load_error: f64,
-    /// Error bounds of the pressure and of the traction in the energy norm, each for a fixed value of the other, relative to
-    /// the square root of `x' C x`.
+    /// Error bounds of the pressure and of the traction in the energy norm, relative to the square root of `x' C x`. The bound of
+    /// the pressure is valid for a fixed traction, and the bound of the traction for a fixed pressure.
     pub(crate) bounds: [f64; 2],
     /// Number of sticking cells.
     free: usize,
@@ -101,10 +101,10 @@ impl ConeMeasures {
     }
 }
 
-/// Knowledge about a start.
+/// Quality of the sets of a start.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum ConeStart {
-    /// The sets come from a coarser grid; an accurate first solve would be wasted on them.
+    /// The sets come from a coarser grid and do not justify an accurate first solve.
     Coarse,
     /// The sets are reliable.
     Trusted,
@@ -124,7 +124,7 @@ pub(crate) struct ConeRun<'a, 'b, F> {
     monitor: Monitor<'a>,
     x: [&'a mut [f64]; N],
     workspace: &'a mut ConeWorkspace,
-    /// Whether the product belongs to the current tractions and was computed in double precision.
+    /// Whether the product is the product with the current tractions in double precision.
     is_fresh: bool,
     /// Number of times that all cells slipped in the same direction.
     times_held: usize,
@@ -133,8 +133,9 @@ pub(crate) struct ConeRun<'a, 'b, F> {
     border: Border<N>,
 }
 
-/// Solves from the tractions `x` and the multipliers of the workspace, and stores the solution in both. The status is `None` if
-/// the start is rejected or if the sets cycle. A different start might then succeed. The findings belong to the returned `x`.
+/// Solves from the tractions `x` and the multipliers of the workspace, and overwrites both with the solution. The status is
+/// `None` if the start is rejected or if the sets cycle. A different start might then succeed. The returned measures belong to
+/// the returned `x`.
 ///
 /// # Errors
 /// - [`Error::Memory`](crate::Error::Memory) if the memory does not suffice.

@@ -87,12 +87,12 @@ impl<F: FrictionCone> NewtonSteps for ConeRun<'_, '_, F> {
 
     fn has_stalled(&mut self, merit: f64) -> bool {
         let course = &mut self.course;
-        // A deficit of the totals does not matter: the first step corrects it.
+        // A deficit of the totals does not matter, because the first step corrects it.
         if course.best.is_infinite() && self.opening.refuses(course.residual) {
             return true;
         }
-        // Close to sliding, the shift grows with each step and the tractions turn into the direction of the force at a constant
-        // residual: the force converges first.
+        // Close to sliding, the shift grows with each step and the tractions rotate into the direction of the force. The residual
+        // is constant during these steps, so the force converges first.
         let is_nearer = course.missing > ROUND_OFF && course.load_error < 0.5 * course.missing;
         course.missing = course.missing.min(course.load_error);
         if merit < 0.5 * course.best {
@@ -171,7 +171,7 @@ impl<'a, F: FrictionCone> ConeRun<'a, '_, F> {
         self.hold_springs();
     }
 
-    /// Computes `product = C x` and the friction limits of the pressures unless they are up to date.
+    /// Computes `product = C x` and the friction limits of the pressures. Does nothing if both are up to date.
     pub(super) fn refresh(&mut self) {
         if !self.is_fresh {
             self.refresh_in(Precision::Double);
@@ -233,7 +233,7 @@ impl<'a, F: FrictionCone> ConeRun<'a, '_, F> {
 
     fn found(&self, normal: &IterateMeasures, plane: &IterateMeasures) -> ConeMeasures {
         let pressed = normal.measure();
-        // A contact that sticks from rest does not move: the displacement caused by the pressure alone is then the scale.
+        // A contact that sticks from rest does not move. The displacement caused by the pressure alone is then the scale.
         let moved = reduce::larger(plane.measure(), self.problem.coupling * pressed);
         let ratio = |a: f64, b: f64| if a == 0.0 { 0.0 } else { a / b };
         let residuals = [

@@ -8,14 +8,14 @@ use crate::cgm::reduce;
 use crate::error::Result;
 use crate::numerics::cell_vector::at;
 
-/// State of the cells: tractions, slip of the last step, and entry compliance. The entry compliance is empty if no cell
-/// has any.
+/// State of the cells: tractions, slip of the last step, and entry compliance. The entry compliance is empty if it is zero in all
+/// cells.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct FrozenState<'a> {
     pub(crate) x: [&'a [f64]; N],
     pub(crate) slip: [&'a [f64]; 2],
     pub(crate) own: &'a [f64],
-    /// Whether cells at their limits continue to slip; otherwise they stick.
+    /// Whether cells at their limits continue to slip. If not, these cells stick.
     pub(crate) slips: bool,
 }
 

@@ -12,7 +12,7 @@ use crate::report::Report;
 /// Buffers of a solve except its tractions. They are created once and reused by every solve of the same size.
 #[derive(Debug, Clone)]
 pub(crate) struct ConeWorkspace {
-    /// Linear problem; its rows are the states of the cells.
+    /// Linear problem whose rows are the states of the cells.
     pub(super) linear: LinearWorkspace<ConeCellState, N>,
     pub(super) product: [Vec<f64>; N],
     /// Friction limit of every cell.
@@ -42,7 +42,7 @@ impl ConeWorkspace {
         self.linear.list()
     }
 
-    /// Writes `C x` to `out`; the stored solution is unchanged.
+    /// Writes `C x` to `out` without a change of the stored solution.
     pub(crate) fn apply(
         &mut self,
         operator: &dyn Operator<N>,

@@ -1,15 +1,17 @@
-//! Discs: two unknowns per cell, a vector whose length is at most a limit, with the updates of the semismooth Newton method.
+//! Discs, with the updates of the semismooth Newton method. The two unknowns of a cell are a vector whose length is at most a
+//! limit.
 //!
-//! A cell at its limit keeps one unknown, the angle of its traction `q`. Let `g = C q + b - delta` be the gradient (the slip) and
-//! $`t`$ and $`n = q/m`$ the tangent and the outward normal of the circle. The derivative of the condition $`t \cdot g = 0`$ is
+//! A cell at its limit keeps one unknown, the angle of its traction `q`. Let `g = C q + b - delta` be the gradient (the slip).
+//! Let $`t`$ be the tangent and $`n = q/m`$ the outward normal of the circle. The derivative of the condition $`t \cdot g = 0`$
+//! is
 //!
 //! ```math
 //! t' \frac{\partial g}{\partial q}\, t - \frac{n \cdot g}{m} ,
 //! ```
 //!
-//! the stiffness of the operator along the circle plus $`|g|/m`$, because turning the traction also turns the tangent. Without
-//! the second term, iterations of clipped gradients stall (Zhao, Vollebregt & Oosterlee, report 14-02 of the Delft Institute of
-//! Applied Mathematics, 2014).
+//! the stiffness of the operator along the circle plus $`|g|/m`$. The second term results from the rotation of the tangent with
+//! the traction. Without this term, iterations of clipped gradients stall (Zhao, Vollebregt & Oosterlee, report 14-02 of the
+//! Delft Institute of Applied Mathematics, 2014).
 
 use crate::cgm::active_set_solve::ActiveSetSolve;
 use crate::cgm::law::disc_motion::DiscMotion;
@@ -23,7 +25,7 @@ use crate::numerics::small_matrix::Small;
 use crate::parallel::layout::Layout;
 use crate::report::Status;
 
-/// The vectors whose length is at most `radius`, which must be finite and not negative. A zero radius fixes the cell.
+/// Vectors whose length is at most `radius`. The radius must be finite and not negative. A zero radius fixes the cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Disc {
     /// Maximum length.
@@ -92,7 +94,7 @@ impl LinearisedSet<2> for Disc {
     fn duality_gap(self, q: [f64; 2], g: [f64; 2]) -> f64 {
         let (size, slip) = (norm(q), norm(g));
         let (along, across) = (dot(g, q), g[0] * q[1] - g[1] * q[0]);
-        // `g.q + |g| |q|`, accurate to round-off if the two vectors are opposite, as in every slipping cell.
+        // This form of `g.q + |g| |q|` is accurate to round-off if the two vectors are opposite, as in every slipping cell.
         let turned = if along < 0.0 {
             across * across / (slip * size - along)
         } else {
@@ -150,9 +152,8 @@ impl LinearisedSet<2> for Disc {
         match was {
             DiscMotion::Fixed => (was, self.project(q)),
             DiscMotion::Free if size <= self.radius => (was, self.project(q)),
-            // A cell that starts to slip receives the stiffness that it would have if its own compliance alone carried the excess
-            // over the limit. Without this stiffness, distributing a total before the slip is measured could reverse the traction
-            // of the cell.
+            // A cell that starts to slip receives a stiffness as if its own compliance alone carried the excess over the limit.
+            // Without this stiffness, distributing a total before the slip is measured could reverse the traction of the cell.
             DiscMotion::Free => {
                 let excess = self_compliance * (1.0 - self.radius / size);
                 let held = self.measured(DiscMotion::along(q, 0.0), q.map(|q| -excess * q));
@@ -194,8 +195,8 @@ impl LinearisedSet<2> for Disc {
         })
     }
 
-    /// Cells at their limits stay there if the other cells suffice, because a cell moved slightly off its circle would count as
-    /// sticking.
+    /// Cells at their limits are not moved if the other cells suffice. A cell that is moved slightly off its circle would count
+    /// as sticking.
     fn restore(
         layout: &Layout,
         mut q: [&mut [f64]; 2],
@@ -229,9 +230,9 @@ impl LinearisedSet<2> for Disc {
     }
 }
 
-/// Returns the shift `t` for which the vectors `P_i(q_i + t)` of the selected cells and the unchanged other vectors together have
-/// the sums. Also returns whether the sums are met: the selected cells might not suffice. The sums are the gradient of a convex
-/// function of `t`, and the method is a damped Newton iteration.
+/// Returns the shift `t` that moves the selected cells to `P_i(q_i + t)` such that all cells together have the sums. Also returns
+/// whether the sums are met, because the selected cells might not suffice. The sums are the gradient of a convex function of `t`.
+/// The method is a damped Newton iteration.
 fn shift_to_sums(
     layout: &Layout,
     q: &[&[f64]; 2],

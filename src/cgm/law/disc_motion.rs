@@ -1,4 +1,5 @@
-//! Motion of a cell of a disc in the semismooth Newton step: free while it sticks, along the circle while it slips.
+//! Motion of a cell of a disc in the semismooth Newton step. The motion is free while the cell sticks, and along the circle while
+//! it slips.
 
 use crate::cgm::law::state::{CellMotion, Row};
 use crate::numerics::cell_vector::{dot, norm};
@@ -16,8 +17,8 @@ pub enum DiscMotion {
     Tangential {
         /// Direction of the circle at the traction.
         tangent: [f64; 2],
-        /// Component of the gradient against the traction, divided by the radius: the stiffness added by the curvature of the
-        /// circle.
+        /// Stiffness added by the curvature of the circle: the component of the gradient against the traction, divided by the
+        /// radius.
         stiffness: f64,
         /// Weight of the cell in the preconditioner.
         weight: Weight,
@@ -26,31 +27,32 @@ pub enum DiscMotion {
     Fixed,
 }
 
-/// Weights of a cell in the preconditioner: for the inverse operator and for the cell alone.
+/// Weights of a cell in the preconditioner: a weight for the inverse operator and a weight for the single cell.
 ///
-/// The inverse operator $`M`$ does not include the stiffness $`k`$ of the circles, nor the additional compliance of the cells,
-/// which is a part of $`k`$. The inverse of the system $`C + k`$ is known in two limits: it is $`M`$ for $`k \ll C`$, and
-/// $`1 / (c_1 + k)`$ in each cell for $`k \gg C`$, with $`c_1`$ the compliance of a cell that moves alone. Between these
-/// limits the preconditioner is
+/// Let $`k`$ be the sum of the stiffness of the circle and the additional compliance of the cell. The inverse operator $`M`$ does
+/// not include $`k`$. The inverse of the system $`C + k`$ is known in two limits. It is $`M`$ for $`k \ll C`$. For $`k \gg C`$ it
+/// is $`1 / (c_1 + k)`$ in each cell, where $`c_1`$ is the compliance of a single moving cell. Between these limits the
+/// preconditioner is
 ///
 /// ```math
 /// W M W + (1 - W^2)\, (c_1 + k)^{-1}, \qquad W = \frac{e}{e + k} ,
 /// ```
 ///
-/// with the weights $`0 < W \le 1`$ of the cells. The preconditioner is symmetric and positive definite like both parts, and
-/// exact in both limits. The stiffness $`e`$ at which a pattern has the weight one quarter is chosen from measurements as half of
-/// $`c_1`$. With $`e`$ from two fifths to three fifths of $`c_1`$, and with $`c_1`$ from four to six times the least eigenvalue
-/// of a half-space, the number of steps changes by 2 % on smooth and rough balls in growing contact. The square root of this
-/// weight would require a tenth more steps, or a third more if cells come into contact.
+/// with the weights $`0 < W \le 1`$ of the cells. Both terms are symmetric and positive definite, and so is the preconditioner.
+/// It is exact in both limits. At the stiffness $`e`$, the weight $`W^2`$ of a pattern is one quarter. The value of $`e`$ is half
+/// of $`c_1`$, chosen from measurements. The number of steps was measured on smooth and rough balls in growing contact. In these
+/// tests $`e`$ was two fifths to three fifths of $`c_1`$. The value of $`c_1`$ was four to six times the least eigenvalue of a
+/// half-space. The number of steps changed by 2 %. The square root of this weight would require a tenth more steps, or a third
+/// more if cells come into contact.
 #[expect(
     unnameable_types,
     reason = "it appears in the sealed traits of the sets alone"
 )]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Weight {
-    /// Factor by which the residual is multiplied before, and the result after, the inverse operator.
+    /// Factor of the input and of the result of the inverse operator.
     pattern: f64,
-    /// Factor of the residual in the term of the cell alone.
+    /// Factor of the residual in the term of the single cell.
     own: f64,
 }
 
@@ -91,7 +93,7 @@ impl Weight {
 }
 
 impl DiscMotion {
-    /// Creates the motion of a slipping cell with this traction and stiffness; the preconditioner does not include the stiffness
+    /// Creates the motion of a slipping cell with this traction and stiffness. The preconditioner does not include the stiffness
     /// yet.
     pub(in crate::cgm) fn along(q: [f64; 2], stiffness: f64) -> Self {
         let size = norm(q);

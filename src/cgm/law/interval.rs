@@ -11,9 +11,9 @@ use crate::report::Status;
 /// The interval from `lower` to `upper`. Equal bounds fix the cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Interval {
-    /// Lower bound; may be minus infinity.
+    /// Lower bound, finite or minus infinity.
     pub lower: f64,
-    /// Upper bound; may be infinity.
+    /// Upper bound, finite or infinity.
     pub upper: f64,
 }
 
@@ -124,7 +124,7 @@ impl LinearisedSet<1> for Interval {
 
     #[inline]
     fn forbidden(self, [x]: [f64; 1], [g]: [f64; 1]) -> [f64; 1] {
-        // `min` and `max` of NaN and a number return the number, so NaN is passed on explicitly.
+        // `min` and `max` of NaN and a number return the number, so NaN is returned explicitly.
         [if g.is_nan() {
             g
         } else if self.lower >= self.upper {
@@ -217,7 +217,7 @@ impl LinearisedSet<1> for Interval {
             let Self { lower, upper } = constraint.of(i);
             [lower, upper, lower.abs(), upper.abs()]
         });
-        // The margin covers the round-off of the two sums; an infinite bound is never reached.
+        // The margin covers the round-off of the two sums. An infinite bound is never reached.
         let edge = |size: f64| if size.is_finite() { EDGE * size } else { 0.0 };
         let (low_edge, high_edge) = (edge(lower_size), edge(upper_size));
         if !total.is_finite() || total < lower - low_edge || total > upper + high_edge {
@@ -260,8 +260,8 @@ impl LinearisedSet<1> for Interval {
 /// Relative distance from an extreme total within which a total counts as the extreme.
 pub(in crate::cgm) const EDGE: f64 = 1e-12;
 
-/// Moves the selected cells to the nearest points of their intervals that have the total: `x_i = P_i(x_i + t)`, with the same `t`
-/// for all cells. Returns whether the total was reached.
+/// Moves the selected cells to the nearest points of their intervals at which the total is met. The new values are
+/// `x_i = P_i(x_i + t)` with the same `t` for all cells. Returns whether the total was reached.
 pub(in crate::cgm) fn shift_to_total(
     layout: &Layout,
     x: &mut [f64],
@@ -269,8 +269,8 @@ pub(in crate::cgm) fn shift_to_total(
     selected: impl Fn(usize) -> bool + Sync,
     total: f64,
 ) -> bool {
-    // If the shift `t` is much larger than the resulting values, they are lost to round-off. A second pass, which needs only a
-    // small shift, restores them.
+    // If the shift `t` is much larger than the resulting values, these values lose their accuracy to round-off. A second pass
+    // needs only a small shift and restores the accuracy.
     (0..2).any(|_| shift(layout, x, constraint, &selected, total))
 }
 

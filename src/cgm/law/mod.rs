@@ -10,10 +10,10 @@ use crate::cgm::{Disc, Interval};
 use crate::error::{Result, length};
 use crate::grid::per_cell::PerCell;
 
-/// The sets of all cells: one closed convex set per cell, of a kind that implements [`ConstraintSet`].
+/// The sets of all cells: one closed convex set per cell, of a type that implements [`ConstraintSet`].
 ///
-/// The solver calls only [`of`](Self::of), which must return the same set at every call. `N` is the number of components per
-/// cell, one by default.
+/// The solver requires that [`of`](Self::of) returns the same set at every call. `N` is the number of components per cell, one by
+/// default.
 ///
 /// ```
 /// use stickslip::cgm::{self, Constraint, Interval, Problem, Settings};
@@ -37,7 +37,7 @@ use crate::grid::per_cell::PerCell;
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 pub trait Constraint<const N: usize = 1>: Sync {
-    /// The kind of set.
+    /// Type of the set of a cell.
     type Set: ConstraintSet<N>;
 
     /// Returns the number of cells of the constraint, or `None` (the default) if the constraint fits any number of
@@ -50,9 +50,9 @@ pub trait Constraint<const N: usize = 1>: Sync {
     fn of(&self, cell: usize) -> Self::Set;
 }
 
-/// A closed convex set of `N` components: an [`Interval`] for one, a [`Disc`] for two.
+/// A closed convex set: an [`Interval`] for one component, a [`Disc`] for two components.
 ///
-/// The trait is sealed because the solver linearises each kind of set in its own way.
+/// The trait is sealed because the solver linearises each type of set in a different way.
 pub trait ConstraintSet<const N: usize>: LinearisedSet<N> {
     /// Returns the nearest point of the set.
     #[must_use]
@@ -118,9 +118,9 @@ pub(crate) const UNLIMITED: PerCell<&[f64]> = PerCell::Uniform(f64::INFINITY);
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bounds<'a> {
-    /// Lower bounds; minus infinity allowed.
+    /// Lower bounds, each finite or minus infinity.
     pub lower: &'a [f64],
-    /// Upper bounds; infinity allowed.
+    /// Upper bounds, each finite or infinity.
     pub upper: &'a [f64],
 }
 
@@ -128,7 +128,7 @@ impl Constraint for Bounds<'_> {
     type Set = Interval;
 
     fn cells(&self) -> Option<usize> {
-        // Slices of different lengths fit no number of cells.
+        // Slices of different lengths do not fit any number of cells.
         Some(if self.lower.len() == self.upper.len() {
             self.lower.len()
         } else {
@@ -145,8 +145,8 @@ impl Constraint for Bounds<'_> {
     }
 }
 
-/// The limits `|x_i| <= m_i`: shear under the friction limit of each cell, along an axis (`N = 1`) or in the plane (`N = 2`,
-/// where `|x|` is the length of the vector).
+/// The limits `|x_i| <= m_i`, for a traction within the friction limit of each cell. The traction is along an axis (`N = 1`) or
+/// in the plane (`N = 2`). In the plane, `|x_i|` is the length of the vector.
 ///
 /// ```
 /// use stickslip::cgm::{self, AbsBound, Problem, Settings};
@@ -180,13 +180,13 @@ where
     }
 }
 
-/// Vectors within a radius; [`Ball`] defines the set for each number of components.
+/// Set of the vectors within a radius, which [`Ball`] defines for each number of components.
 #[derive(Debug, Clone, Copy)]
 pub struct NormBound;
 
 /// The set of all vectors of `N` components whose length is at most a radius.
 pub trait Ball<const N: usize> {
-    /// [`Interval`] for one component, [`Disc`] for two.
+    /// Type of the set: [`Interval`] for one component, [`Disc`] for two.
     type Set: ConstraintSet<N>;
 
     /// Returns the ball with this radius.

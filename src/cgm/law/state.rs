@@ -1,7 +1,8 @@
-//! Linearisation of the sets: the motion of a cell in the linear problem, and the interface of each kind of set.
+//! Linearisation of the sets: the motion of a cell in the linear problem, and the interface of each type of set.
 //!
-//! The semismooth Newton method linearises the condition of every cell. A cell that cannot move leaves the linear system, a cell
-//! inside its set moves freely, and a cell on a curved bound moves along the tangent, against the curvature of the bound.
+//! The semismooth Newton method linearises the condition of every cell. A cell that cannot move leaves the linear system. A cell
+//! inside its set moves freely. A cell on a curved bound moves along the tangent, and the curvature of the bound adds a
+//! stiffness.
 
 use crate::cgm::active_set_solve::ActiveSetSolve;
 use crate::cgm::{Constraint, ConstraintSet};
@@ -30,7 +31,7 @@ pub trait Row<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
     /// Row of a cell that does not move.
     const FIXED: Self;
 
-    /// Returns whether the cell takes part in the linear system.
+    /// Returns whether the linear system contains the cell.
     fn moves(self) -> bool;
 
     /// Returns whether the cell moves in any direction.
@@ -45,8 +46,8 @@ pub trait Row<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
     /// Returns the term that the curvature of a bound adds to the equations for a change of the unknowns.
     fn bend(self, v: [f64; N]) -> [f64; N];
 
-    /// Returns the displacement of the cell that a change `d` of its tractions causes in addition to the displacement by the
-    /// operator.
+    /// Returns the additional displacement of the cell under a change `d` of its tractions. The displacement by the operator is
+    /// not included.
     fn lag(self, _d: [f64; N]) -> [f64; N] {
         [0.0; N]
     }
@@ -64,13 +65,13 @@ pub trait Row<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
     reason = "it appears in the sealed traits of the sets alone"
 )]
 pub trait CellMotion<const N: usize>: Row<N> {
-    /// Passes the current stiffness to the preconditioner, given the [compliance](crate::Operator::self_compliance) of a cell in
-    /// the operator and the additional compliance `diagonal` of this cell.
+    /// Passes the current stiffness to the preconditioner. The arguments are the [compliance](crate::Operator::self_compliance)
+    /// of a cell in the operator and the additional compliance `diagonal` of this cell.
     #[must_use]
     fn with_preconditioner_weight(self, self_compliance: f64, diagonal: f64) -> Self;
 
-    /// Returns the motion of a cell after its release from its bound if a gradient `g` pushes the cell away from the
-    /// bound.
+    /// Returns the motion of a cell after a gradient `g` has released the cell from its bound. If `g` does not push the cell away
+    /// from the bound, the motion is unchanged.
     #[must_use]
     fn released_from_bound(self, g: [f64; N]) -> Self;
 }
@@ -88,7 +89,7 @@ pub enum TotalFeasibility<const N: usize> {
     Extreme([f64; N]),
 }
 
-/// Interface of a kind of set for the solver, in addition to [`ConstraintSet`].
+/// Interface of a type of set for the solver, in addition to [`ConstraintSet`].
 #[expect(
     unnameable_types,
     reason = "it appears in the sealed traits of the sets alone"
@@ -108,8 +109,8 @@ pub trait LinearisedSet<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 
     /// Returns whether a point is inside the bounds, where the whole gradient must vanish.
     fn is_inside(self, x: [f64; N]) -> bool;
 
-    /// Returns the part of a gradient `g` at a point `x` of the set that is not an inward normal of a bound. This part must
-    /// vanish at the minimum. Returns NaN if `g` is NaN.
+    /// Returns the forbidden part of a gradient `g` at a point `x` of the set. The forbidden part is not an inward normal of a
+    /// bound and must vanish at the minimum. Returns NaN if `g` is NaN.
     #[must_use]
     fn forbidden(self, x: [f64; N], g: [f64; N]) -> [f64; N];
 
@@ -131,10 +132,10 @@ pub trait LinearisedSet<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 
     /// Returns the motion with the curvature of the bound for a gradient `g`.
     fn measured(self, motion: Self::CellMotion, g: [f64; N]) -> Self::CellMotion;
 
-    /// Returns the next motion of the cell and its projected unknowns, given the unknowns `x` and the gradient `g` from the
-    /// solution of the linear system. A gradient of the wrong sign below `noise` is ignored. The weight of the motion in the
-    /// preconditioner depends on `weighing`: the [compliance](crate::Operator::self_compliance) of a cell and the additional
-    /// compliance of this cell.
+    /// Returns the next motion of the cell and its projected unknowns. `x` are the unknowns and `g` is the gradient from the
+    /// solution of the linear system. A gradient of the wrong sign below `noise` is ignored. `weighing` determines the weight of
+    /// the motion in the preconditioner. It contains the [compliance](crate::Operator::self_compliance) of a cell and the
+    /// additional compliance of this cell.
     fn next(
         self,
         was: Self::CellMotion,
@@ -154,8 +155,8 @@ pub trait LinearisedSet<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 
         Self: ConstraintSet<N>;
 
     /// Moves the values of the cells to the nearest points of their sets at which the prescribed sums are met. Moves only the
-    /// cells of `preferred` if they suffice. If all cells [move](Row::IS_STEADY), the cells inside their bounds are moved as
-    /// well. Otherwise moves all cells. Returns whether the cells keep their motion states.
+    /// cells of `preferred` if they suffice. If all cells [move](Row::IS_STEADY), also moves the cells inside their bounds.
+    /// Otherwise moves all cells. Returns whether the cells keep their motion states.
     fn restore(
         layout: &Layout,
         x: [&mut [f64]; N],

@@ -17,7 +17,7 @@ fn only<const N: usize>(kind: [bool; N], values: [f64; N]) -> [f64; N] {
     std::array::from_fn(|c| if kind[c] { values[c] } else { 0.0 })
 }
 
-/// A step along the direction, and the change of the multipliers since the last residual.
+/// A step along the direction, and the change of the multipliers after the last residual.
 struct DirectionStep<const N: usize> {
     length: f64,
     change: [f64; N],
@@ -45,7 +45,7 @@ struct Correction<const N: usize> {
 
 impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     /// Runs conjugate gradients from the residual `delta - (C x + b)` with single-precision products. The next outer step
-    /// measures their error.
+    /// measures the error of these products.
     ///
     /// The multipliers of prescribed sums are eliminated: each preconditioned residual immediately includes the change that keeps
     /// the sums. The multipliers of springs are unknowns that move along the direction with its step length.
@@ -102,8 +102,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         self.workspace.multiplier = plus(self.workspace.multiplier, 1.0, change);
     }
 
-    /// Takes the step, if there is one, and computes the residual: compressed, and weighted in `direction` as input of the
-    /// preconditioner. The residual includes the stiffness of curved bounds; the gradient does not.
+    /// Takes the given step, if any, and computes the compressed residual. Also writes the weighted residual to `direction` as
+    /// input of the preconditioner. The residual includes the stiffness of curved bounds, whereas the gradient does not.
     fn step_and_residual(
         &mut self,
         totals: &TotalsSystem<N>,
@@ -136,7 +136,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             |entries, ((mut x, mut gradient), (mut full, residual))| {
                 let images = within(&image, &entries.chunk);
                 if let (Some(step), false) = (step, MotionOf::<K, N>::IS_STEADY) {
-                    // The gradient of the other cells determines which of them will move.
+                    // The gradient of the other cells determines which cells will move.
                     for (gradient, images) in gradient.iter_mut().zip(images) {
                         for (g, u) in gradient.items.iter_mut().zip(images) {
                             *g += step.length * u;
@@ -156,7 +156,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
                         }
                     }
                     let r = match step {
-                        // With a curved bound the residual is not the negative gradient; it is updated from step to step.
+                        // With a curved bound the residual is not the negative gradient. Therefore each step updates the
+                        // residual.
                         Some(&DirectionStep { length, change }) if MotionOf::<K, N>::IS_CURVED => {
                             let moved = motion.restrict(plus(change, -length, u));
                             let bend = motion.bend(directions[k]);
@@ -205,14 +206,15 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         let change = totals.balance(sum);
         Correction {
             change,
-            // For a prescribed sum, z has zero sum, so its product with the change of the multiplier vanishes.
+            // For a prescribed sum, z has zero sum, so the product of z and the change of the multiplier vanishes.
             product: product + dot(change, products),
             overlap: overlap + dot(change, last_products),
         }
     }
 
-    /// Computes the next direction `d = z + conjugation d`, compressed and full. Returns `d' (r + at_once)`. `image` must be
-    /// unchanged since [`Self::correct`]: recomputing `M r` from it costs less than storing another vector.
+    /// Computes the next direction `d = z + conjugation d`, as a compressed and as a full vector. Returns `d' (r + at_once)`.
+    /// `image` must not have changed after [`Self::correct`]. The function recomputes `M r` from `image`, which costs less than
+    /// storing `M r`.
     fn turn(&mut self, change: [f64; N], at_once: [f64; N], conjugation: Option<f64>) -> f64 {
         let w = &mut *self.workspace;
         let (residual, spread) = (&w.linear.residual, &w.linear.spread);
@@ -247,7 +249,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             })
     }
 
-    /// Returns `d' (C + K) d` and `d' d`. The product `C d` is in `image`; `K` is the stiffness of curved bounds.
+    /// Returns `d' (C + K) d` and `d' d`, where `K` is the stiffness of curved bounds. The product `C d` is read from `image`.
     fn curvature(&self) -> (f64, f64) {
         let w = &*self.workspace;
         let (motions, direction, image) = (

@@ -1,5 +1,5 @@
-//! Right-preconditioned, restarted GMRES on the moving cells. It solves problems that are not symmetric, and problems whose
-//! residual must fall by many digits.
+//! Right-preconditioned, restarted GMRES on the moving cells. GMRES solves problems that are not symmetric and problems whose
+//! residual must fall by many orders of magnitude.
 
 use std::ops::{ControlFlow, Range};
 
@@ -11,7 +11,7 @@ use crate::numerics::cell_vector::{at, chunks, dot, norm, put, slices, within};
 use crate::parallel;
 use crate::report::Status;
 
-/// Limit of the reduction of a residual by one basis, whose products are in single precision.
+/// Limit of the reduction of the residual by a basis, because its products are in single precision.
 const BASIS_REDUCTION: f64 = 1e-5;
 
 /// Number of basis vectors that are read together.
@@ -31,7 +31,7 @@ pub(in crate::cgm) trait Equations<R, const N: usize> {
 }
 
 impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
-    /// Distributes the deficit of the totals and solves until the residual has fallen by the given factor, with at most the
+    /// Distributes the deficit of the totals, and solves until the residual has fallen by the given factor. Uses at most the
     /// given number of bases. Returns the final residual relative to the first.
     pub(in crate::cgm) fn solve(
         &mut self,
@@ -174,8 +174,8 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         w.moving.sum(|range| squares(&residual[range])).sqrt()
     }
 
-    /// Allocates vector `j` of the basis and the vectors that are read with it, so that a later solve with one more step rarely
-    /// allocates.
+    /// Allocates vector `j` of the basis and the vectors that are read together with this vector. A later solve with one more
+    /// step therefore rarely allocates.
     fn extend_basis(&mut self, j: usize) -> ControlFlow<Status> {
         let w = &mut *self.workspace;
         let group = w.basis.chunks_mut(AT_ONCE).nth(j / AT_ONCE);
@@ -243,8 +243,8 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
     }
 }
 
-/// Returns the products of a piece of a vector with the same range of each basis vector. Several basis vectors are read
-/// together, so that additions overlap.
+/// Returns the products of a piece of a vector with the same range of each basis vector. Several basis vectors are read together,
+/// so that the processor overlaps additions.
 fn products_with<const N: usize>(
     piece: &[[f64; N]],
     basis: &[Vec<[f64; N]>],
@@ -331,7 +331,7 @@ impl Hessenberg {
         }
     }
 
-    /// Appends a column: the products of the next vector with the basis and the length of its remainder. Returns the
+    /// Appends a column. It contains the products of the next vector with the basis and the length of the remainder. Returns the
     /// least-squares residual.
     pub(super) fn push(&mut self, products: &[f64; RESTART], rest: f64) -> f64 {
         let j = self.len;

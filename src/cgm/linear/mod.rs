@@ -10,8 +10,8 @@
 //! ```
 //!
 //! Conjugate gradients solve the system of a symmetric problem. GMRES solves the systems of other problems and of stiffnesses.
-//! The preconditioner is the inverse of the operator between $`R`$ and its transpose, with the [weights](Weight) of cells whose
-//! local terms are large.
+//! The preconditioner is the product of $`R`$, an approximate inverse of the operator and the transpose of $`R`$. In cells whose
+//! local terms are large, [weights](Weight) combine this product with the inverse for the single cell.
 
 mod cg;
 mod gmres;
@@ -51,23 +51,23 @@ pub(crate) struct LinearWorkspace<R, const N: usize> {
     pub(in crate::cgm) preconditioner: Scratch,
     pub(in crate::cgm) direction: [Vec<f64>; N],
     pub(in crate::cgm) image: [Vec<f64>; N],
-    /// Rows of the cells; if the motion is [steady](Row::IS_STEADY), only the rows of the moving cells, in the order of their
-    /// list.
+    /// Rows of all cells. If the motion is [steady](Row::IS_STEADY), the vector contains only the rows of the moving cells, in
+    /// the order of their list.
     pub(in crate::cgm) rows: Vec<R>,
-    /// The moving cells; the vectors below store only these cells.
+    /// List of the moving cells. The following vectors store only these cells.
     pub(in crate::cgm) moving: FreeCells,
     pub(in crate::cgm) residual: Vec<[f64; N]>,
-    /// Correction of GMRES; empty before its first use.
+    /// Correction of GMRES. The vector is empty before its first use.
     pub(in crate::cgm) correction: Vec<[f64; N]>,
     /// Change of the unknowns per change of each multiplier, `w_a = M e_a`.
     pub(in crate::cgm) spread: Vec<[[f64; N]; N]>,
-    /// Basis of GMRES; empty before its first use.
+    /// Basis of GMRES. Its vectors are empty before their first use.
     basis: [Vec<[f64; N]>; RESTART + 1],
     pub(in crate::cgm) report: Report,
 }
 
 impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
-    /// Creates buffers for an operator and its preconditioner; the vectors of the moving cells are empty.
+    /// Creates buffers for an operator and its preconditioner. The vectors of the moving cells are empty.
     pub(crate) fn new(
         operator: &dyn Operator<N>,
         preconditioner: &dyn Operator<N>,
@@ -88,8 +88,8 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
         })
     }
 
-    /// Allocates the unknowns of the moving cells and clears the direction. The linear problem writes only moving cells of full
-    /// vectors.
+    /// Allocates the unknowns of the moving cells and sets the direction to zero. The linear problem writes only the moving cells
+    /// of full vectors.
     pub(in crate::cgm) fn list(&mut self) -> Result<()> {
         for part in &mut self.direction {
             part.fill(0.0);
@@ -142,9 +142,9 @@ pub(crate) struct Linear<'a, 'm, R, const N: usize> {
     pub(in crate::cgm) layout: &'a Layout,
     /// Additional compliance of the cells.
     pub(in crate::cgm) own: CellCompliance<'a>,
-    /// Displacement of a cell under a unit traction on it; zero if unknown.
+    /// Displacement of a cell under a unit traction on this cell, or zero if unknown.
     pub(in crate::cgm) self_compliance: f64,
-    /// Stiffness added to the operator; zero outside proximal-point stages.
+    /// Stiffness added to the operator, or zero outside proximal-point stages.
     pub(in crate::cgm) restraint: f64,
     /// Restraint above which the inverse of the operator alone is useless as a preconditioner.
     pub(in crate::cgm) stiff: f64,

@@ -1,4 +1,4 @@
-//! Tractions caused by motions of the bodies at fixed motion states of the cells, computed with GMRES.
+//! Tractions caused by motions of the bodies at fixed states of the cells, computed with GMRES.
 
 use std::ops::ControlFlow;
 

@@ -10,8 +10,8 @@ use crate::numerics::cell_vector::{at, minus, plus, slices};
 use crate::parallel;
 use crate::report::Status;
 
-/// Unknowns, displacements and multipliers of an iterate, and the gap that is added to the displacements. The gap is
-/// empty if the displacements include it.
+/// Unknowns, displacements and multipliers of an iterate, and the initial gap. The gap is added to the displacements. The slice
+/// of the gap is empty if the displacements already include it.
 pub(in crate::cgm) struct UpdatedIterate<'a, 'x, const N: usize> {
     pub(in crate::cgm) x: &'a mut [&'x mut [f64]; N],
     pub(in crate::cgm) displacement: &'a mut [Vec<f64>; N],

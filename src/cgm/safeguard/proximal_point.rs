@@ -1,17 +1,19 @@
-//! Last fallback when sets cycle: the proximal-point method, with each point computed by the semismooth Newton method.
+//! Last fallback when sets cycle: the proximal-point method. The semismooth Newton method computes each point.
 //!
-//! Moving the centre $`\hat x`$ to the minimiser of $`f(x) + \tfrac{s}{2} |x - \hat x|^2`$ brings it closer to the minimum of
-//! $`f`$ for every $`s > 0`$, from any start and for any behaviour of the sets (Rockafellar, SIAM J. Control Optim. 14 (1976)
-//! 877, <https://doi.org/10.1137/0314056>). A larger stiffness $`s`$ improves the conditioning of $`C + s`$, and the sets settle
-//! sooner; a smaller stiffness moves the centre further. Therefore $`s`$ starts at the largest eigenvalue of $`C`$, decreases
-//! after every solved stage and finally to zero, and increases if the sets cycle again.
+//! The method moves the centre $`\hat x`$ to the minimiser of $`f(x) + \tfrac{s}{2} |x - \hat x|^2`$. Each such move brings the
+//! centre closer to the minimum of $`f`$ for every $`s > 0`$. This holds for any start and any behaviour of the sets
+//! (Rockafellar, SIAM J. Control Optim. 14 (1976) 877, <https://doi.org/10.1137/0314056>). A larger stiffness $`s`$ improves the
+//! conditioning of $`C + s`$, and the sets settle in fewer steps. A smaller stiffness moves the centre further. Therefore $`s`$
+//! starts at the largest eigenvalue of $`C`$, decreases after every solved stage, and is finally zero. It increases if the sets
+//! cycle again.
 //!
-//! The method is intended for periodic grids with cells much longer than wide and with bounds in the plane, where the eigenvalues
-//! of $`C`$ span as many decades as the sides of a cell. It was tested on 10 000 grids of white noise, sheared obliquely, with
-//! aspect ratios of the cells from 1 to 1e6 and 2 to 15 cells along each side. All of these problems were solved, whereas
-//! projected gradients alone failed on 3 in 100. Proximal points without preceding projected gradients are more expensive. In 80
-//! 000 solves of random problems, 16 more solves stalled than with projected gradients. Solves with pressures bounded by the
-//! hardness took 1.5 times as many products as with projected gradients.
+//! The method is intended for discs on periodic grids with cells that are much longer than wide. On such grids the ratio of the
+//! extreme eigenvalues of $`C`$ is of the order of the aspect ratio of the cells. The method was tested on 10 000 grids of white
+//! noise, with tangential loads oblique to the axes. The aspect ratios of the cells were 1 to 1e6, with 2 to 15 cells along each
+//! side. All of these problems were solved, whereas projected gradients alone failed on 3 in 100. Proximal points without
+//! preceding projected gradients are more expensive. In 80 000 solves of random problems, 16 more solves stalled than with
+//! projected gradients. Solves with pressures bounded by the hardness required 1.5 times as many products as with projected
+//! gradients.
 
 use std::ops::ControlFlow;
 
@@ -26,15 +28,15 @@ use crate::report::Status;
 
 /// Maximum ratio of the stiffnesses of two stages.
 const RATIO: f64 = 10.0;
-/// Minimum ratio; below it the next stage is stiffer than the last solved stage.
+/// Minimum ratio of the stiffnesses. For smaller ratios the next stage is stiffer than the last solved stage.
 const LEAST_RATIO: f64 = 1.3;
 /// Factor by which the stiffness increases if the ratio is below [`LEAST_RATIO`].
 const RETREAT: f64 = 3.0;
-/// Residual at which a stage counts as solved: the centre need not be exact.
+/// Residual at which a stage counts as solved. The centre does not have to be exact.
 const SOLVED: f64 = 1e-2;
-/// Reduction of the inner residual. Sets that are updated from less accurate solutions cycle sooner.
+/// Reduction of the inner residual. Sets that are updated from less accurate solutions start to cycle earlier.
 const REDUCTION: f64 = 1e-4;
-/// Number of products for the estimate of the largest eigenvalue; its order of magnitude suffices.
+/// Number of products for the estimate of the largest eigenvalue. The order of magnitude of this eigenvalue suffices.
 const POWERS: usize = 8;
 /// Number of attempts without restraint that do not halve the residual before the iteration counts as stalled.
 const STALLS: usize = 6;
@@ -51,8 +53,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     fn approach(&mut self) -> ControlFlow<Status> {
         let largest = self.largest_eigenvalue()?;
         let least = self.lower_bound.value.max(f64::EPSILON * largest);
-        // At a stiffness equal to the geometric mean of the extreme eigenvalues, preconditioning with the inverse of C
-        // is no better than no preconditioning.
+        // The limit is the geometric mean of the extreme eigenvalues. At this stiffness, the inverse of C is no better as a
+        // preconditioner than the identity.
         self.stiff = (largest * least).sqrt();
         let (mut stiffness, mut ratio) = (largest, RATIO);
         let (mut best, mut stalls) = (f64::INFINITY, 0);
@@ -91,7 +93,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     }
 
     /// Estimates the largest eigenvalue with the power method, starting from the gradient. For an operator that is not symmetric,
-    /// uses the lengths of the images, restricted to the cells that can move, because the operator is positive only on these.
+    /// uses the lengths of the images on the cells that can move. Such an operator is positive only on these cells.
     fn largest_eigenvalue(&mut self) -> ControlFlow<Status, f64> {
         let is_symmetric = self.problem.operator.is_symmetric();
         let constraint = self.problem.constraint;
@@ -147,7 +149,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         }
     }
 
-    /// Sets the stiffness around the centre for the following solve, and the matching residual.
+    /// Sets the stiffness around the centre for the next solve, and the residual at which this solve ends.
     fn set_proximal_weight(&mut self, stiffness: f64) {
         if stiffness.max(self.restraint) > 0.0 {
             self.product_error = f64::INFINITY;

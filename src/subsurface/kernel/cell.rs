@@ -51,7 +51,7 @@ impl LoadedCell {
                 done += 1;
                 continue;
             };
-            // These points share a quadrature rule; copies of the first point fill the rest of the block.
+            // These points share a quadrature rule. Copies of the first point fill the rest of the block.
             let mut block = [x.abs(); LANES];
             let rest = xs[done..].iter().take(LANES);
             let count = rest

@@ -2,8 +2,8 @@
 
 use super::piece::Extent;
 
-/// Edge parallel to y, in coordinates relative to the point: at the distance `X` along x, from `Y_2` to `Y_1` along y.
-/// For an edge parallel to x the axes are exchanged.
+/// Edge parallel to y, in coordinates relative to the point. The edge is at the distance `X` along x and extends from
+/// `Y_2` to `Y_1` along y. For an edge parallel to x the axes are exchanged.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Edge {
     /// Distance `X`.
@@ -38,7 +38,7 @@ pub(super) struct Differences {
     pub(super) cubes: [f64; 3],
 }
 
-/// Returns a ratio of lengths. If both lengths vanish it returns zero, the mean of an odd function around an edge or a
+/// Returns a ratio of lengths, or zero if both lengths vanish. Zero is the mean of an odd function around an edge or a
 /// corner.
 fn ratio(numerator: f64, denominator: f64) -> f64 {
     if denominator == 0.0 {
@@ -59,8 +59,8 @@ impl Edge {
         let squares = 2.0 * self.extent.middle * length;
         let distance = ratio(squares, r1 + r2);
 
-        // The lever is Y_1 r_2 - Y_2 r_1, and the factors are X^2, zX and z^2. If the lever vanishes with rho, it is
-        // divided by rho^2; otherwise the factors are divided by rho^2.
+        // The lever is Y_1 r_2 - Y_2 r_1, and the factors are X^2, zX and z^2. The lever is divided by rho^2 if it
+        // vanishes with rho. Otherwise the factors are divided by rho^2.
         let (lever, [xx, xz, zz]) = if y2 > 0.0 {
             (squares / (y1 * r2 + y2 * r1), [x * x, x * z, z * z])
         } else {

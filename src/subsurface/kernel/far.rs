@@ -5,11 +5,11 @@ use crate::numerics::gauss::{
 };
 use crate::subsurface::kernel::integral::PotentialIntegral;
 
-/// Returns the integrals over a rectangle of half sides a and b at `N` points of a row of the quadrant `x >= 0`,
-/// `y >= 0`. The result at a point does not depend on the other points.
+/// Returns the integrals over a rectangle of half sides a and b at `N` points of a row. The points are in the quadrant
+/// `x >= 0`, `y >= 0`. The result at a point does not depend on the other points.
 ///
-/// Below the cell, odd contributions in x cancel between two halves. The part `a - x..a + x` of the interval
-/// `x - a..x + a` remains, which is the same integral with x and a exchanged.
+/// Below the cell, odd contributions in x cancel between two halves. The interval `a - x..a + x` of `x - a..x + a`
+/// remains. The integral over this interval is the same integral with x and a exchanged.
 pub(super) fn integrals<const N: usize>(
     [a, b]: [f64; 2],
     rule: QuadratureRule,
@@ -68,7 +68,7 @@ fn add_integrands<const N: usize>(
         let (x, weight) = (x + a * node, a * weight);
         let x2 = x * x;
         let r = ((x2 + y2) + z2).sqrt();
-        // One division gives i = 1/r and s = 1/(r + z); t = r/(r + z).
+        // One division gives i = 1/r and s = 1/(r + z). The variable t is r/(r + z).
         let sum = r + z;
         let quotient = 1.0 / (r * sum);
         let (i, s) = (sum * quotient, r * quotient);
@@ -105,9 +105,9 @@ fn add_integrands<const N: usize>(
 }
 
 /// Quadrature rules and their minimum distances, in longer sides. At larger distances than its minimum, the error of a
-/// rule is below round-off. The hardest case is the shear stress under a tangential traction deep below the cell, which
-/// is of second order in the ratio of side to depth. Below the smallest of these distances, the closed form loses at
-/// most one digit by cancellation.
+/// rule is below round-off. The shear stress under a tangential traction deep below the cell determines these
+/// distances. This stress is of second order in the ratio of side to depth. Below the smallest of these distances, the
+/// closed form loses at most one digit by cancellation.
 const RULES: [(f64, QuadratureRule); 7] = [
     (3000.0, &GAUSS_3),
     (150.0, &GAUSS_4),
@@ -118,8 +118,8 @@ const RULES: [(f64, QuadratureRule); 7] = [
     (1.5, &GAUSS_16),
 ];
 
-/// Returns the cheapest sufficient rule for a rectangle of half sides a and b at a point; `None` if the point is near.
-/// A rule is also returned for NaN, which the quadrature propagates.
+/// Returns the cheapest sufficient rule for a rectangle of half sides a and b at a point. Returns `None` if the point
+/// is near. A rule is also returned for NaN, which the quadrature propagates.
 pub(super) fn rule([a, b]: [f64; 2], [x, y, z]: [f64; 3]) -> Option<QuadratureRule> {
     let distance = ((x * x + y * y) + z * z).sqrt() / (2.0 * a.max(b));
     let suffices = |&&(reach, _): &&(f64, QuadratureRule)| distance >= reach || distance.is_nan();

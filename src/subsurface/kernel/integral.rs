@@ -1,9 +1,9 @@
 //! The integrals that compose all components.
 
-/// One of the potentials `V`, `L` and `W` of the [module](super) over the loaded rectangle, a derivative of a
+/// Integral over the loaded rectangle. It is a potential `V`, `L` or `W` of the [module](super), a derivative of a
 /// potential, or a component of the tensor `T`.
 ///
-/// The first five are lengths, the others are dimensionless.
+/// The first five integrals are lengths. The other integrals are dimensionless.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum PotentialIntegral {
     V,
@@ -67,7 +67,7 @@ impl PotentialIntegral {
         self.index() < Self::LENGTHS
     }
 
-    /// Returns whether the integral is odd in x and odd in y; otherwise it is even.
+    /// Returns whether the integral is odd in x and whether it is odd in y. An integral that is not odd is even.
     pub(crate) const fn is_odd(self) -> [bool; 2] {
         match self {
             Self::V | Self::Wxx | Self::Lxx | Self::Txxz | Self::Tyyz | Self::Tzzz => {
@@ -83,8 +83,8 @@ impl PotentialIntegral {
 /// Value of each integral.
 pub(super) type Values = [f64; PotentialIntegral::COUNT];
 
-/// Returns the sign of an integral relative to the quadrant of positive x and y, or zero if the integral vanishes by
-/// parity.
+/// Returns the sign of an integral relative to the quadrant of positive x and y. Returns zero if the integral vanishes
+/// by parity.
 pub(super) fn sign(integral: PotentialIntegral, [x, y]: [f64; 2]) -> f64 {
     let [odd_x, odd_y] = integral.is_odd();
     let along = |is_odd: bool, x: f64| match x {

@@ -1,13 +1,13 @@
 //! Displacements and stresses below a uniformly loaded rectangle on an elastic half-space.
 //!
-//! The rectangle `|x| < a`, `|y| < b` of the surface `z = 0` carries a uniform traction; the body is `z >= 0`. The
-//! pressure `p` acts along `+z`, and the tractions `qx` and `qy` act on the body along `+x` and `+y`. Stresses are
-//! positive in tension, so under the load `szz = -p`, `sxz = -qx`, `syz = -qy`. Displacements vanish at infinity.
+//! The body is the half-space `z >= 0`. The rectangle `|x| < a`, `|y| < b` of its surface carries a uniform traction. The
+//! pressure `p` acts along `+z`, and the tractions `qx` and `qy` act on the body along `+x` and `+y`. Stresses are positive in
+//! tension, so `szz = -p`, `sxz = -qx` and `syz = -qy` under the load. Displacements vanish at infinity.
 //!
 //! # Formulas
 //!
-//! With `X = x - xi`, `Y = y - eta` and `r^2 = X^2 + Y^2 + z^2`, Boussinesq's and Cerruti's solutions follow from
-//! three harmonic potentials, integrated over the rectangle. Each potential is the z derivative of the next:
+//! Let `X = x - xi`, `Y = y - eta` and `r^2 = X^2 + Y^2 + z^2`. Boussinesq's and Cerruti's solutions follow from three harmonic
+//! potentials, integrated over the rectangle. Each potential is the z derivative of the next potential:
 //!
 //! ```math
 //! V = \iint \frac{1}{r}, \qquad L = \iint \ln(r + z), \qquad W = \iint [z \ln(r + z) - r], \qquad
@@ -30,9 +30,9 @@
 //! 4 \pi G\,u_z = (1 - 2\nu) L_x - z V_x.
 //! ```
 //!
-//! Hooke's law then gives the stresses. Deep below the cell the stresses are smaller than the derivatives of the
-//! potentials that compose them. The combinations that remain in an incompressible body are therefore integrated as
-//! one function, with `X_3 = z`:
+//! Hooke's law then gives the stresses. Deep below the cell the stresses are smaller than the derivatives of the potentials in
+//! their formulas. The combinations that remain in an incompressible body are therefore integrated as one function, with
+//! `X_3 = z`:
 //!
 //! ```math
 //! T_{ijk} = \iint \frac{3 X_i X_j X_k}{r^5}, \qquad \tfrac13 T_{iik} = -V_k.
@@ -54,11 +54,11 @@
 //! W_{xxx} + W_{xyy} = -V_x;
 //! ```
 //!
-//! A traction along y acts like a traction along x with the axes exchanged. The result is composed of the 19 functions
-//! of [`PotentialIntegral`], which depend on the cell and the point but not on `nu`. [`Weights`] contains the factors of the
+//! A traction along y acts like a traction along x with the axes exchanged. The result is a combination of the 19 functions of
+//! [`PotentialIntegral`]. These depend on the cell and the point but not on `nu`. [`Weights`] contains the factors of the
 //! components.
 //!
-//! With the corners `(X, Y, s) = (x+a, y+b, +), (x-a, y+b, -), (x+a, y-b, -), (x-a, y-b, +)`, their distances `r`,
+//! Let the corners be `(X, Y, s) = (x+a, y+b, +), (x-a, y+b, -), (x+a, y-b, -), (x-a, y-b, +)`, at the distances `r`. With
 //! `rho_X^2 = X^2 + z^2` and `rho_Y^2 = Y^2 + z^2`,
 //!
 //! ```math
@@ -88,30 +88,30 @@
 //! T_{zzz} = -V_z + \sum s \frac{z X Y}{r} \left[\frac{1}{\rho_X^2} + \frac{1}{\rho_Y^2}\right],
 //! ```
 //!
-//! and the same functions with x and y exchanged. Near the cell they are evaluated in closed form, as differences
-//! between the two ends of an edge. This form has no cancellation next to an edge, on its extension or at small depth.
-//! Far from the cell the integrands are integrated by Gauss-Legendre quadrature. A slender cell is divided into
-//! pieces.
+//! and the same functions with x and y exchanged. Near the cell the functions are evaluated in closed form, as differences
+//! between the two ends of an edge. This form has no cancellation next to an edge, on the extension of an edge or at small depth.
+//! Far from the cell the integrands are integrated by Gauss-Legendre quadrature. A slender cell is divided into pieces.
 //!
 //! # On the surface
 //!
-//! The values at `z = 0` are the limits from inside the body. If the limits from the two sides of an edge differ, the
-//! value is their mean; at a corner it is the mean over the four quadrants. If a stress is logarithmically infinite,
-//! the longer half side of the cell replaces the zero distance to the edge or corner inside the logarithm, which leaves
-//! a finite part. In a sum over equal cells with equal tractions these logarithms cancel, as they must.
+//! The values at `z = 0` are the limits from inside the body. If the limits from the two sides of an edge differ, the value is
+//! their mean. At a corner the value is the mean over the four quadrants. A stress may be logarithmically infinite at an edge or
+//! a corner. Its finite part is then returned: inside the logarithm, the longer half side of the cell replaces the zero distance.
+//! In a sum over equal cells with equal tractions these logarithms cancel, as required.
 //!
 //! # Accuracy
 //!
-//! Errors are relative to the largest displacement, or the largest stress, at the point under the load considered. They
-//! are about 1e-15, and at most 1e-14, at any position and depth. The errors of slender cells are larger where the
-//! largest stress is small: next to the middle of a long edge, where the pressure on an infinite strip would cause no
-//! stress on the surface. There the error is about 1e-16 times the ratio of the sides.
+//! Errors are relative to the largest displacement, or the largest stress, at the same point under the same load. They are about
+//! 1e-15, and at most 1e-14, at any position and depth. The errors of slender cells are larger on the surface next to the middle
+//! of a long edge. The largest stress is small at such a point, because the pressure on an infinite strip would cause no stress.
+//! The error is then about 1e-16 times the ratio of the sides.
 //!
 //! # Sources
 //!
-//! Love, Phil. Trans. R. Soc. A 228 (1929) 377, doi 10.1098/rsta.1929.0009; Ahmadi, Keer & Mura, Int. J. Solids
-//! Struct. 19 (1983) 357; Kalker, Three-Dimensional Elastic Bodies in Rolling Contact, 1990; Johnson, Contact
-//! Mechanics, 1985, section 3.1.
+//! - A. E. H. Love, Phil. Trans. R. Soc. A 228 (1929) 377, <https://doi.org/10.1098/rsta.1929.0009>.
+//! - N. Ahmadi, L. M. Keer, T. Mura, Int. J. Solids Struct. 19 (1983) 357.
+//! - J. J. Kalker, Three-Dimensional Elastic Bodies in Rolling Contact (1990).
+//! - K. L. Johnson, Contact Mechanics (1985), section 3.1.
 
 mod cell;
 mod edge;

@@ -60,8 +60,8 @@ impl Outline {
         self.ys[0] * of(&self.along_x[0]) - self.ys[1] * of(&self.along_x[1])
     }
 
-    /// Returns the solid angle of the piece. Next to the piece the solid angle is of order z. Only one of the two
-    /// orders of differences is then a sum of angles of this order.
+    /// Returns the solid angle of the piece. Next to the piece the solid angle is of order z. In this case only one of
+    /// the two orders of differences is a sum of angles of order z.
     fn solid_angle(&self, z: f64) -> f64 {
         if z == 0.0 {
             let share = |[_, end]: [f64; 2]| match end {

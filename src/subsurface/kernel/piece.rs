@@ -1,4 +1,4 @@
-//! A rectangle near the point: closed form, after subdivision if the rectangle is slender.
+//! Closed form of the integrals over a rectangle near the point. A slender rectangle is divided first.
 
 use super::integral::{PotentialIntegral, Values, sign};
 use super::{far, near};
@@ -83,7 +83,7 @@ impl CellPart {
         values
     }
 
-    /// Returns the halves of the piece; `None` if it is compact or far from the point.
+    /// Returns the halves of the piece, or `None` if the piece is compact or far from the point.
     fn halves(&self) -> Option<[Self; 2]> {
         let Self { x, y, .. } = self;
         if self.rule().is_some() {
@@ -114,7 +114,7 @@ impl CellPart {
         values
     }
 
-    /// Returns the quadrature rule that suffices at this distance; `None` near the point.
+    /// Returns the quadrature rule that suffices at this distance, or `None` near the point.
     fn rule(&self) -> Option<QuadratureRule> {
         let Self { x, y, z, .. } = self;
         far::rule([x.half, y.half], [x.middle, y.middle, *z])

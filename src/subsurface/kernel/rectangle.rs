@@ -14,9 +14,9 @@ pub(crate) struct LoadedRectangle {
 }
 
 impl LoadedRectangle {
-    /// Creates a cell of half sides `a` and `b` (lengths). All results are NaN unless both are positive and finite.
-    /// Displacements and stresses composed of the integrals have errors of about 1e-15 of the largest displacement or
-    /// stress at the point.
+    /// Creates a cell of half sides `a` and `b` (lengths). All results are NaN unless both half sides are positive and
+    /// finite. Displacements and stresses that are computed from the integrals have errors of about 1e-15 of the
+    /// largest displacement or stress at the point.
     pub(crate) fn new(a: f64, b: f64) -> Self {
         let is_valid = a > 0.0 && b > 0.0 && a.is_finite() && b.is_finite();
         let [a, b] = if is_valid { [a, b] } else { [f64::NAN; 2] };
@@ -32,9 +32,9 @@ impl LoadedRectangle {
         Self { cell, unit }
     }
 
-    /// Computes the integrals at the points `(x, y, z)` of a row (lengths, `z >= 0`), with one slice for each integral,
-    /// in the order of [`PotentialIntegral::index`]. The result at a point does not depend on the other points. Points
-    /// beyond the end of the shortest slice are ignored.
+    /// Computes the integrals at the points `(x, y, z)` of a row (lengths, `z >= 0`). The result has one slice for each
+    /// integral, in the order of [`PotentialIntegral::index`]. The result at a point does not depend on the other
+    /// points. Points beyond the end of the shortest slice are ignored.
     pub(crate) fn integrals_along_row(
         &self,
         xs: &[f64],

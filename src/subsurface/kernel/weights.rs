@@ -24,8 +24,8 @@ impl Load {
     }
 }
 
-/// Component of displacement, times the shear modulus and per unit traction (a length), or component of stress, per
-/// unit traction.
+/// Component of displacement or stress per unit traction. A displacement is multiplied by the shear modulus and is then
+/// a length.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum FieldComponent {
     Ux,
@@ -61,14 +61,14 @@ impl FieldComponent {
         matches!(self, Self::Ux | Self::Uy | Self::Uz)
     }
 
-    /// Returns whether the component has exactly one index z, and so the opposite sign in a body from which z points
-    /// away.
+    /// Returns whether the component has exactly one index z. Such a component has the opposite sign in a body from
+    /// which z points away.
     pub(crate) fn is_odd_in_z(self) -> bool {
         matches!(self, Self::Uz | Self::Sxz | Self::Syz)
     }
 
-    /// Returns whether the component is odd in x and odd in y under a pressure; otherwise it is even. A traction
-    /// along an axis changes the parity along this axis.
+    /// Returns whether the component is odd in x and whether it is odd in y under a pressure. A component that is not
+    /// odd is even. A traction along an axis changes the parity along this axis.
     pub(crate) fn is_odd(self) -> [bool; 2] {
         match self {
             Self::Uz | Self::Sxx | Self::Syy | Self::Szz => [false, false],
@@ -155,8 +155,8 @@ impl Weights {
         self.add(load, FieldComponent::Syz, &[(-1.0, Txyz)]);
     }
 
-    /// Sets the weights for a traction along y to the weights for a traction along x with the axes exchanged, with
-    /// `L_yy` and `W_yy` expressed by the other integrals.
+    /// Sets the weights for a traction along y: the weights for a traction along x with the axes exchanged. The other
+    /// integrals replace `L_yy` and `W_yy`.
     fn set_traction_y(&mut self, nu: f64, z: f64) {
         use PotentialIntegral::{
             Lxx, Lxy, Ly, Txxy, Txyy, Txyz, Tyyy, Tyyz, Tyzz, V, Wxx, Wxxy, Wxy, Wxyy,
@@ -181,7 +181,7 @@ impl Weights {
         self.add(load, FieldComponent::Syz, &[(-1.0, Tyyz)]);
     }
 
-    /// Adds a factor times `-V_x`, `-V_y` or `-V_z`, one third of the trace of `T`.
+    /// Adds a factor times one third of the trace of `T`, which is `-V_x`, `-V_y` or `-V_z`.
     fn add_trace(&mut self, load: Load, component: FieldComponent, factor: f64, axis: EdgeAxis) {
         use PotentialIntegral::{Txxx, Txxy, Txxz, Txyy, Txzz, Tyyy, Tyyz, Tyzz, Tzzz};
         let trace = match axis {

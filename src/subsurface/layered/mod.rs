@@ -51,15 +51,15 @@ type TractionColumn = [f64; FieldComponent::COUNT];
 
 /// Kernels at a depth below the surface of a coated body.
 ///
-/// In the outermost layer the effect of a cell is the sum of two parts. The first is the closed form for a half-space
-/// with the constants of the layer. The second is a correction for the material below the layer, which is smooth on the
-/// scale of 2h - z. Below the outermost layer the entire effect is smooth on the scale of the depth. The smooth parts
-/// are Hankel integrals of the [responses at the depth](SubsurfaceResponse), tabulated as functions of the distance and
-/// integrated over the cell by Gauss rules, as for the surface.
+/// In the outermost layer the effect of a cell is the sum of two terms. The first term is the closed form for a
+/// half-space with the constants of the layer. The second term is a correction for the material below the layer. It is
+/// smooth on the scale of 2h - z. Below the outermost layer the entire effect is smooth on the scale of the depth. The
+/// smooth terms are Hankel integrals of the [responses at the depth](SubsurfaceResponse). They are tabulated as
+/// functions of the distance and integrated over the cell by Gauss rules, as for the surface.
 pub(super) struct Layered<'a> {
     waves: LayerWaves<'a>,
     depth: f64,
-    /// Shear modulus and Poisson's ratio of the outermost layer, if the depth is in it.
+    /// Shear modulus and Poisson's ratio of the outermost layer, if the depth is in this layer.
     near: Option<[f64; 2]>,
     radial: Radial,
 }
@@ -169,7 +169,8 @@ impl<'a> Layered<'a> {
     }
 }
 
-/// Returns k times the normal displacement and the displacements along and across the wave vector of a half-space.
+/// Returns k times the normal displacement of a half-space and its displacements parallel and perpendicular to the wave
+/// vector.
 fn of_half_space([modulus, nu]: [f64; 2]) -> [f64; 3] {
     [1.0 - nu, 1.0 - nu, 1.0].map(|factor| factor / modulus)
 }

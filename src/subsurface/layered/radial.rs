@@ -18,7 +18,7 @@ const FUNCTIONS: usize = 15;
 const DISPLACEMENTS: usize = 5;
 /// Order of the Bessel function of each function.
 const ORDERS: [usize; FUNCTIONS] = [0, 1, 1, 0, 2, 0, 1, 0, 2, 1, 0, 2, 1, 1, 3];
-/// Number of functions for lines that are even in the distance. The first three of them, and the first two odd functions,
+/// Number of functions for lines that are even in the distance. The first three even functions and the first two odd functions
 /// are displacements.
 const EVEN: usize = 8;
 
@@ -28,14 +28,16 @@ const GONE: f64 = 40.0;
 /// Chebyshev coefficients of the functions on a piece, by polynomial.
 type RadialPiece = Box<[[f64; FUNCTIONS]; TERMS]>;
 
-/// Tables of Hankel integrals of a response that is negligible for k above 40 over the scale, and their sums over cells.
+/// Tables of Hankel integrals of a response, and their sums over cells. The response must be negligible for k above 40 over the
+/// scale.
 pub(super) struct Radial {
     scale: f64,
     /// End of the first interval of wave numbers, on which the response hardly varies.
     least: f64,
     points: [OnceLock<RadialPiece>; PIECES],
     lines: [OnceLock<RadialPiece>; PIECES],
-    /// Limits of k times the displacements for infinitely long waves: normal, along and across.
+    /// Limits of k times the displacements for infinitely long waves, in the normal direction and parallel and perpendicular to
+    /// the wave vector.
     pole: [f64; 3],
 }
 
@@ -60,7 +62,7 @@ impl Radial {
         let distance = x.hypot(y);
         let rules = [a, b].map(|side| rule(side, distance, self.scale));
         let [Some(along_x), Some(along_y)] = rules else {
-            // The side that is too long is halved, or the longer side if both are too long.
+            // The side that is too long is halved. If both sides are too long, the longer side is halved.
             let halves_x = rules[1].is_some() || (rules[0].is_none() && a >= b);
             let (half, step) = if halves_x {
                 ([0.5 * a, b], [0.5 * a, 0.0])
@@ -86,8 +88,8 @@ impl Radial {
         sum
     }
 
-    /// Returns the components under a cell and all its images along y, at `0 <= y <= period/2` from the nearest of
-    /// them. Displacements are relative to the datum, [as on the surface](crate::influence::periodic_images).
+    /// Returns the components under a cell and all its images along y. The distance `y` from the nearest image is between zero
+    /// and `period/2`. Displacements are relative to the datum, [as on the surface](crate::influence::periodic_images).
     pub(super) fn over_rows(
         &self,
         response: &impl Fn(f64) -> SubsurfaceResponse,

@@ -13,8 +13,8 @@ use crate::surface::slab::Slab;
 /// Largest number of sums computed together: the number of terms of the form of highest degree.
 const MOST: usize = (HIGHEST_DEGREE + 1) * (HIGHEST_DEGREE + 2) / 2;
 
-/// Largest number of terms whose sums are reduced row by row, as required on several ranks. A plane, the largest form
-/// on ranks, has three terms. With more terms, the sums are reduced in equal chunks of cells.
+/// Largest number of terms whose sums are reduced row by row. Several ranks require this order. A plane, the largest
+/// form on ranks, has three terms. With more terms, the sums are reduced in equal chunks of cells.
 const IN_ROWS: usize = 9;
 
 /// Number of rows that are reduced together. For the highest degree these rows need 120 kB.
@@ -91,7 +91,7 @@ impl<'a> Basis<'a> {
         })
     }
 
-    /// Computes `count` sums over all known heights; `add` adds the terms of one cell.
+    /// Computes `count` sums over all known heights. `add` adds the terms of one cell.
     fn sums(&self, z: &[f64], count: usize, add: impl Fn(usize, &mut [f64]) + Sync) -> Vec<f64> {
         let leaf = |range: Range<usize>| {
             let mut sums = [0.0; MOST];
@@ -129,8 +129,8 @@ impl<'a> Basis<'a> {
     }
 }
 
-/// Returns the first and last column and the first and last row of the rectangle that encloses the known heights of all
-/// ranks.
+/// Returns the extent of the rectangle that encloses the known heights of all ranks. The first pair contains the first
+/// and the last column, the second pair the first and the last row.
 fn known_extent(slab: &Slab, z: &[f64]) -> [[usize; 2]; 2] {
     let nx = slab.whole().nx();
     let around =
@@ -142,8 +142,8 @@ fn known_extent(slab: &Slab, z: &[f64]) -> [[usize; 2]; 2] {
         .combined(places.fold([[usize::MAX, 0]; 2], both), both)
 }
 
-/// Tabulates the Legendre polynomials of degrees `0..=degree` at the positions `0..count`, on the interval from the
-/// first to the last position with a known height.
+/// Tabulates the Legendre polynomials of degrees `0..=degree` at the positions `0..count`. Their interval extends from
+/// the first to the last position with a known height.
 fn legendre(count: usize, [first, last]: [usize; 2], degree: usize) -> Vec<f64> {
     let (first, last) = (first as f64, last as f64);
     let half = (0.5 * (last - first)).max(0.5);

@@ -57,7 +57,7 @@ pub struct Levelled {
 }
 
 impl Levelled {
-    /// Returns the heights above the form (lengths); missing heights stay missing.
+    /// Returns the heights above the form (lengths). Missing heights stay missing.
     #[must_use]
     pub fn heights(&self) -> &Field {
         &self.heights
@@ -76,24 +76,24 @@ impl Levelled {
     }
 }
 
-/// Removes a form from a measured surface, by least squares over the heights that are not NaN.
+/// Removes a form from a measured surface by a least-squares fit to the heights that are not NaN.
 ///
 /// The remainder is orthogonal to every polynomial of the form, to round-off. On a profile (a grid of one row or one
-/// column) the form varies along the profile only. Missing heights stay missing; apply
-/// [`fill_missing`](super::fill_missing) afterwards. For a distributed surface use
-/// [`HalfSpace::level`](crate::HalfSpace::level).
+/// column) the form varies along the profile only. Missing heights stay missing. They can be filled afterwards with
+/// [`fill_missing`](super::fill_missing). For a distributed surface use [`HalfSpace::level`](crate::HalfSpace::level).
 ///
 /// The form is a sum of products of Legendre polynomials over the rectangle of the known heights. The matrix $`A`$ of
-/// the least-squares problem is never stored; only a triangular factor is computed. For a mean or a plane the factor is
-/// the Cholesky factor of $`A^T A = R^T R`$. For a polynomial, blocks of 4096 cells are reduced to their factors, and
-/// the factors are combined in pairs until $`A = QR`$ (Demmel et al. 2012). Three steps of $`R^T R\,\Delta c = A^T (z -
-/// A c)`$ then determine the coefficients $`c`$ to round-off (corrected seminormal equations, Björck 1987).
+/// the least-squares problem is never stored. Only a triangular factor $`R`$ is computed. For a mean or a plane it is
+/// the Cholesky factor of $`A^T A = R^T R`$. For a polynomial, blocks of 4096 cells are reduced to their factors. The
+/// factors are then combined in pairs until $`A = QR`$ (Demmel et al. 2012). Three steps of
+/// $`R^T R\,\Delta c = A^T (z - A c)`$ determine the coefficients $`c`$ to round-off. These steps are the corrected
+/// seminormal equations (Björck 1987).
 ///
 /// # Errors
 /// - [`Error::Sample`] with the first infinite height.
 /// - [`Error::Degree`] if the degree exceeds 20.
-/// - [`Error::Undetermined`] if there are too few known heights, or if they lie so close to a zero curve of a
-///   polynomial of the form that they do not determine the form.
+/// - [`Error::Undetermined`] if there are too few known heights. The error is also returned if the known heights lie
+///   too close to a zero curve of a polynomial of the form.
 ///
 /// # References
 /// - Å. Björck, *Linear Algebra Appl.* 88-89 (1987) 31-48,

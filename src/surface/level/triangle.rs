@@ -11,7 +11,7 @@ pub(super) struct Triangle {
 }
 
 impl Triangle {
-    /// Creates a triangle from a function of row and column; `entry` is not called below the diagonal.
+    /// Creates a triangle from the function `entry` of row and column. The function is not called below the diagonal.
     pub(super) fn from_fn(count: usize, mut entry: impl FnMut(usize, usize) -> f64) -> Self {
         let mut entries = vec![0.0; count * count];
         for row in 0..count {
@@ -42,8 +42,8 @@ impl Triangle {
 
     /// Updates `R` of `A = QR` for additional rows of `A`, which are overwritten.
     ///
-    /// For each column, a Householder reflection `1 - v v'/h`, `h = v'v/2`, eliminates the entries of the new rows in
-    /// that column. Each reflection changes only one row of `R`, so a block of a few rows stays in the cache.
+    /// For each column, a Householder reflection `1 - v v'/h` with `h = v'v/2` eliminates the entries of the new rows
+    /// in this column. Each reflection changes only one row of `R`, so a block of a few rows stays in the cache.
     pub(super) fn absorb(&mut self, rows: &mut [f64]) {
         let count = self.count;
         let mut sums = vec![0.0; count];
@@ -97,7 +97,7 @@ impl Triangle {
         })
     }
 
-    /// Solves `R'R x = b`; `x` holds `b` on entry.
+    /// Solves `R'R x = b`. On entry, `x` contains `b`.
     pub(super) fn solve_squared(&self, x: &mut [f64]) {
         for row in 0..self.count {
             let known: f64 = (0..row).map(|k| self.at(k, row) * x[k]).sum();

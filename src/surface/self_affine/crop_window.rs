@@ -1,4 +1,4 @@
-//! Selection of a part of a larger field.
+//! Selection of the middle of a larger field.
 
 use std::f64::consts::PI;
 
@@ -11,9 +11,9 @@ use crate::grid::field::Field;
 pub(super) struct CropWindow {
     /// Grid of the periodic field.
     pub(super) whole: Grid,
-    /// Grid of the part in use.
+    /// Grid of the selected part.
     pub(super) part: Grid,
-    /// First cell of the part, in the whole field.
+    /// First cell of the selected part in the whole field.
     pub(super) first: [usize; 2],
 }
 
@@ -49,7 +49,7 @@ impl CropWindow {
         part
     }
 
-    /// Embeds the part in the whole field, which is zero outside it.
+    /// Embeds the selected part in the whole field. The other cells are zero.
     pub(super) fn padded(&self, part: &Field) -> Field {
         let mut whole = Field::zeros(self.whole);
         let rows = whole.as_mut_slice().chunks_exact_mut(self.whole.nx());
@@ -59,12 +59,12 @@ impl CropWindow {
         whole
     }
 
-    /// Returns the phase, in the first cell of the whole field, of the wave with the given numbers of periods whose
-    /// phase in the middle of the part is zero.
+    /// Returns the phase of a wave in the first cell of the whole field. The wave has the given numbers of periods, and
+    /// its phase in the middle of the selected part is zero.
     pub(super) fn phase_of_first_cell(&self, numbers: [i64; 2]) -> f64 {
         let along = |number: i64, whole: usize, part: usize, first: usize| {
             let count = |n: usize| i128::try_from(n).unwrap_or(i128::MAX);
-            // In units of half cells the position is an integer, which can be reduced by whole periods without
+            // In units of half cells the position is an integer. Reducing this integer by whole periods causes no
             // round-off.
             let half_cells = count(part) - 1 + 2 * count(first);
             let turned = (-i128::from(number) * half_cells).rem_euclid(2 * count(whole));

@@ -24,23 +24,23 @@ impl SelfAffine {
     /// - [`Error::NotPositive`](crate::Error::NotPositive) if the target or a wavelength is not positive and finite.
     /// - [`Error::Hurst`](crate::Error::Hurst) if the Hurst exponent is outside 0 to 1.
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if the skewness or the kurtosis is not finite.
-    /// - [`Error::BelowMinimum`](crate::Error::BelowMinimum) if the cut-off is shorter than two cells, if the roll-off is shorter
-    ///   than the cut-off or longer than the longest wavelength, or if the kurtosis is less than the squared skewness
-    ///   plus one.
+    /// - [`Error::BelowMinimum`](crate::Error::BelowMinimum) if the cut-off is shorter than two cells, or if the roll-off is
+    ///   shorter than the cut-off or longer than the longest wavelength. The error is also returned if the kurtosis is less than
+    ///   the squared skewness plus one.
     /// - [`Error::NoWaveInBand`](crate::Error::NoWaveInBand) if no wave of the surface lies within the band.
     /// - [`Error::HeightMomentsNotReached`](crate::Error::HeightMomentsNotReached) if no phases with the requested skewness and
     ///   kurtosis were found.
     /// - [`Error::Sample`](crate::Error::Sample) with the first height that overflows.
-    /// - [`Error::Memory`](crate::Error::Memory) if the memory for the surface cannot be allocated; a cropped surface
-    ///   needs four times the cells.
+    /// - [`Error::Memory`](crate::Error::Memory) if the memory for the surface cannot be allocated. A cropped surface requires
+    ///   four times the cells.
     pub fn generate(&self, grid: Grid) -> Result<RoughSurface> {
         self.generate_observed(grid, unwatched)
     }
 
-    /// Generates the surface like [`generate`](Self::generate), with an observer that may cancel. The observer is
-    /// called before the waves are drawn, before each iteration for skewness and kurtosis, and before the heights and
-    /// each slope are summed. These sums count as products. The reported residual is the larger of the deviations of
-    /// skewness and kurtosis.
+    /// Generates the surface like [`generate`](Self::generate), with an observer that may cancel. The observer is called before
+    /// the waves are drawn and before each iteration for skewness and kurtosis. It is also called before the heights and each
+    /// slope are summed. These sums count as products. The reported residual is the larger of the deviations of skewness and
+    /// kurtosis.
     ///
     /// # Errors
     /// - The errors of [`generate`](Self::generate).
@@ -62,7 +62,7 @@ impl SelfAffine {
         parallel::enter_with(grid.cells(), || self.made(&cut, wanted, target, watch))
     }
 
-    /// Generates the surface; the caller has checked the arguments.
+    /// Generates the surface. The caller must have checked the arguments.
     fn made(
         &self,
         cut: &CropWindow,
@@ -103,7 +103,7 @@ impl SelfAffine {
         Ok(Some([skewness, kurtosis]))
     }
 
-    /// Draws the waves of the periodic surface for a target of one, so that no square overflows or underflows.
+    /// Draws the waves of the periodic surface for a target of one. Squares for this target neither overflow nor underflow.
     pub(super) fn waves(&self, cut: &CropWindow, mut waves: Waves) -> Result<Waves> {
         let law = SpectrumLaw::new(self, cut.whole)?;
         let total = match self.target {
@@ -115,7 +115,7 @@ impl SelfAffine {
             if power == 0.0 {
                 return Complex::default();
             }
-            // Both of two opposite waves along y are stored: one is drawn, and the other is its conjugate.
+            // Two opposite waves along y are both stored. The first wave is drawn, and the second wave is its conjugate.
             let [i, j] = mode.numbers;
             let is_mirrored = i == 0 && j < 0;
             let numbers = [i, if is_mirrored { -j } else { j }];

@@ -88,7 +88,7 @@ fn bisect([mut low, mut high]: [f64; 2], holds: impl Fn(f64) -> bool) -> f64 {
     0.5 * (low + high)
 }
 
-/// Returns `count` heights in ascending order, at equal steps of probability of a distribution with approximately the
+/// Returns `count` heights in ascending order, at equal steps of probability. Their distribution has approximately the
 /// given skewness and kurtosis. The mean and the unit of the heights are arbitrary.
 pub(super) fn sorted_heights([skewness, kurtosis]: [f64; 2], count: usize) -> Vec<f64> {
     let curve = curve(skewness.abs(), kurtosis);
@@ -106,8 +106,8 @@ pub(super) fn sorted_heights([skewness, kurtosis]: [f64; 2], count: usize) -> Ve
 fn sorted_normal(count: usize) -> impl Iterator<Item = f64> {
     const STEP: f64 = 0.01;
     let density = |g: f64| (-0.5 * g * g).exp() / TAU.sqrt();
-    // The probability of each step follows from Simpson's rule. The steps start at -9; the probability below is
-    // negligible.
+    // The probability of each step follows from Simpson's rule. The steps start at -9, because the probability of
+    // smaller values is negligible.
     let step = move |low: f64| {
         let inner = 4.0 * density(low + 0.5 * STEP);
         STEP / 6.0 * (density(low) + inner + density(low + STEP))

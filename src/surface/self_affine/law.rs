@@ -16,8 +16,8 @@ pub(super) struct SpectrumLaw {
     cut_off: f64,
 }
 
-/// Fraction of a wavelength by which a wave may lie outside the band, so that round-off does not exclude waves on the
-/// edge of the band.
+/// Fraction of a wavelength by which a wave may lie outside the band. This tolerance prevents round-off from excluding
+/// waves on the edge of the band.
 const ROUND_OFF: f64 = 1e-9;
 
 /// Default cut-off, in cells.

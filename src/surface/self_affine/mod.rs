@@ -31,8 +31,8 @@ pub enum Amplitudes {
 
 /// A random surface with a self-affine power spectrum.
 ///
-/// The heights are a sum of all waves that are periodic on the surface and whose wave number
-/// $`q = 2\pi/\lambda`$ lies within the band,
+/// The heights are a sum of waves that are periodic on the surface. The sum includes all waves whose wave number
+/// $`q = 2\pi/\lambda`$ lies within the band:
 ///
 /// ```math
 /// z(x, y) = \sum_{ij} A_{ij} \cos(q_i x + q_j y + \varphi_{ij}) , \qquad
@@ -43,8 +43,8 @@ pub enum Amplitudes {
 /// ```
 ///
 /// which is equation 36 of the paper. Waves of two cells along an axis are omitted, because the grid does not resolve
-/// their phase. The common factor follows from the target (the root mean square of the heights or of the slopes) and
-/// from the waves in the band.
+/// their phase. The common factor follows from the waves in the band and from the target. The target is the root mean
+/// square of the heights or of the slopes.
 ///
 /// | option | default |
 /// |---|---|
@@ -58,11 +58,11 @@ pub enum Amplitudes {
 /// | [`seed`](Self::seed) | 0 |
 ///
 /// # Refining the grid
-/// The phase (in the middle of the grid) and the modulus of each wave depend only on the seed and on the wave's two
-/// numbers of periods per side. If the cut-off wavelength is given and exceeds two cells, a finer grid over the same
-/// rectangle therefore samples the same surface. Otherwise the surface on the finer grid also contains shorter waves,
-/// and its common factor differs. If a skewness or kurtosis is given, the phases depend on the heights of all cells,
-/// and the surfaces differ.
+/// Each wave has a modulus and a phase in the middle of the grid. Both depend only on the seed and on the two numbers
+/// of periods per side. A finer grid over the same rectangle therefore samples the same surface if the cut-off
+/// wavelength is given and exceeds two cells. Otherwise the surface on the finer grid also contains shorter waves, and
+/// its common factor differs. If a skewness or kurtosis is given, the phases depend on the heights of all cells, and
+/// the surfaces differ.
 ///
 /// ```
 /// use stickslip::{Grid, surface::SelfAffine};
@@ -85,17 +85,17 @@ pub enum Amplitudes {
 /// changed while the moduli remain unchanged to round-off. The spectrum, the rms height and the rms slope are then the
 /// same as for the Gaussian surface.
 ///
-/// At first two steps alternate, as in Perez-Rafols and Almqvist (2019) after Schreiber and Schmitz (1996): the heights
-/// are replaced by the heights of the same rank of a Johnson distribution (1949), and the moduli are restored. Then
-/// Newton's method changes the phases as little as possible until skewness and kurtosis are met to 1e-9. For a cropped
-/// surface, the spectrum of the periodic surface is kept.
+/// At first two steps alternate, as in Perez-Rafols and Almqvist (2019) after Schreiber and Schmitz (1996). The first
+/// step replaces the heights by the heights of the same rank of a Johnson distribution (1949). The second step restores
+/// the moduli. Then Newton's method changes the phases as little as possible until skewness and kurtosis are met to
+/// 1e-9. For a cropped surface, the spectrum of the periodic surface is kept.
 ///
 /// The heights follow the Johnson distribution to about 0.01 of their rms if many waves contribute to the spectrum.
 /// They follow it to 0.1 of their rms if few waves contribute, or near the limits of the attainable values. If the
 /// requested values cannot be attained, the function returns an error and never an approximation. A grid of a few cells
-/// per side has only two or three waves, and only few values can be attained with these waves. The table lists the
-/// kurtoses that were attained with each of eight seeds on a square of side `L`. The kurtoses 2.1, 2.25, 2.5, 2.75, 3,
-/// 4, 5, 6, 8 and 12 were tried:
+/// per side has only two or three waves, with which few values can be attained. The table lists the kurtoses that were
+/// attained with each of eight seeds on a square of side `L`. The kurtoses 2.1, 2.25, 2.5, 2.75, 3, 4, 5, 6, 8 and 12
+/// were tried:
 ///
 /// | roll-off, cut-off | skewness 0, ±0.5 | skewness ±1 |
 /// |---|---|---|
@@ -220,7 +220,7 @@ impl SelfAffine {
         Self { hurst, ..self }
     }
 
-    /// Sets the longest wavelength of the spectrum (default: the longer side of the periodic surface).
+    /// Sets the longest wavelength of the spectrum (default the longer side of the periodic surface).
     #[must_use]
     pub fn longest_wavelength(self, wavelength: f64) -> Self {
         Self {
@@ -229,8 +229,8 @@ impl SelfAffine {
         }
     }
 
-    /// Sets the wavelength below which the spectrum decreases (default: the longest wavelength, so that there is no
-    /// plateau).
+    /// Sets the wavelength below which the spectrum decreases. The default is the longest wavelength, so that the
+    /// spectrum has no plateau.
     #[must_use]
     pub fn roll_off_wavelength(self, wavelength: f64) -> Self {
         Self {
@@ -239,8 +239,8 @@ impl SelfAffine {
         }
     }
 
-    /// Sets the shortest wavelength of the spectrum, at least two cells (default 8 cells, measured along the longer
-    /// side of a cell).
+    /// Sets the shortest wavelength of the spectrum, which must be at least two cells. The default is 8 cells, measured
+    /// along the longer side of a cell.
     #[must_use]
     pub fn cut_off_wavelength(self, wavelength: f64) -> Self {
         Self {
@@ -255,13 +255,13 @@ impl SelfAffine {
         Self { amplitudes, ..self }
     }
 
-    /// Cuts the surface out of the middle of a periodic surface of twice the side lengths, so that opposite edges do
-    /// not match. The mean of the part is removed. For [`Amplitudes::Exact`] the part is scaled to the target. Skewness
-    /// and kurtosis apply to the part.
+    /// Cuts the surface out of the middle of a periodic surface of twice the side lengths. Opposite edges then do not
+    /// match. The mean of the cropped surface is removed. For [`Amplitudes::Exact`] the cropped surface is scaled to
+    /// the target. Skewness and kurtosis apply to the cropped surface.
     ///
-    /// With [`Amplitudes::Gaussian`] the part is not scaled, and removing its mean reduces its mean square. If no
-    /// longest wavelength is given, the mean square of the heights of the part, averaged over all seeds, is about 0.7
-    /// times the square of the target.
+    /// With [`Amplitudes::Gaussian`] the cropped surface is not scaled, and removing its mean reduces its mean square.
+    /// If no longest wavelength is given, the mean square of the heights is about 0.7 times the square of the target.
+    /// This factor is the average over all seeds.
     #[must_use]
     pub fn cropped(self) -> Self {
         Self {
@@ -270,8 +270,8 @@ impl SelfAffine {
         }
     }
 
-    /// Sets the skewness of the heights, $`\langle z^3\rangle/\langle z^2\rangle^{3/2}`$ (default 0 if only the
-    /// kurtosis is given).
+    /// Sets the skewness of the heights, $`\langle z^3\rangle/\langle z^2\rangle^{3/2}`$. If only the kurtosis is
+    /// given, the default is 0.
     #[must_use]
     pub fn skewness(self, skewness: f64) -> Self {
         Self {
@@ -280,8 +280,8 @@ impl SelfAffine {
         }
     }
 
-    /// Sets the kurtosis of the heights, $`\langle z^4\rangle/\langle z^2\rangle^2`$, at least the squared skewness
-    /// plus one. If only the skewness is given, the default is 3, the value of a Gaussian surface.
+    /// Sets the kurtosis of the heights, $`\langle z^4\rangle/\langle z^2\rangle^2`$. The kurtosis must be at least the
+    /// squared skewness plus one. If only the skewness is given, the default is 3, the value of a Gaussian surface.
     #[must_use]
     pub fn kurtosis(self, kurtosis: f64) -> Self {
         Self {
@@ -290,8 +290,8 @@ impl SelfAffine {
         }
     }
 
-    /// Sets the seed that selects a random surface (default 0). A seed yields the same surface on every machine, to
-    /// round-off.
+    /// Sets the seed that selects a random surface (default 0). The same seed yields the same surface on every machine,
+    /// to round-off.
     #[must_use]
     pub fn seed(self, seed: u64) -> Self {
         Self { seed, ..self }

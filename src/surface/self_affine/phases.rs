@@ -9,7 +9,8 @@
 //! ```
 //!
 //! and a wave $`a`$ whose phase changes by $`\delta\varphi`$ changes by $`\mathrm{i} a\,\delta\varphi`$. The Newton
-//! step is the smallest change of the heights by phase changes that yields the required $`\delta s`$ and $`\delta k`$.
+//! step consists of the phase changes that yield the required $`\delta s`$ and $`\delta k`$ with the smallest change of
+//! the heights.
 
 use num_complex::Complex;
 
@@ -21,13 +22,13 @@ use crate::surface::waves::Waves;
 
 /// Tolerance of skewness and kurtosis.
 const TOLERANCE: f64 = 1e-9;
-/// Maximum number of steps; three to ten are usual.
+/// Maximum number of steps. Three to ten steps are usual.
 const LIMIT: usize = 60;
 /// Largest root mean square of the change of the heights in one step, relative to the root mean square of the heights.
 const LONGEST_STEP: f64 = 0.1;
 
-/// Changes the phases of the waves until the heights within a cut have the requested skewness and kurtosis. Returns the
-/// number of steps.
+/// Changes the phases of the waves until the heights of the selected part have the requested skewness and kurtosis.
+/// Returns the number of steps.
 pub(super) fn turn(
     waves: &mut Waves,
     cut: &CropWindow,
@@ -57,8 +58,8 @@ pub(super) fn turn(
     })
 }
 
-/// Changes the phases of the waves by a Newton step towards the requested skewness and kurtosis; `missing` is the
-/// deficit. Returns false if no phase change can correct both moments.
+/// Changes the phases of the waves by a Newton step towards the requested skewness and kurtosis. `missing` is the
+/// deficit of the two moments. Returns false if no phase change can correct both moments.
 fn newton_step(
     waves: &mut Waves,
     cut: &CropWindow,

@@ -12,13 +12,13 @@ use crate::grid::field::Field;
 use crate::observer::WorkObserver;
 use crate::surface::waves::Waves;
 
-/// Maximum number of iterations; each costs two transforms and a sort.
+/// Maximum number of iterations. Each iteration costs two transforms and a sort.
 const LIMIT: usize = 20;
 /// Change of skewness and kurtosis below which the iteration ends.
 const SLOW: f64 = 0.01;
 
-/// Computes waves that have the moduli of the given waves and whose heights approximately follow a distribution of the
-/// given skewness and kurtosis. Returns the waves and the number of iterations.
+/// Computes waves with the moduli of the given waves. Their heights approximately follow a distribution of the given
+/// skewness and kurtosis. Returns the waves and the number of iterations.
 ///
 /// # Errors
 /// - [`Error::NotConverged`](crate::Error::NotConverged) if the observer cancels.

@@ -21,7 +21,7 @@ pub struct RoughSurface {
 }
 
 impl RoughSurface {
-    /// Computes the surface within a cut from its waves and removes its mean.
+    /// Computes the selected part of the surface from its waves and removes the mean.
     ///
     /// # Errors
     /// - [`Error::NotConverged`](crate::Error::NotConverged) if the observer cancels.
@@ -68,8 +68,8 @@ impl RoughSurface {
         }
     }
 
-    /// Returns the heights above the mean plane (lengths), pointing out of the body;
-    /// [`gap_from_heights`](crate::surface::gap_from_heights) turns them into a gap.
+    /// Returns the heights above the mean plane (lengths), which point out of the body.
+    /// [`gap_from_heights`](crate::surface::gap_from_heights) converts them into a gap.
     #[must_use]
     pub fn heights(&self) -> &Field {
         &self.heights
@@ -95,19 +95,19 @@ impl RoughSurface {
         self.rms_slope
     }
 
-    /// Returns the skewness of the heights, $`\langle z^3\rangle / S_q^3`$: negative for plateaus with valleys.
+    /// Returns the skewness of the heights, $`\langle z^3\rangle / S_q^3`$. It is negative for plateaus with valleys.
     #[must_use]
     pub fn skewness(&self) -> f64 {
         self.skewness
     }
 
-    /// Returns the kurtosis of the heights, $`\langle z^4\rangle / S_q^4`$; about 3 for a Gaussian surface.
+    /// Returns the kurtosis of the heights, $`\langle z^4\rangle / S_q^4`$. It is about 3 for a Gaussian surface.
     #[must_use]
     pub fn kurtosis(&self) -> f64 {
         self.kurtosis
     }
 
-    /// Returns the number of iterations for the requested skewness and kurtosis; zero if neither was requested.
+    /// Returns the number of iterations for the requested skewness and kurtosis, or zero if neither was requested.
     #[must_use]
     pub fn iterations(&self) -> usize {
         self.iterations

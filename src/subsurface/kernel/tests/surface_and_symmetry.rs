@@ -105,8 +105,8 @@ fn the_surface_is_the_limit_from_inside() {
     }
 }
 
-/// Checks that the value on an edge is the mean of both sides minus the logarithm of the distance in units of
-/// the longer half side.
+/// Checks that the value on an edge is the mean of both sides without the logarithm of the distance. The unit of this
+/// distance is the longer half side.
 #[test]
 fn edges_of_the_surface_have_the_finite_part() {
     let (a, b) = (0.75, 0.5);
