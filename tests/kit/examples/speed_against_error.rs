@@ -224,12 +224,12 @@ fn draw(path: &Path, rows: &[TimingRow]) -> Result<(), Box<dyn Error>> {
     // Two fifths of the height are reserved for the legend below the curves.
     let (bottom, top) = (least - 0.7 * (most - least), most + 0.2);
 
-    let title = format!("{SHOWN} x {SHOWN} cells: tolerances 1e-2 (right), 1e-4, .. 1e-10 (left)");
-    let figure = support::figure(path, (1960, 1000), &title)?;
-    let (left, right) = figure.split_horizontally(980);
+    let title = format!("{SHOWN} × {SHOWN} cells, tolerances 1e-2 (right) to 1e-10 (left)");
+    let figure = support::figure(path, (2 * support::PANEL, 1540), &title)?;
+    let (left, right) = figure.split_horizontally(support::PANEL);
     for (index, area, name) in [(0, left, "pressure"), (1, right, "shear traction")] {
-        let label = format!("relative error of the {name} in the L1 norm");
-        let y = (bottom..top, "time, ms");
+        let label = format!("relative error of the {name} (L1)");
+        let y = (bottom..top, "time (ms)");
         let mut chart = support::decades(&area, (-12.0..-1.0, &label), y)?;
         if let Some(errors) = rows.iter().find_map(|row| row.discretisation) {
             let x = errors[index].log10();
