@@ -23,7 +23,7 @@ const FRICTION: f64 = 0.3;
 /// Tolerance of the tractions while the ball is pressed in steps.
 const TOLERANCE: f64 = 2e-3;
 /// Steps from one turning point to the next.
-const STEPS: u32 = 40;
+const STEPS: u32 = 10;
 /// Turning points of the tangential force, divided by the sliding force.
 const TURNS: [f64; 3] = [0.6, -0.6, 0.6];
 

@@ -286,9 +286,15 @@ fn draw(
     )?;
     let column = |k: usize| profile.iter().map(move |row| (row[0], row[k]));
     let in_sight = |(x, _): &(f64, f64)| x.abs() < 1.2;
-    let pressure = column(1).filter(in_sight);
-    support::line(&mut chart, "p / p₀", support::GREEN, pressure)?;
     let every = (profile.len() / 64).max(1);
+    let hertz = column(0).map(|(x, _)| (x, (1.0 - x * x).max(0.0).sqrt()));
+    support::compare(
+        &mut chart,
+        "p / p₀",
+        support::GREEN,
+        hertz.filter(in_sight),
+        column(1).step_by(every).filter(in_sight),
+    )?;
     support::compare(
         &mut chart,
         "q / µp₀",

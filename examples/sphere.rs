@@ -54,7 +54,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let path = support::gallery("sphere.svg")?;
     let title = "Steel ball on steel: R = 3.5 mm, W = 100 N, F = 20 N, friction 0.5";
-    let figure = support::figure(&path, (2 * support::PANEL, 1552), title)?;
+    let figure = support::figure(&path, (2 * support::PANEL, 1538), title)?;
     let (left, right) = figure.split_horizontally(support::PANEL);
     draw_profiles(&left, &normal, &tangential, &exact)?;
     draw_zones(&right, &tangential, &exact)?;

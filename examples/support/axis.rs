@@ -4,8 +4,8 @@ use std::ops::Range;
 
 use plotters::coord::ranged1d::{KeyPointHint, NoDefaultFormatting, Ranged, ValueFormatter};
 
-/// Largest number of intervals between ticks.
-const TICKS: f64 = 7.2;
+/// Largest number of intervals between ticks. A range of 1.4 receives seven intervals.
+const INTERVALS: f64 = 7.2;
 
 /// Axis with its ticks and their labels.
 #[derive(Debug, Clone)]
@@ -33,7 +33,7 @@ enum Label {
 impl Axis {
     /// Returns a linear axis.
     pub(crate) fn linear(range: Range<f64>) -> Self {
-        let (ticks, decimals) = round_numbers(&range);
+        let (ticks, decimals) = round_numbers(&range, INTERVALS);
         let label = Label::Decimals(decimals);
         let between = Vec::new();
         Self {
@@ -46,7 +46,7 @@ impl Axis {
 
     /// Returns a linear axis of negative positions whose labels are magnitudes, such as the depth below a surface.
     pub(crate) fn depth(range: Range<f64>) -> Self {
-        let (ticks, decimals) = round_numbers(&range);
+        let (ticks, decimals) = round_numbers(&range, INTERVALS);
         let label = Label::Magnitude(decimals);
         let between = Vec::new();
         Self {
@@ -72,7 +72,7 @@ impl Axis {
             let numbers = (-30..30).flat_map(|exponent| digits.map(|d| f64::from(exponent) + d));
             numbers.filter(contains).collect()
         } else {
-            let every = (1..).find(|every| powers.len() as f64 / f64::from(*every) <= TICKS);
+            let every = (1..).find(|every| powers.len() as f64 / f64::from(*every) <= INTERVALS);
             let every = f64::from(every.unwrap_or(1));
             let multiple = |exponent: &f64| exponent.rem_euclid(every) == 0.0;
             powers.into_iter().filter(multiple).collect()
@@ -96,6 +96,26 @@ impl Axis {
         }
     }
 
+    /// Removes ticks until their labels fit next to each other into a length.
+    pub(crate) fn fitted(mut self, length: i32) -> Self {
+        let mut intervals = INTERVALS;
+        while intervals > 2.0 && (self.label_width() + 40) * self.count() > length {
+            intervals -= 1.0;
+            let (ticks, decimals) = round_numbers(&self.range, intervals);
+            match self.label {
+                Label::Decimals(_) => self.label = Label::Decimals(decimals),
+                Label::Magnitude(_) => self.label = Label::Magnitude(decimals),
+                Label::Power | Label::Number => break,
+            }
+            self.ticks = ticks;
+        }
+        self
+    }
+
+    fn count(&self) -> i32 {
+        i32::try_from(self.ticks.len()).unwrap_or(0)
+    }
+
     /// Returns the positions of faint lines between the ticks.
     pub(crate) fn between(&self) -> &[f64] {
         &self.between
@@ -113,15 +133,16 @@ impl Axis {
     }
 }
 
-/// Returns multiples of one, two or five times a power of ten in a range, and the number of their decimals.
-fn round_numbers(range: &Range<f64>) -> (Vec<f64>, usize) {
+/// Returns multiples of one, two or five times a power of ten in a range, with at most the given number of intervals, and the
+/// number of their decimals.
+fn round_numbers(range: &Range<f64>, intervals: f64) -> (Vec<f64>, usize) {
     let span = range.end - range.start;
     #[expect(clippy::cast_possible_truncation, reason = "a small number")]
-    let first = (span / TICKS).log10().floor() as i32;
+    let first = (span / intervals).log10().floor() as i32;
     let steps = (first..).flat_map(|exponent| [1.0, 2.0, 5.0].map(|digit| (digit, exponent)));
     let mut steps = steps.map(|(digit, exponent)| (digit * 10_f64.powi(exponent), exponent));
     let (step, exponent) = steps
-        .find(|(step, _)| span / step <= TICKS)
+        .find(|(step, _)| span / step <= intervals)
         .unwrap_or((span, 0));
     // Both ends are ticks even if they are rounded.
     let ends = [range.start / step - 1e-6, range.end / step + 1e-6];

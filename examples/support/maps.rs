@@ -115,7 +115,7 @@ fn cells(
 }
 
 /// Maximum number of blocks along the longer side of a map of a field, which limits the size of the file.
-const BLOCKS: usize = 120;
+const BLOCKS: usize = 200;
 
 /// Function from a number between 0 and 1 to a colour.
 pub(crate) type Colours = fn(f64) -> RGBColor;
@@ -261,30 +261,31 @@ pub(crate) fn field(
     let grid = values.grid();
     let block = grid.nx().max(grid.ny()).div_ceil(BLOCKS);
     let starts = |cells: usize| (0..cells).step_by(block);
-    let corners = starts(grid.ny()).flat_map(|iy| starts(grid.nx()).map(move |ix| [ix, iy]));
-    // As above, a block overlaps the blocks drawn later.
-    let rectangles = corners.map(|[ix, iy]| {
-        let (columns, rows) = (
-            ix..(ix + block).min(grid.nx()),
-            iy..(iy + block).min(grid.ny()),
-        );
-        let cells = || {
-            rows.clone()
-                .flat_map(|iy| columns.clone().filter_map(move |ix| values.get(ix, iy)))
-        };
-        let mean = cells().sum::<f64>() / cells().count() as f64;
-        let colour = scale.colour(mean / unit);
-        let edge = |ix: f64, iy: f64| {
-            let (x, y) = (
-                grid.x(0) + (ix - 0.5) * grid.dx(),
-                grid.y(0) + (iy - 0.5) * grid.dy(),
-            );
-            (x / length, y / length)
-        };
-        let far = |end: usize, cells: usize| (end as f64 + 0.5 * block as f64).min(cells as f64);
-        let opposite = edge(far(columns.end, grid.nx()), far(rows.end, grid.ny()));
-        Rectangle::new([edge(ix as f64, iy as f64), opposite], colour.filled())
-    });
+    let ends = |start: usize, cells: usize| start..(start + block).min(cells);
+    let mean = |columns: Range<usize>, rows: Range<usize>| {
+        let count = columns.len() * rows.len();
+        let row = |iy| columns.clone().filter_map(move |ix| values.get(ix, iy));
+        rows.flat_map(row).sum::<f64>() / count as f64
+    };
+    let corner = |ix: usize, iy: f64| {
+        let x = grid.x(0) + (ix as f64 - 0.5) * grid.dx();
+        let y = grid.y(0) + (iy - 0.5) * grid.dy();
+        (x / length, y / length)
+    };
+    let mut rectangles = Vec::new();
+    for iy in starts(grid.ny()) {
+        let rows = ends(iy, grid.ny());
+        // As above, a row overlaps the next row, which is drawn over it.
+        let top = (rows.end as f64 + 0.5 * block as f64).min(grid.ny() as f64);
+        let colour = |ix| scale.colour(mean(ends(ix, grid.nx()), rows.clone()) / unit);
+        let colours: Vec<_> = starts(grid.nx()).map(|ix| (ix, colour(ix))).collect();
+        for run in colours.chunk_by(|block, next| block.1 == next.1) {
+            let (first, last) = (run[0], run[run.len() - 1]);
+            let right = (last.0 + block).min(grid.nx());
+            let corners = [corner(first.0, iy as f64), corner(right, top)];
+            rectangles.push(Rectangle::new(corners, first.1.filled()));
+        }
+    }
     chart.draw_series(rectangles)?;
     Ok(())
 }

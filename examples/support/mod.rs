@@ -163,6 +163,7 @@ pub(crate) fn axes_of<'a>(
     x: (Axis, &str),
     y: (Axis, &str),
 ) -> Result<Chart<'a>, Box<dyn Error>> {
+    let x = (x.0.fitted(width(area) - i32::try_from(LEFT + RIGHT)?), x.1);
     let faint = [&x.0, &y.0].map(|axis| axis.between().to_vec());
     let ends = [&x.0, &y.0].map(Axis::ends);
     let height = i32::try_from(area.dim_in_pixel().1 - BELOW + ABOVE)?;
