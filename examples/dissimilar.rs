@@ -138,8 +138,8 @@ fn draw(
     loops: &[Vec<(f64, f64)>; 2],
 ) -> Result<(), Box<dyn Error>> {
     let title = "Aluminium ball on steel, coupled pressure and shear traction";
-    let figure = support::figure(path, (2 * support::PANEL, 2660), title)?;
-    let (upper, lower) = figure.split_vertically(1040);
+    let figure = support::figure(path, (2 * support::PANEL, 2220), title)?;
+    let (upper, lower) = figure.split_vertically(800);
     let (left, right) = lower.split_horizontally(support::PANEL);
     let reach = 1.1
         * profiles.iter().fold(

@@ -263,8 +263,8 @@ fn draw(
     map: &Map<'_>,
 ) -> Result<(), Box<dyn Error>> {
     let title = "Cylinder on flat, Ti-6Al-4V, 200 N/mm, with bulk stress";
-    let figure = support::figure(path, (2 * support::PANEL, 2640), title)?;
-    let (curves, lower) = figure.split_vertically(1100);
+    let figure = support::figure(path, (2 * support::PANEL, 2300), title)?;
+    let (curves, lower) = figure.split_vertically(1000);
     let (first, second) = curves.split_horizontally(support::PANEL);
     let first = support::heading(&first, "steady loop")?;
     let second = support::heading(&second, support::COMPARED)?;
@@ -304,15 +304,13 @@ fn draw(
     )?;
     support::legend(&mut chart, SeriesLabelPosition::UpperLeft)?;
 
-    let scale = maps::Scale::from_zero(maps::heat, map.largest);
+    let scale = maps::Scale::from_zero(maps::heat, map.largest).in_bands(0.1);
     let lower = support::heading(&lower, "below the surface of the specimen, at the largest load")?;
     let (x, depth) = (-map.reach..map.reach, Axis::depth(-DEPTH..0.0));
     let sides = [(Axis::linear(x), "x / a"), (depth, "depth / a")];
     let mut chart = maps::axes_and_bar_of(&lower, sides, (scale, "von Mises stress / p₀"))?;
     let (columns, planes) = (map.rows[0].len(), map.rows.len() - 1);
     let block = columns.div_ceil(128);
-    // Values are drawn in bands of a twentieth of p0, whose edges form the contours.
-    let band = |value: f64| (value * 20.0).floor() / 20.0;
     let width = 2.0 * map.reach / columns as f64;
     let rectangles = (0..planes).flat_map(|k| {
         let level = |k: f64| (-DEPTH * k / planes as f64).max(-DEPTH);
@@ -323,7 +321,7 @@ fn draw(
             // Each block overlaps the next blocks, which are drawn over it, so that no seam is visible.
             let right = (right + 0.5 * (right - left)).min(map.reach);
             let corners = [(left, level(k as f64)), (right, level(k as f64 + 1.5))];
-            Rectangle::new(corners, scale.colour(band(value)).filled())
+            Rectangle::new(corners, scale.colour(value).filled())
         })
     });
     chart.draw_series(rectangles)?;

@@ -112,8 +112,8 @@ fn draw(
     [elastic, plastic]: [&History; 2],
 ) -> Result<(), Box<dyn Error>> {
     let title = "Rough steel, elastic and with a hardness of 6 GPa";
-    let figure = support::figure(path, (2 * support::PANEL, 2200), title)?;
-    let (upper, lower) = figure.split_vertically(1180);
+    let figure = support::figure(path, (2 * support::PANEL, 1860), title)?;
+    let (upper, lower) = figure.split_vertically(980);
     let areas = upper.split_evenly((1, 2));
     let series = |phase: &'static str, column: usize| {
         let chosen = points.iter().filter(move |(of, _)| *of == phase);
@@ -138,7 +138,7 @@ fn draw(
     {
         let (low, high) = limits([first, first + 1]);
         let x = (0.0..1.05 * LARGEST, "mean pressure / H");
-        let y = (1.1 * low..1.5 * high, name);
+        let y = (1.1 * low..1.6 * high, name);
         let mut chart = support::axes(&areas[place], x, y)?;
         for (label, phase, offset, colour) in curves {
             support::line(&mut chart, label, colour, series(phase, first + offset))?;

@@ -4,8 +4,9 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
+# Without dithering, files are smaller.
 picture() { # Arguments: name, width, number of colours.
-    rsvg-convert --width "$2" "target/gallery/$1.svg" | pngquant "$3" --speed 1 -
+    rsvg-convert --width "$2" "target/gallery/$1.svg" | pngquant "$3" --nofs --speed 1 -
 }
 
 for drawing in target/gallery/*.svg; do
@@ -15,16 +16,21 @@ done
 cp target/gallery/{speed,grid}_against_error.svg examples/gallery/ 2>/dev/null || true
 
 # In the guide a picture is embedded in the text, because the packaged crate contains no picture files.
-embed() { # Arguments: name, description.
-    printf '<img alt="%s" src="data:image/png;base64,%s">\n' "$2" "$(picture "$1" 800 32 | base64 --wrap=0)" \
+embed() { # Arguments: name, description, number of colours.
+    printf '<img alt="%s" src="data:image/png;base64,%s">\n' "$2" "$(picture "$1" 800 "${3:-16}" | base64 --wrap=0)" \
+        >"src/pictures/$1.html"
+}
+# Embeds a drawing of docs/figures, which no example creates.
+figure() { # Arguments: name, description.
+    printf '<img alt="%s" src="data:image/svg+xml;base64,%s">\n' "$2" "$(base64 --wrap=0 "docs/figures/$1.svg")" \
         >"src/pictures/$1.html"
 }
 mkdir -p src/pictures
-embed sphere "Pressure and traction of a ball along x beside the closed forms, and its stick and slip zones"
-embed fretting_loop "Loop of force and shift of a ball, and its tractions on the way"
-embed fretting_rig "Loop of load and shift of a cylinder under bulk stress, its tractions, and von Mises stress below it"
-embed creep_curves "Stick and slip zones of a rolling ellipse with its tractions, and creep curves beside CONTACT"
-embed dissimilar "Pressure of an aluminium ball on steel, the tractions that pressing leaves, and a loop of force and shift"
+embed sphere "Pressure and shear traction of a ball along x with the closed forms, and its stick and slip zones"
+embed fretting_loop "Loop of force and shift of a ball, and its shear tractions at three points of the loop"
+embed fretting_rig "Loop of load and shift of a cylinder under bulk stress, its tractions, and von Mises stress below the surface" 24
+embed creep_curves "Stick and slip zones of a rolling ellipse with its tractions, and creep curves with those of CONTACT"
+embed dissimilar "Pressure of an aluminium ball on steel, the shear tractions due to pressing, and a loop of force and shift"
 embed hardness "Contact area, approach and pressure of rough steel, elastic and with a hardness"
-embed wear_loop "Gap and pressure of a ball in wear, towards the limiting shape"
+embed wear_loop "Gap and pressure of a wearing ball, and the limiting shape"
 du --bytes --total src/pictures/*.html | tail -1

@@ -188,12 +188,8 @@ fn draw(path: &Path, contacts: &[Sheared]) -> Result<(), Box<dyn Error>> {
 fn draw_ratios(area: &Area<'_>, contacts: &[Sheared]) -> Result<(), Box<dyn Error>> {
     let mut chart = support::axes(area, (0.0..1.0, "F / µW"), (0.0..1.4, "stick ratio"))?;
     let loads = || (0..=100).map(|i| f64::from(i) / 100.0);
-    support::law(
-        &mut chart,
-        "1 − F / µW",
-        true,
-        loads().map(|f| (f, 1.0 - f)),
-    )?;
+    let straight = [(0.0, 1.0), (1.0, 0.0)];
+    support::law(&mut chart, "1 − F / µW", true, straight)?;
     support::law(
         &mut chart,
         "smooth ball",

@@ -126,13 +126,20 @@ pub(crate) struct Scale {
     colours: Colours,
     low: f64,
     high: f64,
+    /// Width of bands of equal colour, or zero.
+    band: f64,
 }
 
 impl Scale {
     /// Returns a scale from zero, for values without sign.
     pub(crate) fn from_zero(colours: Colours, high: f64) -> Self {
-        let low = 0.0;
-        Self { colours, low, high }
+        let (low, band) = (0.0, 0.0);
+        Self {
+            colours,
+            low,
+            high,
+            band,
+        }
     }
 
     /// Returns a scale with zero in the middle, for values with a sign.
@@ -141,11 +148,22 @@ impl Scale {
             colours: diverging,
             low: -most,
             high: most,
+            band: 0.0,
         }
+    }
+
+    /// Divides the values into bands of equal colour, whose edges form contours.
+    pub(crate) fn in_bands(self, band: f64) -> Self {
+        Self { band, ..self }
     }
 
     /// Returns the colour of a value.
     pub(crate) fn colour(self, value: f64) -> RGBColor {
+        let value = if self.band > 0.0 {
+            ((value / self.band).floor() + 0.5) * self.band
+        } else {
+            value
+        };
         (self.colours)((value - self.low) / (self.high - self.low))
     }
 }
@@ -218,8 +236,8 @@ const BAR_LABELS: u32 = 230;
 
 /// Draws a colour bar with the name of the quantity.
 fn bar(area: &Area<'_>, scale: Scale, name: &str) -> Result<(), Box<dyn Error>> {
-    const STEPS: u32 = 64;
-    let Scale { colours, low, high } = scale;
+    const STEPS: u32 = 128;
+    let Scale { low, high, .. } = scale;
     let (x, y) = (
         Axis::without_ticks(0.0..1.0),
         Axis::linear(low..high),
@@ -234,7 +252,7 @@ fn bar(area: &Area<'_>, scale: Scale, name: &str) -> Result<(), Box<dyn Error>> 
     // Each rectangle is covered by the next, so that no seam is visible.
     let rectangles = (0..STEPS).map(|step| {
         let start = low + value(step) * (high - low);
-        let colour = colours(value(step) + 0.5 / f64::from(STEPS));
+        let colour = scale.colour(start + 0.5 * (high - low) / f64::from(STEPS));
         Rectangle::new([(0.0, start), (1.0, high)], colour.filled())
     });
     chart.draw_series(rectangles)?;
@@ -267,22 +285,23 @@ pub(crate) fn field(
         let row = |iy| columns.clone().filter_map(move |ix| values.get(ix, iy));
         rows.flat_map(row).sum::<f64>() / count as f64
     };
-    let corner = |ix: usize, iy: f64| {
-        let x = grid.x(0) + (ix as f64 - 0.5) * grid.dx();
+    let corner = |ix: f64, iy: f64| {
+        let x = grid.x(0) + (ix - 0.5) * grid.dx();
         let y = grid.y(0) + (iy - 0.5) * grid.dy();
         (x / length, y / length)
     };
     let mut rectangles = Vec::new();
     for iy in starts(grid.ny()) {
         let rows = ends(iy, grid.ny());
-        // As above, a row overlaps the next row, which is drawn over it.
-        let top = (rows.end as f64 + 0.5 * block as f64).min(grid.ny() as f64);
+        // As above, a block overlaps the next blocks, which are drawn over it.
+        let beyond = |end: usize, cells: usize| (end as f64 + 0.5 * block as f64).min(cells as f64);
+        let top = beyond(rows.end, grid.ny());
         let colour = |ix| scale.colour(mean(ends(ix, grid.nx()), rows.clone()) / unit);
         let colours: Vec<_> = starts(grid.nx()).map(|ix| (ix, colour(ix))).collect();
         for run in colours.chunk_by(|block, next| block.1 == next.1) {
             let (first, last) = (run[0], run[run.len() - 1]);
-            let right = (last.0 + block).min(grid.nx());
-            let corners = [corner(first.0, iy as f64), corner(right, top)];
+            let right = beyond(ends(last.0, grid.nx()).end, grid.nx());
+            let corners = [corner(first.0 as f64, iy as f64), corner(right, top)];
             rectangles.push(Rectangle::new(corners, first.1.filled()));
         }
     }
