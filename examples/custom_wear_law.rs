@@ -166,7 +166,11 @@ fn draw(path: &Path, rows: &[[f64; 5]]) -> std::result::Result<(), Box<dyn Error
     ];
     for (area, column, name, colour) in panels {
         let top = 1.2 * points(column).map(|(_, value)| value).fold(0.0, f64::max);
-        let mut chart = support::axes(&area, (cycles.clone(), "number of cycles"), (0.0..top, name))?;
+        let mut chart = support::axes(
+            &area,
+            (cycles.clone(), "number of cycles"),
+            (0.0..top, name),
+        )?;
         support::dots(&mut chart, name, (colour, true), points(column))?;
     }
     figure.present()?;

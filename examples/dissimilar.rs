@@ -74,7 +74,9 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let start = |history: &History| vec![(1e6 * history.shift()[0], 0.0)];
     let mut loops = [start(&coupled), start(&uncoupled)];
-    println!("\nforce/limit | shift (µm), coupled | not coupled | stick ratio, coupled | not coupled");
+    println!(
+        "\nforce/limit | shift (µm), coupled | not coupled | stick ratio, coupled | not coupled"
+    );
     let mut last = 0.0;
     for turn in TURNS {
         for part in 1..=STEPS {

@@ -210,7 +210,10 @@ fn draw(
     let mut chart = support::map_axes(&panel, (-0.8..0.8, &name[0]), (-0.8..0.8, &name[1]))?;
     draw_paths(&mut chart, loops, |point| point.shift.map(|x| x / scale))?;
     let (_, name, _) = SHOWN[1];
-    let panel = support::heading(&panels[1].0, &format!("{name}: slip path, traction (arrows)"))?;
+    let panel = support::heading(
+        &panels[1].0,
+        &format!("{name}: slip path, traction (arrows)"),
+    )?;
     draw_map(&panel, &loops[MAPPED], &sliding.hertz())?;
     let panel = support::heading(&panels[1].1, "ratio to the values of the line")?;
     draw_energy(&panel, loops)?;

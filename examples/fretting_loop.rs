@@ -245,7 +245,11 @@ fn draw_loop(
     exact: &MindlinDeresiewicz,
 ) -> Result<(), Box<dyn Error>> {
     let (limit, sliding) = (FRICTION * NORMAL_FORCE, exact.sliding_shift());
-    let mut chart = support::axes(area, (-0.8..0.8, "shift / sliding shift"), (-1.0..1.0, "F / µW"))?;
+    let mut chart = support::axes(
+        area,
+        (-0.8..0.8, "shift / sliding shift"),
+        (-1.0..1.0, "F / µW"),
+    )?;
     let mut line = Vec::new();
     // The closed form consists of the first loading and a loop.
     for (turns, from, to) in [
@@ -269,7 +273,11 @@ fn draw_loop(
 fn draw_tractions(area: &Area<'_>, profiles: &[Profile]) -> Result<(), Box<dyn Error>> {
     let hertz = profiles[0].exact.hertz();
     let (a, scale) = (hertz.contact_radius(), FRICTION * hertz.max_pressure());
-    let mut chart = support::axes(area, (-VIEW..VIEW, "x / a"), (-1.0..1.6, "shear traction q / µp₀"))?;
+    let mut chart = support::axes(
+        area,
+        (-VIEW..VIEW, "x / a"),
+        (-1.0..1.6, "shear traction q / µp₀"),
+    )?;
     let names: [(&str, RGBColor); 3] = [
         ("F = 40 N", support::BLUE),
         ("F = 0, unloading", support::ORANGE),

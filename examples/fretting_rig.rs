@@ -121,7 +121,11 @@ fn compare(history: &History, exact: &CattaneoMindlinLine) {
             history.pressure().max(),
             hertz.max_pressure(),
         ),
-        ("half-width (mm)", width(history.normal().contact_cells()), a),
+        (
+            "half-width (mm)",
+            width(history.normal().contact_cells()),
+            a,
+        ),
         (
             "approach (µm)",
             1e3 * history.approach(),
@@ -305,7 +309,11 @@ fn draw(
     support::legend(&mut chart, SeriesLabelPosition::UpperLeft)?;
 
     let scale = maps::Scale::from_zero(maps::heat, map.largest).in_bands(0.1);
-    let lower = support::heading(&lower, "below the surface of the specimen, at the largest load")?;
+    let lower = support::heading(
+        &lower,
+        "below the surface of the specimen, at the largest load",
+    )?;
+    let lower = lower.margin(0, 0, 400, 0);
     let (x, depth) = (-map.reach..map.reach, Axis::depth(-DEPTH..0.0));
     let sides = [(Axis::linear(x), "x / a"), (depth, "depth / a")];
     let mut chart = maps::axes_and_bar_of(&lower, sides, (scale, "von Mises stress / p₀"))?;

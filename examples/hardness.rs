@@ -112,7 +112,7 @@ fn draw(
     [elastic, plastic]: [&History; 2],
 ) -> Result<(), Box<dyn Error>> {
     let title = "Rough steel, elastic and with a hardness of 6 GPa";
-    let figure = support::figure(path, (2 * support::PANEL, 1860), title)?;
+    let figure = support::figure(path, (2 * support::PANEL, 1900), title)?;
     let (upper, lower) = figure.split_vertically(980);
     let areas = upper.split_evenly((1, 2));
     let series = |phase: &'static str, column: usize| {
@@ -148,6 +148,7 @@ fn draw(
         support::legend(&mut chart, SeriesLabelPosition::UpperLeft)?;
     }
 
+    let lower = support::heading(&lower, "at the largest load, along a row of cells")?;
     draw_profiles(&lower, elastic, plastic)?;
     figure.present()?;
     Ok(())
@@ -166,10 +167,7 @@ fn draw_profiles(
         .max_by(|a, b| loaded(*a).total_cmp(&loaded(*b)))
         .unwrap_or_default();
     let (reach, highest) = (1e6 * 0.5 * SIDE, 3e-9 * HARDNESS);
-    let (x, y) = (
-        (-reach..reach, "x (µm)"),
-        (0.0..highest, "pressure, largest load (GPa)"),
-    );
+    let (x, y) = ((-reach..reach, "x (µm)"), (0.0..highest, "pressure (GPa)"));
     let mut chart = support::axes(area, x, y)?;
     for (name, of, colour) in [
         ("elastic", elastic, support::BLUE),

@@ -76,9 +76,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     println!(
         "Difference of the gap from the limiting shape in % of the approach: largest, largest off the edge (farther"
     );
-    println!(
-        "than a cell from the edge of the stick disc), and mean over the worn region.\n"
-    );
+    println!("than a cell from the edge of the stick disc), and mean over the worn region.\n");
     println!(
         "  cycles    jump | load (N)  largest p (GPa) | worn volume / limit | largest off edge   mean"
     );
@@ -300,7 +298,11 @@ fn draw(path: &Path, shown: &[&Stage], limit: &PopovLimitingShape) -> Result<(),
     })?;
     support::legend(&mut chart, SeriesLabelPosition::UpperLeft)?;
 
-    let mut chart = support::axes(&right, (0.0..1.4, "x / a"), (0.0..HIGHEST, "p / p₀ of the unworn ball"))?;
+    let mut chart = support::axes(
+        &right,
+        (0.0..1.4, "x / a"),
+        (0.0..HIGHEST, "p / p₀ of the unworn ball"),
+    )?;
     let pressure = limit_at(&|r| (limit.pressure(r) / max_pressure).min(HIGHEST));
     support::law(&mut chart, "limiting shape", true, pressure)?;
     draw_stages(&mut chart, shown, colours, a, |&[_, _, pressure]| {

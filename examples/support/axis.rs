@@ -20,9 +20,9 @@ pub(crate) struct Axis {
 /// Form of the labels of ticks.
 #[derive(Debug, Clone, Copy)]
 enum Label {
-    /// Number with so many decimals.
+    /// Number with the given number of decimals.
     Decimals(usize),
-    /// Magnitude of a number with so many decimals.
+    /// Magnitude of a number with the given number of decimals.
     Magnitude(usize),
     /// Power of ten, given its exponent.
     Power,
@@ -123,7 +123,10 @@ impl Axis {
 
     /// Returns the width of the longest label of a tick; a digit is about half as wide as high.
     pub(crate) fn label_width(&self) -> i32 {
-        let lengths = self.ticks.iter().map(|tick| self.format_ext(tick).chars().count());
+        let lengths = self
+            .ticks
+            .iter()
+            .map(|tick| self.format_ext(tick).chars().count());
         30 * i32::try_from(lengths.max().unwrap_or(0)).unwrap_or(0)
     }
 
@@ -177,9 +180,7 @@ impl ValueFormatter<f64> for Axis {
     fn format_ext(&self, value: &f64) -> String {
         match self.label {
             // Adding zero turns a negative zero into a positive one.
-            Label::Decimals(digits) => {
-                format!("{:.digits$}", value + 0.0).replace('-', "\u{2212}")
-            }
+            Label::Decimals(digits) => format!("{:.digits$}", value + 0.0).replace('-', "\u{2212}"),
             Label::Magnitude(digits) => format!("{:.digits$}", value.abs()),
             Label::Power => power_of_ten(*value),
             Label::Number => format!("{}", one_digit(*value)),

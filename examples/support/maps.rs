@@ -9,7 +9,8 @@ use stickslip::{ContactSpots, Field, Grid, Zone};
 
 use super::axis::Axis;
 use super::{
-    ABOVE, Area, BELOW, BLUE, Chart, GREEN, LETTERS, NAME, ORANGE, PURPLE, axes_of, equal_scale, upright,
+    ABOVE, Area, BELOW, BLUE, Chart, GREEN, LETTERS, NAME, ORANGE, PURPLE, axes_of, equal_scale,
+    upright,
 };
 
 /// Colour of cells without contact.
@@ -67,14 +68,22 @@ pub(crate) fn spots(
             let distances = alike.map(|(_, of)| (of[0] - centre[0]).hypot(of[1] - centre[1]));
             distances.fold(f64::INFINITY, f64::min)
         };
-        let best = (0..COLOURS.len()).rev().max_by(|a, b| nearest(a).total_cmp(&nearest(b)));
+        let best = (0..COLOURS.len())
+            .rev()
+            .max_by(|a, b| nearest(a).total_cmp(&nearest(b)));
         chosen.push(best.unwrap_or_default());
     }
     let colours = spots.labels().iter().map(|&label| match label {
         0 => GREY,
         label => COLOURS[chosen[label as usize - 1]],
     });
-    cells(chart, spots.grid(), &colours.collect::<Vec<_>>(), scale, sight)
+    cells(
+        chart,
+        spots.grid(),
+        &colours.collect::<Vec<_>>(),
+        scale,
+        sight,
+    )
 }
 
 /// Draws every visible cell in its colour, with lengths in units of `scale`.
@@ -238,10 +247,7 @@ const BAR_LABELS: u32 = 230;
 fn bar(area: &Area<'_>, scale: Scale, name: &str) -> Result<(), Box<dyn Error>> {
     const STEPS: u32 = 128;
     let Scale { low, high, .. } = scale;
-    let (x, y) = (
-        Axis::without_ticks(0.0..1.0),
-        Axis::linear(low..high),
-    );
+    let (x, y) = (Axis::without_ticks(0.0..1.0), Axis::linear(low..high));
     let label_width = y.label_width();
     let mut chart = ChartBuilder::on(area)
         .margin_top(ABOVE)

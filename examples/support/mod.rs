@@ -90,7 +90,11 @@ fn headed<'a>(
 
 /// Returns the width of an area.
 fn width(area: &Area<'_>) -> i32 {
-    area.get_pixel_range().0.len().try_into().unwrap_or(i32::MAX)
+    area.get_pixel_range()
+        .0
+        .len()
+        .try_into()
+        .unwrap_or(i32::MAX)
 }
 
 /// Draws a row of coloured squares with names above the rest of an area, and returns the rest.
@@ -101,7 +105,8 @@ pub(crate) fn key<'a>(
     const HEIGHT: i32 = 80;
     const SQUARE: i32 = 40;
     // A letter is about half as wide as high; SVG files contain no exact widths.
-    let entry_width = |name: &str| 2 * SQUARE + 28 * i32::try_from(name.chars().count()).unwrap_or(0);
+    let entry_width =
+        |name: &str| 2 * SQUARE + 28 * i32::try_from(name.chars().count()).unwrap_or(0);
     let style = ("sans-serif", LETTERS - 2).into_font().color(&BLACK);
     let style = style.pos(Pos::new(HPos::Left, VPos::Center));
     let total: i32 = entries.iter().map(|(_, name)| entry_width(name)).sum();
@@ -247,7 +252,7 @@ pub(crate) fn compare(
     Ok(())
 }
 
-/// Draws full points on a line, or hollow points on a dashed line.
+/// Draws full points on a line, or hollow points on a dashed line. A curve without a name is not part of the legend.
 pub(crate) fn curve(
     chart: &mut Chart<'_>,
     name: &str,
@@ -265,15 +270,15 @@ pub(crate) fn curve(
     let filled = move |at| Circle::new(at, DOT, inside.filled());
     let outlined = move |at| Circle::new(at, DOT, line);
     chart.draw_series(points.clone().map(filled))?;
-    chart
-        .draw_series(points.map(outlined))?
-        .label(name)
-        .legend(move |at| {
+    let series = chart.draw_series(points.map(outlined))?;
+    if !name.is_empty() {
+        series.label(name).legend(move |at| {
             EmptyElement::at(at)
                 + PathElement::new([(0, 0), (SAMPLE, 0)], line)
                 + Circle::new((SAMPLE / 2, 0), DOT, inside.filled())
                 + Circle::new((SAMPLE / 2, 0), DOT, line)
         });
+    }
     Ok(())
 }
 
