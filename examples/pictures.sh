@@ -4,13 +4,9 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-folder=$(mktemp --directory)
-trap 'rm -r "$folder"' EXIT
 # Files are smaller without dithering.
 picture() { # Arguments: name, width, number of colours.
-    rsvg-convert --width "$2" "target/gallery/$1.svg" | pngquant "$3" --nofs --speed 1 - >"$folder/first.png"
-    zopflipng -y "$folder/first.png" "$folder/second.png" >/dev/null
-    cat "$folder/second.png"
+    rsvg-convert --width "$2" --background-color white "target/gallery/$1.svg" | pngquant "$3" --nofs --speed 1 -
 }
 
 for drawing in target/gallery/*.svg; do
@@ -23,8 +19,12 @@ for drawing in target/gallery/*.svg; do
 done
 
 # In the guide a picture is embedded in the text, because the packaged crate contains no picture files.
+folder=$(mktemp --directory)
+trap 'rm -r "$folder"' EXIT
 embed() { # Arguments: name, description, number of colours.
-    printf '<img alt="%s" src="data:image/png;base64,%s">\n' "$2" "$(picture "$1" 800 "${3:-16}" | base64 --wrap=0)" \
+    picture "$1" 800 "${3:-16}" >"$folder/picture.png"
+    zopflipng -y "$folder/picture.png" "$folder/smaller.png" >/dev/null
+    printf '<img alt="%s" src="data:image/png;base64,%s">\n' "$2" "$(base64 --wrap=0 "$folder/smaller.png")" \
         >"src/pictures/$1.html"
 }
 # Embeds a drawing that no example creates.

@@ -72,7 +72,7 @@ impl Axis {
             let numbers = (-30..30).flat_map(|exponent| digits.map(|d| f64::from(exponent) + d));
             numbers.filter(contains).collect()
         } else {
-            let every = (1..).find(|every| powers.len() as f64 / f64::from(*every) <= INTERVALS);
+            let every = (1..=30).find(|every| powers.len() as f64 / f64::from(*every) <= INTERVALS);
             let every = f64::from(every.unwrap_or(1));
             let multiple = |exponent: &f64| exponent.rem_euclid(every) == 0.0;
             powers.into_iter().filter(multiple).collect()
@@ -142,7 +142,8 @@ fn round_numbers(range: &Range<f64>, intervals: f64) -> (Vec<f64>, usize) {
     let span = range.end - range.start;
     #[expect(clippy::cast_possible_truncation, reason = "a small number")]
     let first = (span / intervals).log10().floor() as i32;
-    let steps = (first..).flat_map(|exponent| [1.0, 2.0, 5.0].map(|digit| (digit, exponent)));
+    let steps =
+        (first..first + 3).flat_map(|exponent| [1.0, 2.0, 5.0].map(|digit| (digit, exponent)));
     let mut steps = steps.map(|(digit, exponent)| (digit * 10_f64.powi(exponent), exponent));
     let (step, exponent) = steps
         .find(|(step, _)| span / step <= intervals)
