@@ -43,7 +43,7 @@ pub(crate) fn zones(
     cells(chart, grid, &colours.collect::<Vec<_>>(), scale, [x, y])
 }
 
-/// Draws contact spots. Spots that are near each other have different colours.
+/// Draws contact spots. Spots whose centres are near each other have different colours.
 pub(crate) fn spots(
     chart: &mut Chart<'_>,
     spots: &ContactSpots,

@@ -360,7 +360,7 @@ def spot_map(
         Axes to draw into; new axes by default.
     by : str, default "mean_pressure"
         The property: "cells", "area", "load", "mean_pressure", "max_pressure", "perimeter" or "stick_ratio". "number"
-        draws spots that are near each other in different colours, without a colour bar.
+        draws spots whose centres are near each other in different colours, without a colour bar.
     unit, value_scale, scale, length_unit, **options : optional
         See :func:`field`.
 
@@ -389,7 +389,7 @@ def spot_map(
 
 
 def _numbered(spots: Any, axes: Axes | None, scale: float, length_unit: str, options: dict[str, Any]) -> Axes:
-    """Draws contact spots; those that are near each other differ in colour."""
+    """Draws contact spots; spots whose centres are near each other differ in colour."""
     labels, grid = spots.labels, spots.grid
     along = _profile_axis(grid)
     if along is not None:
