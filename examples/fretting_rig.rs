@@ -233,7 +233,7 @@ fn compare_tension(
     let (a, p0) = (exact.hertz().half_width(), exact.hertz().max_pressure());
     let [at_edge, _] = exact.surface_stress(-a);
     println!(
-        "Largest tension of the surface: {found:.3} p0 in the cell at x = {at:.2} a; closed form at the edge of the contact: {:.3} p0.",
+        "Largest tension of the surface: {found:.3} p0 in the cell at x = {at:.2} a; closed form at the edge: {:.3} p0.",
         at_edge / p0
     );
     let depth = 0.02 * a;

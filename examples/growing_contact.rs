@@ -1,7 +1,8 @@
 //! A contact that grows while it is sheared, in few and in many steps: effect of the entry rule.
 //!
 //! `cargo run --release -p stickslip-examples --example growing_contact [reference]` prints, for a ball and a rough ball, the
-//! error of the traction field without and with the entry rule, for 1, 4 and 8 steps per leg. The reference uses 64 steps per leg.
+//! error of the traction field without and with the entry rule, for 1, 4 and 8 steps per leg. The reference uses 64 steps per
+//! leg.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 

@@ -35,7 +35,7 @@ figure() { # Arguments: name, description.
 mkdir -p src/pictures
 embed sphere "Pressure and shear traction of a ball along x with the closed forms, and its stick and slip zones"
 embed fretting_loop "Loop of force and shift of a ball, and its shear tractions at three points of the loop"
-embed fretting_rig "Loop of load and shift of a cylinder under bulk stress, its tractions, and von Mises stress below the surface" 24
+embed fretting_rig "Loop of load and shift of a cylinder under bulk stress, its tractions, and von Mises stress below it" 24
 embed creep_curves "Stick and slip zones of a rolling ellipse with its tractions, and creep curves with those of CONTACT"
 embed dissimilar "Pressure of an aluminium ball on steel, the shear tractions due to pressing, and a loop of force and shift" 12
 embed hardness "Contact area, approach and pressure of rough steel, elastic and with a hardness" 12
