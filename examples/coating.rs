@@ -32,7 +32,7 @@ const LOADING: f64 = 0.5;
 const CELLS: usize = 128;
 
 /// Ratio of the moduli of coating and body, with the axisymmetric solution for a coating whose thickness is half the contact
-/// radius `a_H` without coating. The solution consists of the contact radius divided by `a_H`, and of the central pressure and
+/// radius `a0` without coating. The solution consists of the contact radius divided by `a0`, and of the central pressure and
 /// the approach divided by their values without coating.
 const COATINGS: [(f64, [f64; 3]); 5] = [
     (0.25, [1.330897, 0.634832, 1.319233]),
@@ -66,7 +66,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let thickness = 0.5 * hertz.contact_radius();
 
     println!(
-        "E1/E2 | radius a/a_H  (exact) | pressure p/p_H  (exact) | approach  (exact) | shift | stick ratio"
+        "E1/E2 | radius a/a0   (exact) | pressure p/p0   (exact) | approach  (exact) | shift | stick ratio"
     );
     let path = support::gallery("coating.csv")?;
     let mut table = csv::Writer::from_path(&path)?;
@@ -103,13 +103,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     table.flush()?;
     let svg = support::gallery("coating.svg")?;
     draw(&svg, &contacts, &hertz)?;
-    println!("\nE1/E2 | von Mises stress / p_H, most in the coating | most below it");
+    println!("\nE1/E2 | largest von Mises stress / p0, in the coating | below it");
     for ((ratio, _), (contact, _)) in COATINGS.iter().zip(&contacts) {
         let [above, below] = contact.stress.each_ref().map(|line| {
             let most = line.iter().map(|(_, stress)| *stress).fold(0.0, f64::max);
             most / hertz.max_pressure()
         });
-        println!("{ratio:>5} | {above:>46.4} | {below:.4}");
+        println!("{ratio:>5} | {above:>47.4} | {below:.4}");
     }
     println!("\ntable: {}\nfigure: {}", path.display(), svg.display());
     Ok(())
@@ -159,11 +159,11 @@ fn draw(
     contacts: &[(Contact, f64)],
     hertz: &HertzSphere,
 ) -> Result<(), Box<dyn Error>> {
-    let title = "Coated spheres: coatings half as thick as the contact radius without them";
-    let figure = support::figure(path, (1800, 1640), title)?;
-    let (top, bottom) = figure.split_vertically(780);
-    let (left, right) = top.split_horizontally(900);
-    let (lower_left, lower_right) = bottom.split_horizontally(900);
+    const HEIGHT: u32 = 1060;
+    let title = "Coated spheres; a₀ and p₀: contact radius and pressure without coating";
+    let size = (2 * support::PANEL, support::TITLE + 2 * HEIGHT);
+    let figure = support::figure(path, size, title)?;
+    let panels = figure.split_evenly((2, 2));
     let radius = hertz.contact_radius();
     let along_x = |field: &Field, unit: f64| -> Vec<(f64, f64)> {
         let grid = field.grid();
@@ -172,40 +172,49 @@ fn draw(
         let points = (0..grid.nx()).map(|ix| (grid.x(ix) / radius, value(ix)));
         points.filter(|(x, _)| *x >= 0.0).collect()
     };
-    let mut pressures = support::axes(&left, (0.0..1.6, "x / a_H"), (0.0..1.7, "p / p_H"))?;
-    let mut tractions = support::axes(&right, (0.0..1.6, "x / a_H"), (0.0..1.1, "q / µp_H"))?;
-    for (((ratio, _), colour), (contact, _)) in COATINGS.iter().zip(COLOURS).zip(contacts) {
-        let line = colour.stroke_width(3);
-        let name = format!("E1 / E2 = {ratio}");
-        let pressure = along_x(contact.normal.pressure(), hertz.max_pressure());
-        pressures
-            .draw_series(LineSeries::new(pressure, line))?
-            .label(name)
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 40, y)], line));
-        let unit = FRICTION * hertz.max_pressure();
-        let traction = along_x(contact.sheared.traction()[0], unit);
-        tractions.draw_series(LineSeries::new(traction, line))?;
+    let curves = |field: &dyn Fn(&Contact) -> Field, unit: f64| -> Vec<Vec<(f64, f64)>> {
+        let fields = contacts.iter().map(|(contact, _)| field(contact));
+        fields.map(|field| along_x(&field, unit)).collect()
+    };
+    let pressures = curves(
+        &|contact| contact.normal.pressure().clone(),
+        hertz.max_pressure(),
+    );
+    let tractions = curves(
+        &|contact| contact.sheared.traction()[0].clone(),
+        FRICTION * hertz.max_pressure(),
+    );
+    for (panel, curves, name) in [
+        (&panels[0], pressures, "pressure p / p₀"),
+        (&panels[1], tractions, "shear traction q / µp₀"),
+    ] {
+        // The highest curve remains below the upper end of the axis.
+        let most = curves.iter().flatten().map(|(_, y)| *y).fold(0.0, f64::max);
+        let mut chart = support::axes(panel, (0.0..1.6, "x / a₀"), (0.0..1.08 * most, name))?;
+        for (((ratio, _), colour), points) in COATINGS.iter().zip(COLOURS).zip(curves) {
+            support::line(&mut chart, &format!("E₁/E₂ = {ratio}"), colour, points)?;
+        }
+        support::legend(&mut chart, SeriesLabelPosition::UpperRight)?;
     }
-    support::legend(&mut pressures, SeriesLabelPosition::UpperRight)?;
 
     let mut stresses = support::axes(
-        &lower_left,
-        (0.0..2.0, "depth / a_H"),
-        (0.0..1.9, "von Mises stress / p_H"),
+        &panels[2],
+        (0.0..2.0, "depth / a₀, below the centre"),
+        (0.0..1.9, "von Mises stress / p₀"),
     )?;
-    for (colour, (contact, _)) in COLOURS.iter().zip(contacts) {
+    support::mark(&mut stresses, "interface", [(0.5, 0.0), (0.5, 1.9)])?;
+    for (colour, (contact, _)) in COLOURS.into_iter().zip(contacts) {
         for side in &contact.stress {
             let unit = hertz.max_pressure();
             let points = side.iter().map(|(z, stress)| (z / radius, stress / unit));
-            stresses.draw_series(LineSeries::new(points, colour.stroke_width(3)))?;
+            stresses.draw_series(LineSeries::new(points, support::stroke(colour)))?;
         }
     }
-    let interface = [(0.5, 0.0), (0.5, 1.9)];
-    stresses.draw_series(LineSeries::new(interface, BLACK.mix(0.4).stroke_width(2)))?;
+    support::legend(&mut stresses, SeriesLabelPosition::UpperRight)?;
     let mut zones = support::axes(
-        &lower_right,
-        (-2.0..2.0, "log2 (E1 / E2)"),
-        (0.0..1.4, "radius / a_H"),
+        &panels[3],
+        (-2.0..2.0, "log₂(E₁/E₂)"),
+        (0.0..1.4, "radius / a₀"),
     )?;
     let area_radius = |cells: usize, contact: &Contact| {
         let area = cells as f64 * contact.normal.grid().cell_area();
@@ -232,11 +241,7 @@ fn draw(
         (contact, "contact", support::BLUE),
         (stick, "stick zone", support::ORANGE),
     ] {
-        let line = colour.stroke_width(3);
-        zones
-            .draw_series(LineSeries::new(points, line))?
-            .label(name)
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 40, y)], line));
+        support::line(&mut zones, name, colour, points)?;
     }
     support::legend(&mut zones, SeriesLabelPosition::UpperRight)?;
     figure.present()?;

@@ -2,7 +2,7 @@
 //! zones under creepage and spin.
 //!
 //! `cargo run --release -p stickslip-examples --example creep_curves` prints the creep forces of CONTACT's example `tractcurv`
-//! with and without the law for entering cells, and writes `target/gallery/creep_curves.csv` and `.svg`.
+//! with and without the entry rule, and writes `target/gallery/creep_curves.csv` and `.svg`.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -51,7 +51,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         Ok(curve.force()[0] / (FRICTION * LOAD))
     };
 
-    println!("creepage | CONTACT | without the law | with it | 24 x 22 | Vermeulen and Johnson");
+    println!("creepage | CONTACT | no entry rule | entry rule | 24 x 22 | Vermeulen and Johnson");
     let csv = support::gallery("creep_curves.csv")?;
     let mut table = csv::Writer::from_path(&csv)?;
     table.write_record([
@@ -65,7 +65,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for (i, (xi, contact)) in CONTACT.into_iter().enumerate() {
         let row = [xi, contact, whole[i], law[i], half[i], closed_form(xi)?];
         println!(
-            "{:>8.1e} | {:>7.4} | {:>15.4} | {:>7.4} | {:>7.4} | {:>7.4}",
+            "{:>8.1e} | {:>7.4} | {:>13.4} | {:>10.4} | {:>7.4} | {:>7.4}",
             row[0], row[1], row[2], row[3], row[4], row[5]
         );
         table.serialize(row)?;
@@ -137,24 +137,23 @@ fn draw(
     law: &[f64],
     closed_form: &[(f64, f64)],
 ) -> Result<(), Box<dyn Error>> {
-    let title = "A steel ellipse that rolls to the right";
-    let figure = support::figure(path, (1800, 860), title)?;
-    let (left, right) = figure.split_horizontally(760);
+    let title = "Elliptical steel contact that rolls towards positive x";
+    let figure = support::figure(path, (2400, support::TITLE + 1200), title)?;
+    let (left, right) = figure.split_horizontally(960);
 
-    let left = left.titled(
-        "with spin: blue sticks, orange slips, lines are tractions",
-        ("sans-serif", support::LETTERS),
-    )?;
+    let left = support::heading(&left, "with spin; lines: traction")?;
+    let left = support::key(&left, &support::maps::zones_key(rolling.zones()))?;
+    let right = support::heading(&right, "creepage along x alone")?;
     let reach = [0, 1].map(|axis| 0.5 * SIDES[axis] * CELLS[axis] as f64);
     let sight = reach.map(|reach| -reach..reach);
     let [x, y] = sight.clone();
-    let mut chart = support::map_axes(&left, (x, "x, mm"), (y, "y, mm"))?;
+    let mut chart = support::map_axes(&left, (x, "x (mm)"), (y, "y (mm)"))?;
     support::maps::zones(&mut chart, rolling.grid(), rolling.zones(), 1.0, sight)?;
     tractions(&mut chart, rolling)?;
 
     let mut chart = support::axes(
         &right,
-        (0.0..3.0, "creepage ξ, 0.001"),
+        (0.0..3.0, "creepage ξ (10⁻³)"),
         (0.0..1.05, "F / µP"),
     )?;
     support::law(
@@ -170,7 +169,7 @@ fn draw(
     let ours = points(&mut CONTACT.iter().map(|(xi, _)| *xi).zip(law.iter().copied()));
     support::dots(
         &mut chart,
-        "CONTACT; the same without the law",
+        "CONTACT; no entry rule",
         (support::ORANGE, false),
         contact,
     )?;
@@ -207,8 +206,8 @@ fn tractions(
             }
             let from = (grid.x(ix), grid.y(iy));
             let to = (from.0 + length * traction[0], from.1 + length * traction[1]);
-            chart.draw_series([PathElement::new([from, to], BLACK.stroke_width(3))])?;
-            chart.draw_series([Circle::new(from, 4, BLACK.filled())])?;
+            chart.draw_series([PathElement::new([from, to], support::stroke(BLACK))])?;
+            chart.draw_series([Circle::new(from, 8, BLACK.filled())])?;
         }
     }
     Ok(())

@@ -95,7 +95,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     match outcome {
         Err(stickslip::Error::NotConverged(report)) if report.status == Status::Cancelled => {
             println!("{report}");
-            println!("forces so far, which already carry the load: {force:.3?}");
+            println!("forces at this step, whose sum is the load: {force:.3?}");
         }
         other => other?,
     }

@@ -22,7 +22,7 @@ use stickslip::{
 const BALL_RADIUS: f64 = 3.5e-3;
 const NORMAL_FORCE: f64 = 100.0;
 const FRICTION: f64 = 0.5;
-/// Amplitude of the shift; gross sliding starts at 2.99 um.
+/// Amplitude of the shift; gross sliding starts at 2.99 µm.
 const SHIFT_AMPLITUDE: f64 = 2.5e-6;
 const STEPS: usize = 40;
 const CYCLES: usize = 20;
@@ -95,12 +95,12 @@ fn main() -> std::result::Result<(), Box<dyn Error>> {
     let mut restored = History::from_bytes(&bodies, &saved)?;
     run(&mut restored, &ball, CYCLES - CYCLES / 2)?;
 
-    println!("cycle | energy, uJ  deepest wear, um  largest pressure, GPa  worn volume, um3");
+    println!("cycle | energy (µJ)  worn depth (µm)  largest pressure (GPa)  worn volume (µm³)");
     for (number, cycle) in (1..).zip(&cycles) {
         let [_, energy, depth, pressure, volume] = cycle.row(number);
-        println!("{number:>5} | {energy:>10.4}  {depth:>16.4}  {pressure:>21.4}  {volume:>16.2}");
+        println!("{number:>5} | {energy:>11.4}  {depth:>15.4}  {pressure:>22.4}  {volume:>17.2}");
     }
-    println!("\nsaved half way: {} bytes", saved.len());
+    println!("\nsaved after half of the cycles: {} bytes", saved.len());
     for (name, field) in [
         ("gap", History::gap as fn(&History) -> &Field),
         ("pressure", History::pressure),
@@ -155,18 +155,22 @@ impl Leaving {
 }
 
 fn draw(path: &Path, rows: &[[f64; 5]]) -> std::result::Result<(), Box<dyn Error>> {
-    let title = "A ball that wears fast while its surface runs in, then slowly: each cycle of the first twenty";
-    let figure = support::figure(path, (1960, 900), title)?;
-    let (left, right) = figure.split_horizontally(980);
+    let title = "Wear of a ball during and after running-in";
+    let figure = support::figure(path, (2 * support::PANEL, 1300), title)?;
+    let (left, right) = figure.split_horizontally(support::PANEL);
     let cycles = 0.0..CYCLES as f64 + 1.0;
     let points = |column: usize| rows.iter().map(move |row| (row[0], row[column]));
     let panels = [
-        (left, 2, "deepest wear, µm", support::BLUE),
-        (right, 3, "largest pressure, GPa", support::ORANGE),
+        (left, 2, "largest worn depth (µm)", support::BLUE),
+        (right, 3, "largest pressure (GPa)", support::ORANGE),
     ];
     for (area, column, name, colour) in panels {
         let top = 1.2 * points(column).map(|(_, value)| value).fold(0.0, f64::max);
-        let mut chart = support::axes(&area, (cycles.clone(), "cycles"), (0.0..top, name))?;
+        let mut chart = support::axes(
+            &area,
+            (cycles.clone(), "number of cycles"),
+            (0.0..top, name),
+        )?;
         support::dots(&mut chart, name, (colour, true), points(column))?;
     }
     figure.present()?;

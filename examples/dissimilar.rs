@@ -22,6 +22,8 @@ const FORCE: f64 = 100.0;
 const FRICTION: f64 = 0.3;
 /// Tolerance of the tractions while the ball is pressed in steps.
 const TOLERANCE: f64 = 2e-3;
+/// Steps from one turning point to the next.
+const STEPS: u32 = 10;
 /// Turning points of the tangential force, divided by the sliding force.
 const TURNS: [f64; 3] = [0.6, -0.6, 0.6];
 
@@ -70,12 +72,15 @@ fn main() -> Result<(), Box<dyn Error>> {
     row("stick radius", &|h| h.last_step().stick_ratio().sqrt());
     let pressed = coupled.clone();
 
-    let mut loops = [Vec::new(), Vec::new()];
-    println!("\nforce/limit | shift, um | not coupled | stick | not coupled");
+    let start = |history: &History| vec![(1e6 * history.shift()[0], 0.0)];
+    let mut loops = [start(&coupled), start(&uncoupled)];
+    println!(
+        "\nforce/limit | shift (µm), coupled | not coupled | stick ratio, coupled | not coupled"
+    );
     let mut last = 0.0;
     for turn in TURNS {
-        for part in 1..=10 {
-            let force = last + (turn - last) * f64::from(part) / 10.0;
+        for part in 1..=STEPS {
+            let force = last + (turn - last) * f64::from(part) / f64::from(STEPS);
             let drag = TangentialControl::Force(force * FRICTION * FORCE);
             let load = LoadStep::hold()
                 .normal(NormalControl::Force(FORCE))
@@ -87,7 +92,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         last = turn;
         println!(
-            "{turn:>11.1} | {:>9.4} | {:>11.4} | {:>5.3} | {:>11.3}",
+            "{turn:>11.1} | {:>19.4} | {:>11.4} | {:>20.3} | {:>11.3}",
             1e6 * coupled.shift()[0],
             1e6 * uncoupled.shift()[0],
             coupled.last_step().stick_ratio(),
@@ -134,9 +139,10 @@ fn draw(
     profiles: &[[f64; 4]],
     loops: &[Vec<(f64, f64)>; 2],
 ) -> Result<(), Box<dyn Error>> {
-    let title = "An aluminium ball on steel: pressure and traction found together";
-    let figure = support::figure(path, (2400, 860), title)?;
-    let areas = figure.split_evenly((1, 3));
+    let title = "Aluminium ball on steel, coupled pressure and shear traction";
+    let figure = support::figure(path, (2 * support::PANEL, 2220), title)?;
+    let (upper, lower) = figure.split_vertically(800);
+    let (left, right) = lower.split_horizontally(support::PANEL);
     let reach = 1.1
         * profiles.iter().fold(
             0.0,
@@ -144,33 +150,29 @@ fn draw(
         );
 
     let largest = profiles.iter().fold(0.0, |m: f64, row| m.max(row[1]));
-    let (x, y) = (-reach..reach, -0.6 * largest..1.6 * largest);
-    let mut chart = support::axes(&areas[0], (x, "x, µm"), (y, "MPa"))?;
+    let (x, y) = (-reach..reach, -0.5 * largest..1.1 * largest);
     let points = |value: Value| -> Vec<(f64, f64)> {
         let seen = profiles.iter().filter(|row| row[0].abs() <= reach);
         seen.map(|row| (row[0], value(row))).collect()
     };
-    let line = |colour: RGBColor| colour.stroke_width(3);
     let pressure: Value = |row| row[1];
     let change: Value = |row| 20.0 * (row[1] - row[2]);
     let traction: Value = |row| row[3];
-    for (name, value, colour) in [
+    let curves = [
         ("pressure", pressure, support::BLUE),
         ("20 × its change by coupling", change, support::ORANGE),
-        ("traction left by pressing", traction, support::GREEN),
-    ] {
-        chart
-            .draw_series(LineSeries::new(points(value), line(colour)))?
-            .label(name)
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 40, y)], line(colour)));
+        ("shear traction", traction, support::GREEN),
+    ];
+    let upper = support::heading(&upper, "pressed, along x")?;
+    let upper = support::key(&upper, &curves.map(|(name, _, colour)| (colour, name)))?;
+    let mut chart = support::axes(&upper, (x, "x (µm)"), (y, "traction (MPa)"))?;
+    for (name, value, colour) in curves {
+        support::line(&mut chart, name, colour, points(value))?;
     }
-    support::legend(&mut chart, SeriesLabelPosition::UpperMiddle)?;
 
-    let middle = areas[1].titled(
-        "pressed: blue sticks, orange slips, lines are tractions",
-        ("sans-serif", support::LETTERS),
-    )?;
-    let mut chart = support::map_axes(&middle, (-reach..reach, "x, µm"), (-reach..reach, "y, µm"))?;
+    let left = support::heading(&left, "pressed; lines: shear traction")?;
+    let left = support::key(&left, &support::maps::zones_key(pressed.zones()))?;
+    let mut chart = support::map_axes(&left, (-reach..reach, "x (µm)"), (-reach..reach, "y (µm)"))?;
     let sight = [-reach..reach, -reach..reach];
     support::maps::zones(&mut chart, pressed.grid(), pressed.zones(), 1e-6, sight)?;
     arrows(&mut chart, pressed, reach)?;
@@ -180,14 +182,12 @@ fn draw(
         .flatten()
         .fold(0.0, |m: f64, point| m.max(point.0.abs()));
     let (x, y) = (-1.1 * width..1.1 * width, -0.8..0.8);
-    let mut chart = support::axes(&areas[2], (x, "shift, µm"), (y, "F / µW"))?;
+    let right = support::heading(&right, "sheared back and forth")?;
+    let mut chart = support::axes(&right, (x, "shift (µm)"), (y, "F / µW"))?;
     let names = ["coupled", "not coupled"];
     let colours = [support::BLUE, support::ORANGE];
     for ((points, name), colour) in loops.iter().zip(names).zip(colours) {
-        chart
-            .draw_series(LineSeries::new(points.iter().copied(), line(colour)))?
-            .label(name)
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 40, y)], line(colour)));
+        support::line(&mut chart, name, colour, points.iter().copied())?;
     }
     support::legend(&mut chart, SeriesLabelPosition::UpperLeft)?;
     figure.present()?;
@@ -212,8 +212,8 @@ fn arrows(
             }
             let from = (1e6 * grid.x(ix), 1e6 * grid.y(iy));
             let to = (from.0 + length * traction[0], from.1 + length * traction[1]);
-            chart.draw_series([PathElement::new([from, to], BLACK.stroke_width(3))])?;
-            chart.draw_series([Circle::new(from, 4, BLACK.filled())])?;
+            chart.draw_series([PathElement::new([from, to], support::stroke(BLACK))])?;
+            chart.draw_series([Circle::new(from, 8, BLACK.filled())])?;
         }
     }
     Ok(())

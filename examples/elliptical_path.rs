@@ -17,7 +17,7 @@ use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
 
 use plotters::element::PathElement;
-use plotters::prelude::{Color, RGBColor, SeriesLabelPosition};
+use plotters::prelude::{RGBColor, SeriesLabelPosition};
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::history::{FrettingLoop, FrettingResult, LoadPath, LoopPoint};
 use stickslip::{
@@ -176,12 +176,12 @@ fn steady_loop(
 
 fn print_table(loops: &[Loop]) {
     println!(
-        "aspect | energy, uJ  extrapolated  energy ratio  longest path slipped, um  least stick ratio | cycles"
+        "aspect | energy (µJ)  extrapolated (µJ)  energy ratio  longest slip path (µm)  smallest stick ratio | cycles"
     );
     for of in loops {
         let [aspect, energy, extrapolated, ratio, slip, stick, cycles] = of.row();
         println!(
-            "{aspect:>6.2} | {energy:>10.4}  {extrapolated:>12.4}  {ratio:>12.4}  {slip:>24.4}  {stick:>17.4} | {cycles:>3} {:?}",
+            "{aspect:>6.2} | {energy:>11.4}  {extrapolated:>17.4}  {ratio:>12.4}  {slip:>22.4}  {stick:>20.4} | {cycles:>3} {:?}",
             of.outcome.ending
         );
     }
@@ -192,25 +192,31 @@ fn draw(
     loops: &[Loop],
     sliding: &CattaneoMindlin,
 ) -> std::result::Result<(), Box<dyn Error>> {
-    let title = "Steel ball on steel, W = 100 N, dragged round ellipses of force of 40 N along x";
-    let figure = support::figure(path, (1960, 2000), title)?;
-    let panels = figure.split_evenly((2, 2));
+    let title = "Steel ball on steel, W = 100 N: tangential force along ellipses";
+    let figure = support::figure(path, (2 * support::PANEL, 2860), title)?;
+    let (upper, lower) = figure.split_vertically(1510);
+    let panels = [upper, lower].map(|row| row.split_horizontally(support::PANEL));
+    let key = SHOWN.map(|(_, name, colour)| (colour, name));
     let limit = FRICTION * NORMAL_FORCE;
-    let name = ["x", "y"].map(|axis| format!("F{axis} / μW"));
-    let [forces, shifts] = ["paths of the force", "paths of the shift, steady"];
-    let panel = panels[0].titled(forces, ("sans-serif", support::LETTERS))?;
+    let name = ["x", "y"].map(|axis| format!("F{axis} / µW"));
+    let panel = support::heading(&panels[0].0, "force")?;
+    let panel = support::key(&panel, &key)?;
     let mut chart = support::map_axes(&panel, (-1.0..1.0, &name[0]), (-1.0..1.0, &name[1]))?;
     draw_paths(&mut chart, loops, |point| point.force.map(|f| f / limit))?;
     let scale = sliding.sliding_shift();
     let name = ["x", "y"].map(|axis| format!("δ{axis} / δ₀"));
-    let panel = panels[1].titled(shifts, ("sans-serif", support::LETTERS))?;
+    let panel = support::heading(&panels[0].1, "shift, steady loop")?;
+    let panel = support::key(&panel, &key)?;
     let mut chart = support::map_axes(&panel, (-0.8..0.8, &name[0]), (-0.8..0.8, &name[1]))?;
     draw_paths(&mut chart, loops, |point| point.shift.map(|x| x / scale))?;
     let (_, name, _) = SHOWN[1];
-    let title = format!("{name}, end of a cycle: traction, and path slipped");
-    let panel = panels[2].titled(&title, ("sans-serif", support::LETTERS))?;
+    let panel = support::heading(
+        &panels[1].0,
+        &format!("{name}: slip path, traction (arrows)"),
+    )?;
     draw_map(&panel, &loops[MAPPED], &sliding.hertz())?;
-    draw_energy(&panels[3], loops)?;
+    let panel = support::heading(&panels[1].1, "ratio to the values of the line")?;
+    draw_energy(&panel, loops)?;
     figure.present()?;
     Ok(())
 }
@@ -223,9 +229,11 @@ fn draw_paths(
     for (number, name, colour) in SHOWN {
         let points = loops[number].outcome.last.points().iter().map(&of);
         let points: Vec<_> = points.map(|[x, y]| (x, y)).collect();
-        support::curve(chart, name, (colour, true), &points)?;
+        // The path is closed: the first point is the end of the previous cycle.
+        let closed = points.iter().chain(points.first()).copied();
+        support::line(chart, name, colour, closed)?;
     }
-    support::legend(chart, SeriesLabelPosition::UpperLeft)
+    Ok(())
 }
 
 /// Draws the slip path of a cycle (darker for a longer path) and the traction as arrows.
@@ -236,17 +244,12 @@ fn draw_map(
 ) -> std::result::Result<(), Box<dyn Error>> {
     let (a, longest) = (hertz.contact_radius(), FRICTION * hertz.max_pressure());
     let view = -VIEW..VIEW;
-    let (map, bar) = area.split_horizontally(740);
-    let mut chart = support::map_axes(&map, (view.clone(), "x / a"), (view, "y / a"))?;
     let slip = of.outcome.last.slip_distance();
     let grid = slip.grid();
-    maps::field(&mut chart, slip, a, maps::dark)?;
-    maps::bar(
-        &bar,
-        maps::dark,
-        [0.0, slip.max() * 1e6],
-        "path slipped in a cycle, µm",
-    )?;
+    let scale = maps::Scale::from_zero(maps::dark, slip.max() * MICRO);
+    let sides = [(view.clone(), "x / a"), (view, "y / a")];
+    let mut chart = maps::axes_and_bar(area, sides, (scale, "slip path of a cycle (µm)"))?;
+    maps::field(&mut chart, slip, [a, 1.0 / MICRO], scale)?;
 
     let stride = grid.nx() / 16;
     let first = stride / 2;
@@ -276,14 +279,14 @@ fn arrow([x, y]: [f64; 2], [u, v]: [f64; 2]) -> PathElement<(f64, f64)> {
         at(0.7, -0.15),
         at(1.0, 0.0),
     ];
-    PathElement::new(line, support::ORANGE.stroke_width(3))
+    PathElement::new(line, support::stroke(support::ORANGE))
 }
 
 fn draw_energy(area: &Area<'_>, loops: &[Loop]) -> std::result::Result<(), Box<dyn Error>> {
     let mut chart = support::axes(
         area,
-        (0.0..1.0, "aspect: amplitude along y over that along x"),
-        (0.0..6.0, "over that of the line"),
+        (0.0..1.0, "amplitude along y / amplitude along x"),
+        (0.0..6.0, "ratio"),
     )?;
     let relative = |column: usize| -> Vec<(f64, f64)> {
         let of_line = loops[0].row()[column];
@@ -291,9 +294,9 @@ fn draw_energy(area: &Area<'_>, loops: &[Loop]) -> std::result::Result<(), Box<d
         rows.map(|row| (row[0], row[column] / of_line)).collect()
     };
     for (name, column, colour, is_full) in [
-        ("energy of a cycle", 1, support::BLUE, true),
-        ("  extrapolated", 2, support::BLUE, false),
-        ("longest path slipped", 4, support::ORANGE, true),
+        ("energy per cycle", 1, support::BLUE, true),
+        ("energy, extrapolated", 2, support::BLUE, false),
+        ("longest slip path", 4, support::ORANGE, true),
     ] {
         support::curve(&mut chart, name, (colour, is_full), &relative(column))?;
     }

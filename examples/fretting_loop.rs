@@ -167,19 +167,19 @@ impl Profile {
 
 fn print_table(points: &[Point], profiles: &[Profile], cycle: &Cycle) {
     println!(
-        "{:<34} | {:>12} | {:>12} | relative difference",
+        "{:<36} | {:>12} | {:>12} | relative difference",
         "quantity", "computed", "closed form"
     );
     let print = |quantity: &str, computed: f64, closed_form: f64| {
         let difference = computed / closed_form - 1.0;
-        println!("{quantity:<34} | {computed:>12.6} | {closed_form:>12.6} | {difference:>19.1e}");
+        println!("{quantity:<36} | {computed:>12.6} | {closed_form:>12.6} | {difference:>19.1e}");
     };
     let last = &points[STEPS..];
     let turns = [
-        ("shift at the largest force, um", STEPS / 4),
-        ("shift at no force, unloading, um", STEPS / 2),
-        ("shift at the least force, um", STEPS / 4 * 3),
-        ("shift at no force, reloading, um", STEPS),
+        ("shift at the largest force (µm)", STEPS / 4),
+        ("shift at zero force, unloading (µm)", STEPS / 2),
+        ("shift at the smallest force (µm)", STEPS / 4 * 3),
+        ("shift at zero force, reloading (µm)", STEPS),
     ];
     for (quantity, step) in turns {
         let point = &last[step - 1];
@@ -188,20 +188,20 @@ fn print_table(points: &[Point], profiles: &[Profile], cycle: &Cycle) {
     let exact = &profiles[0].exact;
     let (energy, of_loop) = (exact.energy_per_cycle(), cycle.energy());
     for (quantity, computed) in [
-        ("energy of a cycle, uJ", of_loop.dissipated_energy),
+        ("energy per cycle (µJ)", of_loop.dissipated_energy),
         (
-            "  by mean tractions of a step, uJ",
+            "  from mean tractions of a step (µJ)",
             of_loop.dissipated_energy_midpoint,
         ),
-        ("  area of the loop, a polygon, uJ", of_loop.work),
+        ("  area of the polygonal loop (µJ)", of_loop.work),
     ] {
         print(quantity, computed * MICRO, energy * MICRO);
     }
     let rectangle = 4.0 * AMPLITUDE * points[STEPS / 4 - 1].exact_shift;
     print("energy ratio", cycle.energy_ratio(), energy / rectangle);
     let imbalance = of_loop.dissipated_energy_midpoint / of_loop.work - 1.0;
-    println!("\nmean tractions over area of the loop, less one: {imbalance:.1e}");
-    println!("the loop closes to {:.1e}", cycle.cyclic_residual());
+    println!("\nenergy from mean tractions / area of the loop, minus one: {imbalance:.1e}");
+    println!("cyclic residual: {:.1e}", cycle.cyclic_residual());
 
     let farthest = points
         .iter()
@@ -209,7 +209,7 @@ fn print_table(points: &[Point], profiles: &[Profile], cycle: &Cycle) {
         .fold(0.0, f64::max);
     let amplitude = points[STEPS / 4 - 1].exact_shift;
     println!(
-        "largest difference of a shift, over the amplitude: {:.1e}",
+        "largest difference of a shift / amplitude: {:.1e}",
         farthest / amplitude
     );
     for profile in profiles {
@@ -217,20 +217,21 @@ fn print_table(points: &[Point], profiles: &[Profile], cycle: &Cycle) {
         let difference = profile.mean_difference() / max_traction;
         // Adding zero turns a negative zero into a positive one.
         let force = profile.exact.force() + 0.0;
-        println!("traction at {force:>5.1} N, mean difference over mu p0: {difference:.1e}");
+        println!("traction at {force:>5.1} N, mean difference / (mu p0): {difference:.1e}");
     }
     let products: usize = points.iter().map(|point| point.products).sum();
     let most = points.iter().map(|point| point.products).max().unwrap_or(0);
     println!(
-        "products a step: {:.1} in the mean, {most} at most",
+        "products per step: mean {:.1}, largest {most}",
         products as f64 / points.len() as f64
     );
 }
 
 fn draw(path: &Path, points: &[Point], profiles: &[Profile]) -> Result<(), Box<dyn Error>> {
-    let title = "Steel ball on steel, sheared to and fro: W = 100 N, F = ±40 N, friction 0.5";
-    let figure = support::figure(path, (1960, 979), title)?;
-    let (left, right) = figure.split_horizontally(980);
+    let title = "Steel ball on steel, W = 100 N, F = ±40 N, friction 0.5";
+    let figure = support::figure(path, (2 * support::PANEL, 1480), title)?;
+    let figure = support::heading(&figure, support::COMPARED)?;
+    let (left, right) = figure.split_horizontally(support::PANEL);
     draw_loop(&left, points, &profiles[0].exact)?;
     draw_tractions(&right, profiles)?;
     figure.present()?;
@@ -244,7 +245,11 @@ fn draw_loop(
     exact: &MindlinDeresiewicz,
 ) -> Result<(), Box<dyn Error>> {
     let (limit, sliding) = (FRICTION * NORMAL_FORCE, exact.sliding_shift());
-    let mut chart = support::axes(area, (-0.8..0.8, "δ / δ₀"), (-1.0..1.0, "F / μW"))?;
+    let mut chart = support::axes(
+        area,
+        (-0.8..0.8, "shift / sliding shift"),
+        (-1.0..1.0, "F / µW"),
+    )?;
     let mut line = Vec::new();
     // The closed form consists of the first loading and a loop.
     for (turns, from, to) in [
@@ -268,11 +273,15 @@ fn draw_loop(
 fn draw_tractions(area: &Area<'_>, profiles: &[Profile]) -> Result<(), Box<dyn Error>> {
     let hertz = profiles[0].exact.hertz();
     let (a, scale) = (hertz.contact_radius(), FRICTION * hertz.max_pressure());
-    let mut chart = support::axes(area, (-VIEW..VIEW, "x / a"), (-1.0..2.0, "q / μp₀"))?;
+    let mut chart = support::axes(
+        area,
+        (-VIEW..VIEW, "x / a"),
+        (-1.0..1.6, "shear traction q / µp₀"),
+    )?;
     let names: [(&str, RGBColor); 3] = [
         ("F = 40 N", support::BLUE),
-        ("0, unloading", support::ORANGE),
-        ("−40 N", support::GREEN),
+        ("F = 0, unloading", support::ORANGE),
+        ("F = −40 N", support::GREEN),
     ];
     for ((name, colour), profile) in names.into_iter().zip(profiles) {
         let line = (-500..=500)

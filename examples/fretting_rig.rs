@@ -21,6 +21,7 @@ use stickslip::{
     Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
     NormalControl, Zone, surface,
 };
+use support::axis::Axis;
 use support::maps;
 
 /// Radius of the cylinder, normal load, and amplitudes of the tangential load and of the bulk stress, in mm, N/mm and MPa.
@@ -74,7 +75,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Shears back and forth until the loop is steady, and then to the largest force. Returns the shift in um and the force divided
+/// Shears back and forth until the loop is steady, and then to the largest force. Returns the shift in µm and the force divided
 /// by the sliding force around the loop.
 fn fret(
     history: &mut History,
@@ -89,8 +90,8 @@ fn fret(
         .run(history, 10)?;
     let (energy, of_loads) = (outcome.last.energy(), outcome.last.work_of_loads());
     println!(
-        "The loop is steady after {} cycles. In one the tangential load does the work of {:.5} mJ/mm, which the loop encloses, \
-         and the bulk stress that of {:.5}; slip dissipates {:.5} (closed form: {:.5}).\n",
+        "The loop is steady after {} cycles. Work of the tangential load in a cycle, the area of the loop: {:.5} mJ/mm. \
+         Work of the bulk stress: {:.5} mJ/mm. Energy dissipated by slip: {:.5} mJ/mm (closed form: {:.5}).\n",
         outcome.cycles,
         of_loads,
         energy.work - of_loads,
@@ -116,13 +117,17 @@ fn compare(history: &History, exact: &CattaneoMindlinLine) {
     println!("                           | computed | closed form");
     for (name, computed, closed) in [
         (
-            "largest pressure, MPa",
+            "largest pressure (MPa)",
             history.pressure().max(),
             hertz.max_pressure(),
         ),
-        ("half-width, mm", width(history.normal().contact_cells()), a),
         (
-            "approach, um",
+            "half-width (mm)",
+            width(history.normal().contact_cells()),
+            a,
+        ),
+        (
+            "approach (µm)",
             1e3 * history.approach(),
             1e3 * hertz.approach(DATUM),
         ),
@@ -228,7 +233,7 @@ fn compare_tension(
     let (a, p0) = (exact.hertz().half_width(), exact.hertz().max_pressure());
     let [at_edge, _] = exact.surface_stress(-a);
     println!(
-        "Largest tension of the surface: {found:.3} p0 in the cell at x = {at:.2} a, {:.3} p0 by the closed form at its edge.",
+        "Largest tension of the surface: {found:.3} p0 in the cell at x = {at:.2} a; closed form at the edge: {:.3} p0.",
         at_edge / p0
     );
     let depth = 0.02 * a;
@@ -240,7 +245,7 @@ fn compare_tension(
     let exact = cells.map(|x| exact.stress(x, depth)[0][0]);
     let exact = exact.fold(0.0, f64::max);
     println!(
-        "0.02 a below: {:.3} p0 for {:.3} p0.\n",
+        "Largest tension at a depth of 0.02 a: {:.3} p0, closed form {:.3} p0.\n",
         below / p0,
         exact / p0
     );
@@ -261,53 +266,59 @@ fn draw(
     profile: &[[f64; 4]],
     map: &Map<'_>,
 ) -> Result<(), Box<dyn Error>> {
-    let title =
-        "Cylinder on flat, Ti-6Al-4V, 200 N/mm, bulk stress in phase with the tangential load";
-    let figure = support::figure(path, (2600, 860), title)?;
-    let (curves, rest) = figure.split_horizontally(1540);
-    let [first, second] = [0, 1].map(|k| curves.split_evenly((1, 2))[k].clone());
+    let title = "Cylinder on flat, Ti-6Al-4V, 200 N/mm, with bulk stress";
+    let figure = support::figure(path, (2 * support::PANEL, 2300), title)?;
+    let (curves, lower) = figure.split_vertically(1000);
+    let (first, second) = curves.split_horizontally(support::PANEL);
+    let first = support::heading(&first, "steady loop")?;
+    let second = support::heading(&second, support::COMPARED)?;
 
     let shifts = points.iter().map(|[shift, _]| shift.abs());
     let span = 1.15 * shifts.fold(0.0, f64::max);
     let mut chart = support::axes(
         &first,
-        (-span..span, "shift, µm"),
+        (-span..span, "shift (µm)"),
         (-0.8..0.8, "tangential load / µP"),
     )?;
     let around = points.iter().chain(points.first()).map(|[x, y]| (*x, *y));
-    chart.draw_series(LineSeries::new(around, support::BLUE.stroke_width(3)))?;
+    chart.draw_series(LineSeries::new(around, support::stroke(support::BLUE)))?;
 
     let mut chart = support::axes(
         &second,
         (-1.2..1.2, "x / a"),
-        (-0.2..1.6, "at the largest force"),
+        (-0.1..1.6, "tractions at the largest load"),
     )?;
     let column = |k: usize| profile.iter().map(move |row| (row[0], row[k]));
     let in_sight = |(x, _): &(f64, f64)| x.abs() < 1.2;
-    chart
-        .draw_series(LineSeries::new(
-            column(1).filter(in_sight),
-            support::GREEN.stroke_width(3),
-        ))?
-        .label("pressure / p0")
-        .legend(|(x, y)| PathElement::new([(x, y), (x + 40, y)], support::GREEN.stroke_width(3)));
     let every = (profile.len() / 64).max(1);
+    let hertz = column(0).map(|(x, _)| (x, (1.0 - x * x).max(0.0).sqrt()));
     support::compare(
         &mut chart,
-        "traction / µp0",
+        "p / p₀",
+        support::GREEN,
+        hertz.filter(in_sight),
+        column(1).step_by(every).filter(in_sight),
+    )?;
+    support::compare(
+        &mut chart,
+        "q / µp₀",
         support::ORANGE,
         column(3).filter(in_sight),
         column(2).step_by(every).filter(in_sight),
     )?;
     support::legend(&mut chart, SeriesLabelPosition::UpperLeft)?;
 
-    let (area, bar) = rest.split_horizontally(840);
-    let x = (-map.reach..map.reach, "x / a");
-    let mut chart = support::axes(&area, x, (-DEPTH..0.0, "z / a, into the specimen"))?;
+    let scale = maps::Scale::from_zero(maps::heat, map.largest).in_bands(0.1);
+    let lower = support::heading(
+        &lower,
+        "below the surface of the specimen, at the largest load",
+    )?;
+    let lower = lower.margin(0, 0, 400, 0);
+    let (x, depth) = (-map.reach..map.reach, Axis::depth(-DEPTH..0.0));
+    let sides = [(Axis::linear(x), "x / a"), (depth, "depth / a")];
+    let mut chart = maps::axes_and_bar_of(&lower, sides, (scale, "von Mises stress / p₀"))?;
     let (columns, planes) = (map.rows[0].len(), map.rows.len() - 1);
     let block = columns.div_ceil(128);
-    // Values are drawn in bands of a twentieth of p0, whose edges form the contours.
-    let band = |value: f64| (value * 20.0).floor() / 20.0 / map.largest;
     let width = 2.0 * map.reach / columns as f64;
     let rectangles = (0..planes).flat_map(|k| {
         let level = |k: f64| (-DEPTH * k / planes as f64).max(-DEPTH);
@@ -318,11 +329,10 @@ fn draw(
             // Each block overlaps the next blocks, which are drawn over it, so that no seam is visible.
             let right = (right + 0.5 * (right - left)).min(map.reach);
             let corners = [(left, level(k as f64)), (right, level(k as f64 + 1.5))];
-            Rectangle::new(corners, maps::heat(band(value)).filled())
+            Rectangle::new(corners, scale.colour(value).filled())
         })
     });
     chart.draw_series(rectangles)?;
-    maps::bar(&bar, maps::heat, [0.0, map.largest], "von Mises / p0")?;
     figure.present()?;
     Ok(())
 }

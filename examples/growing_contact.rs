@@ -1,7 +1,8 @@
-//! A contact that grows while it is sheared, in few and in many steps: effect of the law for entering cells.
+//! A contact that grows while it is sheared, in few and in many steps: effect of the entry rule.
 //!
 //! `cargo run --release -p stickslip-examples --example growing_contact [reference]` prints, for a ball and a rough ball, the
-//! error of the traction field without and with the law, for 1, 4 and 8 steps per leg. The reference uses 64 steps per leg.
+//! error of the traction field without and with the entry rule, for 1, 4 and 8 steps per leg. The reference uses 64 steps per
+//! leg.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -51,7 +52,9 @@ fn main() -> Result<(), Box<dyn Error>> {
         Some(steps) => steps.parse()?,
         None => 64,
     };
-    println!("error of the traction field in whole steps / with the entry rule, in steps a leg");
+    println!(
+        "error of the traction field, without / with the entry rule, for 1, 4 and 8 steps per leg"
+    );
     println!(
         "{:<32} {:<13} {:>19} {:>19} {:>19}",
         "path", "scene", "1", "4", "8"

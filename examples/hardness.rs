@@ -47,8 +47,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     let plastic = builder()?.hardness(hardness).permanent_set(true);
     let mut plastic = plastic.tolerance(1e-6).build()?;
 
-    println!("           | area, %          | largest pressure, GPa | at the limit, %");
-    println!("mean p / H | elastic | limited | elastic | limited     | of the contact");
+    println!("           | contact area (%)  | largest pressure (GPa) | at the limit");
+    println!("mean p / H | elastic | limited | elastic | limited      | (% of contact)");
     let up = (1..=STEPS).map(|step| (step, "pressed"));
     let down = (0..STEPS).rev().map(|step| (step, "released"));
     let again = (1..=STEPS).map(|step| (step, "pressed again"));
@@ -68,7 +68,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         );
         if step % 3 == 0 && step > 0 {
             println!(
-                "{part:>10.4} | {:>7.2} | {:>7.2} | {:>7.2} | {:>11.2} | {:>5.1} {phase}",
+                "{part:>10.4} | {:>7.2} | {:>7.2} | {:>7.2} | {:>12.2} | {:>5.1} {phase}",
                 point[1],
                 point[2],
                 1e-9 * elastic.pressure().max(),
@@ -80,7 +80,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let depth = plastic.state().yielded().map_or(0.0, Field::max);
     println!(
-        "\nThe highest summit is flattened by {:.3} um.",
+        "\nThe highest summit is flattened by {:.3} µm.",
         1e6 * depth
     );
 
@@ -112,13 +112,13 @@ fn draw(
     [elastic, plastic]: [&History; 2],
 ) -> Result<(), Box<dyn Error>> {
     let title = "Rough steel, elastic and with a hardness of 6 GPa";
-    let figure = support::figure(path, (2400, 860), title)?;
-    let areas = figure.split_evenly((1, 3));
+    let figure = support::figure(path, (2 * support::PANEL, 1900), title)?;
+    let (upper, lower) = figure.split_vertically(980);
+    let areas = upper.split_evenly((1, 2));
     let series = |phase: &'static str, column: usize| {
         let chosen = points.iter().filter(move |(of, _)| *of == phase);
         chosen.map(move |(_, point)| (point[0], point[column]))
     };
-    let line = |colour: RGBColor| colour.stroke_width(3);
     let limits = |columns: [usize; 2]| {
         let values = points
             .iter()
@@ -132,30 +132,24 @@ fn draw(
         ("limited, pressed", "pressed", 1, support::ORANGE),
         ("limited, released", "released", 1, support::GREEN),
     ];
-    for (place, (name, first)) in [("area, %", 1), ("approach, µm", 3)]
+    for (place, (name, first)) in [("contact area (%)", 1), ("approach (µm)", 3)]
         .into_iter()
         .enumerate()
     {
         let (low, high) = limits([first, first + 1]);
         let x = (0.0..1.05 * LARGEST, "mean pressure / H");
-        let y = (1.1 * low..1.3 * high, name);
+        let y = (1.1 * low..1.6 * high, name);
         let mut chart = support::axes(&areas[place], x, y)?;
         for (label, phase, offset, colour) in curves {
-            chart
-                .draw_series(LineSeries::new(series(phase, first + offset), line(colour)))?
-                .label(label)
-                .legend(move |(x, y)| PathElement::new([(x, y), (x + 40, y)], line(colour)));
+            support::line(&mut chart, label, colour, series(phase, first + offset))?;
         }
         let again = series("pressed again", first + 1);
-        let points = again.map(|point| Circle::new(point, 7, support::GREEN.stroke_width(2)));
-        chart
-            .draw_series(points)?
-            .label("pressed again")
-            .legend(|(x, y)| Circle::new((x + 20, y), 7, support::GREEN.stroke_width(2)));
+        support::dots(&mut chart, "pressed again", (support::GREEN, false), again)?;
         support::legend(&mut chart, SeriesLabelPosition::UpperLeft)?;
     }
 
-    draw_profiles(&areas[2], elastic, plastic)?;
+    let lower = support::heading(&lower, "at the largest load, along a row of cells")?;
+    draw_profiles(&lower, elastic, plastic)?;
     figure.present()?;
     Ok(())
 }
@@ -173,22 +167,15 @@ fn draw_profiles(
         .max_by(|a, b| loaded(*a).total_cmp(&loaded(*b)))
         .unwrap_or_default();
     let (reach, highest) = (1e6 * 0.5 * SIDE, 3e-9 * HARDNESS);
-    let (x, y) = (
-        (-reach..reach, "x, µm"),
-        (0.0..highest, "pressure at the largest load, GPa"),
-    );
+    let (x, y) = ((-reach..reach, "x (µm)"), (0.0..highest, "pressure (GPa)"));
     let mut chart = support::axes(area, x, y)?;
     for (name, of, colour) in [
         ("elastic", elastic, support::BLUE),
         ("limited", plastic, support::ORANGE),
     ] {
-        let line = colour.stroke_width(3);
         let profile =
             (0..grid.nx()).map(|ix| (1e6 * grid.x(ix), (1e-9 * at(of, ix, row)).min(highest)));
-        chart
-            .draw_series(LineSeries::new(profile, line))?
-            .label(name)
-            .legend(move |(x, y)| PathElement::new([(x, y), (x + 40, y)], line));
+        support::line(&mut chart, name, colour, profile)?;
     }
-    support::legend(&mut chart, SeriesLabelPosition::UpperRight)
+    support::legend(&mut chart, SeriesLabelPosition::UpperLeft)
 }

@@ -63,11 +63,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let pressure = AREA / RoughSphere::AREA_COEFFICIENT * slope * pair.contact_modulus();
     let force = pressure * heights.grid().area();
 
-    println!("all pressed by {force:.3e} N, holes filled:");
+    println!("normal force {force:.3e} N, holes filled:");
     println!(
-        "step       missing  rms height, nm  rms slope  spots  largest pressure, GPa  contact, %"
+        "step       missing  rms height (nm)  rms slope  spots  largest pressure (GPa)  contact (%)"
     );
-    for (step, heights) in [("levelled", &levelled), ("inlying", &inlying)] {
+    for (step, heights) in [("levelled", &levelled), ("cleaned", &inlying)] {
         print_step(step, heights, &press(&bodies, &filled(heights)?, force)?)?;
     }
     let normal = press(&bodies, &heights, force)?;
@@ -198,7 +198,7 @@ fn print_step(step: &str, heights: &Field, normal: &NormalSolution) -> stickslip
     let filled = surface::fill_missing(heights)?;
     let statistics = Statistics::of(filled.heights())?;
     println!(
-        "{step:10} {:7}  {:14.1}  {:9.4}  {:5}  {:21.2}  {:10.2}",
+        "{step:10} {:7}  {:15.1}  {:9.4}  {:5}  {:22.2}  {:11.2}",
         filled.filled_cells(),
         1e9 * statistics.rms_height(),
         statistics.finite_difference_rms_slope(),
@@ -218,7 +218,7 @@ fn print_contact(normal: &NormalSolution, tangential: &TangentialSolution, theor
         normal.pressure().max()
     );
     println!(
-        "contact {:.2} % by counting, {:.2} % with the perimeter corrected; theory {:.2} %",
+        "contact {:.2} % counted, {:.2} % with the perimeter corrected; theory {:.2} %",
         100.0 * normal.contact_area() / area,
         100.0 * normal.contact_area_corrected() / area,
         100.0 * theory.contact_fraction()
@@ -277,20 +277,17 @@ fn write_fields(
     Ok(())
 }
 
-/// Draws the heights in grey, the pressure in colour, and the stick and slip zones.
+/// Draws the heights, the pressure, the stick and slip zones, and the contact spots.
 fn draw(
     path: &Path,
     heights: &Field,
     normal: &NormalSolution,
     tangential: &TangentialSolution,
 ) -> Result<(), Box<dyn Error>> {
-    let figure = support::figure(
-        path,
-        (2600, 620),
-        "A measured surface: heights, pressure, and the zones of stick (blue) and slip (orange)",
-    )?;
-    let (left, rest) = figure.split_horizontally(930);
-    let (middle, right) = rest.split_horizontally(930);
+    let title = "Contact of a measured surface with a plane";
+    let size = (2 * support::PANEL, support::TITLE + 2 * 840);
+    let figure = support::figure(path, size, title)?;
+    let panels = figure.split_evenly((2, 2));
     let micro = 1e6;
     let grid = heights.grid();
     let range = |side: f64, cells: usize| -> std::ops::Range<f64> {
@@ -298,42 +295,40 @@ fn draw(
         -half..half
     };
     let (x, y) = (range(grid.dx(), grid.nx()), range(grid.dy(), grid.ny()));
-    let axes = || ((x.clone(), "x, µm"), (y.clone(), "y, µm"));
-    for (area, field, unit, colours, name) in [
+    let axes = || [(x.clone(), "x (µm)"), (y.clone(), "y (µm)")];
+    let largest = heights.max().max(-heights.min()) * micro;
+    let pressure = normal.pressure();
+    for (area, field, unit, scale, name) in [
         (
-            &left,
+            &panels[0],
             heights,
-            micro,
-            maps::grey as maps::Colours,
-            "height, µm",
+            1.0 / micro,
+            maps::Scale::around_zero(largest),
+            "height (µm)",
         ),
         (
-            &middle,
-            normal.pressure(),
-            1e-9,
-            maps::heat,
-            "pressure, GPa",
+            &panels[1],
+            pressure,
+            1e9,
+            maps::Scale::from_zero(maps::heat, 1e-9 * pressure.max()),
+            "pressure (GPa)",
         ),
     ] {
-        let (map, bar) = area.split_horizontally(700);
-        let mut chart = support::map_axes(&map, axes().0, axes().1)?;
-        maps::field(&mut chart, field, 1.0 / micro, colours)?;
-        maps::bar(
-            &bar,
-            colours,
-            [field.min() * unit, field.max() * unit],
-            name,
-        )?;
+        let area = area.margin(40, 0, 0, 0);
+        let mut chart = maps::axes_and_bar(&area, axes(), (scale, name))?;
+        maps::field(&mut chart, field, [1.0 / micro, unit], scale)?;
     }
-    let (right, _) = right.split_horizontally(700);
-    let mut map = support::map_axes(&right, axes().0, axes().1)?;
-    maps::zones(
-        &mut map,
-        tangential.grid(),
-        tangential.zones(),
-        1.0 / micro,
-        [x.clone(), y.clone()],
-    )?;
+    let [left, right] = [2, 3].map(|panel| panels[panel].margin(0, 0, 0, maps::BAR));
+    let area = support::key(&left, &maps::zones_key(tangential.zones()))?;
+    let [first, second] = axes();
+    let mut map = support::map_axes(&area, first, second)?;
+    let sight = [x.clone(), y.clone()];
+    let (grid, zones) = (tangential.grid(), tangential.zones());
+    maps::zones(&mut map, grid, zones, 1.0 / micro, sight)?;
+    let area = support::heading(&right, "contact spots")?;
+    let [first, second] = axes();
+    let mut map = support::map_axes(&area, first, second)?;
+    maps::spots(&mut map, &normal.spots(), 1.0 / micro, [x, y])?;
     figure.present()?;
     Ok(())
 }

@@ -152,11 +152,11 @@ fn press(bodies: &HalfSpace, kind: usize, seed: u64) -> stickslip::Result<Ball> 
 /// Prints the means over the seeds.
 fn print_table(balls: &[Ball]) {
     println!(
-        "area over Mueser's, mean of {SEEDS} surfaces: counted / with the perimeter corrected"
+        "area / area of Mueser's law, mean of {SEEDS} surfaces: counted, and with the perimeter corrected"
     );
-    print!("{:>9} {:>9} {:>7}", "load, mN", "P", "cells");
+    print!("{:>9} {:>9} {:>7}", "load (mN)", "P", "cells");
     for ball in balls.iter().step_by(SEEDS) {
-        print!(" | rms {:>5.2} um ", ball.rms_height);
+        print!(" | rms {:>5.2} µm ", ball.rms_height);
     }
     println!();
     for (i, load) in LOADS.iter().enumerate() {
@@ -186,21 +186,19 @@ fn mean(contacts: &[&Contact], of: impl Fn(&Contact) -> f64) -> f64 {
 }
 
 fn draw(path: &Path, balls: &[Ball]) -> Result<(), Box<dyn Error>> {
-    let title = "Rough ball on a plane: rms slope 0.75, three rms heights, four surfaces each";
-    let figure = support::figure(path, (1960, 900), title)?;
+    let title = "Rough ball on a plane, rms slope 0.75, four surfaces per rms height";
+    let figure = support::figure(path, (2 * support::PANEL, 1500), title)?;
     let halves = figure.split_evenly((1, 2));
     let colours = [support::BLUE, support::ORANGE, support::GREEN];
     let areas: [(&str, AreaOf); 2] = [
-        ("real area / Hertz area, by counting", |c| c.counted),
-        ("real area / Hertz area, perimeter corrected", |c| {
-            c.corrected
-        }),
+        ("area / Hertz area, counted", |c| c.counted),
+        ("area / Hertz area, corrected", |c| c.corrected),
     ];
-    for (half, (name, area)) in halves.iter().zip(areas) {
+    for (number, (half, (name, area))) in halves.iter().zip(areas).enumerate() {
         let mut chart = support::decades(
             half,
-            (-2.5..-1.3, "reduced pressure  P = W / (π a² E* g)"),
-            (-2.3..-0.9, name),
+            (-2.5..-1.3, "reduced pressure W / (π a² E* g)"),
+            (-2.2..-0.5, name),
         )?;
         let curve = |k: f64| {
             let pressures = (0..=60).map(|i| -2.5 + 1.2 * f64::from(i) / 60.0);
@@ -225,12 +223,14 @@ fn draw(path: &Path, balls: &[Ball]) -> Result<(), Box<dyn Error>> {
                 let name = if is_resolved {
                     format!("rms height {height:.1} µm")
                 } else {
-                    format!("  below {RESOLVED} cells")
+                    format!("{height:.1} µm, < {RESOLVED} cells")
                 };
                 support::dots(&mut chart, &name, (colour, is_resolved), points)?;
             }
         }
-        support::legend(&mut chart, SeriesLabelPosition::UpperLeft)?;
+        if number == 0 {
+            support::legend(&mut chart, SeriesLabelPosition::UpperLeft)?;
+        }
     }
     figure.present()?;
     Ok(())

@@ -83,7 +83,7 @@ impl Question {
 
     fn axis(self) -> (Range<f64>, &'static str) {
         match self {
-            Self::Height => (0.0..1.6, "rms height, µm"),
+            Self::Height => (0.0..1.6, "rms height (µm)"),
             Self::Slope => (0.0..0.7, "rms slope"),
             Self::Skewness => (-1.2..1.2, "skewness"),
             Self::Kurtosis => (2.0..6.5, "kurtosis"),
@@ -93,6 +93,8 @@ impl Question {
 
 /// Shortest waves, in cells.
 const CUT_OFFS: [(f64, &str); 2] = [(8.0, "waves ≥ 8 cells"), (2.0, "waves ≥ 2 cells")];
+/// Height of the key of the colours.
+const KEY: u32 = 90;
 /// Mean pressure divided by the contact modulus.
 const PRESSURE: f64 = 5e-3;
 
@@ -239,7 +241,7 @@ fn of<'a>(
 
 fn print_table(jobs: &[Job], answers: &[Answer]) {
     println!("means of {SEEDS} surfaces, pressure {PRESSURE} E*, F = {LOADING} mu W");
-    println!("area: (A/A0) E* g/p, counted and with the perimeter corrected");
+    println!("area: (A/A0) E* g / p, counted, and with the perimeter corrected");
     for question in QUESTIONS {
         for (kind, (_, name)) in CUT_OFFS.iter().enumerate() {
             println!(
@@ -287,47 +289,39 @@ fn incline(points: &[[f64; 2]]) -> f64 {
 }
 
 fn draw(path: &Path, jobs: &[Job], answers: &[Answer]) -> Result<(), Box<dyn Error>> {
-    let title = "Rough contact: each parameter varied alone";
-    let figure = support::figure(path, (2600, 1300), title)?;
-    let areas = figure.split_evenly((2, QUESTIONS.len()));
-    let (upper, lower) = areas.split_at(QUESTIONS.len());
+    const HEIGHT: u32 = 830;
+    let title = "Nominally flat rough contact: each parameter varied alone";
+    let size = (2 * support::PANEL, support::TITLE + KEY + 4 * HEIGHT);
+    let figure = support::figure(path, size, title)?;
+    let (key, panels) = figure.split_vertically(KEY);
     let colours = [support::BLUE, support::ORANGE];
-    for (question, (above, below)) in QUESTIONS.into_iter().zip(upper.iter().zip(lower)) {
+    let names = colours.iter().zip(CUT_OFFS);
+    let names: Vec<_> = names.map(|(&colour, (_, name))| (colour, name)).collect();
+    support::key(&key, &names)?;
+    let rows = panels.split_evenly((QUESTIONS.len(), 2));
+    for (question, row) in QUESTIONS.into_iter().zip(rows.chunks_exact(2)) {
         let (range, name) = question.axis();
-        let mut chart = support::axes(
-            above,
-            (range.clone(), name),
-            (1.0..7.0, "(A / A₀) E* g / p"),
-        )?;
+        let label = "(A/A₀) E* g / p";
+        let mut chart = support::axes(&row[0], (range.clone(), name), (1.0..7.0, label))?;
         support::mark(&mut chart, "2", [(range.start, 2.0), (range.end, 2.0)])?;
         for (kind, colour) in colours.into_iter().enumerate() {
-            for (area, is_full) in [(0, false), (1, true)] {
+            for (area, is_full, name) in [(0, false, "counted"), (1, true, "corrected")] {
                 let points = of((question, kind), jobs, answers);
                 let points = points.map(|answer| (answer.varied, answer.coefficient(area)));
-                let (_, waves) = CUT_OFFS[kind];
-                let how = if is_full { "corrected" } else { "counted" };
-                support::dots(
-                    &mut chart,
-                    &format!("{waves}, {how}"),
-                    (colour, is_full),
-                    points,
-                )?;
+                support::dots(&mut chart, name, (colour, is_full), points)?;
             }
         }
-        if question == Question::Kurtosis {
+        if question == Question::Height {
             support::legend(&mut chart, SeriesLabelPosition::UpperRight)?;
         }
 
-        let mut chart = support::axes(
-            below,
-            (range.clone(), name),
-            (0.3..0.7, "stick ratio at F = µW / 2"),
-        )?;
-        support::mark(
-            &mut chart,
-            "1 - F / µW",
-            [(range.start, 0.5), (range.end, 0.5)],
-        )?;
+        let label = "stick ratio at F = µW/2";
+        let mut chart = support::axes(&row[1], (range.clone(), name), (0.4..0.62, label))?;
+        let line = [(range.start, 0.5), (range.end, 0.5)];
+        support::mark(&mut chart, "1 − F/µW", line)?;
+        if question == Question::Height {
+            support::legend(&mut chart, SeriesLabelPosition::UpperRight)?;
+        }
         for (kind, colour) in colours.into_iter().enumerate() {
             let points = of((question, kind), jobs, answers);
             let points = points.map(|answer| (answer.varied, answer.stick_ratio));

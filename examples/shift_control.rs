@@ -35,7 +35,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .build()?
         .solve()?;
     println!(
-        "approach {:.4} um: normal force {:.4} N, closed form {NORMAL_FORCE} N\n",
+        "approach {:.4} µm: normal force {:.4} N, closed form {NORMAL_FORCE} N\n",
         normal.approach() * 1e6,
         normal.force(),
     );
@@ -52,8 +52,8 @@ fn main() -> Result<(), Box<dyn Error>> {
     // shift are divided by their values at which the whole contact starts to slide.
     let exact_force = |shift: f64| 1.0 - (1.0 - shift).max(0.0).powf(1.5);
     let exact_stick = |shift: f64| (1.0 - shift).max(0.0);
-    println!("           |         force / (mu W)  |            stick ratio");
-    println!("shift, rel |  computed | closed form |  computed | closed form | iterations");
+    println!("shift /       |         force / (mu W)  |            stick ratio");
+    println!("sliding shift |  computed | closed form |  computed | closed form | iterations");
     let mut forces = Vec::new();
     let mut stick_ratios = Vec::new();
     for step in 0..=13 {
@@ -62,7 +62,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         solver.solve_into(&mut tangential)?;
         let force = tangential.force()[0] / friction_capacity;
         println!(
-            "{fraction:>10.1} | {force:>9.6} | {:>11.6} | {:>9.5} | {:>11.5} | {:>10}{}",
+            "{fraction:>13.1} | {force:>9.6} | {:>11.6} | {:>9.5} | {:>11.5} | {:>10}{}",
             exact_force(fraction),
             tangential.stick_ratio(),
             exact_stick(fraction),
@@ -82,22 +82,23 @@ fn main() -> Result<(), Box<dyn Error>> {
     solver.set_load(TangentialLoad::shift([exact.shift(), 0.0]))?;
     solver.solve_into(&mut tangential)?;
     println!(
-        "\nshift {:.4} um: tangential force {:.4} N, closed form {TANGENTIAL_FORCE} N",
+        "\nshift {:.4} µm: tangential force {:.4} N, closed form {TANGENTIAL_FORCE} N",
         tangential.shift()[0] * 1e6,
         tangential.force()[0],
     );
 
     let path = support::gallery("shift_control.svg")?;
     let title = "Steel ball on steel under a prescribed shift";
-    let figure = support::figure(&path, (1240, 960), title)?;
+    let figure = support::figure(&path, (2 * support::PANEL, 1400), title)?;
+    let area = support::heading(&figure, support::COMPARED)?;
     let mut chart = support::axes(
-        &figure,
-        (0.0..1.35, "shift / shift at gross sliding"),
-        (0.0..1.1, "F / μW  and  stick ratio"),
+        &area,
+        (0.0..1.35, "shift / sliding shift"),
+        (0.0..1.1, "F / µW and stick ratio"),
     )?;
     let line = |f: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {
-        (0..=27)
-            .map(|i| f64::from(i) / 20.0)
+        (0..=54)
+            .map(|i| f64::from(i) / 40.0)
             .map(|shift| (shift, f(shift)))
             .collect()
     };

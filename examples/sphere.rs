@@ -54,9 +54,8 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let path = support::gallery("sphere.svg")?;
     let title = "Steel ball on steel: R = 3.5 mm, W = 100 N, F = 20 N, friction 0.5";
-    // This height leaves a square for the map.
-    let figure = support::figure(&path, (1960, 979), title)?;
-    let (left, right) = figure.split_horizontally(980);
+    let figure = support::figure(&path, (2 * support::PANEL, 1538), title)?;
+    let (left, right) = figure.split_horizontally(support::PANEL);
     draw_profiles(&left, &normal, &tangential, &exact)?;
     draw_zones(&right, &tangential, &exact)?;
     figure.present()?;
@@ -70,33 +69,33 @@ fn print_table(normal: &NormalSolution, tangential: &TangentialSolution, exact: 
     let micro = 1e6;
     let rows = [
         (
-            "maximum pressure, MPa",
+            "largest pressure (MPa)",
             normal.pressure().max() * mega,
             hertz.max_pressure() * mega,
         ),
         (
-            "approach, um",
+            "approach (µm)",
             normal.approach() * micro,
             hertz.approach() * micro,
         ),
         (
-            "contact area, um^2",
+            "contact area (µm²)",
             normal.contact_area_corrected() * micro * micro,
             hertz.contact_area() * micro * micro,
         ),
         (
-            "shift, um",
+            "shift (µm)",
             tangential.shift()[0] * micro,
             exact.shift() * micro,
         ),
         ("stick ratio", tangential.stick_ratio(), exact.stick_ratio()),
         (
-            "peak shear traction, MPa",
+            "largest traction (MPa)",
             tangential.traction()[0].max() * mega,
             exact.traction(exact.stick_radius()) * mega,
         ),
         (
-            "dissipated energy, uJ",
+            "dissipated energy (µJ)",
             tangential.dissipated_energy() * micro,
             exact.energy_of_first_quarter() * micro,
         ),
@@ -139,21 +138,22 @@ fn draw_profiles(
     let pressure_scale = hertz.max_pressure();
     let shear_scale = FRICTION * pressure_scale;
 
+    let area = support::heading(area, support::COMPARED)?;
     let mut chart = support::axes(
-        area,
+        &area,
         (-VIEW..VIEW, "x / a"),
-        (0.0..1.1, "p / p₀  and  q / μp₀"),
+        (0.0..1.1, "p / p₀ and q / µp₀"),
     )?;
     support::compare(
         &mut chart,
-        "pressure",
+        "pressure p",
         support::BLUE,
         line(&|r| hertz.pressure(r) / pressure_scale),
         points(normal.pressure(), pressure_scale),
     )?;
     support::compare(
         &mut chart,
-        "shear",
+        "traction q",
         support::ORANGE,
         line(&|r| exact.traction(r) / shear_scale),
         points(tangential.traction()[0], shear_scale),
@@ -168,7 +168,8 @@ fn draw_zones(
     exact: &CattaneoMindlin,
 ) -> Result<(), Box<dyn Error>> {
     let a = exact.hertz().contact_radius();
-    let mut chart = support::axes(area, (-VIEW..VIEW, "x / a"), (-VIEW..VIEW, "y / a"))?;
+    let area = support::heading(area, "zones; circles: closed form")?;
+    let mut chart = support::map_axes(&area, (-VIEW..VIEW, "x / a"), (-VIEW..VIEW, "y / a"))?;
     support::maps::zones(
         &mut chart,
         tangential.grid(),
@@ -184,14 +185,13 @@ fn draw_zones(
             .collect()
     };
     for radius in [a, exact.stick_radius()] {
-        chart.draw_series(LineSeries::new(circle(radius), BLACK.stroke_width(2)))?;
+        chart.draw_series(LineSeries::new(circle(radius), BLACK.stroke_width(4)))?;
     }
     let ring = 0.5 * (1.0 + exact.stick_radius() / a);
     let names = [
         ("stick", 0.0, &WHITE),
         ("slip", -ring, &BLACK),
-        ("separate", -1.12, &BLACK),
-        ("circles: closed form", 1.12, &BLACK),
+        ("no contact", -1.12, &BLACK),
     ];
     for (name, y, colour) in names {
         let style = ("sans-serif", support::LETTERS).into_font().color(colour);

@@ -157,11 +157,11 @@ fn ball(f: f64) -> f64 {
 }
 
 fn print_table(contacts: &[Sheared]) {
-    println!("surface | contact cells | spots | area, % | F / mu W: stick ratio less 1 - F / mu W");
+    println!("surface | contact cells | spots | area (%) | F / mu W: stick ratio - (1 - F / mu W)");
     for (i, contact) in contacts.iter().enumerate() {
         let normal = &contact.normal;
         print!(
-            "{:>7} | {:>13} | {:>5} | {:>7.2} |",
+            "{:>7} | {:>13} | {:>5} | {:>8.2} |",
             i + 1,
             normal.contact_cells(),
             normal.spots().as_slice().len(),
@@ -175,10 +175,10 @@ fn print_table(contacts: &[Sheared]) {
 }
 
 fn draw(path: &Path, contacts: &[Sheared]) -> Result<(), Box<dyn Error>> {
-    let title =
-        "Stick in rough contacts: stick area over contact area, and its zones at F = µW / 2";
-    let figure = support::figure(path, (1960, 979), title)?;
-    let (left, right) = figure.split_horizontally(980);
+    let title = "Stick ratio of rough contacts, and zones at F = µW / 2";
+    let figure = support::figure(path, (2 * support::PANEL, 1540), title)?;
+    let (left, right) = figure.split_horizontally(support::PANEL);
+    let right = support::key(&right, &support::maps::zones_key(contacts[2].half.zones()))?;
     draw_ratios(&left, contacts)?;
     draw_zones(&right, &contacts[2])?;
     figure.present()?;
@@ -186,14 +186,10 @@ fn draw(path: &Path, contacts: &[Sheared]) -> Result<(), Box<dyn Error>> {
 }
 
 fn draw_ratios(area: &Area<'_>, contacts: &[Sheared]) -> Result<(), Box<dyn Error>> {
-    let mut chart = support::axes(area, (0.0..1.0, "F / µW"), (0.0..1.05, "stick ratio"))?;
+    let mut chart = support::axes(area, (0.0..1.0, "F / µW"), (0.0..1.4, "stick ratio"))?;
     let loads = || (0..=100).map(|i| f64::from(i) / 100.0);
-    support::law(
-        &mut chart,
-        "1 - F / µW",
-        true,
-        loads().map(|f| (f, 1.0 - f)),
-    )?;
+    let straight = [(0.0, 1.0), (1.0, 0.0)];
+    support::law(&mut chart, "1 − F / µW", true, straight)?;
     support::law(
         &mut chart,
         "smooth ball",
@@ -208,7 +204,7 @@ fn draw_ratios(area: &Area<'_>, contacts: &[Sheared]) -> Result<(), Box<dyn Erro
     ];
     for ((contact, colour), scene) in contacts.iter().zip(colours).zip(&SCENES) {
         let name = format!(
-            "rms slope {}, p / E* = {}",
+            "slope {}, p / E* = {}",
             scene.rms_slope, scene.mean_pressure
         );
         let points = contact.ratios.iter().map(|&[f, stick]| (f, stick));
@@ -225,7 +221,7 @@ fn draw_zones(area: &Area<'_>, contact: &Sheared) -> Result<(), Box<dyn Error>> 
     let y = grid.y(row) - 0.5 * grid.dy();
     let [x, y] = [(x, grid.dx()), (y, grid.dy())]
         .map(|(start, cell)| start..start + MAGNIFIED as f64 * cell);
-    let names = ("x, µm", "y, µm  (blue: stick, orange: slip)");
+    let names = ("x (µm)", "y (µm)");
     let mut chart = support::map_axes(area, (x.clone(), names.0), (y.clone(), names.1))?;
     support::maps::zones(
         &mut chart,

@@ -74,13 +74,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut stages = Vec::new();
     let (mut cycles, mut energy) = (0.0, 0.0);
     println!(
-        "Difference of the gap from the limiting shape in % of the approach: largest anywhere,"
+        "Difference of the gap from the limiting shape in % of the approach: largest, largest off the edge (farther"
     );
+    println!("than a cell from the edge of the stick disc), and mean over the worn region.\n");
     println!(
-        "largest farther than a cell from the edge of the stick disc, mean over what wears.\n"
-    );
-    println!(
-        "  cycles    jump | load, N  largest p, GPa | worn volume / limit | largest off edge   mean"
+        "  cycles    jump | load (N)  largest p (GPa) | worn volume / limit | largest off edge   mean"
     );
     loop {
         // Simulate a cycle with the pressure of the worn gap.
@@ -181,7 +179,7 @@ impl Stage {
 
     fn print(&self, limit: &PopovLimitingShape) {
         println!(
-            "{:>8.0} {:>7.1} | {:>7.3}  {:>14.3} | {:>19.4} | {:>7.2} {:>8.2} {:>6.2}",
+            "{:>8.0} {:>7.1} | {:>8.3}  {:>15.3} | {:>19.4} | {:>7.2} {:>8.2} {:>6.2}",
             self.cycles,
             self.jump,
             self.load,
@@ -211,19 +209,19 @@ impl Stage {
 fn print_end(stages: &[Stage], history: &History, limit: &PopovLimitingShape) {
     let last = &stages[stages.len() - 1];
     println!(
-        "\n{} cycles simulated of {:.0}, {} steps",
+        "\n{} of {:.0} cycles simulated, {} steps",
         stages.len(),
         last.cycles,
         history.steps()
     );
     println!(
-        "load left: {:.3} N, of the limiting shape {:.3} N",
+        "remaining load: {:.3} N; limiting shape: {:.3} N",
         last.load,
         limit.load()
     );
     let by_energy = WEAR_COEFFICIENT / FRICTION * last.energy;
     println!(
-        "worn volume: {:.1} um3, k / mu times the energy {:.1} um3, relative difference {:.1e}",
+        "worn volume: {:.1} µm³; k / mu times the energy: {:.1} µm³; relative difference {:.1e}",
         last.volume * 1e18,
         by_energy * 1e18,
         last.volume / by_energy - 1.0
@@ -274,9 +272,9 @@ fn write(stages: &[Stage], limit: &PopovLimitingShape) -> Result<(), Box<dyn Err
 }
 
 fn draw(path: &Path, shown: &[&Stage], limit: &PopovLimitingShape) -> Result<(), Box<dyn Error>> {
-    let title = "Fretting wear of a ball at a constant approach: 0.6 of the contact radius sticks";
-    let figure = support::figure(path, (1960, 979), title)?;
-    let (left, right) = figure.split_horizontally(980);
+    let title = "Fretting wear of a ball at a constant approach d";
+    let figure = support::figure(path, (2 * support::PANEL, 1400), title)?;
+    let (left, right) = figure.split_horizontally(support::PANEL);
     let colours = [
         support::BLUE,
         support::GREEN,
@@ -300,7 +298,11 @@ fn draw(path: &Path, shown: &[&Stage], limit: &PopovLimitingShape) -> Result<(),
     })?;
     support::legend(&mut chart, SeriesLabelPosition::UpperLeft)?;
 
-    let mut chart = support::axes(&right, (0.0..1.4, "x / a"), (0.0..HIGHEST, "p / p₀ unworn"))?;
+    let mut chart = support::axes(
+        &right,
+        (0.0..1.4, "x / a"),
+        (0.0..HIGHEST, "p / p₀ of the unworn ball"),
+    )?;
     let pressure = limit_at(&|r| (limit.pressure(r) / max_pressure).min(HIGHEST));
     support::law(&mut chart, "limiting shape", true, pressure)?;
     draw_stages(&mut chart, shown, colours, a, |&[_, _, pressure]| {

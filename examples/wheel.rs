@@ -73,17 +73,17 @@ fn main() -> Result<(), Box<dyn Error>> {
     let exact = forces(&mut reference, &sampled)?.forces;
 
     println!("{} steps, {CELLS} x {CELLS} cells", wheels.len());
-    println!("time of a step in ms                  least   median     mean");
+    println!("time per step (ms)                  minimum   median     mean");
     for tolerance in [1e-6, 1e-4, 1e-3] {
         let mut solver = solver(CELLS, tolerance)?;
         let run = forces(&mut solver, &wheels)?;
         run.times
             .show(&format!("solver, tolerance {tolerance:.0e}"));
-        run.load_times.show("    of it the pressure of the load");
+        run.load_times.show("    of which pressure solve");
         let found = run.forces.iter().step_by(every);
         show_error(found, &exact, &sampled);
         println!(
-            "    products of a step: {:.1}",
+            "    products per step: {:.1}",
             run.products as f64 / f64::from(steps)
         );
     }
@@ -110,7 +110,7 @@ fn show_error<'a>(found: impl Iterator<Item = &'a [f64; 2]>, exact: &[[f64; 2]],
     let mean = errors.iter().sum::<f64>() / errors.len() as f64;
     let largest = errors.iter().copied().fold(0.0, f64::max);
     println!(
-        "    error of the force: {mean:.3} % of the limit in the mean, {largest:.3} % at most"
+        "    error of the force, % of the friction limit: mean {mean:.3}, largest {largest:.3}"
     );
 }
 

@@ -139,13 +139,13 @@ fn solve(arguments: &Arguments, ranks: &Arc<dyn Ranks>) -> Outcome<()> {
         );
         println!("  rows of rank 0    {:?}", bodies.grid().rows());
         println!(
-            "  contact           {:.4} of the area",
+            "  contact area      {:.4} of the area",
             normal.contact_area() / grid.area()
         );
         print_report("pressure", normal.report());
         if let Some(tangential) = &tangential {
             let stick = tangential.stick_ratio();
-            println!("  stick             {stick:.4} of the contact");
+            println!("  stick ratio       {stick:.4}");
             print_report("traction", tangential.report());
         }
         println!(

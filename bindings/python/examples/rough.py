@@ -73,6 +73,6 @@ else:
     _, axes = pyplot.subplots(2, 2, figsize=(11, 8))
     plot.pressure_map(contact, axes[0, 0], length_unit="L", unit="E")
     plot.stick_map(history, axes[0, 1], length_unit="L")
-    plot.spot_map(contact, axes[1, 0], by="area", length_unit="L", unit="L²")
+    plot.spot_map(contact, axes[1, 0], by="number", length_unit="L")
     plot.work_precision(reports, axes[1, 1], scale=1e3, unit="ms")
     pyplot.savefig("rough.png")

@@ -31,6 +31,7 @@ def sheared(scene):
 @pytest.fixture(autouse=True)
 def closed():
     yield
+    pyplot.close("all")
 
 
 def test_contact_plots_show_fields(scene):
@@ -50,7 +51,7 @@ def test_contact_plots_show_fields(scene):
 
 def test_section_plots_rows_and_columns_of_field(scene):
     contact = scene.normal()
-    axes = plot.section(scene.grid, contact.pressure, label="pressure, Pa", scale=1e3, length_unit="mm")
+    axes = plot.section(scene.grid, contact.pressure, label="pressure", unit="Pa", scale=1e3, length_unit="mm")
     plot.section(scene.grid, contact.gap, axes, at=1e-4)
     over_centre, off_centre = axes.lines
     assert list(over_centre.get_xdata()) == list(1e3 * scene.grid.x)
@@ -69,17 +70,17 @@ def test_section_plots_rows_and_columns_of_field(scene):
 def test_axes_have_labels_with_given_units(scene):
     contact = scene.normal()
     axes = plot.pressure_map(contact, scale=1e3, length_unit="mm", value_scale=1e-9, unit="GPa")
-    assert (axes.get_xlabel(), axes.get_ylabel()) == ("x, mm", "y, mm")
-    assert bar(axes).get_ylabel() == "pressure, GPa"
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("x (mm)", "y (mm)")
+    assert bar(axes).get_ylabel() == "pressure (GPa)"
     assert axes.images[0].get_array().max() == pytest.approx(1e-9 * contact.pressure.max())
     assert plot.field(scene.grid, scene.ball).get_xlabel() == "x"
     cycle = ss.history.Cycle(scene.history())
     axes = plot.hysteresis(cycle, axis="y", length_unit="m", unit="N")
-    assert (axes.get_xlabel(), axes.get_ylabel()) == ("shift along y, m", "tangential force along y, N")
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("shift along y (m)", "tangential force along y (N)")
     axes = plot.section(scene.grid, contact.gap, label="gap", value_scale=1e6, unit="µm", scale=1e3, length_unit="mm")
-    assert (axes.get_xlabel(), axes.get_ylabel()) == ("x, mm", "gap, µm")
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("x (mm)", "gap (µm)")
     axes = plot.work_precision([contact.report], scale=1e3, unit="ms")
-    assert axes.get_ylabel() == "time, ms" and list(axes.lines[0].get_ydata()) == [1e3 * contact.report.time]
+    assert axes.get_ylabel() == "time (ms)" and list(axes.lines[0].get_ydata()) == [1e3 * contact.report.time]
     with pytest.raises(ValueError):
         plot.hysteresis(cycle, axis="z")
 
@@ -163,11 +164,11 @@ def test_line_of_cells_is_drawn_as_profile():
     contact = ss.NormalProblem(bodies, ss.surface.cylinder(grid, 20.0), force=200.0).solve()
     shear = ss.TangentialProblem(bodies, contact, 0.5, force_x=50.0).solve()
     axes = plot.pressure_map(contact, unit="MPa", length_unit="mm", scale=2.0)
-    assert not axes.images and axes.get_ylabel() == "pressure, MPa"
+    assert not axes.images and axes.get_ylabel() == "pressure (MPa)"
     assert list(axes.lines[0].get_ydata()) == list(contact.pressure[0])
     assert list(axes.lines[0].get_xdata()) == list(2.0 * grid.x)
     axes = plot.traction_map(shear, unit="MPa")
-    assert list(axes.lines[0].get_ydata()) == list(shear.traction[0][0]) and axes.get_ylabel() == "shear traction, MPa"
+    assert list(axes.lines[0].get_ydata()) == list(shear.traction[0][0]) and axes.get_ylabel() == "shear traction (MPa)"
     axes = plot.stick_map(shear)
     assert list(axes.lines[0].get_ydata()) == list(shear.zones[0])
     assert [label.get_text() for label in axes.get_yticklabels()] == ["separated", "stick", "slip"]
@@ -181,7 +182,7 @@ def test_traction_map_shows_magnitude_and_arrows(scene):
     axes = plot.traction_map(shear, arrows=8, value_scale=1e-9, unit="GPa")
     size = np.hypot(*shear.traction)
     assert axes.images[0].get_array().max() == pytest.approx(1e-9 * size.max())
-    assert bar(axes).get_ylabel() == "shear traction, GPa"
+    assert bar(axes).get_ylabel() == "shear traction (GPa)"
     [arrows] = axes.collections
     columns = np.flatnonzero(shear.zones.any(axis=0))
     assert 40 < arrows.U.size < 150 and np.ptp(columns) > 8
@@ -202,6 +203,29 @@ def test_spot_map_shows_properties(scene):
             plot.spot_map(contact, by=wrong)
 
 
+def test_neighbouring_spots_differ_in_colour(scene):
+    x, y = np.meshgrid(scene.grid.x, scene.grid.y)
+    gap = np.minimum((x - 0.07e-3) ** 2, (x + 0.07e-3) ** 2) / 2e-3 + y**2 / 2e-3
+    contact = ss.NormalProblem(scene.bodies, gap, force=5.0).solve()
+    axes = plot.spot_map(contact, by="number")
+    shown = axes.images[0].get_array()
+    assert len(contact.spots) == 2 and len(set(shown.compressed())) == 2 and shown.count() == contact.contact_cells
+    assert not axes.child_axes
+
+
+def test_colours_start_at_zero_or_have_it_in_the_middle(scene):
+    contact, shear = sheared(scene)
+    planes = ss.subsurface.Planes(scene.bodies, [1e-5, 2e-5]).solve_all("one", contact)
+    for axes in (plot.pressure_map(contact), plot.traction_map(shear), plot.spot_map(contact)):
+        assert axes.images[0].get_clim()[0] == 0.0
+    assert plot.stress_section(planes).collections[0].get_clim()[0] == 0.0
+    low, high = plot.stress_section(planes, of="xz").collections[0].get_clim()
+    assert low == -high < 0.0
+    [image] = plot.field(scene.grid, scene.ball.array - 1e-6).images
+    assert image.get_clim()[0] == -image.get_clim()[1] and image.get_cmap().name == "RdBu_r"
+    assert plot.pressure_map(contact, vmin=1.0).images[0].get_clim()[0] == 1.0
+
+
 def test_stress_section_matches_planes(scene):
     contact = scene.normal()
     depths = [2e-5, 0.0, 5e-5]
@@ -212,7 +236,7 @@ def test_stress_section_matches_planes(scene):
     expected = [1e-6 * planes[place].von_mises[row] for place in (1, 0, 2)]
     assert np.allclose(np.asarray(mesh.get_array()).reshape(3, -1), expected, rtol=1e-12)
     assert axes.get_ylim() == pytest.approx((0.05, 0.0)) and axes.get_aspect() == 1.0
-    assert (axes.get_xlabel(), axes.get_ylabel(), bar(axes).get_ylabel()) == ("x, mm", "depth, mm", "von Mises, MPa")
+    assert (axes.get_xlabel(), axes.get_ylabel(), bar(axes).get_ylabel()) == ("x (mm)", "depth (mm)", "von Mises (MPa)")
     [mesh] = plot.stress_section(planes, of="yz", along="y", at=1e-5).collections
     column = abs(scene.grid.x - 1e-5).argmin()
     assert np.array_equal(np.asarray(mesh.get_array()).reshape(3, -1)[0], planes[1].shear_stress[2][:, column])

@@ -250,15 +250,15 @@ impl ErrorRow {
 /// Draws the time over the error, with the pressure of the sphere on the left and its traction on the right; the grid
 /// size increases along a curve.
 fn draw(path: &Path, rows: &[ErrorRow]) -> std::result::Result<(), Box<dyn Error>> {
-    let title = "32 x 32 (right), 64, .. 512 x 512 cells (left) on three contact radii";
-    let figure = support::figure(path, (1960, 1000), title)?;
-    let (left, right) = figure.split_horizontally(980);
+    let title = "Grids of 32 × 32 cells (right) to 512 × 512 cells (left)";
+    let figure = support::figure(path, (2 * support::PANEL, 1540), title)?;
+    let (left, right) = figure.split_horizontally(support::PANEL);
     for (area, scene, name) in [
         (left, "sphere", "pressure"),
         (right, "Cattaneo-Mindlin", "shear traction"),
     ] {
-        let label = format!("distance of the {name} from the closed form, L1");
-        let mut chart = support::decades(&area, (-5.0..-1.0, &label), (-3.0..2.0, "time, ms"))?;
+        let label = format!("relative error of the {name} (L1)");
+        let mut chart = support::decades(&area, (-5.0..-1.0, &label), (-3.0..2.0, "time (ms)"))?;
         for (place, colour) in SHOWN {
             for (is_full, kind) in [(false, "uniform"), (true, "centres, edges")] {
                 let points: Vec<_> = rows
@@ -269,7 +269,7 @@ fn draw(path: &Path, rows: &[ErrorRow]) -> std::result::Result<(), Box<dyn Error
                     .map(|row| if is_full { row.centre } else { row.uniform })
                     .map(|[time, error, _]| (error.log10(), time.log10()))
                     .collect();
-                let name = format!("{kind}, to {:e}", TOLERANCES[place]);
+                let name = format!("{kind}, {:e}", TOLERANCES[place]);
                 support::curve(&mut chart, &name, (colour, is_full), &points)?;
             }
         }

@@ -221,15 +221,16 @@ fn draw(path: &Path, rows: &[TimingRow]) -> Result<(), Box<dyn Error>> {
     let (least, most) = exponents.fold((f64::MAX, f64::MIN), |(least, most), exponent| {
         (least.min(exponent), most.max(exponent))
     });
-    // Two fifths of the height are reserved for the legend below the curves.
-    let (bottom, top) = (least - 0.7 * (most - least), most + 0.2);
+    // A third of the height is reserved for the legend below the curves.
+    let (bottom, top) = (least - 0.5 * (most - least), most + 0.2);
 
-    let title = format!("{SHOWN} x {SHOWN} cells: tolerances 1e-2 (right), 1e-4, .. 1e-10 (left)");
-    let figure = support::figure(path, (1960, 1000), &title)?;
-    let (left, right) = figure.split_horizontally(980);
+    let title = format!("{SHOWN} × {SHOWN} cells, tolerances 1e-2 (right) to 1e-10 (left)");
+    let figure = support::figure(path, (2 * support::PANEL, 1540), &title)?;
+    let figure = support::key(&figure, &COLOURS.map(|(scene, colour)| (colour, scene)))?;
+    let (left, right) = figure.split_horizontally(support::PANEL);
     for (index, area, name) in [(0, left, "pressure"), (1, right, "shear traction")] {
-        let label = format!("relative error of the {name} in the L1 norm");
-        let y = (bottom..top, "time, ms");
+        let label = format!("relative error of the {name} (L1)");
+        let y = (bottom..top, "time (ms)");
         let mut chart = support::decades(&area, (-12.0..-1.0, &label), y)?;
         if let Some(errors) = rows.iter().find_map(|row| row.discretisation) {
             let x = errors[index].log10();
@@ -246,7 +247,13 @@ fn draw(path: &Path, rows: &[TimingRow]) -> Result<(), Box<dyn Error>> {
                 .map(|run| (run.l1.log10().max(-12.0), run.milliseconds.log10()))
                 .collect();
             let style = (colour, method == Method::default());
-            support::curve(&mut chart, &format!("{scene}: {method:?}"), style, &points)?;
+            // The legend contains the methods; the key above the charts contains the scenes.
+            let name = if scene == COLOURS[0].0 {
+                format!("{method:?}")
+            } else {
+                String::new()
+            };
+            support::curve(&mut chart, &name, style, &points)?;
         }
         if index == 0 {
             support::legend(&mut chart, SeriesLabelPosition::LowerLeft)?;

@@ -6,7 +6,10 @@ column of cells, such as the grid of a line contact, is drawn as a profile: a li
 
 The package does not prescribe units and only appends the given units to the labels. ``length_unit`` is the unit of
 coordinates and shifts after multiplication by ``scale`` (1e3 shows metres as millimetres). ``unit`` is the unit of the
-drawn values after multiplication by ``value_scale``.
+drawn values after multiplication by ``value_scale``. Labels have the form ``x (mm)``.
+
+Colour bars of values without sign, such as pressure, start at zero. Values with both signs have colours with zero in the
+middle. The options ``cmap``, ``vmin``, ``vmax`` and ``norm`` replace these defaults.
 """
 
 from __future__ import annotations
@@ -28,6 +31,9 @@ if TYPE_CHECKING:
 
 _COLOURS = {Zone.SEPARATED: "white", Zone.STICK: "tab:blue", Zone.SLIP: "tab:orange"}
 
+# Colours of contact spots.
+_SPOTS = ("tab:blue", "tab:orange", "tab:green", "tab:red", "tab:purple", "tab:brown", "tab:pink")
+
 _STRESSES = {"von_mises": "von Mises", "max_shear": "largest shear stress", "hydrostatic": "mean normal stress"}
 
 
@@ -43,12 +49,13 @@ def _axes(axes: Axes | None) -> Axes:
     if figure.get_layout_engine() is None:
         from ._layout import SettledLayout
 
-        figure.set_layout_engine(SettledLayout())
+        # Wider than the defaults, so that the label of a colour bar is not mistaken for the label of the next axes.
+        figure.set_layout_engine(SettledLayout(w_pad=0.1, h_pad=0.08))
     return axes
 
 
 def _label(name: str, unit: str) -> str:
-    return f"{name}, {unit}" if name and unit else name or unit
+    return f"{name} ({unit})" if name and unit else name or unit
 
 
 def _samples(grid: Grid, values: Any) -> Any:
@@ -95,6 +102,18 @@ def _image(axes: Axes, grid: Grid, values: Any, scale: float, length_unit: str, 
     return image
 
 
+def _limits(values: Any, options: dict[str, Any], from_zero: bool = False) -> dict[str, Any]:
+    """Returns the options of an image with default limits of its colours."""
+    shown = np.ma.masked_invalid(values).compressed()
+    if shown.size == 0 or {"norm", "vmin", "vmax"} & options.keys():
+        return options
+    low, high = float(shown.min()), float(shown.max())
+    if low < 0.0 < high:
+        most = max(-low, high)
+        return {"cmap": "RdBu_r", "vmin": -most, "vmax": most, **options}
+    return {"vmin": 0.0, **options} if from_zero and high > 0.0 else options
+
+
 def _bar(axes: Axes, image: Any, label: str, **options: Any) -> Any:
     """Adds a colour bar next to an image, with the height of the image."""
     place = axes.inset_axes((1.04, 0.0, 0.05, 1.0))
@@ -119,7 +138,8 @@ def field(
     length_unit: str = "",
     **options: Any,
 ) -> Axes:
-    """Draws a field as an image with a colour bar, or as a profile if the grid has a single row or column of cells.
+    """Draws a field as an image with a colour bar, or as a profile if the grid has a single row or column of cells. The colours
+    of a field with values of both signs have zero in the middle.
 
     Parameters
     ----------
@@ -152,7 +172,8 @@ def field(
             length_unit=length_unit, **options,
         )  # fmt: skip
     axes = _axes(axes)
-    image = _image(axes, grid, value_scale * samples, scale, length_unit, **options)
+    samples = value_scale * samples
+    image = _image(axes, grid, samples, scale, length_unit, **_limits(samples, options))
     _bar(axes, image, _label(label, unit))
     return axes
 
@@ -223,10 +244,12 @@ def pressure_map(
     ``unit`` and ``value_scale`` refer to the pressure; for the other arguments see :func:`field`.
     """
     pressure = np.asarray(solution.pressure)
-    is_profile = _profile_axis(solution.grid) is not None
+    if _profile_axis(solution.grid) is None:
+        options = _limits(value_scale * pressure, options, from_zero=True)
+        pressure = np.ma.masked_where(pressure == 0.0, pressure)
     return field(
         solution.grid,
-        pressure if is_profile else np.ma.masked_where(pressure == 0.0, pressure),
+        pressure,
         axes,
         label="pressure",
         unit=unit,
@@ -299,6 +322,7 @@ def traction_map(
         assert axes is not None
         return _named_above(axes) if len(loaded) > 1 else axes
     size = np.hypot(x, y)
+    options = _limits(value_scale * size, options, from_zero=True)
     axes = field(grid, np.ma.masked_where(size == 0.0, size), axes, label="shear traction", **names, **options)
     rows, columns = (np.flatnonzero(size.any(axis=axis)) for axis in (1, 0))
     if rows.size == 0:
@@ -335,7 +359,8 @@ def spot_map(
     axes : matplotlib Axes, optional
         Axes to draw into; new axes by default.
     by : str, default "mean_pressure"
-        The property: "cells", "area", "load", "mean_pressure", "max_pressure", "perimeter" or "stick_ratio".
+        The property: "cells", "area", "load", "mean_pressure", "max_pressure", "perimeter" or "stick_ratio". "number"
+        draws spots whose centres are near each other in different colours, without a colour bar.
     unit, value_scale, scale, length_unit, **options : optional
         See :func:`field`.
 
@@ -344,19 +369,46 @@ def spot_map(
     ValueError
         If spots do not have this property.
     """
-    known = ("cells", "area", "load", "mean_pressure", "max_pressure", "perimeter", "stick_ratio")
+    known = ("number", "cells", "area", "load", "mean_pressure", "max_pressure", "perimeter", "stick_ratio")
     if by not in known:
         raise ValueError(f"by must be one of {', '.join(known)}, got {by!r}")
     spots = getattr(spots, "spots", spots)
+    if by == "number":
+        return _numbered(spots, axes, scale, length_unit, options)
     numbers = [getattr(spot, by) for spot in spots]
     if None in numbers:
         raise ValueError("spots of a contact without shear have no stick_ratio: choose a different property")
     labels = spots.labels
     values = np.concatenate([[0.0], numbers])[labels]
+    if _profile_axis(spots.grid) is None:
+        options = _limits(value_scale * values, options, from_zero=True)
     return field(
         spots.grid, np.ma.masked_where(labels == 0, values), axes, label=f"{by.replace('_', ' ')} of the spot", unit=unit,
         value_scale=value_scale, scale=scale, length_unit=length_unit, **options,
     )  # fmt: skip
+
+
+def _numbered(spots: Any, axes: Axes | None, scale: float, length_unit: str, options: dict[str, Any]) -> Axes:
+    """Draws contact spots; spots whose centres are near each other differ in colour."""
+    labels, grid = spots.labels, spots.grid
+    along = _profile_axis(grid)
+    if along is not None:
+        names: dict[str, Any] = {"scale": scale, "length_unit": length_unit}
+        return section(grid, labels, axes, along=along, label="number of the spot", **names, **options)
+    axes = _axes(axes)
+    from matplotlib.colors import ListedColormap
+
+    centres = np.array([spot.centroid for spot in spots]).reshape(-1, 2)
+    chosen = np.zeros(len(centres), dtype=int)
+    for place, centre in enumerate(centres):
+        # The distance to the nearest spot of each colour; the colour with the largest distance is chosen.
+        distances = np.hypot(*(centres[:place] - centre).T)
+        nearest = [distances[chosen[:place] == colour].min(initial=np.inf) for colour in range(len(_SPOTS))]
+        chosen[place] = int(np.argmax(nearest))
+    shown = np.ma.masked_where(labels == 0, np.concatenate([[0], chosen])[labels])
+    defaults = {"cmap": ListedColormap(_SPOTS), "vmin": -0.5, "vmax": len(_SPOTS) - 0.5}
+    _image(axes, grid, shown, scale, length_unit, **{**defaults, **options})
+    return axes
 
 
 def stress_section(
@@ -372,7 +424,8 @@ def stress_section(
     length_unit: str = "",
     **options: Any,
 ) -> Axes:
-    """Draws a stress over a section below the surface with equal aspect; the depth increases downwards.
+    """Draws a stress over a section below the surface with equal aspect; the depth increases downwards. The colours of stresses
+    with both signs have zero in the middle.
 
     Parameters
     ----------
@@ -403,9 +456,9 @@ def stress_section(
     lines = [_stress(plane, of)[place] if direction == 0 else _stress(plane, of)[:, place] for plane in planes]
     depths = scale * np.array([plane.depth for plane in planes])
     axes = _axes(axes)
-    image = axes.pcolormesh(
-        scale * (grid.x if direction == 0 else grid.y), depths, value_scale * np.array(lines), **{"shading": "gouraud", **options}
-    )
+    values = value_scale * np.array(lines)
+    options = _limits(values, {"shading": "gouraud", **options}, from_zero=of in ("von_mises", "max_shear"))
+    image = axes.pcolormesh(scale * (grid.x if direction == 0 else grid.y), depths, values, **options)
     axes.set_aspect("equal")
     axes.set_ylim(depths[-1], depths[0])
     axes.set_xlabel(_label(("x", "y")[direction], length_unit))
