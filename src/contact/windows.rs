@@ -92,7 +92,7 @@ impl<E: WindowEngine> Windows<E> {
     }
 }
 
-/// Returns the bounding box of the overlapping cells outside a window. In these cells the bodies overlap by more than round-off
+/// Returns the bounding box of the overlapping cells outside a window. The bodies overlap in these cells by more than round-off
 /// of the largest displacement. `gap` is the gap under load of a local cell.
 pub(crate) fn overlap_outside(
     bodies: &HalfSpace,

@@ -98,7 +98,7 @@
 //! # Failures
 //!
 //! If one rank rejects an input, all ranks return an error: its own error on that rank, [`RankFailure::RejectedByRank`] on the
-//! others. The same holds for a kernel that one rank cannot compute, because of a lack of memory or a failure of its response. If
+//! others. This also holds for a kernel that one rank cannot compute, because of a lack of memory or a failure of its response. If
 //! a rank ends or is silent for too long, the calls of the other ranks return [`RankFailure::Disconnected`] or
 //! [`RankFailure::Timeout`], and so do all later calls on the same bodies. If a block has an unexpected length, its sender makes
 //! different calls, and the receiver returns [`RankFailure::CollectiveMismatch`]. A file that the ranks were writing together is

@@ -290,7 +290,7 @@ impl SelfAffine {
         }
     }
 
-    /// Sets the seed that selects a random surface (default 0). The same seed yields the same surface on every machine,
+    /// Sets the seed that selects a random surface (default 0). A seed yields the same surface on every machine,
     /// to round-off.
     #[must_use]
     pub fn seed(self, seed: u64) -> Self {
