@@ -76,7 +76,7 @@ impl<const N: usize> CirculantInverse<N> {
         let [_, high] = symbol.extremes(false);
         // A single periodic cell has no wave except the mean, so any weight is valid.
         let high = if high > 0.0 { high } else { 1.0 };
-        // On a grid that is periodic along y, the mean has a negative eigenvalue if the datum is too near.
+        // On a grid that is periodic along y, the eigenvalue of the mean is negative if the datum is too near.
         let is_mean_unbounded = repeats == [false, true] && symbol.least_of_mean() <= floor;
         let symbol = if is_up_to_mean {
             symbol.with_mean_of_longest_wave()

@@ -76,9 +76,9 @@ impl<T: Real> Plan<T> {
         self.transpose_tiles(share, [from, to], sent, received, None, spare);
     }
 
-    /// Transfers tiles from one order to the other. `sent` and `received` return the columns and rows of the tiles that
-    /// go to a rank and come from a rank. If `occupied` is given, one bit per band is sent first, and only the bands
-    /// that are not zero follow.
+    /// Transfers tiles from one order to the other. `sent` returns the columns and rows of the tiles that go to a rank.
+    /// `received` returns the columns and rows of the tiles that come from a rank. If `occupied` is given, one bit per
+    /// band is sent first. Only the nonzero bands follow.
     fn transpose_tiles(
         &self,
         share: &RowPartition,

@@ -92,7 +92,7 @@ impl<T> PooledBuffer<T> {
         }
     }
 
-    /// Returns the buffer if it is in use, that is, between its first use and its return; otherwise returns `None`.
+    /// Returns the buffer if it is in use, that is, between its first use and its return. Otherwise returns `None`.
     pub(crate) fn held(&self) -> Option<&T> {
         self.piece.as_ref()
     }
