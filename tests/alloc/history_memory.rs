@@ -22,7 +22,7 @@ fn history(bodies: &HalfSpace, lateral: TangentialModel, contact_radius: f64) ->
     history
 }
 
-/// Returns the number of cells in the window of the contact, and the bytes of a first history in addition to the
+/// Returns the number of cells in the window of the contact and three numbers of bytes: of a first history without the
 /// bodies, of a second history, and of a state.
 fn measured(bodies: &HalfSpace, lateral: TangentialModel, contact_radius: f64) -> [f64; 4] {
     // The first history creates the data that the bodies keep for all histories.
@@ -51,8 +51,7 @@ fn measured(bodies: &HalfSpace, lateral: TangentialModel, contact_radius: f64) -
 fn history_uses_documented_bytes_per_cell() {
     let grid = Grid::square(512, 512.0).unwrap();
     let bodies = unit_bodies(grid, 0.3);
-    // The numbers are bytes per cell of the grid and per cell of the contact, for the first history, a second history
-    // and a state.
+    // Bytes per cell of the grid and per cell of the contact, for the first history, a second history and a state.
     let models = [
         (
             TangentialModel::Vector,
@@ -76,8 +75,8 @@ fn history_uses_documented_bytes_per_cell() {
     }
 }
 
-/// A contact that has been small for a long time releases the memory of a former large contact, except for the capacity
-/// of its state.
+/// If a large contact becomes small, the memory of the large contact is released after some time. Only the capacity of
+/// the state remains.
 #[test]
 fn history_of_shrunk_contact_releases_memory() {
     let bodies = unit_bodies(Grid::square(256, 256.0).unwrap(), 0.3);

@@ -1,4 +1,4 @@
-//! A state is stored and restored in existing buffers, and bytes that claim to contain many cells cause no allocation
+//! A state is stored and restored in existing buffers. If damaged bytes declare many cells, no memory is allocated
 //! for these cells.
 
 use kit::unit_bodies;

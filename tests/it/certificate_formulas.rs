@@ -1,5 +1,4 @@
-//! The values of a report equal the formulas documented on its fields; the values are not merely bounded by these
-//! formulas.
+//! The values of a report equal the formulas documented on its fields. The formulas are not only bounds.
 
 use std::ops::ControlFlow;
 

@@ -153,7 +153,8 @@ proptest! {
         }
     }
 
-    /// A larger force reduces the stick zone; the stick zones are nested for a Poisson's ratio of zero.
+    /// A larger force reduces the stick zone. For a Poisson's ratio of zero, the smaller stick zone is part of the
+    /// larger one.
     #[test]
     fn stick_zone_shrinks_with_force(case in random_contact()) {
         let case = RandomContact { poisson_ratio: 0.0, ..case };

@@ -15,9 +15,9 @@ use stickslip::{
 /// Tolerance relative to the largest pressure.
 const AGREED: f64 = 1e-7;
 
-/// Compares every step of a case of CONTACT, including its zones, at the default tolerance; the bodies are only
-/// pressed. The number of examinations is limited. One examination is allowed before each semismooth Newton step, one
-/// at the end, and one for a start that is too poor for Newton steps.
+/// Compares every step of a case of CONTACT, including its zones, at the default tolerance. The bodies are only pressed.
+/// The number of examinations is limited. One examination is allowed before each semismooth Newton step, one at the end,
+/// and one for a start that is too poor for Newton steps.
 fn assert_every_step_agrees(text: &str, steps: usize, examinations: usize) {
     let case = Case::parse(text);
     assert_eq!(case.steps.len(), steps);
@@ -100,8 +100,8 @@ fn ball_problem(cells: usize) -> (HalfSpace, Field) {
     (bodies, surface::sphere(grid, 10.0).unwrap())
 }
 
-/// The stick radius of a pressed sphere converges to the value of the punch (0.5) with first order in the number of
-/// steps.
+/// The stick radius of a pressed sphere converges to the value of the punch (0.5), with an error inversely proportional to
+/// the number of steps.
 #[test]
 fn stick_radius_converges_with_first_order_in_steps() {
     let (bodies, gap) = ball_problem(53);

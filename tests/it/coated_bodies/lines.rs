@@ -14,7 +14,7 @@ use stickslip::{
 
 use super::against_rigid;
 
-/// A coated half-space on a grid that is periodic along y; the moduli are Young's moduli.
+/// A coated half-space on a grid that is periodic along y. The moduli are Young's moduli.
 #[derive(Clone, Copy, Debug)]
 struct CoatedStrip {
     grid: Grid,
