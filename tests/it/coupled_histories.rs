@@ -320,8 +320,8 @@ fn press_to_tolerance_takes_two_steps_if_one_is_exact() {
     ends_at_two_steps(smooth, 60.0);
 }
 
-/// Loads that grow from an earlier load or fall to zero are also divided into steps in which the contact size changes
-/// equally.
+/// Loads that increase from an earlier load or decrease to zero are also divided into steps with equal changes of the
+/// contact size.
 #[test]
 fn press_to_tolerance_continues_from_a_load_and_unloads() {
     let mut history = aluminium_on_steel(24, 0.1, Coupling::OneWay);
@@ -470,8 +470,8 @@ fn growing_contact_in_one_step_matches_many_steps() {
     }
 }
 
-/// Weakly coupled bodies that are pressed in a few long steps stick everywhere, as they do in many steps, whereas
-/// [`EntryRule::WholeStep`] lets a ring slip.
+/// Weakly coupled bodies that are pressed in a few long steps stick everywhere, as they do in many steps. Under
+/// [`EntryRule::WholeStep`] a ring slips.
 #[test]
 fn weakly_coupled_press_sticks_for_any_number_of_steps() {
     let grid = Grid::square(41, 2.6).unwrap();

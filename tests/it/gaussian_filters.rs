@@ -301,7 +301,7 @@ fn filters_with_invalid_indices_are_rejected() {
                 matches!(refused, Error::NotPositive { quantity: q, .. } if q.starts_with(quantity))
             );
         }
-        // The smallest index is two cells of size 1 along y; cells along x are half as long. The longer side of the
+        // The smallest index is two cells of size 1 along y. Cells are half as long along x. The longer side of the
         // grid is 30, and the shorter side is 20.
         assert!(matches!(
             size(make(1.9)),

@@ -1,5 +1,5 @@
-//! Tests of one-way coupling (Goodman's approximation), in which tractions are computed under a given pressure, in
-//! problems and in histories.
+//! Tests of one-way coupling (Goodman's approximation) in problems and in histories. Tractions are computed under a
+//! given pressure.
 
 use kit::{l2_difference, max_difference};
 use stickslip::analytical::SpencePressing;
@@ -56,8 +56,8 @@ fn one_way_punch_sticks_as_in_spence() {
     }
 }
 
-/// Rows of equal cells that are pressed all over slide outwards on both sides of the middle. The tractions of the two
-/// halves are at opposite limits and sum to zero, so that hardly any cell sticks.
+/// Rows of equal cells are pressed over their whole length and slide outwards on both sides of the middle. The
+/// tractions of the two halves are at opposite limits and sum to zero, so that hardly any cell sticks.
 #[test]
 fn pressed_flat_surface_slides_in_both_halves() {
     let mut sliding = 0;
