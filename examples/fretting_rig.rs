@@ -315,7 +315,7 @@ fn draw(
             let ends = [first, (first + block).min(columns)];
             let [left, right] = ends.map(|end| width * end as f64 - map.reach);
             let value = map.rows[k][first + (ends[1] - first) / 2];
-            // Each block overlaps the next blocks, which are drawn over it, so that no seam is visible.
+            // Each block extends under the next blocks, which are drawn later, so that no seam is visible.
             let right = (right + 0.5 * (right - left)).min(map.reach);
             let corners = [(left, level(k as f64)), (right, level(k as f64 + 1.5))];
             Rectangle::new(corners, maps::heat(band(value)).filled())

@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let inlying = without_outliers(&levelled)?;
     // Missing heights have no weight in the filter and are filled afterwards.
     let filtered = GaussianFilter::s(S_FILTER).apply(&inlying)?.into_heights();
-    // The surface is levelled first; otherwise holes near its edges would be filled incorrectly.
+    // The surface is levelled first, because holes near its edges would otherwise be filled incorrectly.
     let filled =
         |heights: &Field| surface::fill_missing(heights).map(surface::Filled::into_heights);
     let heights = filled(&filtered)?;

@@ -1,4 +1,4 @@
-//! The tangential stiffness of histories that are sheared in any direction agrees with differences of their last step.
+//! Histories are sheared in any direction. Their tangential stiffness agrees with differences of their last step.
 
 use std::fmt;
 use std::ops::ControlFlow;

@@ -1,5 +1,5 @@
-//! After a cancellation or a time limit a solve takes at most one more product and returns a feasible iterate with its
-//! status. An iteration limit applies to all passes of a solve on its grid.
+//! After a cancellation or a time limit a solve takes at most one more product. It then returns a feasible iterate with
+//! its status. An iteration limit applies to all passes of a solve on its grid.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -313,8 +313,8 @@ impl PassLog {
         Self { report, seen }
     }
 
-    /// Asserts that the counts increase from pass to pass, and that the last entry of the history does not exceed the
-    /// counts of the report.
+    /// Asserts that the counts increase from pass to pass. The last entry of the history must not exceed the counts of
+    /// the report.
     fn assert_counted_once(&self) {
         let Self { report, seen } = self;
         for steps in [seen, &report.history] {

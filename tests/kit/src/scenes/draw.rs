@@ -14,7 +14,7 @@ use crate::Random;
 /// Time limit after which a solve counts as hanging.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(60);
 
-/// Returns the generator of a scene; the scenes of adjacent indices are unrelated.
+/// Returns the generator of a scene. The scenes of adjacent indices are unrelated.
 pub(crate) fn random_of(index: u64) -> Random {
     let mut seed = Random(index);
     Random(seed.bits())

@@ -104,8 +104,8 @@ pub(crate) fn tractions(
     let limits = limits(&shear.friction, normal);
     let cell_area = normal.grid().cell_area();
     let is_periodic = scene.bodies.boundary() == Boundary::Periodic;
-    // Near sliding the tractions under the prescribed force and under the force reached differ by the square root of
-    // the difference of the forces.
+    // Near sliding the tractions under the prescribed force differ from the tractions under the reached force. The
+    // difference is the square root of the difference of the forces.
     let is_missed = prescribed_force(load).is_some_and(|[x, y]| {
         let limit = limits.iter().sum::<f64>() * cell_area;
         found.axis().is_none() && found.report().load_error > 1.0 - x.hypot(y) / limit
