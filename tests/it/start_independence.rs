@@ -225,7 +225,7 @@ fn stop_after(left: &mut usize) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
-/// Between two loads along y the solver solves a zero load under a different pressure. It must keep its axis.
+/// Between two loads along y the solver solves a zero load under a different pressure. The axis must not change.
 #[test]
 fn solver_under_zero_load_keeps_axis() {
     let grid = Grid::square(64, 8.0).unwrap();

@@ -45,7 +45,7 @@ const KINDS: [(Kind, &str); 9] = [
 /// Period of the indices that are also histories.
 const HISTORIES: u64 = 3;
 
-/// Relative deficit from the sliding force, for lines in the plane. Below this deficit the solution depends on the last
+/// Relative deficit from the sliding force in the vector model. Below this deficit the solution depends on the last
 /// digits of the force, and a solve may stall.
 const LAST_DIGITS: f64 = 1e-7;
 
