@@ -34,7 +34,7 @@ pub struct CirculantInverse<const N: usize = 1> {
 
 impl<const N: usize> CirculantInverse<N> {
     /// Creates the inverse on `[nx, ny]` cells from a symmetric tensor of kernels. Eigenvalues below `floor` are raised to
-    /// `floor`, because wrapping can produce eigenvalues smaller than those of the operator on any part of the grid.
+    /// `floor`, because the wrapped coefficients can have smaller eigenvalues than the operator on any part of the grid.
     ///
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.

@@ -26,8 +26,8 @@ pub(super) struct SpotSums {
     pub(super) largest: f64,
 }
 
-/// Number of fractions per unit of the pressure. The unit is the largest power of two that is at most the largest pressure, so
-/// that sums over 2^47 cells do not overflow.
+/// Number of fractions per unit of the pressure. The unit is the largest power of two that is at most the largest pressure: sums
+/// over 2^47 cells do not overflow.
 const PARTS: f64 = (1_u128 << 80) as f64;
 
 impl SpotSums {
@@ -93,20 +93,20 @@ pub(super) struct Fragments<'a> {
     layout: Layout,
     /// Unit of the pressure.
     pub(super) unit: f64,
-    /// Number of the fragment of every cell, counted from one, or zero outside the contact.
+    /// Number of the fragment of every cell, counted from one; zero outside the contact.
     labels: Vec<u32>,
     sums: Vec<SpotSums>,
 }
 
-/// Type of links across the end of a slab.
+/// Place of links across the end of a slab.
 const SLABS: usize = 0;
-/// Type of links across the edge of the grid in x.
+/// Place of links across the edge of the grid in x.
 const EDGE_X: usize = 1;
-/// Type of links across the edge of the grid in y.
+/// Place of links across the edge of the grid in y.
 const EDGE_Y: usize = 2;
 
-/// Link of two fragments, the second of which starts where the first ends. It contains the numbers of the fragments among the
-/// fragments of all ranks, the type of the link, and the number of adjacent pairs of cells.
+/// Link of two fragments, the second of which starts where the first ends: the numbers of the fragments among the fragments of
+/// all ranks, the kind of place where they meet, and the number of adjacent pairs of cells.
 type Link = ([usize; 2], (usize, usize));
 
 impl<'a> Fragments<'a> {

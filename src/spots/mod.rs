@@ -41,7 +41,7 @@ use crate::tangential::{TangentialSolution, Zone};
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ContactSpots {
     grid: Grid,
-    /// Number of the spot of every cell, counted from one, or zero outside the contact.
+    /// Number of the spot of every cell, counted from one; zero outside the contact.
     labels: Vec<u32>,
     spots: Vec<Spot>,
 }
@@ -94,12 +94,12 @@ pub struct Spot {
     /// Largest pressure of the cells of the spot (a pressure).
     pub max_pressure: f64,
     /// Centre of the area, in coordinates of the whole grid (lengths). For a spot across the edges of a periodic grid the centre
-    /// is given inside the grid. The centre of a spot that spans a whole period is not meaningful.
+    /// is given inside the grid; for a spot that spans the whole period, the centre is not meaningful.
     pub centroid: [f64; 2],
     /// Length of the edge along the sides of the cells (a length). For a round spot it exceeds the true length by a factor of
     /// 4/pi.
     pub perimeter: f64,
-    /// Number of sticking cells divided by the number of cells, or `None` for a contact that is only pressed.
+    /// Number of sticking cells divided by the number of cells; `None` for a contact that is only pressed.
     pub stick_ratio: Option<f64>,
 }
 

@@ -56,8 +56,8 @@ fn one_way_punch_sticks_as_in_spence() {
     }
 }
 
-/// Rows of equal cells are pressed over their whole length and slide outwards on both sides of the middle. The
-/// tractions of the two halves are at opposite limits and sum to zero, so that hardly any cell sticks.
+/// Rows of equal cells that are pressed all over slide outwards on both sides of the middle. The tractions of the two
+/// halves are at opposite limits and sum to zero, so that hardly any cell sticks.
 #[test]
 fn pressed_flat_surface_slides_in_both_halves() {
     let mut sliding = 0;

@@ -141,9 +141,9 @@ impl Operators {
 /// Name of the conditions for operators in error messages.
 const MODEL: &str = "a kernel of user-defined operators";
 
-/// Checks the products of two fields with zero mean and returns numbers that identify the operator. The numbers are the
-/// two energies, and the work of one field on the displacements of the other, divided by the geometric mean of the
-/// energies.
+/// Checks the products of two fields with zero mean and returns numbers that identify the operator. The first two numbers are
+/// the energies. The third number is the work of one field on the displacements of the other, divided by the geometric mean of
+/// the energies.
 fn examined(given: &UserOperator) -> Result<[f64; 3]> {
     let directions = given.directions();
     if !given.is_symmetric() {

@@ -16,10 +16,9 @@ use crate::bodies::layers::response::{Base, LayerWaves, Surface};
 /// ```
 ///
 /// Growing waves are not propagated. The bodies below a depth have a surface compliance C, computed from the minors on
-/// the [page](crate::layers), and the surface of these bodies moves by C times the load that it carries. The load at
-/// the top of a layer is X times the load at its bottom, so the load at the bottom is adj X / det X times the load at
-/// the top. det X is the ratio of the first minors, a sum of positive terms. It grows as exp(2kh), and X grows as
-/// exp(kh).
+/// the [page](crate::layers). The surface of these bodies moves by C times the load that it carries. The load at the top
+/// of a layer is X times the load at its bottom. The load at the bottom is therefore adj X / det X times the load at the
+/// top. det X is the ratio of the first minors, a sum of positive terms. It grows as exp(2kh), and X grows as exp(kh).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SubsurfaceResponse {
     pub(crate) by_pressure: [f64; 6],
