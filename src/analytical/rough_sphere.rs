@@ -7,9 +7,9 @@ use crate::error::{Result, non_negative, positive};
 
 /// A rough sphere pressed on a half-space: the fraction of the Hertz circle in real contact.
 ///
-/// At a point where the pressure of the smooth sphere is $`p`$, the fraction
-/// $`\operatorname{erf}(\frac{\sqrt\pi}{2}\kappa\,p/E^*g)`$ of the area is in contact, with $`g`$ the root mean square
-/// of the slope. The average of this fraction over the Hertz circle is, with the reduced pressure $`P`$,
+/// Let $`p`$ be the pressure of the smooth sphere at a point, and $`g`$ the root mean square of the slope. At this
+/// point the fraction $`\operatorname{erf}(\frac{\sqrt\pi}{2}\kappa\,p/E^*g)`$ of the area is in contact. The average
+/// of this fraction over the Hertz circle is, with the reduced pressure $`P`$,
 ///
 /// ```math
 /// A_r = \int_0^1 \operatorname{erf}(B\sqrt t)\,dt =
@@ -21,10 +21,10 @@ use crate::error::{Result, non_negative, positive};
 /// the paper, is the initial slope of this law. The slope $`g`$ is the areal slope $`\langle z_x^2+z_y^2\rangle^{1/2}`$
 /// (Sdq), $`\sqrt2`$ times the slope of a profile of an isotropic surface.
 ///
-/// The law is valid if the roughness is small and fine: the height of the roughness is well below the approach
-/// $`a^2/R`$ of the smooth sphere, and there are many asperities within the circle. If the load is too light for this,
-/// contact spreads beyond the Hertz circle and the area is less certain. The law is given by equations 32, 33 and 37 of
-/// the paper, after Müser (2016), without the mean-field approximation of Pastewka and Robbins (2016).
+/// The law is valid if the height of the roughness is well below the approach $`a^2/R`$ of the smooth sphere, and if
+/// there are many asperities within the circle. If the load is too light for these conditions, contact spreads beyond
+/// the Hertz circle and the area is less certain. The law is given by equations 32, 33 and 37 of the paper, after Müser
+/// (2016), without the mean-field approximation of Pastewka and Robbins (2016).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{HertzSphere, RoughSphere}};
@@ -155,8 +155,8 @@ fn mean_erf(b: f64) -> f64 {
     }
 }
 
-/// Argument below which the series converges to round-off within [`TERMS`] terms; above it the closed form has no
-/// cancellation.
+/// Argument below which the series converges to round-off within [`TERMS`] terms. Above this argument the closed form
+/// has no cancellation.
 const SERIES_BELOW: f64 = 1.0;
 const TERMS: u32 = 18;
 
