@@ -34,7 +34,7 @@ pub struct CirculantInverse<const N: usize = 1> {
 
 impl<const N: usize> CirculantInverse<N> {
     /// Creates the inverse on `[nx, ny]` cells from a symmetric tensor of kernels. Eigenvalues below `floor` are raised to
-    /// `floor`, because the wrapped coefficients can have smaller eigenvalues than the operator on any part of the grid.
+    /// `floor`, because wrapping can produce eigenvalues smaller than those of the operator on any part of the grid.
     ///
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
@@ -76,7 +76,7 @@ impl<const N: usize> CirculantInverse<N> {
         let [_, high] = symbol.extremes(false);
         // A single periodic cell has no wave except the mean, so any weight is valid.
         let high = if high > 0.0 { high } else { 1.0 };
-        // On a grid that is periodic along y, the eigenvalue of the mean is negative if the datum is too near.
+        // On a grid that is periodic along y, the mean has a negative eigenvalue if the datum is too near.
         let is_mean_unbounded = repeats == [false, true] && symbol.least_of_mean() <= floor;
         let symbol = if is_up_to_mean {
             symbol.with_mean_of_longest_wave()

@@ -1,4 +1,4 @@
-//! Operator of a half-space: convolution with influence coefficients. It is zero-padded or periodic along each axis.
+//! The half-space as an operator: convolution with influence coefficients, zero-padded or periodic along each axis.
 
 use std::sync::Arc;
 
@@ -29,18 +29,18 @@ use crate::support::debug::shown;
 /// Operator `u_i = sum_j C_ij * t_j` on a grid, which computes N displacement components of every cell from N traction
 /// components of all cells. A product takes one forward and one inverse fast transform per component.
 ///
-/// The operator has no periodic images ([`Self::new`]) or is periodic along both axes ([`Self::periodic`]).
-/// [`HalfSpace::operator`](crate::HalfSpace::operator) also supports grids that are periodic along y alone.
-/// [`HalfSpace::tensor_operator`](crate::HalfSpace::tensor_operator) supports several components.
+/// The operator has no periodic images ([`Self::new`]) or is periodic along both axes ([`Self::periodic`]). For grids that
+/// are periodic along y alone use [`HalfSpace::operator`](crate::HalfSpace::operator), and for several components
+/// [`HalfSpace::tensor_operator`](crate::HalfSpace::tensor_operator).
 ///
-/// Tractions are pressures, and displacements are lengths. The result equals the direct sum up to round-off (typically 1e-15 of
+/// Tractions are pressures, displacements are lengths. The result equals the direct sum up to round-off (typically 1e-15 of
 /// the largest displacement). The operator is immutable, so threads can share it. Each thread needs its own workspace.
 ///
 /// # Memory
 ///
-/// The operator takes 12 bytes per cell for each of the N (N + 1)/2 coefficients. Each workspace takes 16 N bytes per cell. On a
-/// grid that is periodic along y alone the coefficients take 6 bytes instead of 12. On a grid that is periodic along both axes
-/// the coefficients take 3 bytes, and each workspace takes 8 N bytes.
+/// The operator takes 12 bytes per cell for each of the N (N + 1)/2 coefficients, and each workspace 16 N bytes per cell. On
+/// a grid that is periodic along y alone the coefficients take 6 bytes instead of 12. On a grid that is periodic along both
+/// axes the coefficients take 3 bytes, and each workspace 8 N bytes.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, Material, Operator, fft::Convolution, influence::Component};
@@ -61,9 +61,9 @@ pub struct Convolution<const N: usize = 1> {
     plan: Plan<f64>,
     symbol: Symbol<f64, N>,
     single: SingleProduct<N>,
-    /// Smallest eigenvalue of the periodic continuation, on periodic grids for tractions without a mean.
+    /// Smallest eigenvalue of the periodic continuation, and lower bound of the eigenvalues of the operator, both for tractions
+    /// without a mean on periodic grids.
     least: f64,
-    /// Lower bound of the eigenvalues of the operator, on periodic grids for tractions without a mean.
     lower_bound_without_mean: f64,
     /// Lower bound of all eigenvalues, except the eigenvalue of the mean on a grid that is periodic along both axes.
     lower_bound: f64,
@@ -78,8 +78,8 @@ pub struct Convolution<const N: usize = 1> {
 
 shown!(Convolution<const N: usize>: lower_bound, upper_bound);
 
-/// Smallest ratio of the smallest to the largest eigenvalue at which single precision resolves the smallest eigenvalue. Grids with
-/// long cells have a smaller ratio, and so do square grids of about 50 000 cells along a side.
+/// Ratio of the smallest to the largest eigenvalue below which single precision does not resolve the smallest. Grids with long
+/// cells fall below this ratio, as do square grids of about 50 000 cells along a side.
 const SINGLE_RANGE: f64 = 2e-6;
 
 impl Convolution {
@@ -151,8 +151,8 @@ impl<const N: usize> Convolution<N> {
         let symbol = Symbol::new(&frame, kernels)?;
         let plan = Plan::new(frame.clone());
         let normalisation = 1.0 / plan.cells_of_torus();
-        // The matrix of a free half-space is a principal submatrix of the matrix on the torus. The eigenvalues of the matrix on
-        // the torus are the eigenvalues of the symbol. The mean on a periodic grid has the eigenvalue zero.
+        // The matrix of a free half-space is a principal submatrix of the matrix on the torus, whose eigenvalues are those of
+        // the symbol. The mean on a periodic grid has the eigenvalue zero.
         let range = symbol.extremes(repeats == [true; 2]);
         // On a grid that is periodic along y, waves on the torus have the period of the grid. A traction without a mean
         // therefore has no mean on the torus.
@@ -177,7 +177,7 @@ impl<const N: usize> Convolution<N> {
 
 impl<const N: usize> Convolution<N> {
     /// Replaces the smallest eigenvalue of the periodic continuation by a given value of the given origin. On a grid that is
-    /// periodic along y the value applies only to tractions without a mean. [`Self::with_uniform_waves`] completes the bound.
+    /// periodic along y the value applies to tractions without a mean, and [`Self::with_uniform_waves`] completes the bound.
     pub(crate) fn bounded(self, least: f64, known: EigenvalueBound) -> Self {
         let lower_bound = (least - 1e-14 * self.upper_bound).max(0.0);
         Self {
@@ -216,15 +216,15 @@ impl<const N: usize> Convolution<N> {
         self.least
     }
 
-    /// Returns a lower bound of the eigenvalues. It is valid for tractions without a mean on a periodic grid, and for all
-    /// tractions on a free grid.
+    /// Returns a lower bound of the eigenvalues, for tractions without a mean on a periodic grid and for all tractions on a
+    /// free grid.
     pub(crate) fn lower_bound_without_mean(&self) -> f64 {
         self.lower_bound_without_mean
     }
 
     /// Returns a lower bound of the eigenvalues for the tractions that a problem allows. A component with a prescribed sum
-    /// (`None`) has no mean. For the other components the value is the compliance that is added for a uniform traction. It is
-    /// zero or the compliance of a spring.
+    /// (`None`) has no mean. For the other components the value is the compliance that is added for a uniform traction: zero,
+    /// or the compliance of a spring.
     ///
     /// # Errors
     /// - [`Error::DatumTooNear`](crate::Error::DatumTooNear) if the compliance of these tractions is not positive definite.
@@ -288,9 +288,9 @@ fn lower_bound<const N: usize>([low, high]: [f64; 2], kernels: [[&InfluenceKerne
     }
 }
 
-/// Returns the integrals of all coefficients at every distance within the transform of `size` cells of `grid`. Returns `None` for
-/// a grid that is periodic along both axes, which uses symbols. The distances along y are distributed over the ranks. For coated
-/// bodies a correction is added.
+/// Returns the integrals of all coefficients at every distance within the transform of `size` cells of `grid`; `None` for a
+/// grid that is periodic along both axes, which uses symbols. The distances along y are distributed over the ranks, and
+/// coated bodies add a correction.
 pub(crate) fn samples(
     grid: Grid,
     boundary: Boundary,
@@ -347,9 +347,9 @@ impl<const N: usize> Operator<N> for Convolution<N> {
             .convolve(&self.symbol, x, out, [1.0; 2], tiles, double);
     }
 
-    /// Computes the product in single precision. The error is about 3e-7 of the largest displacement. The cost is two thirds of
-    /// the cost of a product in double precision. Double precision is used if this error does not resolve the smallest eigenvalue
-    /// relative to the largest.
+    /// Computes the product in single precision. The error is about 3e-7 of the largest displacement, and the cost is two thirds
+    /// of the cost of a product in double precision. Double precision is used if the smallest eigenvalue is too small relative to
+    /// the largest to be resolved with this error.
     fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
         if !self.is_single_enough {
             return self.apply(x, out, scratch);
@@ -367,11 +367,11 @@ impl<const N: usize> Operator<N> for Convolution<N> {
 
     /// Returns the smallest eigenvalue of the periodic continuation, a lower bound for the operator on the grid.
     ///
-    /// - For a periodic grid it is the smallest eigenvalue on fields of mean zero. A single periodic cell has no such field. Its
-    ///   bound is the symbol of a wave with one period over the cell.
+    /// - For a periodic grid it is the smallest eigenvalue on fields of mean zero. A single periodic cell has no such field,
+    ///   and its bound is the symbol of a wave of one period over the cell.
     /// - It is zero for a single component between two different directions.
-    /// - On some grids it is zero for pressure with shear if Poisson's ratios are negative. The continuation is then not positive
-    ///   definite although the operator is.
+    /// - It is zero for pressure with shear if Poisson's ratios are negative, on some grids, where the continuation is not
+    ///   positive definite although the operator is.
     /// - For stiff layers on soft bodies the continuation can also be indefinite. The bound is then a conservative estimate
     ///   of the smallest eigenvalue of the infinite lattice of these cells.
     /// - It is zero for a grid that is periodic along y if a datum that is too near makes the operator indefinite.
