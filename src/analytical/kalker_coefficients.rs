@@ -3,8 +3,8 @@
 use super::kalker_table::TABLE;
 use crate::error::{Error, Result, at_least, positive};
 
-/// Kalker's creepage and spin coefficients, which give the forces of an elliptic contact that rolls with small creepages. They
-/// are so small that the contact slips only at its trailing edge.
+/// Kalker's creepage and spin coefficients. They give the forces of an elliptic contact that rolls with creepages so small that
+/// it slips only at its trailing edge.
 ///
 /// The contact of two equal bodies rolls along x. It has the semi-axes a along x and b along y, and $`c = \sqrt{ab}`$. The
 /// creepages are $`\xi`$ along x and $`\eta`$ along y, and the spin is $`\varphi`$ (one over a length). They cause the forces and
@@ -23,13 +23,13 @@ use crate::error::{Error, Result, at_least, positive};
 /// cell size and to reciprocity. They are accurate to about 0.1 % ($`C_{33}`$ to 0.3 %).
 ///
 /// Between the tabulated values, logarithms are interpolated in $`\ln(a/b)`$. The compliances $`1/C_{11}, 1/C_{22}, 1/C_{23}`$
-/// and the spin per moment without lateral force are interpolated as parabolas in $`
-/// u`$. The interpolation adds an error of at most 0.1 % for $`a/b`$ from 0.09 to 2.8 and up to 0.4 % outside this range. The error of $`C_{33}`$
-/// is up to 1 % near 16, because this coefficient is a small difference.
+/// and the spin per moment without lateral force are interpolated as parabolas in $`\nu`$. The interpolation adds an error of at
+/// most 0.1 % for $`a/b`$ from 0.09 to 2.8 and up to 0.4 % outside this range. The error of $`C_{33}`$ is up to 1 % near 16,
+/// because this coefficient is a small difference.
 ///
 /// Kalker's three-digit values of $`C_{11}`$, $`C_{22}`$ and $`C_{23}`$ differ by less than 0.6 % for $`0.2 \le a/b \le 2`$ and
-/// by up to 1.2 % at 10. The exception is $`C_{11} = 4.83`$ at $`a/b = 0.5`$, $`
-/// u = 0.5`$. A value of 4.87 would be consistent with the neighbouring values.
+/// by up to 1.2 % at 10. The exception is $`C_{11} = 4.83`$ at $`a/b = 0.5`$, $`\nu = 0.5`$. A value of 4.87 would be consistent
+/// with the neighbouring values.
 ///
 /// J. J. Kalker, Three-dimensional elastic bodies in rolling contact (1990), section 4.2 and table E.3,
 /// <https://doi.org/10.1007/978-94-015-7889-9>. A copy of the table in circulation has 1.15 instead of 1.25 for $`C_{23}`$ at

@@ -9,7 +9,7 @@ use crate::error::{Error, Result, all_finite, at_least, finite, positive};
 /// A cylinder in partial slip in plane strain. Under a constant normal load, a tangential force along x increases monotonically.
 /// A bulk strain increases in proportion to the force.
 ///
-/// A strip of half-width c around x = e sticks. The rest of the contact slips, opposite to the traction. With $`f = |Q|/\mu P`$
+/// A strip of half-width c around x = e sticks. The rest of the contact slips, opposite to the traction. With $`f = |Q|/\mu P`$:
 ///
 /// ```math
 /// \frac ca = (1-f)^{1/2}, \qquad

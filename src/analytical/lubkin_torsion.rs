@@ -21,8 +21,7 @@ use crate::error::{Result, finite, positive};
 ///
 /// The traction is circumferential and equals $`\mu p`$ in the ring. The centre sticks at any twist. For large twists
 /// the moment tends to $`\frac{3\pi}{16}\mu Wa`$. Slip is parallel to the traction, so no component of slip is
-/// neglected for any $`
-/// u`$. Lubkin (1951); Johnson (1985), section 7.2.
+/// neglected for any $`\nu`$. Lubkin (1951); Johnson (1985), section 7.2.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{HertzSphere, LubkinTorsion}};

@@ -19,8 +19,7 @@ use crate::error::Result;
 /// Displacement and slip are superposed in the same way. When the force returns to an earlier reversal, it closes a loop.
 /// The contact then continues as if that loop had not occurred. When the force reaches its greatest magnitude so far, the
 /// contact continues along the first loading. This is the solution of the scalar model, with traction along x only, for
-/// every $`
-/// u`$. Mindlin and Deresiewicz (1953); Jaeger (1998); Johnson (1985), 7.52-7.57.
+/// every $`\nu`$. Mindlin and Deresiewicz (1953); Jaeger (1998); Johnson (1985), 7.52-7.57.
 ///
 /// ```
 /// use stickslip::analytical::{CattaneoMindlin, HertzSphere, MindlinDeresiewicz};

@@ -31,7 +31,7 @@ impl<T: Real> Plan<T> {
     }
 
     /// Returns the distance between padded columns in scratch memory. The distance includes space for whole tiles. It
-    /// is never a power of two, because all columns would then map to the same cache sets.
+    /// is never a power of two, for which all columns would map to the same cache sets.
     fn column_stride(&self) -> usize {
         let end = self.tile_rows.iter().map(|row| row + TILE_ROWS).max();
         self.frame.torus[1]

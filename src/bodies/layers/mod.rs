@@ -1,8 +1,8 @@
 //! Coated bodies: elastic layers bonded to each other and to a substrate.
 //!
-//! [`Material::coated`](crate::Material::coated) puts layers on an elastic half-space or on a rigid base. Such bodies are
-//! available for pressure, traction, coupled problems, histories, stiffness and rolling. They are also available on free grids,
-//! on periodic grids and on lines of cells. For homogeneous bodies neither the results nor the cost change.
+//! [`Material::coated`](crate::Material::coated) puts layers on an elastic half-space or on a rigid base. A pair of such bodies
+//! is solved like any other pair. It supports pressure, traction, coupled problems, histories, stiffness and rolling, on free
+//! grids, on periodic grids and on lines of cells. For homogeneous bodies neither the results nor the cost change.
 //!
 //! ```
 //! use stickslip::layers::Layer;
@@ -32,15 +32,12 @@
 //! \hat C_{zy} = -\hat C_{yz} = -\mathrm{i}\,C_c\,s .
 //! ```
 //!
-//! A half-space has $`G k\,(C_n, C_l, C_t, C_c) = (1 - \nu, 1 - \nu, 1, \tfrac12 - \nu)`$. A layer of thickness h maps
-//! the five minors $`s (1, n, l, c, nl - c^2)`$ of the surface compliance $`n, l, c`$ (in $`1/Gk`$) linearly. The
-//! entries of this map, except those for c, are sums of positive terms. There is no cancellation for any contrast of
-//! moduli, any k h and any Poisson's ratio, including 1/2. Across k, the layer changes $`G k C_t`$ from x to
-//! $`(x + \tanh kh)/(1 + x \tanh kh)`$. Consider one layer of modulus $`G_1`$ on a base of $`G_2`$. With $`m = G_1/G_2`$,
-//! $`a = kh`$, $`t = e^{-2a}`$, $`\lambda = 1 - 4(1-
-//! u_1)/(1 + m(3 - 4
-//! u_2))`$ and $`\kappa = (m - 1)/(m + 3 - 4
-//! u_1)`$, the normal response is
+//! A half-space has $`G k\,(C_n, C_l, C_t, C_c) = (1 - \nu, 1 - \nu, 1, \tfrac12 - \nu)`$. A layer of thickness h maps the five
+//! minors $`s (1, n, l, c, nl - c^2)`$ of the surface compliance $`n, l, c`$ (in $`1/Gk`$) linearly. The entries of this map,
+//! except those for c, are sums of positive terms. There is no cancellation for any contrast of moduli, any k h and any
+//! Poisson's ratio, including 1/2. Across k, the layer changes $`G k C_t`$ from x to $`(x + \tanh kh)/(1 + x \tanh kh)`$.
+//! Consider one layer of modulus $`G_1`$ on a base of $`G_2`$. With $`m = G_1/G_2`$, $`a = kh`$, $`t = e^{-2a}`$,
+//! $`\lambda = 1 - 4(1-\nu_1)/(1 + m(3 - 4\nu_2))`$ and $`\kappa = (m - 1)/(m + 3 - 4\nu_1)`$, the normal response is
 //!
 //! ```math
 //! C_n = \frac{1-\nu_1}{G_1 k}\;\frac{1 + 4 a \kappa t - \lambda \kappa t^2}{1 - (\lambda + \kappa + 4 \kappa a^2) t + \lambda \kappa t^2} .
@@ -76,12 +73,12 @@
 //!   punch. A solve returns [`Error::DatumTooNear`] if the datum is too near for a prescribed approach, shift or spring.
 //! - The error of a solve on a free grid is certified by the smallest eigenvalue of a periodic continuation of the
 //!   kernel. For layers stiffer than the bodies below, on grids many thicknesses long, this eigenvalue can be negative
-//!   although the operator is positive. One example is an incompressible layer of ten times the modulus of its base, sheared on
-//!   cells as wide as two thicknesses. A second example is a layer of 1000 times the modulus of its base, pressed over sixty
-//!   thicknesses. A conservative estimate of the smallest eigenvalue of the infinite lattice of the same cells then replaces this
-//!   eigenvalue. The estimate is computed from sums over the aliases of waves with selected phases. For coupled problems on such
-//!   a grid, the separate problems of pressure and traction have bounds. The coupled problem has only an estimate and [no
-//!   bound](crate::Report).
+//!   although the operator is positive. Examples are an incompressible layer of ten times the modulus of its base,
+//!   sheared on cells as wide as two thicknesses, and a layer of 1000 times the modulus of its base, pressed over sixty
+//!   thicknesses. A conservative estimate of the smallest eigenvalue of the infinite lattice of the same cells then
+//!   replaces this eigenvalue. The estimate is computed from sums over the aliases of waves with selected phases. For
+//!   coupled problems on such a grid, the separate problems of pressure and traction have bounds, and the coupled
+//!   problem has only an estimate and [no bound](crate::Report).
 //! - On a grid that is periodic along both axes a mean traction causes no displacement. This convention also applies to
 //!   a rigid base, where $`h (1-2\nu)/2G(1-\nu)`$ times the mean pressure could be added to the approach.
 //! - The law for cells that enter a growing or rolling contact uses the ratio of tangential to normal compliance of
