@@ -19,8 +19,8 @@ pub(crate) fn zones(
     [x, y]: [Range<f64>; 2],
 ) -> Result<(), Box<dyn Error>> {
     let in_sight = |value: f64, range: &Range<f64>| value.clamp(range.start, range.end);
-    // Adjacent cells of the same zone form one rectangle. The rectangle extends under the next row, which is drawn
-    // later, so that no seam is visible between rows.
+    // Adjacent cells of the same zone form one rectangle. It overlaps the next row, which is drawn over it, so that no
+    // seam is visible between rows.
     let mut rectangles = Vec::new();
     for (iy, row) in zones.chunks_exact(grid.nx()).enumerate() {
         let edges = [-0.5, 1.5].map(|cells| (grid.y(iy) + cells * grid.dy()) / scale);

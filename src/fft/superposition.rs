@@ -163,7 +163,7 @@ impl Superposition {
         })
     }
 
-    /// Loads and transforms the fields, each times its factor. `None` stands for a field of zeros.
+    /// Loads and transforms the fields, each times its factor. `None` means a field of zeros.
     pub(crate) fn load(&mut self, fields: [Option<&[f64]>; 3], factors: [f64; 3]) {
         let Self {
             plan,

@@ -55,10 +55,10 @@
 //!
 //! # Bitwise identical results
 //!
-//! Results are bitwise identical to those of one process, for any number of ranks. The transform of a row or a column is the same
-//! call on the same numbers on any rank. Sums follow one tree of chunks of rows, and slabs end at chunk boundaries. Every rank
-//! completes the tree from the nodes that other ranks own entirely. Observer and clock are evaluated on all ranks, and the first
-//! rank decides, on every level. Every rank solves coarse grids of nested starts with at most 65 536 cells on its own.
+//! For any number of ranks, results are bitwise identical to the results of one process. The transform of a row or a column is
+//! the same call on the same numbers on any rank. Sums follow one tree of chunks of rows, and slabs end at chunk boundaries.
+//! Every rank completes the tree from the nodes that other ranks own entirely. Observer and clock are evaluated on all ranks, and
+//! the first rank decides, on every level. Every rank solves coarse grids of nested starts with at most 65 536 cells on its own.
 //!
 //! # Histories
 //!
@@ -104,11 +104,12 @@
 //! # Failures
 //!
 //! If one rank rejects an input, all ranks return an error. The rejecting rank returns its own error, and the others return
-//! [`RankFailure::RejectedByRank`]. The same applies if one rank cannot compute a kernel, because memory runs out or the response
-//! fails. If a rank ends or is silent for too long, the calls of the other ranks return [`RankFailure::Disconnected`] or
-//! [`RankFailure::Timeout`]. All later calls on the same bodies return the same error. If a block has an unexpected length, its
-//! sender makes different calls, and the receiver returns [`RankFailure::CollectiveMismatch`]. After a failure, a file that the
-//! ranks were writing together is the old file, or the new file if it was complete.
+//! [`RankFailure::RejectedByRank`]. The ranks also return these errors if one rank cannot compute a kernel, because memory runs
+//! out or the response fails. If a rank ends or is silent for too long, the calls of the other ranks return
+//! [`RankFailure::Disconnected`] or [`RankFailure::Timeout`]. All later calls on the same bodies return the same error. If a
+//! block has an unexpected length, its sender makes different calls, and the receiver returns
+//! [`RankFailure::CollectiveMismatch`]. After a failure, a file that the ranks were writing together is the old file, or the new
+//! file if it was complete.
 
 pub(crate) mod partition;
 
