@@ -34,7 +34,7 @@ const FRICTION: f64 = 0.3;
 const LOADING: f64 = 0.5;
 /// Theoretical fraction of the surface in contact.
 const AREA: f64 = 0.05;
-/// Nesting index of the S filter, five cells; shorter waves are noise of the instrument.
+/// Nesting index of the S filter, five cells. Shorter waves are noise of the instrument.
 const S_FILTER: f64 = 2.5e-6;
 /// Number of standard deviations from the surrounding heights beyond which a height is an outlier.
 const OUTLYING: f64 = 6.0;

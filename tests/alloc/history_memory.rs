@@ -66,7 +66,7 @@ fn history_uses_documented_bytes_per_cell() {
         let [small, large] = [100.0, 155.0].map(|radius| measured(&bodies, lateral, radius));
         for (what, [per_cell, per_contact_cell]) in (1..).zip(expected) {
             let slope = (large[what] - small[what]) / (large[0] - small[0]);
-            // The rest includes a fixed part of one or two megabytes that does not depend on the size.
+            // The rest includes one or two megabytes that do not depend on the size.
             let rest = (small[what] - slope * small[0]) / grid.cells() as f64;
             let difference = (slope - per_contact_cell).abs();
             assert!(difference < 0.02 * per_contact_cell + 1.0, "{slope}");

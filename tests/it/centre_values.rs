@@ -383,7 +383,7 @@ fn subsurface_stresses_match_uniform_cells_of_same_displacement() {
     }
 }
 
-/// A solution, a history and a saved history require bodies with the same kind of values.
+/// A solution, a history and a saved history require bodies with values of the same type.
 #[test]
 fn mismatched_cell_values_are_rejected() {
     let grid = Grid::square(24, 3.0).unwrap();
@@ -438,7 +438,7 @@ fn mismatched_cell_values_are_rejected() {
     let step = LoadStep::hold().tangential(Axis::X, TangentialControl::Force(0.1));
     let [first, second] = [&mut one, &mut two].map(|history| history.step(&step).unwrap().shift());
     assert_eq!(first, second);
-    // The two kinds are distinguished even before the first solve.
+    // The two types of values are distinguished even before the first solve.
     let fresh = History::builder(&centres, &gap, friction())
         .build()
         .unwrap();

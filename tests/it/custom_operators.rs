@@ -35,7 +35,7 @@ impl DenseMatrix {
         }
     }
 
-    /// Adds an antisymmetric part with entries as large as the existing ones.
+    /// Adds an antisymmetric matrix with entries as large as the existing entries.
     fn with_antisymmetric_part(mut self, random: &mut Random) -> Self {
         let size = self.rows.len();
         let root = (size as f64).sqrt();

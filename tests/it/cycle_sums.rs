@@ -158,7 +158,7 @@ fn cycle_loop_area_equals_dissipation() {
     assert!((cycle.energy_ratio() / ratio - 1.0).abs() < 2e-3);
 }
 
-/// For a sphere the energy ratio is 1/5 at the onset of sliding for all materials, and grows to one.
+/// For a sphere the energy ratio is 1/5 at the onset of sliding for all materials. It then increases to one.
 #[test]
 fn energy_ratio_separates_partial_from_gross_slip() {
     let grid = Grid::square(kit::thorough(64, 96), 10.0).unwrap();

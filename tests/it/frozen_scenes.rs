@@ -1,5 +1,5 @@
-//! Costs and results of small scenes, recorded in `tests/data/frozen_scenes.csv`, which must not change when the engine
-//! is rewritten.
+//! Costs and results of small scenes, which must not change when the engine is rewritten. They are recorded in
+//! `tests/data/frozen_scenes.csv`.
 //!
 //! `FREEZE=write cargo test --test it frozen_scenes` writes that file. Without the variable the test recomputes the
 //! scenes and compares the results with the file. For `Exact` scenes, counts must be equal, and numbers must agree to
@@ -102,7 +102,7 @@ const SCENES: &[FrozenScene] = &[
 // ---------------------------------------------------------------------------------------------------------------------
 // Record of a scene.
 
-/// Line of the file: the quantity, its value, and its scale or the kind of count.
+/// Line of the file: the quantity, its value, and its scale or the type of count.
 struct FrozenRow {
     quantity: String,
     value: String,

@@ -1,5 +1,5 @@
-//! The pressure never exceeds the hardness, and minimises the energy among such pressures. The references are other
-//! codes and a dense matrix. Contacts are also unloaded and loaded again.
+//! The pressure never exceeds the hardness. It minimises the energy among all pressures that satisfy this condition. The
+//! references are other codes and a dense matrix. Contacts are also unloaded and loaded again.
 
 use kit::{Random, max_difference, rough, unit_bodies};
 use stickslip::cgm::Bounds;

@@ -338,7 +338,7 @@ fn history_on_any_number_of_threads_is_bitwise_identical() {
     });
 }
 
-/// Returns scenes that together cover every boundary, model, coupling and kind of memory. In the campaign it returns
+/// Returns scenes that together cover every boundary, model, coupling and type of memory. In the campaign it returns
 /// all scenes.
 fn some_scenes() -> Vec<Scene> {
     let chosen = [

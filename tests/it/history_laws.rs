@@ -186,7 +186,7 @@ fn force_before_first_contact_is_rejected() {
             assert!(matches!(refused, Err(Error::EmptyContact)));
             assert_eq!(history.shift()[axis.index()], shift);
         }
-        // The bodies are pressed together at this shift and stick at it.
+        // The bodies are pressed together at this shift and stick.
         let hold = TangentialControl::Hold;
         take_steps(&mut history, &[(NormalControl::Force(2.0), hold)], 1.0);
         assert_eq!(history.shift()[axis.index()], position);

@@ -85,7 +85,8 @@ fn new_gap_preserves_the_state() {
     assert!((history.shift()[0] / twin.shift()[0] - 1.0).abs() < 1e-6);
     assert!((history.accumulated_slip().max() / twin.accumulated_slip().max() - 1.0).abs() < 1e-6);
 
-    // The gap is worn in the middle under a constant pressure. The pressure changes only in a step that solves for it.
+    // The gap is worn in the middle under a constant pressure. The pressure changes only in a step that solves the
+    // pressure problem.
     let mut worn = ball.clone();
     for (h, p) in worn
         .as_mut_slice()

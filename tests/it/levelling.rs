@@ -39,7 +39,7 @@ fn remove_samples(field: &mut Field, seed: u64, share: f64) {
     }
 }
 
-/// Returns the form of a degree, as a named variant if there is one.
+/// Returns the form of a degree, as a named variant if the form has a name.
 fn form(degree: usize) -> Form {
     match degree {
         0 => Form::Mean,

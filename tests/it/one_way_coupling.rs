@@ -196,7 +196,7 @@ fn history(bodies: &HalfSpace, gap: &Field, coupling: Coupling) -> History {
         .unwrap()
 }
 
-/// Takes steps of all kinds: pressing, shear, twist, unloading, wear, separation, and renewed pressing.
+/// Takes steps of all types: pressing, shear, twist, unloading, wear, separation, and renewed pressing.
 fn steps(history: &mut History, mut seen: impl FnMut(usize, &History)) {
     let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
     let path = [

@@ -455,7 +455,7 @@ fn row_has_least_bound_of_moment() {
         ([Some(0.3), Some(0.3)], -1.0),
         ([None, Some(0.5)], 1.0),
     ] {
-        // Particles enter at plus x. In the middle of their step they are half a cell from the centres.
+        // Particles enter at plus x. In the middle of their step the particles are half a cell from the centres.
         let bound = |shift: [f64; 2]| {
             let turning = limits.iter().enumerate().map(|(i, limit)| {
                 let x = (i as f64 + 1.0) * cell - 0.5 * length;

@@ -1,4 +1,4 @@
-//! Every kind of history satisfies the laws of mechanics in every step. Its results are invariant under changes of
+//! Histories of every type satisfy the laws of mechanics in every step. Its results are invariant under changes of
 //! units, swapped axes, mirroring and exchange of the bodies.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};

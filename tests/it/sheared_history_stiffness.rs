@@ -35,7 +35,7 @@ struct ShearStep {
 /// Result of the comparison with differences.
 #[derive(Debug)]
 enum Outcome {
-    /// Largest error of an entry, relative to the largest entry of its kind at reversal.
+    /// Largest error of an entry, relative to the largest entry of the same quantity at reversal.
     Compared(f64),
     /// The difference quotients of two increments disagree, because a set of cells changes nearby.
     Kink,

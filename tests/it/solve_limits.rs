@@ -88,7 +88,7 @@ fn observer_is_called_before_every_product() {
     for method in [Method::ActiveSet, Method::PolonskyKeer] {
         let settings = Settings::default().method(method).tolerance(1e-11);
         for total in [None, Some(kit::thorough(25.0, 80.0))] {
-            // The start is the least value of the gap, or an approach that closes part of the gap.
+            // The start is the least value of the gap, or an approach that closes the gap in a part of the cells.
             let datum = if total.is_some() { 0.0 } else { 1.0 };
             let linear: Vec<f64> = gap.as_slice().iter().map(|h| h - datum).collect();
             let normal = |x: &mut [f64], observer: &mut Observer<'_>, settings: &Settings| {

@@ -333,12 +333,12 @@ proptest! {
         let bound = (rough.report().duality_gap * energy).sqrt();
         // The solution with the smaller tolerance has an error as well.
         prop_assert!(error.max(0.0).sqrt() <= bound + 1e-10 * energy.sqrt());
-        // With the entry rule the same case converges as well.
+        // With the entry rule the same case also converges.
         let entering = problem(EntryRule::SinceTouch, 1e-9);
         prop_assert!(entering.work() >= -1e-9 || is_dissimilar);
     }
 
-    /// With the entry rule the certificate is above the error as well. Without lateral contraction the compliance of an
+    /// With the entry rule the certificate is also above the error. Without lateral contraction the compliance of an
     /// entering cell is the gap ahead divided by its pressure, in all directions.
     #[test]
     fn certificate_bounds_error_with_entry_law(

@@ -386,7 +386,7 @@ fn mcewen(x: f64, z: f64) -> [f64; 3] {
     [-m * (1.0 + ratio) + 2.0 * z, -m * (1.0 - ratio), shear]
 }
 
-/// The stresses below a cylinder agree with the closed form and are in plane strain along it.
+/// The stresses below a cylinder agree with the closed form and satisfy plane strain along the cylinder.
 #[test]
 fn cylinder_stresses_match_mcewen() {
     let errors = [128, 512].map(|n| {

@@ -148,7 +148,7 @@ fn gap(bodies: &HalfSpace) -> Field {
     surface::sphere(bodies.grid(), 3.0).unwrap()
 }
 
-/// Compares the pressure, and the traction along x and in both models, on every kind of grid.
+/// Compares the pressure, and the traction along x and in both models, on every type of grid.
 #[test]
 fn user_operator_contacts_match_bodies() {
     for (grid, boundary) in [

@@ -50,7 +50,7 @@ impl RowPartition {
         Self::of(team, size, chunk, (0..=ranks).map(first).collect())
     }
 
-    /// Returns the partition of a range of rows, with the given number of columns, in chunks of one row. The rows stay on their
+    /// Returns the partition of a range of rows, with the given number of columns, in chunks of one row. The rows remain on their
     /// ranks.
     pub(crate) fn within(&self, columns: usize, all: Range<usize>) -> Self {
         let first = |row: &usize| row.clamp(&all.start, &all.end) - all.start;

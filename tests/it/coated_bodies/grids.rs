@@ -1,5 +1,4 @@
-//! Operators of coated bodies on each kind of grid are positive definite, equal to sums over images, and equal to
-//! direct sums.
+//! Operators of coated bodies on every type of grid are positive definite. They equal sums over images and direct sums.
 
 use kit::{Random, max_abs, max_difference};
 #[cfg(feature = "dense")]
@@ -110,8 +109,8 @@ fn periodic_rows_sum_their_images() {
     }
 }
 
-/// If the periodic continuation of a free grid gives no bound, the infinite lattice of its cells gives one. This bound
-/// is below the smallest eigenvalue of the matrix.
+/// If the periodic continuation of a free grid gives no bound, the infinite lattice of its cells gives a bound. This
+/// bound is below the smallest eigenvalue of the matrix.
 #[cfg(feature = "dense")]
 #[test]
 fn stiff_coating_on_long_grid_has_an_eigenvalue_bound() {

@@ -1,4 +1,4 @@
-//! Checks of parameters of every kind: invalid values must be rejected, and extreme values handled.
+//! Checks of parameters of every type. Invalid values must be rejected, and extreme values must be handled.
 
 use stickslip::{Error, Field, Grid};
 

@@ -96,7 +96,7 @@ impl Smooth {
         })
     }
 
-    /// Returns the mean pressure of the cells, by 24 x 24 points in each.
+    /// Returns the mean pressure of each cell, computed from 24 x 24 points.
     pub fn mean_pressure(&self, grid: Grid, [x0, y0]: [f64; 2]) -> Field {
         let parts = 24;
         let part = |k: i32| (f64::from(k) + 0.5) / f64::from(parts) - 0.5;

@@ -289,7 +289,7 @@ fn shear(grid: Grid, random: &mut Random) -> Result<Shear> {
     } else {
         (Demand::Force(direction.map(|n| n * part)), Expected::Answer)
     };
-    // In the plane the last digits before the limit are lost to round-off.
+    // In the vector model the last digits before the limit are lost to round-off.
     let expected =
         if is_in_plane && (0.9999999..1.0).contains(&part) && expected == Expected::Answer {
             Expected::AnswerOrRoundOff

@@ -1,4 +1,5 @@
-//! Random contacts of every kind, each determined by its index, to test how their solves end: problems, then a history.
+//! Random contacts of every type, each determined by its index. They test the outcomes of the solves of problems and
+//! then of a history.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 

@@ -187,7 +187,7 @@ fn sliding(
     let size = x.hypot(y);
     let missing = (1.0 - size / limit).max(0.0);
     let along = |n: f64| limits.iter().map(move |limit| n / size * limit);
-    // In the plane tractions rotate by the square root of the deficit.
+    // In the vector model tractions rotate by the square root of the deficit.
     let (x, error): (Vec<f64>, f64) = if let Some(axis) = found.axis() {
         (along([x, y][axis.index()]).collect(), 1e-10)
     } else {

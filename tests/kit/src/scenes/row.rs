@@ -21,7 +21,7 @@ pub struct Row {
     pub report: Option<Report>,
     pub error: Option<Measured>,
     pub time: Duration,
-    /// Description of the fault, if there is one.
+    /// Description of the fault, or `None` without a fault.
     pub fault: Option<String>,
 }
 
