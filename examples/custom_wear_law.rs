@@ -1,5 +1,5 @@
-//! A simulation with a user-defined wear law. It steps the contact through load cycles and changes the gap by the wear after
-//! every step. Halfway it saves the state, and it continues from the saved state with bitwise identical results.
+//! A simulation with a user-defined wear law. It steps the contact through load cycles, updates the gap by the wear after every
+//! step, saves the state halfway, and continues from the saved state with bitwise identical results.
 //!
 //! `cargo run --release -p stickslip-examples --example custom_wear_law [cells]` (default 64, at least 32)
 //! writes `target/gallery/custom_wear_law.csv` and `.svg`.
@@ -22,7 +22,7 @@ use stickslip::{
 const BALL_RADIUS: f64 = 3.5e-3;
 const NORMAL_FORCE: f64 = 100.0;
 const FRICTION: f64 = 0.5;
-/// Amplitude of the shift. Gross sliding starts at 2.99 um.
+/// Amplitude of the shift; gross sliding starts at 2.99 um.
 const SHIFT_AMPLITUDE: f64 = 2.5e-6;
 const STEPS: usize = 40;
 const CYCLES: usize = 20;

@@ -55,7 +55,7 @@ pub(crate) fn zones(
 /// Maximum number of blocks along the longer side of a map of a field, which limits the size of the file.
 const BLOCKS: usize = 120;
 
-/// Colours of a map. The arguments 0 and 1 correspond to the smallest and the largest value.
+/// Colours of a map; the arguments 0 and 1 correspond to the smallest and the largest value.
 pub(crate) type Colours = fn(f64) -> RGBColor;
 
 /// Colour scale from black to white.

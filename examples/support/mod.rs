@@ -45,7 +45,7 @@ pub(crate) fn figure<'a>(
     Ok(area.titled(title, ("sans-serif", LETTERS + 6))?)
 }
 
-/// Draws axes with labels in an area. `x` and `y` are the ranges and labels.
+/// Draws axes with labels in an area; `x` and `y` are the ranges and labels.
 pub(crate) fn axes<'a>(
     area: &Area<'a>,
     x: (Range<f64>, &str),
@@ -61,7 +61,7 @@ pub(crate) fn axes<'a>(
     )
 }
 
-/// Draws axes of equal scale, as large as the area permits. The rest of the area remains empty.
+/// Draws axes of equal scale, as large as the area permits; the rest of the area remains empty.
 pub(crate) fn map_axes<'a>(
     area: &Area<'a>,
     x: (Range<f64>, &str),
@@ -105,7 +105,7 @@ fn ticks(range: &Range<f64>) -> impl Fn(&f64) -> String + use<> {
     }
 }
 
-/// Draws axes for decimal logarithms. The ranges are ranges of exponents. Labels are at powers of ten, or at a few
+/// Draws axes for decimal logarithms; the ranges are ranges of exponents. Labels are at powers of ten, or at a few
 /// other numbers if fewer than two powers are in the range.
 pub(crate) fn decades<'a>(
     area: &Area<'a>,
@@ -154,7 +154,7 @@ fn power_of_ten(exponent: f64) -> String {
             char::from_u32(u32::from('⁰') + u32::from(digit) - u32::from('0')).unwrap_or(digit)
         }
     };
-    // The addition of zero turns a negative zero into a positive zero.
+    // Adding zero turns a negative zero into a positive one.
     let digits: String = format!("{:.0}", exponent.round() + 0.0)
         .chars()
         .map(superscript)
