@@ -238,7 +238,7 @@ fn fill(tiles: &mut [Tile], words: &[u64]) {
     });
 }
 
-/// Runs the work in parallel on the data of the given number of tiles.
+/// Runs the work in parallel on the given number of tiles.
 fn in_tasks<'a, T: Send>(tiles: usize, data: Blocks<'a, T>, work: &Work<'_, Blocks<'a, T>, ()>) {
     parallel::sweep(0..tiles.div_ceil(TASK_TILES), data, work, &|(), ()| ());
 }

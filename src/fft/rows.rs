@@ -191,7 +191,7 @@ impl<T: Real> Plan<T> {
         let rows = output.chunks_mut(2 * self.frame.size[0]);
         let waves = &mut pairs[..rows.len() * stride];
         for (tile, columns) in band.iter().zip(self.columns_of_tiles()) {
-            // The part of a tile beyond the last row is undefined.
+            // The values of a tile beyond the last row are undefined.
             let pairs = tile.of::<T>()[..numbers].chunks_exact(2 * T::TILE_COLUMNS);
             let lone = pairs.remainder();
             let mut waves = waves.chunks_exact_mut(stride);

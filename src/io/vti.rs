@@ -89,8 +89,8 @@ pub fn write<'a>(
 /// ([`Grid::rows`]).
 ///
 /// # Errors
-/// - [`Error::Format`](crate::Error::Format) if there is no field, if a field is on a different grid from the first, or
-///   if a name is empty, occurs twice or contains control characters.
+/// - [`Error::Format`](crate::Error::Format) if there is no field or if a field is on a different grid from the first.
+/// - [`Error::Format`](crate::Error::Format) if a name is empty, occurs twice or contains control characters.
 ///
 /// ```
 /// use stickslip::{Field, Grid, io::vti};

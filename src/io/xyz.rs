@@ -318,7 +318,7 @@ struct PlaceAxis {
     least: f64,
     /// Spacing of the places, or zero if there is only one place.
     spacing: f64,
-    /// Number of places: an integer, or not finite if there is no such grid.
+    /// Number of places. It is an integer, or it is not finite if no grid fits.
     count: f64,
 }
 

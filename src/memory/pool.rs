@@ -36,7 +36,8 @@ impl<T> Pool<T> {
             if let Some(piece) = self.take().or_else(|| make().ok()) {
                 break piece;
             }
-            // There is no memory for a new buffer. A holder never waits for another buffer, so one is returned soon.
+            // There is no memory for a new buffer. The user of a buffer never waits for a second buffer, so a buffer is soon
+            // returned.
             std::thread::yield_now();
         };
         let result = work(&mut piece);

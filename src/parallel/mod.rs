@@ -122,7 +122,7 @@ fn join_tasks(a: &mut (dyn FnMut() + Send), b: &mut (dyn FnMut() + Send)) {
 }
 
 /// Runs work inside the caller's pool, in which further splitting is cheap. On a thread outside a pool, uses the global pool
-/// unless the program [avoids](disable_global_pool) it.
+/// unless the program has [disabled](disable_global_pool) it.
 pub(crate) fn enter<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     if is_in_pool() || is_alone() {
         work()

@@ -1,11 +1,11 @@
 //! Ranks: several processes or threads that solve one contact together.
 //!
-//! A *rank* is one of these processes or threads. Every rank runs the same program on its own part of the cells. Ranks
-//! communicate only through the exchanges of [`Ranks`], and all ranks make the same calls in the same order.
+//! A *rank* is one of these processes or threads. Every rank runs the same program on its local cells. Ranks communicate only
+//! through the exchanges of [`Ranks`], and all ranks make the same calls in the same order.
 //!
 //! [`HalfSpace::distributed`](crate::HalfSpace::distributed) distributes the rows of a grid. Each rank stores a *slab* of rows,
-//! with the fields, problems and solutions on it. The builders are the same as without ranks. The following calls are collective:
-//! every rank must make them.
+//! with the fields, problems and solutions on this slab. The builders are the same as without ranks. The following calls are
+//! collective: every rank must make them.
 //!
 //! - Building and solving a problem, and changing a problem.
 //! - Taking a step of a history, changing a history, and returning to a state.
@@ -22,10 +22,10 @@
 //! Ranks with different inputs would not solve any common problem. Inputs that are common to the whole contact are therefore
 //! compared at the start of a call. The comparison takes one exchange, with one word for each input. These inputs are:
 //!
-//! - grid, pair and boundary of the bodies, and parameters of a rough surface;
-//! - uniform loads, friction and hardness;
-//! - model, coupling and settings of a problem or a history, including later changes;
-//! - the load of each step, and the state that a history starts from or returns to.
+//! - Grid, pair and boundary of the bodies, and parameters of a rough surface.
+//! - Uniform loads, friction and hardness.
+//! - Model, coupling and settings of a problem or a history, including later changes.
+//! - Load of each step, and the state at which a history starts or to which it returns.
 //!
 //! If an input differs between ranks, all ranks return an error that names the input ([`RankFailure::InconsistentInput`]) and
 //! remain unchanged. Fields cannot be compared, because each rank has different rows. A gap, or a coefficient per cell, must

@@ -201,8 +201,8 @@ impl RankGroup {
         }
     }
 
-    /// Returns a result like [`RankGroup::collective_result`] for work that may contain collective agreements. An error of such
-    /// an agreement is known on all ranks and needs no further exchange.
+    /// Returns a result like [`RankGroup::collective_result`] for work that may contain collective agreements. All ranks have the
+    /// error of such an agreement, so that no further exchange is necessary.
     pub(crate) fn run_collectively<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
         let before = self.refusals.load(Ordering::Relaxed);
         let result = work();
