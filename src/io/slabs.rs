@@ -27,8 +27,8 @@ impl HalfSpace {
     ///
     /// The rows are first written to `NAME.PID.NUMBER.part` in the same folder. When every rank has written its rows to the
     /// disk, this temporary file replaces the target. The target is therefore replaced completely or not at all. A failed call
-    /// removes the temporary file. The file remains only if the process is killed. A rank that loses the connection to the other
-    /// ranks at the very end returns an error although the file is complete.
+    /// removes the temporary file. It remains only if the process is killed. A rank that loses the connection to the other ranks
+    /// at the very end returns an error although the file is complete.
     ///
     /// ```
     /// use std::sync::Arc;

@@ -106,7 +106,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 ///
 /// # Errors
 /// - [`Error::Format`], with the line, if a line does not have three numbers or if its number of cells differs from the
-///   first line.
+///   number in the first line.
 /// - [`Error::Format`], with the line, if a point is off the grid, or if a grid position has two points.
 /// - [`Error::Format`] if the text is in UTF-16, if the points have fewer than two grid positions, or if there are too
 ///   few points for the grid that they span.

@@ -1,4 +1,4 @@
-//! Histories of every type satisfy the laws of mechanics in every step. Its results are invariant under changes of
+//! Histories of every type satisfy the laws of mechanics in every step. Their results are invariant under changes of
 //! units, swapped axes, mirroring and exchange of the bodies.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -218,9 +218,9 @@ fn scene_satisfies_contact_and_friction_laws() {
     });
 }
 
-/// Checks cells that were already in contact or follow the whole step. Their slip is a change of displacement minus the
-/// change of the rigid motion. The displacement is due to all tractions of the grid and to the strain. Half of traction
-/// times displacement is the elastic energy.
+/// Checks cells that were already in contact or follow the whole step. Their slip is the change of the displacement
+/// minus the change of the rigid motion. The displacement is due to all tractions of the grid and to the strain. Half
+/// of traction times displacement is the elastic energy.
 #[test]
 fn scene_slip_matches_relative_displacement() {
     assert_every(scenes(), |scene| {

@@ -57,8 +57,8 @@ pub(crate) struct LayerWaves<'a> {
     pub(crate) base: Base,
 }
 
-/// Minors `s (1, n, l, c, n l - c^2)` of a surface compliance, up to a common factor, and the compliance across, in the
-/// unit `1/(G k)` of a modulus.
+/// Minors `s (1, n, l, c, n l - c^2)` of a surface compliance, up to a common factor, and the compliance across k. The
+/// unit is `1/(G k)` for a modulus G.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Surface {
     pub(super) unit: f64,

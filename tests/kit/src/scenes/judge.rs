@@ -1,7 +1,7 @@
 //! Solves a scene and checks the solution for faults.
 //!
-//! A solution is correct if it satisfies three conditions. It is feasible. An independent product confirms
-//! complementarity to the tolerance. Its distance from the reference solution is within the certified error.
+//! A correct solution satisfies three conditions. It is feasible. It satisfies complementarity to the tolerance,
+//! computed with an independent product. Its distance from the reference solution is within the certified error.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -240,7 +240,8 @@ impl Verifier {
                 self.dense_limit,
             );
             let truth = truth.filter(|truth| truth.error < 1.0);
-            // Near the limit, a reference under the force found has lost its last digits if the load was a shift.
+            // If the load is a shift near the limit, a reference under the computed force is not accurate to the
+            // last digits.
             if truth.is_some() || !solution.is_gross_slip() {
                 answer.check_error(row, truth);
             }
