@@ -1,6 +1,6 @@
-//! After the first cycle, a step of a history within its window allocates no buffer, plan or spectrum. The same applies
-//! to a stiffness in existing buffers, a change of the gap or the friction, a wear law, and the accumulation of a
-//! cycle.
+//! After the first cycle, a step of a history within its window allocates no buffer, plan or spectrum. A stiffness in
+//! existing buffers, a change of the gap or the friction, a wear law, and the accumulation of a cycle do not allocate
+//! such memory either.
 
 use std::ops::ControlFlow;
 
