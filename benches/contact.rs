@@ -1,5 +1,5 @@
-//! Time of normal and tangential solves from a cold start with existing operators, for smooth and rough contacts, and
-//! time of a step of a fretting loop that starts from the previous step.
+//! Times of solves for smooth and rough contacts. Normal and tangential solves have a cold start and existing
+//! operators. A step of a fretting loop starts from the previous step.
 
 #![allow(
     missing_docs,

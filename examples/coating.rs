@@ -1,6 +1,6 @@
 //! Two equal spheres with coatings that are softer or harder than the spheres, pressed and sheared. The example compares pressure
-//! and contact radius with an axisymmetric solution, and computes traction, stick zone, and the von Mises stress above and below
-//! the interface.
+//! and contact radius with an axisymmetric solution. It also computes the traction, the stick zone, and the von Mises stress
+//! above and below the interface.
 //!
 //! `cargo run --release -p stickslip-examples --example coating` prints the comparison and writes `target/gallery/coating.csv`
 //! and `.svg`.
@@ -49,7 +49,7 @@ const COLOURS: [RGBColor; 5] = [
     support::ORANGE,
 ];
 
-/// Number of depth steps above the interface; the same number of steps spans three times the distance below it.
+/// Number of depth steps above the interface. Below the interface the same number of steps spans three times the distance.
 const DEPTHS: usize = 20;
 
 /// Contact of coated spheres.

@@ -96,7 +96,7 @@ fn steel() -> stickslip::Result<ElasticPair> {
     ElasticPair::new(steel, steel)
 }
 
-/// Creates the rolling problem on a grid with the given numbers of cells; the area does not depend on them.
+/// Creates the rolling problem on a grid with the given numbers of cells. The area of the grid does not depend on them.
 fn problem(cells: [usize; 2], entry_rule: EntryRule) -> stickslip::Result<RollingProblem> {
     let [dx, dy] = [0, 1].map(|axis| SIDES[axis] * (CELLS[axis] / cells[axis]) as f64);
     let grid = Grid::new(cells[0], cells[1], dx, dy)?;
@@ -184,7 +184,7 @@ fn draw(
     Ok(())
 }
 
-/// Returns arrows for the tractions on body 1; each starts at the centre of its cell.
+/// Returns arrows for the tractions on body 1. Each arrow starts at the centre of its cell.
 fn tractions(
     chart: &mut support::Chart<'_>,
     rolling: &RollingSolution,

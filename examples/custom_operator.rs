@@ -10,8 +10,8 @@ use stickslip::{Operator, Scratch, Status};
 
 const SPRINGS: usize = 9;
 
-/// Row of springs. Each spring deflects by `own` under a unit force on itself and by `neighbour` under a unit force on
-/// an adjacent spring, so the matrix is tridiagonal.
+/// Row of springs. Under a unit force on one spring, this spring deflects by `own` and each adjacent spring deflects by
+/// `neighbour`. The matrix is therefore tridiagonal.
 #[derive(Debug, Clone, Copy)]
 struct SpringRow {
     own: f64,
@@ -31,9 +31,9 @@ impl Operator for SpringRow {
         }
     }
 
-    /// Returns the lower bound on the eigenvalues by Gershgorin's theorem: every eigenvalue differs from some diagonal entry by
-    /// at most the sum of the magnitudes of the other entries in the row. The solver uses this bound to certify the error from
-    /// the residual.
+    /// Returns the lower bound on the eigenvalues by Gershgorin's theorem. Every eigenvalue differs from one of the diagonal
+    /// entries by at most the sum of the magnitudes of the other entries in its row. The solver uses this bound to certify the
+    /// error from the residual.
     fn lower_bound(&self) -> f64 {
         self.own - 2.0 * self.neighbour.abs()
     }

@@ -30,7 +30,7 @@ use support::{Area, Chart, maps};
 const BALL_RADIUS: f64 = 3.5e-3;
 const NORMAL_FORCE: f64 = 100.0;
 const FRICTION: f64 = 0.5;
-/// Amplitude of the force along x; gross sliding starts at 50 N.
+/// Amplitude of the force along x. Gross sliding starts at 50 N.
 const AMPLITUDE: f64 = 40.0;
 const STEPS: usize = 64;
 /// Ratios of the amplitude along y to the amplitude along x.

@@ -27,7 +27,7 @@ const NORMAL_FORCE: f64 = 100.0;
 const AMPLITUDE: f64 = 40.0;
 const FRICTION: f64 = 0.5;
 const STEPS: usize = 40;
-/// Number of cycles. The first cycle contains the first loading; the second is a full loop.
+/// Number of cycles. The first cycle contains the first loading. The second cycle is a full loop.
 const CYCLES: usize = 2;
 
 /// Half-width of the view, in contact radii.
@@ -215,7 +215,7 @@ fn print_table(points: &[Point], profiles: &[Profile], cycle: &Cycle) {
     for profile in profiles {
         let max_traction = FRICTION * profile.exact.hertz().max_pressure();
         let difference = profile.mean_difference() / max_traction;
-        // Adding zero turns a negative zero into a positive one.
+        // The addition of zero turns a negative zero into a positive zero.
         let force = profile.exact.force() + 0.0;
         println!("traction at {force:>5.1} N, mean difference / (mu p0): {difference:.1e}");
     }
@@ -269,7 +269,7 @@ fn draw_loop(
     support::legend(&mut chart, SeriesLabelPosition::UpperLeft)
 }
 
-/// Draws the tractions at the turning points and between them; the other half of the loop is symmetric.
+/// Draws the tractions at the turning points and between them. The other half of the loop is symmetric.
 fn draw_tractions(area: &Area<'_>, profiles: &[Profile]) -> Result<(), Box<dyn Error>> {
     let hertz = profiles[0].exact.hertz();
     let (a, scale) = (hertz.contact_radius(), FRICTION * hertz.max_pressure());

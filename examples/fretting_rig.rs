@@ -48,7 +48,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let boundary = Boundary::PeriodicAlongY { datum: DATUM };
     let bodies = HalfSpace::with_boundary(grid, *hertz.pair(), boundary)?;
 
-    // The specimen is body 1. A bulk stress of 1 MPa causes this strain in it.
+    // The specimen is body 1. A bulk stress of 1 MPa causes this strain in the specimen.
     let strain = [[titanium.plane_strain_under(1.0), 0.0], [0.0, 0.0]];
     let bulk = RelativeDisplacement::bulk_strain(grid, strain)?;
     let cylinder = surface::cylinder(grid, RADIUS)?;
@@ -146,8 +146,8 @@ fn compare(history: &History, exact: &CattaneoMindlinLine) {
     }
 }
 
-/// Returns pressure and traction along x at the largest force and writes them to a table: x/a, p/p0, q/(mu p0), and the closed
-/// form of the traction.
+/// Returns pressure and traction along x at the largest force, and writes them to a table. The columns are x/a, p/p0, q/(mu p0),
+/// and the closed form of the traction.
 fn profile(
     history: &History,
     exact: &CattaneoMindlinLine,
@@ -223,7 +223,7 @@ fn stresses(
 }
 
 /// Compares the largest tension, at the edge where a crack would start, with the closed form. The tension is computed for the
-/// cells of the surface, where it converges slowly with the cell size, and for a plane at a depth of a fiftieth of a.
+/// cells of the surface and for a plane at a depth of a fiftieth of a. On the surface it converges slowly with the cell size.
 fn compare_tension(
     history: &History,
     bodies: &HalfSpace,
@@ -326,7 +326,7 @@ fn draw(
             let ends = [first, (first + block).min(columns)];
             let [left, right] = ends.map(|end| width * end as f64 - map.reach);
             let value = map.rows[k][first + (ends[1] - first) / 2];
-            // Each block overlaps the next blocks, which are drawn over it, so that no seam is visible.
+            // Each block extends under the next blocks, which are drawn later, so that no seam is visible.
             let right = (right + 0.5 * (right - left)).min(map.reach);
             let corners = [(left, level(k as f64)), (right, level(k as f64 + 1.5))];
             Rectangle::new(corners, scale.colour(value).filled())

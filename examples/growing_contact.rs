@@ -121,7 +121,7 @@ impl GrowingCase {
         })
     }
 
-    /// Follows the legs in equal steps; a leg that only presses is a single step.
+    /// Follows the legs of the load path in equal steps. A leg that only presses is a single step.
     fn follow(
         &self,
         legs: &[Leg],

@@ -34,7 +34,7 @@ const FRICTION: f64 = 0.3;
 const LOADING: f64 = 0.5;
 /// Theoretical fraction of the surface in contact.
 const AREA: f64 = 0.05;
-/// Nesting index of the S filter, five cells; shorter waves are noise of the instrument.
+/// Nesting index of the S filter, five cells. Shorter waves are noise of the instrument.
 const S_FILTER: f64 = 2.5e-6;
 /// Number of standard deviations from the surrounding heights beyond which a height is an outlier.
 const OUTLYING: f64 = 6.0;
@@ -49,7 +49,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let inlying = without_outliers(&levelled)?;
     // Missing heights have no weight in the filter and are filled afterwards.
     let filtered = GaussianFilter::s(S_FILTER).apply(&inlying)?.into_heights();
-    // The surface is levelled first; otherwise holes near its edges would be filled incorrectly.
+    // The surface is levelled first, because holes near its edges would otherwise be filled incorrectly.
     let filled =
         |heights: &Field| surface::fill_missing(heights).map(surface::Filled::into_heights);
     let heights = filled(&filtered)?;

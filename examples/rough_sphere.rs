@@ -21,7 +21,7 @@ use stickslip::{ElasticPair, Grid, HalfSpace, Material, NormalControl, NormalPro
 const SIDE: f64 = 640.0;
 const RADIUS: f64 = 3500.0;
 const SLOPE: f64 = 0.7518;
-/// Shortest wavelength, more than six cells of the default grid; shorter waves would not be resolved.
+/// Shortest wavelength, more than six cells of the default grid. Shorter waves would not be resolved.
 const CUT_OFF: f64 = 6.4;
 /// Roll-off wavelengths, which determine the height at constant slope.
 const ROLL_OFFS: [f64; 3] = [192.0, 112.0, 64.0];
@@ -87,7 +87,7 @@ struct Ball {
 /// Function that selects an area of a contact.
 type AreaOf = fn(&Contact) -> f64;
 
-/// Results of a contact; areas are fractions of the contact area of the smooth ball.
+/// Results of a contact. Areas are fractions of the contact area of the smooth ball.
 struct Contact {
     hertz: RoughSphere,
     cells: usize,

@@ -116,7 +116,7 @@ struct Answer {
 }
 
 impl Answer {
-    /// Returns `(A/A0) E* g / p`. Theories predict a constant between 1.6 and 2.5; simulations give about 2.
+    /// Returns `(A/A0) E* g / p`. Theories predict a constant between 1.6 and 2.5. Simulations give about 2.
     fn coefficient(&self, area: usize) -> f64 {
         self.areas[area] * self.rms_slope / PRESSURE
     }
@@ -226,7 +226,7 @@ fn solve(bodies: &HalfSpace, job: &Job) -> stickslip::Result<Answer> {
     })
 }
 
-/// Returns the results for one parameter and one kind of surface.
+/// Returns the results for one parameter and one type of surface.
 fn of<'a>(
     (question, kind): (Question, usize),
     jobs: &'a [Job],

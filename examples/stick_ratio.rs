@@ -31,7 +31,7 @@ const TOLERANCE: f64 = 1e-6;
 /// Width of the magnified part, in cells.
 const MAGNIFIED: usize = 72;
 
-/// Surface with the load on it.
+/// Surface and the load that presses it.
 struct PressedBody {
     rms_slope: f64,
     roll_off: f64,
@@ -111,7 +111,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// Presses a surface and shears it in steps; each step starts from the last solution.
+/// Presses a surface and shears it in steps. Each step starts from the last solution.
 fn shear(bodies: &HalfSpace, scene: &PressedBody, seed: u64) -> stickslip::Result<Sheared> {
     let grid = bodies.grid();
     let rough = SelfAffine::with_rms_slope(scene.rms_slope)

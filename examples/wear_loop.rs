@@ -5,8 +5,8 @@
 //! writes `target/gallery/wear_loop.csv`, `wear_loop_profiles.csv` and `wear_loop.svg`.
 //!
 //! The limiting shape assumes equal wear in all directions, which requires equal slip and therefore a Poisson's ratio of zero.
-//! At 0.29 the slip is larger across the motion than along it. Wear then extends into the stick disc, and the remaining load is
-//! 1.6 % below the closed form.
+//! At a Poisson's ratio of 0.29 the slip is larger across the motion than along the motion. Wear then extends into the stick
+//! disc, and the remaining load is 1.6 % below the closed form.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 

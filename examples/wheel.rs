@@ -35,8 +35,8 @@ struct Wheel {
 }
 
 impl Wheel {
-    /// Returns the state at a time, with traction and braking at 0.4 Hz, hunting at 1.7 Hz, bouncing at 3 Hz and rail excitation
-    /// at 23 Hz.
+    /// Returns the state at a time. Traction and braking alternate at 0.4 Hz, hunting has 1.7 Hz, bouncing has 3 Hz and the rail
+    /// excitation has 23 Hz.
     fn at(time: f64) -> Self {
         let wave = |frequency: f64, phase: f64| (TAU * frequency * time + phase).sin();
         Self {
@@ -180,7 +180,7 @@ struct Fastsim {
     cells: usize,
     shear_modulus: f64,
     coefficients: KalkerCoefficients,
-    /// Semi-axes under the mean load; they grow with the cube root of the load.
+    /// Semi-axes under the mean load. They are proportional to the cube root of the load.
     axes: [f64; 2],
 }
 

@@ -39,7 +39,7 @@ impl<'a> WorkObserver<'a> {
         Self { team, ..self }
     }
 
-    /// Returns the progress for update; the observer receives it at its next call.
+    /// Returns the progress for changes by the caller. The observer receives it at its next call.
     pub(crate) fn shown(&mut self) -> &mut Iteration {
         &mut self.shown
     }

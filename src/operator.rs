@@ -13,7 +13,7 @@ pub(crate) const SELF_COMPLIANCE: f64 = 5.0;
 /// Lower bound on the eigenvalues of an operator for the vectors that a problem allows.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct LowerBound {
-    /// Value of the bound; zero if no bound is available.
+    /// Value of the bound, or zero if no bound is available.
     pub(crate) value: f64,
     pub(crate) known: EigenvalueBound,
     pub(crate) mean: MeanBound,
@@ -43,8 +43,8 @@ pub(crate) enum MeanBound {
 /// [`Self::is_symmetric`] returns false.
 ///
 /// A vector is passed as `N` slices, one per component, each with an entry per cell. The operator is immutable and
-/// shared. A product writes to a [`Scratch`] that the caller owns, so that several threads can use the same operator
-/// and a product does not allocate. The trait is object-safe: a program may store a `Box<dyn Operator>`.
+/// shared. A product writes to a [`Scratch`] that the caller owns. It therefore does not allocate, and several threads
+/// can use the same operator. The trait is object-safe: a program may store a `Box<dyn Operator>`.
 ///
 /// ```
 /// use stickslip::{Operator, Scratch};
@@ -89,8 +89,8 @@ pub trait Operator<const N: usize = 1>: Sync {
     /// Writes `C x` to `out`. Every slice has [`Operator::cells`] entries.
     ///
     /// # Panics
-    /// The operators of this crate panic on slices of a different length, and on the scratch of an operator of a
-    /// different size or kind.
+    /// The operators of this crate panic if a slice has a different length, or if the scratch belongs to an operator of
+    /// a different size or type.
     fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch);
 
     /// Writes `C x` to `out` in single precision, with an error of at most about 1e-6 of the largest result. This is
@@ -99,13 +99,13 @@ pub trait Operator<const N: usize = 1>: Sync {
         self.apply(x, out, scratch);
     }
 
-    /// Returns a lower bound on the smallest eigenvalue, `x' C x >= bound * x' x`. The bound is valid for all `x`. For
-    /// an operator that maps constants to zero, as on a periodic grid, it is valid for all `x` in which each component
-    /// sums to zero.
+    /// Returns a lower bound on the smallest eigenvalue, `x' C x >= bound * x' x`. The bound is valid for all `x`. If
+    /// the operator maps constants to zero, as on a periodic grid, the bound is valid for all `x` in which each
+    /// component sums to zero.
     ///
     /// The bound converts a residual to a certified error. The error is relative to the minimum or, in the second case,
     /// to the minimum under the totals of the iterate. The default, zero, states only that the operator is positive
-    /// semi-definite; the certificate is then the duality gap. A negative bound or NaN counts as zero.
+    /// semi-definite. The certificate is then the duality gap. A negative bound or NaN counts as zero.
     fn lower_bound(&self) -> f64 {
         0.0
     }
@@ -127,9 +127,9 @@ pub trait Operator<const N: usize = 1>: Sync {
         SELF_COMPLIANCE * self.lower_bound()
     }
 
-    /// Returns whether `x' C y = y' C x` (default: true). The engine also accepts operators that are not symmetric but
-    /// satisfy `x' C x > 0`. It then uses GMRES instead of conjugate gradients, with the same certificate. The solution
-    /// is not a minimum in this case, but it satisfies the same conditions (a variational inequality).
+    /// Returns whether `x' C y = y' C x` (default: true). The engine also accepts operators that are not symmetric if
+    /// they satisfy `x' C x > 0`. It then uses GMRES instead of conjugate gradients, with the same certificate. The
+    /// solution is not a minimum in this case, but it satisfies the same conditions (a variational inequality).
     fn is_symmetric(&self) -> bool {
         true
     }
@@ -272,7 +272,7 @@ impl Scratch {
     /// Returns the buffers of an operator of this crate.
     ///
     /// # Panics
-    /// Panics if the buffers belong to a different kind of operator.
+    /// Panics if the buffers belong to an operator of a different type.
     pub(crate) fn buffers<T: 'static>(&mut self) -> &mut T {
         // The crate passes each scratch to the operator that created it, and `Operator::apply` requires the same of
         // other callers.

@@ -1,4 +1,4 @@
-//! Twenty steps of a contact with wear; all ranks save the history after ten steps.
+//! Twenty steps of a contact with wear. All ranks save the history after ten steps.
 
 use std::path::PathBuf;
 
@@ -25,7 +25,7 @@ pub(crate) enum Saved {
     From(PathBuf),
 }
 
-/// Presses the surfaces with an oscillating normal force of at most `force` and shears them along x with an oscillating
+/// Presses the surfaces with an oscillating normal force of at most `force`. Shears them along x with an oscillating
 /// force of at most half of the friction limit. Returns a hash of the bits of the final state.
 pub(crate) fn fret(
     bodies: &HalfSpace,

@@ -4,8 +4,8 @@
 //! `cargo run --release -p stickslip-examples --example distributed -- [cells] [--press] [--threads-as-ranks N]` (default 256
 //! cells along a side, pressed and sheared, two ranks as threads). With the feature `mpi` the ranks are processes:
 //! `mpirun -n 4 target/release/examples/distributed 1024`. With `--press` the surface is not sheared, which reduces the memory
-//! to a fifth. With `--history FILE` the example computes twenty steps with wear instead, and all ranks save the history to the
-//! file after ten steps. `--from FILE` continues from this file on any number of ranks and yields the same hash.
+//! to a fifth. With `--history FILE` the example computes twenty steps with wear instead. All ranks save the history to the file
+//! after ten steps. `--from FILE` continues from this file on any number of ranks and yields the same hash.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -27,7 +27,7 @@ use history::{Saved, fret};
 
 /// Side of the grid, in units of the longest wavelength.
 const SIDE: f64 = 1.0;
-/// Mean pressure divided by the contact modulus and the rms slope; about a tenth of the surface is in contact.
+/// Mean pressure divided by the contact modulus and the rms slope. About a tenth of the surface is in contact.
 const REDUCED_PRESSURE: f64 = 0.05;
 const FRICTION: f64 = 0.4;
 /// Tangential force as a fraction of the friction limit.
@@ -97,7 +97,7 @@ fn main() -> Outcome<()> {
     outcomes.into_iter().collect()
 }
 
-/// Solves the problem on every rank; the first rank prints the results.
+/// Solves the problem on every rank. The first rank prints the results.
 fn solve(arguments: &Arguments, ranks: &Arc<dyn Ranks>) -> Outcome<()> {
     let start = Instant::now();
     let grid = Grid::square(arguments.cells, SIDE)?;

@@ -1,5 +1,5 @@
 //! A parameter study of rough contacts that can be divided between any number of machines. The result is a table with one row per
-//! case; a restarted program continues the table.
+//! case. A restarted program continues the table.
 //!
 //! `cargo run --release -p stickslip-examples --example study -- --help` lists the options; without options, 24 small cases are
 //! solved and written to standard output. The guide page `studies` describes the columns and contains a script for Slurm and a

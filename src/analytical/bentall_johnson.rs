@@ -3,16 +3,16 @@
 use super::line::HertzLine;
 use crate::error::{Result, finite, non_negative};
 
-/// Half-width of the middle strip that carries half the load of a [`HertzLine`], divided by the half-width of the
-/// contact: the root of $`\arcsin t + t\sqrt{1-t^2} = \pi/4`$.
+/// Half-width of the middle strip that carries half the load of a [`HertzLine`], divided by the half-width of the contact.
+/// It is the root of $`\arcsin t + t\sqrt{1-t^2} = \pi/4`$.
 const MIDDLE: f64 = 0.403_972_753_299_517_2;
 
 /// Cylinders of different materials that roll freely, without a tangential force and with little friction. The solution
 /// is the limit $`\mu \ll |\beta|`$ of Bentall and Johnson's solution.
 ///
-/// The pressure stretches the surfaces in the contact by different amounts, so that they slip. If friction is too weak
-/// to prevent this slip, the slip of body 1 over body 2 per rolled length is, with
-/// [`dundurs_beta`](crate::ElasticPair::dundurs_beta) $`\beta`$ and the creepage $`\xi`$,
+/// The pressure stretches the surfaces in the contact by different amounts, so that they slip. Let $`\beta`$ be
+/// [`dundurs_beta`](crate::ElasticPair::dundurs_beta) and $`\xi`$ the creepage. If friction is too weak to prevent this
+/// slip, the slip of body 1 over body 2 per rolled length is
 ///
 /// ```math
 /// s = \frac{2\beta}{E^*}\,p - \xi, \qquad q = -\mu p\,\operatorname{sign} s .
@@ -26,11 +26,11 @@ const MIDDLE: f64 = 0.403_972_753_299_517_2;
 /// D = \frac{8t(1 - t^2/3) - 8/3}{\pi}\,\frac{\mu|\beta| P a}{R} = 0.1239\,\frac{\mu|\beta| P a}{R} .
 /// ```
 ///
-/// The leading edge is at +x; if it is at -x, creepage and slip change their signs. A positive creepage moves body 2
-/// along +x over body 1, as in [`rolling`](crate::rolling). The influence of the traction on the pressure is neglected
-/// (Goodman's assumption), and so are the narrow stick strips around the reversals of slip. The creepage of the
-/// [numerical solution](crate::rolling::RollingProblem) is smaller by 0.3 % at $`\mu = 0.009\,|\beta|`$, by 5 % at
-/// $`0.085\,|\beta|`$, and by 28 % at $`0.86\,|\beta|`$.
+/// The leading edge is at +x. If it is at -x, creepage and slip change their signs. A positive creepage moves body 2 along
+/// +x over body 1, as in [`rolling`](crate::rolling). The solution neglects the influence of the traction on the pressure
+/// (Goodman's assumption) and the narrow stick strips around the reversals of slip. The creepage of the [numerical
+/// solution](crate::rolling::RollingProblem) is smaller by 0.3 % at $`\mu = 0.009\,|\beta|`$, by 5 % at $`0.085\,|\beta|`$,
+/// and by 28 % at $`0.86\,|\beta|`$.
 ///
 /// R. H. Bentall and K. L. Johnson, Int. J. Mech. Sci. 9 (1967) 389-404,
 /// <https://doi.org/10.1016/0020-7403(67)90043-4>; Johnson (1985), section 8.2.
@@ -90,7 +90,7 @@ impl BentallJohnson {
         MIDDLE * self.hertz.half_width()
     }
 
-    /// Returns the slip s of body 1 over body 2 at `x` in the contact, per rolled length (dimensionless); zero outside.
+    /// Returns the slip s of body 1 over body 2 at `x` per rolled length (dimensionless). It is zero outside the contact.
     #[must_use]
     pub fn slip(&self, x: f64) -> f64 {
         if x.abs() < self.hertz.half_width() {
@@ -100,8 +100,8 @@ impl BentallJohnson {
         }
     }
 
-    /// Returns the traction q on body 1 along x (a pressure) at `x`. Its magnitude is $`\mu p`$ and its sign is
-    /// opposite to the slip; it is zero outside the contact.
+    /// Returns the traction q on body 1 along x (a pressure) at `x`. Its magnitude is $`\mu p`$ and its sign is opposite to
+    /// the slip. It is zero outside the contact.
     #[must_use]
     pub fn traction(&self, x: f64) -> f64 {
         let slip = self.slip(x);

@@ -6,8 +6,8 @@ use crate::error::{Error, Result, finite, non_negative};
 
 /// A cylinder that rolls steadily with longitudinal creepage, in plane strain: Carter's solution.
 ///
-/// The leading edge is at x = a. A strip of half-width c that ends there sticks; the rest slips, opposite to the
-/// traction:
+/// The leading edge is at x = a. A strip of half-width c that ends at this edge sticks. The rest of the contact
+/// slips, opposite to the traction:
 ///
 /// ```math
 /// \frac ca = 1 - \frac{|\xi|}{\xi_s}, \qquad \xi_s = \frac{2\mu p_0}{E^*} = \frac{\mu a}{R}, \qquad
@@ -87,7 +87,7 @@ impl Carter {
         self.direction() * self.friction * self.hertz.load() * part
     }
 
-    /// Returns the traction q on body 1 along x (a pressure) at `x`; zero outside the contact.
+    /// Returns the traction q on body 1 along x (a pressure) at `x`. It is zero outside the contact.
     #[must_use]
     pub fn traction(&self, x: f64) -> f64 {
         let (a, c) = (self.hertz.half_width(), self.stick_half_width());

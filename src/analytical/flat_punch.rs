@@ -98,8 +98,8 @@ impl FlatPunch {
         self.approach
     }
 
-    /// Returns the pressure $`p = W/(2\pi a\sqrt{a^2-r^2})`$ at the distance $`r`$ from the centre. The pressure grows
-    /// without bound towards the edge; at the edge and outside the function returns zero. Johnson (1985), section 3.4.
+    /// Returns the pressure $`p = W/(2\pi a\sqrt{a^2-r^2})`$ at the distance $`r`$ from the centre. The pressure is
+    /// unbounded towards the edge. At the edge and outside it the function returns zero. Johnson (1985), section 3.4.
     #[must_use]
     pub fn pressure(&self, r: f64) -> f64 {
         edge_pole(self.load, self.radius, r)

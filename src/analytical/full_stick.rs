@@ -89,8 +89,8 @@ impl MindlinFullStick {
     }
 
     /// Returns the traction $`q = F/(2\pi a\sqrt{a^2-r^2})`$ on body 1 along x (a pressure, with the sign of the force)
-    /// at the distance $`r`$ from the centre. The traction grows without bound towards the edge; at the edge and
-    /// outside the function returns zero. Johnson (1985), 3.82.
+    /// at the distance $`r`$ from the centre. The traction is unbounded towards the edge. At the edge and outside it
+    /// the function returns zero. Johnson (1985), 3.82.
     #[must_use]
     pub fn traction(&self, r: f64) -> f64 {
         edge_pole(self.force, self.contact_radius, r)

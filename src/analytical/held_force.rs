@@ -12,13 +12,13 @@ pub(super) struct HeldForce {
     pub(super) limit: f64,
     /// Sign of the force.
     pub(super) direction: f64,
-    /// Ratio $`f = |F|/\mu W`$; one at sliding and without friction.
+    /// Ratio $`f = |F|/\mu W`$. It is one at sliding and without friction.
     pub(super) fraction: f64,
     /// $`1-f`$, computed without cancellation near sliding.
     pub(super) reserve: f64,
 }
 
-/// Relative excess over the friction limit that still counts as sliding; the solvers use the same value.
+/// Relative excess over the friction limit that still counts as sliding. The solvers use the same value.
 const ROUNDED: f64 = 1e-12;
 
 impl HeldForce {

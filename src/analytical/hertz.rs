@@ -153,9 +153,9 @@ impl HertzSphere {
 
 /// A paraboloid with two different curvatures pressed on a half-space.
 ///
-/// The initial gap is $`x^2/2R_x + y^2/2R_y`$. With the longer radius $`R'`$, the shorter
-/// $`R''`$, the semi-axes $`a \ge b`$ (the longer along the longer radius), $`m = 1-b^2/a^2`$
-/// and the complete elliptic integrals $`K(m)`$, $`E(m)`$, $`D = (K-E)/m`$:
+/// The initial gap is $`x^2/2R_x + y^2/2R_y`$. The longer radius is $`R'`$ and the shorter radius is $`R''`$. The
+/// semi-axes are $`a \ge b`$, the longer along the longer radius. With $`m = 1-b^2/a^2`$ and the complete elliptic
+/// integrals $`K(m)`$, $`E(m)`$, $`D = (K-E)/m`$:
 ///
 /// ```math
 /// \frac{R''}{R'} = \frac{b^2}{a^2}\,\frac{D}{K-D}, \qquad a^3 = \frac{3WR'D}{\pi E^*}, \qquad
@@ -313,8 +313,8 @@ pub(super) fn arc_cosine(b: f64, r: f64) -> f64 {
     ((r - b) * (r + b)).sqrt().atan2(b)
 }
 
-/// Returns $`\frac{\rho^2}{2\pi}(\sin 2\alpha - 2\alpha\cos 2\alpha)`$, in units of the approach: the displacement
-/// outside the contact for $`\alpha = \arcsin(1/\rho)`$, the gap for $`\alpha = \arccos(1/\rho)`$.
+/// Returns $`\frac{\rho^2}{2\pi}(\sin 2\alpha - 2\alpha\cos 2\alpha)`$, in units of the approach. It is the
+/// displacement outside the contact for $`\alpha = \arcsin(1/\rho)`$, and the gap for $`\alpha = \arccos(1/\rho)`$.
 fn outer_sag(rho: f64, angle: f64) -> f64 {
     rho * rho * sine_minus_arc_cosine(2.0 * angle) / (2.0 * PI)
 }

@@ -3,12 +3,12 @@
 use super::kalker_table::TABLE;
 use crate::error::{Error, Result, at_least, positive};
 
-/// Kalker's creepage and spin coefficients: the forces of an elliptic contact that rolls with creepages so small that it slips
-/// only at its trailing edge.
+/// Kalker's creepage and spin coefficients. They give the forces of an elliptic contact that rolls with creepages so small that
+/// it slips only at its trailing edge.
 ///
 /// The contact of two equal bodies rolls along x. It has the semi-axes a along x and b along y, and $`c = \sqrt{ab}`$. The
-/// creepages $`\xi`$ along x and $`\eta`$ along y and the spin $`\varphi`$ (one over a length) cause the forces and the moment on
-/// body 1
+/// creepages are $`\xi`$ along x and $`\eta`$ along y, and the spin is $`\varphi`$ (one over a length). They cause the forces and
+/// the moment on body 1
 ///
 /// ```math
 /// F_x = G c^2\,C_{11}\,\xi, \qquad F_y = G c^2\,(C_{22}\,\eta + c\,C_{23}\,\varphi), \qquad
@@ -18,18 +18,18 @@ use crate::error::{Error, Result, at_least, positive};
 /// with positive $`C_{11}, C_{22}, C_{23}, C_{33}`$ and the signs of [`rolling`](crate::rolling) with the leading edge
 /// at +x. The coefficients depend neither on the pressure nor on the friction.
 ///
-/// The values were computed with this crate, by [steady rolling](crate::rolling::RollingProblem) on 24 grids of 32 to
-/// 128 cells across each axis, for $`a/b`$ from 1/16 to 16. The values are extrapolated to zero cell size and to
-/// reciprocity. They are accurate to about 0.1 % ($`C_{33}`$ to 0.3 %).
+/// The values were computed with this crate for $`a/b`$ from 1/16 to 16. They result from [steady
+/// rolling](crate::rolling::RollingProblem) on 24 grids of 32 to 128 cells across each axis. The values are extrapolated to zero
+/// cell size and to reciprocity. They are accurate to about 0.1 % ($`C_{33}`$ to 0.3 %).
 ///
 /// Between the tabulated values, logarithms are interpolated in $`\ln(a/b)`$. The compliances $`1/C_{11}, 1/C_{22}, 1/C_{23}`$
 /// and the spin per moment without lateral force are interpolated as parabolas in $`\nu`$. The interpolation adds an error of at
-/// most 0.1 % for $`a/b`$ from 0.09 to 2.8 and up to 0.4 % outside this range ($`C_{33}`$ up to 1 % near 16, where it is a small
-/// difference).
+/// most 0.1 % for $`a/b`$ from 0.09 to 2.8 and up to 0.4 % outside this range. The error of $`C_{33}`$ is up to 1 % near 16,
+/// because this coefficient is a small difference.
 ///
 /// Kalker's three-digit values of $`C_{11}`$, $`C_{22}`$ and $`C_{23}`$ differ by less than 0.6 % for $`0.2 \le a/b \le 2`$ and
-/// by up to 1.2 % at 10. The exception is $`C_{11} = 4.83`$ at $`a/b = 0.5`$, $`\nu = 0.5`$, where 4.87 would be consistent with
-/// the neighbouring values.
+/// by up to 1.2 % at 10. The exception is $`C_{11} = 4.83`$ at $`a/b = 0.5`$, $`\nu = 0.5`$. A value of 4.87 would be consistent
+/// with the neighbouring values.
 ///
 /// J. J. Kalker, Three-dimensional elastic bodies in rolling contact (1990), section 4.2 and table E.3,
 /// <https://doi.org/10.1007/978-94-015-7889-9>. A copy of the table in circulation has 1.15 instead of 1.25 for $`C_{23}`$ at
@@ -55,9 +55,9 @@ pub struct KalkerCoefficients {
 }
 
 impl KalkerCoefficients {
-    /// Returns the coefficients of an ellipse with the ratio `ratio` $`= a/b`$ (1/16 to 16) of its semi-axes along and
-    /// across the rolling direction, for bodies of Poisson's ratio `poisson_ratio` (0 to 1/2). For different bodies
-    /// with a [`dundurs_beta`](crate::ElasticPair::dundurs_beta) of zero, use the [equivalent Poisson's
+    /// Returns the coefficients of an ellipse for bodies of Poisson's ratio `poisson_ratio` (0 to 1/2). The ratio $`a/b`$ of the
+    /// semi-axes along and across the rolling direction is `ratio` (1/16 to 16). For different bodies with a
+    /// [`dundurs_beta`](crate::ElasticPair::dundurs_beta) of zero, use the [equivalent Poisson's
     /// ratio](crate::ElasticPair::equivalent_poisson_ratio). The modulus G is then twice the [equivalent shear
     /// modulus](crate::ElasticPair::equivalent_shear_modulus).
     ///
@@ -131,7 +131,7 @@ impl KalkerCoefficients {
     }
 }
 
-/// Base-2 logarithm of the largest tabulated ratio; the smallest is its reciprocal.
+/// Base-2 logarithm of the largest tabulated ratio. The smallest ratio is its reciprocal.
 const OCTAVES: i32 = 4;
 
 /// Evaluates the parabola through the values at the Poisson's ratios 0, 0.25 and 0.5.

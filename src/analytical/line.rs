@@ -113,7 +113,7 @@ impl HertzLine {
     /// \delta = \frac{P}{\pi E^*}\left(2\ln\frac{2d}{a} + 1\right) .
     /// ```
     ///
-    /// The datum d > 0 must be large compared with a; the approach is then positive. The formula is the integral of
+    /// The datum d > 0 must be large compared with a. The approach is then positive. The formula is the integral of
     /// Johnson (1985), 2.24, over the pressure.
     #[must_use]
     pub fn approach(&self, datum: f64) -> f64 {

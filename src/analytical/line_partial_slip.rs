@@ -6,10 +6,10 @@ use super::line::HertzLine;
 use super::line_stress;
 use crate::error::{Error, Result, all_finite, at_least, finite, positive};
 
-/// A cylinder in partial slip in plane strain: a constant normal load, then a tangential force along x that increases
-/// monotonically, with a bulk strain that increases in proportion to the force.
+/// A cylinder in partial slip in plane strain. Under a constant normal load, a tangential force along x increases monotonically.
+/// A bulk strain increases in proportion to the force.
 ///
-/// With $`f = |Q|/\mu P`$, a strip of half-width c around x = e sticks; the rest slips, opposite to the traction:
+/// A strip of half-width c around x = e sticks. The rest of the contact slips, opposite to the traction. With $`f = |Q|/\mu P`$:
 ///
 /// ```math
 /// \frac ca = (1-f)^{1/2}, \qquad
@@ -18,8 +18,8 @@ use crate::error::{Error, Result, all_finite, at_least, finite, positive};
 /// ```
 ///
 /// with the sign of Q and the strain $`\varepsilon`$ of body 1 minus the strain of body 2 (default zero). The bodies must be
-/// equal or have a [`dundurs_beta`](crate::ElasticPair::dundurs_beta) of zero. Johnson (1985), section 7.2; with bulk strain
-/// Nowell & Hills, Int. J. Mech. Sci. 29 (1987) 355.
+/// equal or have a [`dundurs_beta`](crate::ElasticPair::dundurs_beta) of zero. Sources: Johnson (1985), section 7.2, and for
+/// bulk strain Nowell & Hills, Int. J. Mech. Sci. 29 (1987) 355.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{CattaneoMindlinLine, HertzLine}};
@@ -90,8 +90,8 @@ impl CattaneoMindlinLine {
     /// grows in proportion to the force. Its cause is not a stress along x but, for example, thermal expansion. If a
     /// stress causes the strain, use [`with_bulk_stress`](Self::with_bulk_stress).
     ///
-    /// If $`|e| > fa/2`$, the first small loads reverse the slip at one end. Under the growing load this region then slips back;
-    /// the remaining effect is less than 1e-4 of the energy.
+    /// If $`|e| > fa/2`$, the first small loads reverse the slip at one end. Under the growing load this region then slips back.
+    /// The remaining effect is less than 1e-4 of the energy.
     ///
     /// # Errors
     /// - [`Error::NotFinite`] if the strain is not finite.
@@ -138,7 +138,7 @@ impl CattaneoMindlinLine {
         self.centre
     }
 
-    /// Returns the traction q on body 1 along x (a pressure) at `x`; zero outside the contact.
+    /// Returns the traction q on body 1 along x (a pressure) at `x`. It is zero outside the contact.
     #[must_use]
     pub fn traction(&self, x: f64) -> f64 {
         let (a, c) = (self.hertz.half_width(), self.stick_half_width());
@@ -151,8 +151,8 @@ impl CattaneoMindlinLine {
         self.held.direction * limit * (dome(x.abs() / a) - inner)
     }
 
-    /// Returns the shift (a length): the rigid motion of body 2 relative to body 1 along x, relative to the
-    /// [datum](crate::Boundary::PeriodicAlongY) d, a length. The displacement due to the strain is zero at x = 0:
+    /// Returns the shift (a length), which is the rigid motion of body 2 relative to body 1 along x. It refers to the
+    /// [datum](crate::Boundary::PeriodicAlongY) d (a length). The displacement due to the strain is zero at x = 0:
     ///
     /// ```math
     /// \delta_x = \pm\frac{\mu P}{\pi E^*}\left[f\left(2\ln\frac{2d}{a} + 1\right) + (1-f)\ln(1-f)

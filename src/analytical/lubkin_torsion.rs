@@ -7,12 +7,11 @@ use super::hertz::{HertzSphere, dome};
 use super::quadrature::integral;
 use crate::error::{Result, finite, positive};
 
-/// A sphere in torsion: a constant normal load, then a twist about the normal that increases
-/// monotonically.
+/// A sphere in torsion. Under a constant normal load, a twist about the normal increases monotonically.
 ///
-/// A disc of radius $`c`$ sticks and rotates rigidly; the ring around it slips. With the complete
-/// elliptic integrals $`K`$ and $`E`$ of the parameter $`m = 1-c^2/a^2`$, the integral $`E(s)`$ of
-/// the parameter $`m = 1-s^2/a^2`$, and the rotation $`\beta`$ of one body relative to the other
+/// A disc of radius $`c`$ sticks and rotates rigidly, and the ring around it slips. The complete elliptic integrals
+/// $`K`$ and $`E`$ have the parameter $`m = 1-c^2/a^2`$, and the integral $`E(s)`$ has the parameter
+/// $`m = 1-s^2/a^2`$. The rotation of one body relative to the other is $`\beta`$:
 ///
 /// ```math
 /// \beta = \frac{\mu p_0}{2G}(K-E), \qquad
@@ -20,9 +19,9 @@ use crate::error::{Result, finite, positive};
 /// q = \frac2\pi\mu p_0\,r\int_c^a \frac{E(s)\,ds}{s\sqrt{s^2-r^2}} \quad (r < c)
 /// ```
 ///
-/// The traction is circumferential and equals $`\mu p`$ in the ring. The centre sticks at any twist; the moment tends
-/// to $`\frac{3\pi}{16}\mu Wa`$. Slip is parallel to the traction, so no component of slip is neglected for any
-/// $`\nu`$. Lubkin (1951); Johnson (1985), section 7.2.
+/// The traction is circumferential and equals $`\mu p`$ in the ring. The centre sticks at any twist. For large twists
+/// the moment tends to $`\frac{3\pi}{16}\mu Wa`$. Slip is parallel to the traction, so no component of slip is
+/// neglected for any $`\nu`$. Lubkin (1951); Johnson (1985), section 7.2.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{HertzSphere, LubkinTorsion}};
@@ -148,8 +147,8 @@ impl LubkinTorsion {
 
 /// Computes $`\ln(c/a)`$ for which $`K-E`$ equals `strain`.
 fn log_stick_ratio(strain: f64) -> f64 {
-    // The derivative of K - E with respect to ln(c/a) is -E, which lies between -pi/2 and -1 and
-    // increases: after the first step Newton's method approaches the root from one side.
+    // The derivative of K - E with respect to ln(c/a) is -E, which lies between -pi/2 and -1 and increases. After the
+    // first step Newton's method therefore approaches the root from one side.
     let mut log_stick = 0.0_f64;
     for _ in 0..60 {
         let Integrals { k, d } = Integrals::of_axis_ratio(log_stick.exp());

@@ -5,11 +5,10 @@ use super::held_force::HeldForce;
 use super::hertz::HertzSphere;
 use crate::error::Result;
 
-/// A sphere in partial slip: a constant normal load, and a tangential force along x with any history.
+/// A sphere in partial slip under a constant normal load and a tangential force along x with any history.
 ///
-/// From zero to $`F_1`$ the solution is [`CattaneoMindlin`]. When the force reverses at $`F_1`$, reverse slip spreads
-/// from the edge, which adds twice the solution for half the change of force. Every later reversal adds another such
-/// term:
+/// From zero to $`F_1`$ the solution is [`CattaneoMindlin`]. When the force reverses at $`F_1`$, reverse slip spreads from
+/// the edge. It adds twice the solution for half the change of force. Every later reversal adds a further term of this form:
 ///
 /// ```math
 /// q = q^{CM}(F_1) + 2\,q^{CM}\!\left(\tfrac{F_2-F_1}{2}\right) + \dots +
@@ -17,10 +16,10 @@ use crate::error::Result;
 /// \delta_x = \delta_x^{CM}(F_1) + \dots + 2\,\delta_x^{CM}\!\left(\tfrac{F-F_n}{2}\right)
 /// ```
 ///
-/// Displacement and slip are superposed in the same way. When the force returns to an earlier reversal, it closes a
-/// loop, and the contact continues as if that loop had not occurred. When the force reaches its greatest magnitude so
-/// far, the contact continues along the first loading. This is the solution of the scalar model, with traction along x
-/// only, for every $`\nu`$. Mindlin and Deresiewicz (1953); Jaeger (1998); Johnson (1985), 7.52-7.57.
+/// Displacement and slip are superposed in the same way. When the force returns to an earlier reversal, it closes a loop.
+/// The contact then continues as if that loop had not occurred. When the force reaches its greatest magnitude so far, the
+/// contact continues along the first loading. This is the solution of the scalar model, with traction along x only, for
+/// every $`\nu`$. Mindlin and Deresiewicz (1953); Jaeger (1998); Johnson (1985), 7.52-7.57.
 ///
 /// ```
 /// use stickslip::analytical::{CattaneoMindlin, HertzSphere, MindlinDeresiewicz};
@@ -52,13 +51,13 @@ pub struct MindlinDeresiewicz {
 }
 
 impl MindlinDeresiewicz {
-    /// Creates the contact `hertz` with the coefficient of friction `friction`, under a tangential force on body 1
-    /// along x that starts at zero and runs through the values of `path` in turn (forces, of either sign). An empty
-    /// path means zero force.
+    /// Creates the contact `hertz` with the coefficient of friction `friction`, under a tangential force on body 1 along x.
+    /// The force starts at zero and passes through the values of `path` in sequence (forces, of either sign). An empty path
+    /// means zero force.
     ///
-    /// Between two values the force changes monotonically; the solution does not depend on the rate or the number of
-    /// steps. A force equal to $`\mu W`$ to within rounding counts as the onset of gross sliding. The coupling between
-    /// pressure and traction of dissimilar bodies is neglected.
+    /// Between two values the force changes monotonically. The solution does not depend on the rate or the number of steps.
+    /// A force equal to $`\mu W`$ to within rounding counts as the onset of gross sliding. The coupling between pressure and
+    /// traction of dissimilar bodies is neglected.
     ///
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not
@@ -189,10 +188,10 @@ struct Closed {
     times: f64,
 }
 
-/// Advances the force from the last of its reversals, `peaks`, removes the peaks that it passes, and returns the loops
-/// that it closes.
+/// Advances the force from the last of its reversals, `peaks`. Removes the peaks that the force passes, and returns the
+/// loops that it closes.
 ///
-/// The first peak is the peak of the first loading; the later peaks are the ends of successively smaller swings.
+/// The first peak is the peak of the first loading. The later peaks are the ends of successively smaller swings.
 fn pass(peaks: &mut Vec<f64>, force: f64) -> Vec<Closed> {
     let mut closed = Vec::new();
     while let Some(last) = peaks.pop() {

@@ -6,7 +6,7 @@ use super::quadrature::integral;
 use crate::bodies::material::ElasticPair;
 use crate::error::{Result, positive};
 
-/// Upper limit of the integration; the remaining part of the integral is below round-off.
+/// Upper limit of the integration. The rest of the integral is below round-off.
 const LENGTH: f64 = 20.0;
 
 /// A flat-ended round punch pressed on a half-space without any slip: the limit of infinite friction.

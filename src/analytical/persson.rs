@@ -15,10 +15,10 @@ use crate::error::{Result, non_negative, positive};
 /// P = \frac{\bar p}{E^*g}
 /// ```
 ///
-/// For light loads $`A/A_0 \to \kappa P`$: the area is proportional to the load. Persson's theory gives $`\kappa =
-/// \sqrt{8/\pi}`$, the [`AREA_COEFFICIENT`](Self::AREA_COEFFICIENT). The theory of Bush, Gibson and Thomas, for light
-/// loads, gives $`\sqrt{2\pi}`$; simulations give values of 2.0 to 2.2. The slope $`g`$ is the areal slope $`\langle
-/// z_x^2+z_y^2\rangle^{1/2}`$ (Sdq), $`\sqrt2`$ times the slope of a profile of an isotropic surface.
+/// For light loads $`A/A_0 \to \kappa P`$: the area is proportional to the load. Persson's theory gives
+/// $`\kappa = \sqrt{8/\pi}`$, the [`AREA_COEFFICIENT`](Self::AREA_COEFFICIENT). The theory of Bush, Gibson and Thomas for light
+/// loads gives $`\sqrt{2\pi}`$. Simulations give values of 2.0 to 2.2. The slope $`g`$ is the areal slope
+/// $`\langle z_x^2+z_y^2\rangle^{1/2}`$ (Sdq), $`\sqrt2`$ times the slope of a profile of an isotropic surface.
 ///
 /// The fraction is a mean over infinite surfaces whose shortest waves are resolved. A single sample on a coarse mesh
 /// can have far more cells in contact. Persson (2001); Bush, Gibson and Thomas (1975).

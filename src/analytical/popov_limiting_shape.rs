@@ -10,8 +10,8 @@ use crate::error::{Result, at_least, non_negative, positive};
 /// Limiting shape of a paraboloid of revolution worn by small oscillations at a constant approach, after wear has
 /// ceased.
 ///
-/// The stick disc of radius $`c`$ does not wear. The ring around it wears until it carries no pressure and the surfaces
-/// just touch there. With the initial gap $`r^2/2R`$ and the approach $`d`$, the gap without load is then
+/// The stick disc of radius $`c`$ does not wear. The ring around the disc wears until it carries no pressure and the surfaces
+/// just touch. With the initial gap $`r^2/2R`$ and the approach $`d`$, the gap without load is then
 ///
 /// ```math
 /// f(r) = \frac2\pi\left\{\frac1R\left[\frac{r^2}{2}\arcsin\frac cr -
@@ -56,7 +56,7 @@ pub struct PopovLimitingShape {
 
 impl PopovLimitingShape {
     /// Creates the limiting shape of a paraboloid of radius `radius` at the approach `approach`, with a stick disc of
-    /// radius `stick_radius` (lengths). A stick radius of zero means gross sliding; no load then remains.
+    /// radius `stick_radius` (lengths). A stick radius of zero means gross sliding, under which no load remains.
     ///
     /// # Errors
     /// - [`Error::NotPositive`](crate::Error::NotPositive) if the radius, the approach or the contact radius $`a`$ is
@@ -191,7 +191,7 @@ impl PopovLimitingShape {
 }
 
 /// Computes the angle $`t`$ in $`[0, \pi]`$ at which $`2t\cos^2\frac t2/(t+\sin t)`$ equals $`c^2/a^2`$, the square of
-/// `stick`. The function decreases from one to zero; `ring` is $`1-c^2/a^2`$.
+/// `stick`. The function decreases from one to zero. `ring` is $`1-c^2/a^2`$.
 fn meeting_angle(stick: f64, ring: f64) -> f64 {
     let lies_beyond = |t: f64| {
         let sum = t + t.sin();

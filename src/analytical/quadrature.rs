@@ -22,7 +22,7 @@ pub(super) fn integral(length: f64, integrand: impl Fn(f64) -> f64) -> f64 {
 /// Longest panel. The nearest singularity is then four half panels away, and eight nodes are exact to 1e-14.
 const LONGEST_PANEL: f64 = 0.5;
 
-/// Positive nodes of the Gauss-Legendre rule on `[-1, 1]` and their weights; the negative nodes have the same weights.
+/// Positive nodes of the Gauss-Legendre rule on `[-1, 1]` and their weights. The negative nodes have the same weights.
 const GAUSS_8: [[f64; 2]; 4] = [
     [0.1834346424956498, 0.362683783378362],
     [0.525532409916329, 0.3137066458778873],

@@ -7,9 +7,9 @@ use crate::error::{Result, non_negative, positive};
 
 /// A rough sphere pressed on a half-space: the fraction of the Hertz circle in real contact.
 ///
-/// At a point where the pressure of the smooth sphere is $`p`$, the fraction
-/// $`\operatorname{erf}(\frac{\sqrt\pi}{2}\kappa\,p/E^*g)`$ of the area is in contact, with $`g`$ the root mean square
-/// of the slope. The average of this fraction over the Hertz circle is, with the reduced pressure $`P`$,
+/// Let $`p`$ be the pressure of the smooth sphere at a point, and $`g`$ the root mean square of the slope. At this
+/// point the fraction $`\operatorname{erf}(\frac{\sqrt\pi}{2}\kappa\,p/E^*g)`$ of the area is in contact. The average
+/// of this fraction over the Hertz circle is, with the reduced pressure $`P`$,
 ///
 /// ```math
 /// A_r = \int_0^1 \operatorname{erf}(B\sqrt t)\,dt =
@@ -156,8 +156,8 @@ fn mean_erf(b: f64) -> f64 {
     }
 }
 
-/// Argument below which the series converges to round-off within [`TERMS`] terms; above it the closed form has no
-/// cancellation.
+/// Argument below which the series converges to round-off within [`TERMS`] terms. Above this argument the closed form
+/// has no cancellation.
 const SERIES_BELOW: f64 = 1.0;
 const TERMS: u32 = 18;
 

@@ -30,7 +30,8 @@ pub(crate) fn hyperbolic_sine_minus_arc(t: f64) -> f64 {
     }
 }
 
-/// Angle below which the series converges to round-off within [`TERMS`] terms; above it less than one digit cancels.
+/// Angle below which the series converges to round-off within [`TERMS`] terms. Above this angle less than one digit
+/// cancels.
 const SERIES_BELOW: f64 = 1.0;
 const TERMS: u32 = 8;
 

@@ -6,8 +6,8 @@ use crate::error::{Result, non_negative};
 
 /// Size of the stick zone of bodies of different materials that are pressed together by a growing normal load alone.
 ///
-/// Coupling makes the surfaces slip inwards near the edge of the contact, of radius or half-width $`a`$; the part within
-/// $`c = ka`$ sticks. If shear does not change the pressure (Goodman's assumption,
+/// The contact has the radius or half-width $`a`$. Coupling makes the surfaces slip inwards near the edge, and the zone
+/// within $`c = ka`$ sticks. If shear does not change the pressure (Goodman's assumption,
 /// [`Coupling::OneWay`](crate::Coupling::OneWay)), then
 ///
 /// ```math

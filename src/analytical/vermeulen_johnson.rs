@@ -7,18 +7,18 @@ use crate::error::{Error, Result, finite, positive};
 /// Creep forces of an elliptic contact that rolls along x, without spin: the curve of Vermeulen and Johnson with
 /// Kalker's initial slope.
 ///
-/// With the semi-axes a along x and b along y, and [`KalkerCoefficients`] for the forces
-/// $`f = G a b\,(C_{11}\xi,\ C_{22}\eta)`$ without slip, the creepages cause
+/// The semi-axes are a along x and b along y. Without slip, the forces would be $`f = G a b\,(C_{11}\xi,\ C_{22}\eta)`$ with
+/// the [`KalkerCoefficients`]. The creepages cause
 ///
 /// ```math
 /// F = \mu P \left[1 - \left(1 - \tfrac13 x\right)^3\right] \frac{f}{|f|}, \qquad x = \frac{|f|}{\mu P} ,
 /// ```
 ///
-/// and $`\mu P`$ for $`x \ge 3`$. A positive creepage moves body 2 along the axis over body 1 and causes a positive
-/// force on body 1, as in [`rolling`](crate::rolling). The curve assumes an elliptic stick zone that touches the
-/// leading edge of the contact at one point, which is an approximation. For a sphere, $`\nu = 0.25`$ and a creepage
-/// along x, the curve is below the [computed](crate::rolling::RollingProblem) force by 0.8 % at x = 0.3, by 2.3 % at x
-/// = 1 and by 1.8 % at x = 2. For a steel ellipse with a = b/2 the difference is up to 3.4 %.
+/// and $`\mu P`$ for $`x \ge 3`$. A positive creepage moves body 2 along the axis over body 1 and causes a positive force on
+/// body 1, as in [`rolling`](crate::rolling). The curve assumes an elliptic stick zone that touches the leading edge of the
+/// contact at one point, which is an approximation. For a sphere with $`\nu = 0.25`$ and a creepage along x, the curve is below
+/// the [computed](crate::rolling::RollingProblem) force. The difference is 0.8 % at x = 0.3, 2.3 % at x = 1 and 1.8 % at x = 2.
+/// For a steel ellipse with a = b/2 the difference is up to 3.4 %.
 ///
 /// P. J. Vermeulen and K. L. Johnson, J. Appl. Mech. 31 (1964) 338-340, <https://doi.org/10.1115/1.3629610>, for bodies of
 /// [`dundurs_beta`](crate::ElasticPair::dundurs_beta) zero; Johnson (1985), section 8.4.

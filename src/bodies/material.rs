@@ -25,11 +25,11 @@ const UNCOUPLED: f64 = 1e-12;
     serde(try_from = "RawMaterial")
 )]
 pub struct Material {
-    /// Young's modulus; infinite for a rigid body.
+    /// Young's modulus, infinite for a rigid body.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     youngs_modulus: f64,
     poisson_ratio: f64,
-    /// Hardness; infinite if none is stated.
+    /// Hardness, infinite if none is stated.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     hardness: f64,
     #[cfg_attr(feature = "serde", serde(rename = "layers"))]
@@ -154,7 +154,7 @@ impl Material {
         Ok(self)
     }
 
-    /// Returns the layers of a coated body, the outermost first; empty for a homogeneous body.
+    /// Returns the layers of a coated body, the outermost first. A homogeneous body has no layers.
     #[must_use]
     pub fn layers(&self) -> &[Layer] {
         self.coating.layers()
@@ -205,25 +205,25 @@ impl Material {
         self.youngs_modulus.is_infinite() && !self.is_coated()
     }
 
-    /// Returns Young's modulus `E` (a pressure); infinite for a rigid body.
+    /// Returns Young's modulus `E` (a pressure), which is infinite for a rigid body.
     #[must_use]
     pub fn youngs_modulus(&self) -> f64 {
         self.youngs_modulus
     }
 
-    /// Returns the shear modulus `G = E / (2 (1 + nu))` (a pressure); infinite for a rigid body.
+    /// Returns the shear modulus `G = E / (2 (1 + nu))` (a pressure), which is infinite for a rigid body.
     #[must_use]
     pub fn shear_modulus(&self) -> f64 {
         1.0 / self.compliance()
     }
 
-    /// Returns Poisson's ratio; zero for a rigid body, for which it has no effect.
+    /// Returns Poisson's ratio. It is zero for a rigid body, for which it has no effect.
     #[must_use]
     pub fn poisson_ratio(&self) -> f64 {
         self.poisson_ratio
     }
 
-    /// Returns `1/G`; zero for a rigid body.
+    /// Returns `1/G`, or zero for a rigid body.
     fn compliance(&self) -> f64 {
         2.0 * (1.0 + self.poisson_ratio) / self.youngs_modulus
     }
@@ -518,8 +518,8 @@ impl ElasticPair {
         2.0 / self.compliances.normal
     }
 
-    /// Returns the tangential modulus `G*`, `1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2` (a pressure), as in the stiffness
-    /// `8 G* a` of Johnson and Mindlin for a sticking circular contact of radius `a`.
+    /// Returns the tangential modulus `G*` (a pressure), with `1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2`. It is the
+    /// modulus in the stiffness `8 G* a` of Johnson and Mindlin for a sticking circular contact of radius `a`.
     #[must_use]
     pub fn tangential_modulus(&self) -> f64 {
         1.0 / (2.0 * self.compliances.normal + self.compliances.lateral)

@@ -1,10 +1,10 @@
-//! The exact minimum on a small grid, by pivoting between active sets that are each solved by Cholesky
+//! Exact minimum on a small grid, by pivoting between active sets. The equations of an active set are solved by Cholesky
 //! factorisation.
 //!
-//! For a given multiplier the method is block principal pivoting with Murty's single pivots as a fallback (Judice &
-//! Pires, Computers & Operations Research 21 (1994) 587, <https://doi.org/10.1016/0305-0548(94)90106-6>). It terminates
-//! for every symmetric positive definite matrix. A prescribed total gives one equation for the multiplier, whose
-//! left-hand side is increasing and piecewise linear. This equation is solved by Newton's method between brackets.
+//! For a given multiplier the method is block principal pivoting, with Murty's single pivots as a fallback (Judice & Pires,
+//! Computers & Operations Research 21 (1994) 587, <https://doi.org/10.1016/0305-0548(94)90106-6>). It terminates for every
+//! symmetric positive definite matrix. A prescribed total gives one equation for the multiplier, whose left-hand side is
+//! increasing and piecewise linear. This equation is solved by Newton's method between brackets.
 
 use faer::linalg::cholesky::llt::factor::LltError;
 use faer::linalg::solvers::{Llt, Solve};
@@ -22,7 +22,7 @@ use crate::report::{Report, Status};
 pub struct DenseMinimum {
     /// Unknowns.
     pub x: Vec<f64>,
-    /// Multiplier of the total; zero if no total is prescribed.
+    /// Multiplier of the total, or zero if no total is prescribed.
     pub multiplier: f64,
 }
 
@@ -202,7 +202,7 @@ impl ActiveSetSearch<'_> {
             .collect()
     }
 
-    /// Solves the equations of the free entries; the other entries are at their bounds.
+    /// Solves the equations of the free entries. The other entries are at their bounds.
     fn solve_free(&self, multiplier: f64) -> Result<Vec<f64>> {
         let mut x: Vec<f64> = (self.marks.iter().zip(&self.bounds))
             .map(|(mark, [lower, upper])| match mark {

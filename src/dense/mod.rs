@@ -137,7 +137,7 @@ impl DenseOperator {
         (0..self.len).find(|&i| (0..i).any(|j| differ(i, j)))
     }
 
-    /// Returns the smallest eigenvalue minus round-off; zero if the matrix is not symmetric positive definite.
+    /// Returns the smallest eigenvalue minus round-off, or zero if the matrix is not symmetric positive definite.
     fn smallest_eigenvalue(&self) -> f64 {
         if self.first_asymmetric_row().is_some() {
             return 0.0;
@@ -176,8 +176,8 @@ impl Operator for DenseOperator {
         }
     }
 
-    /// Returns the smallest eigenvalue, computed at the first call; zero if the matrix is not symmetric positive
-    /// definite.
+    /// Returns the smallest eigenvalue, or zero if the matrix is not symmetric positive definite. The value is
+    /// computed at the first call.
     fn lower_bound(&self) -> f64 {
         *self.lower_bound.get_or_init(|| self.smallest_eigenvalue())
     }

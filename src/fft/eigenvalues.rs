@@ -29,9 +29,9 @@ pub(super) fn inverse_above<const N: usize>(matrix: [[f64; N]; N], floor: f64) -
     })
 }
 
-/// Returns the strength of the coupling of the first component with the other two: $`\sqrt{b' T^{-1} b / a}`$ for a
-/// matrix with the blocks a, b and T. The value is less than one if the matrix is positive definite, and infinite if a
-/// or T is not positive definite.
+/// Returns the strength of the coupling of the first component with the other two. For a matrix with the blocks a, b
+/// and T it is $`\sqrt{b' T^{-1} b / a}`$. The value is less than one if the matrix is positive definite, and infinite
+/// if a or T is not positive definite.
 pub(super) fn coupling(matrix: [[f64; 3]; 3]) -> f64 {
     let [[a, x, y], [_, xx, xy], [_, _, yy]] = matrix;
     let determinant = xx * yy - xy * xy;

@@ -76,9 +76,9 @@ impl<T: Real> Plan<T> {
         self.transpose_tiles(share, [from, to], sent, received, None, spare);
     }
 
-    /// Transfers tiles from one order to the other. `sent` and `received` return the columns and rows of the tiles that
-    /// go to a rank and come from a rank. If `occupied` is given, one bit per band is sent first, and only the bands
-    /// that are not zero follow.
+    /// Transfers tiles from one order to the other. `sent` returns the columns and rows of the tiles that go to a rank.
+    /// `received` returns the columns and rows of the tiles that come from a rank. If `occupied` is given, one bit per
+    /// band is sent first. Only the nonzero bands follow.
     fn transpose_tiles(
         &self,
         share: &RowPartition,
@@ -238,7 +238,7 @@ fn fill(tiles: &mut [Tile], words: &[u64]) {
     });
 }
 
-/// Runs the work in parallel on the data of the given number of tiles.
+/// Runs the work in parallel on the given number of tiles.
 fn in_tasks<'a, T: Send>(tiles: usize, data: Blocks<'a, T>, work: &Work<'_, Blocks<'a, T>, ()>) {
     parallel::sweep(0..tiles.div_ceil(TASK_TILES), data, work, &|(), ()| ());
 }

@@ -10,7 +10,7 @@ pub(super) fn torus(size: [usize; 2], repeats: [bool; 2]) -> [usize; 2] {
 
 /// Returns the even length `2^a 3^b 5^c >= least` with the cheapest transform (1 for `least <= 1`).
 ///
-/// The result never decreases when `least` increases: the cheapest length for a smaller `least` remains the cheapest while
+/// The result never decreases when `least` increases. The cheapest length for a smaller `least` remains the cheapest while
 /// it is sufficient.
 pub(crate) fn smooth_length(least: usize) -> usize {
     if least <= 1 {
@@ -50,8 +50,8 @@ fn cost(n: usize) -> f64 {
 mod tests {
     use super::*;
 
-    /// Checks monotonicity: coarser grids and windows use the samples of the whole grid, so a shorter torus must not reach
-    /// further than a longer one.
+    /// Checks that the length never decreases. Coarser grids and windows use the samples of the whole grid, so the torus
+    /// of a smaller grid must not be longer than the torus of a larger grid.
     #[test]
     fn lengths_suffice_and_grow_with_what_is_asked() {
         let mut last = 1;

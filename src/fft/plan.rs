@@ -138,12 +138,12 @@ impl<T: Real> Plan<T> {
         }
     }
 
-    /// Returns whether fields are a single row on one process, so that columns need no transform.
+    /// Returns whether fields are a single row on one process. Their columns need no transform.
     fn is_line(&self) -> bool {
         self.frame.torus[1] == 1 && self.frame.share.is_none()
     }
 
-    /// Creates the tiles for products; a line needs none.
+    /// Creates the tiles for products. A line needs no tiles.
     ///
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
@@ -187,8 +187,8 @@ impl<T: Real> Plan<T> {
         })
     }
 
-    /// Computes `out = inverse(symbol * forward(x))`; all fields are `nx` x `ny`. The input and the output are
-    /// multiplied by `scales`.
+    /// Computes `out = inverse(symbol * forward(x))` for fields of `nx` x `ny` cells. The input and the output are multiplied by
+    /// `scales`.
     pub(super) fn convolve<const N: usize>(
         &self,
         symbol: &Symbol<T, N>,

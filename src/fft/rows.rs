@@ -1,5 +1,5 @@
-//! Transforms of the rows of one field. Two real rows are transformed together as the real and imaginary parts of one
-//! complex row with the waves `Z = A + i B`. The waves of the real rows are
+//! Transforms of the rows of one field. Two real rows are the real and imaginary parts of one complex row, whose waves
+//! are `Z = A + i B`. The waves of the real rows are
 //!
 //! ```math
 //! 2 A_k = Z_k + \overline{Z_{m-k}}, \qquad 2 B_k = -i \bigl(Z_k - \overline{Z_{m-k}}\bigr) .
@@ -41,8 +41,8 @@ impl<T: Real> Plan<T> {
         })
     }
 
-    /// Returns the distance between pairs of rows in scratch memory. The distance is never a power of two, for which
-    /// all pairs would map to the same cache sets.
+    /// Returns the distance between pairs of rows in scratch memory. The distance is never a power of two, because all
+    /// pairs would then map to the same cache sets.
     fn row_stride(&self) -> usize {
         (self.frame.torus[0] + 1).next_multiple_of(T::TILE_COLUMNS) + T::TILE_COLUMNS
     }
@@ -191,7 +191,7 @@ impl<T: Real> Plan<T> {
         let rows = output.chunks_mut(2 * self.frame.size[0]);
         let waves = &mut pairs[..rows.len() * stride];
         for (tile, columns) in band.iter().zip(self.columns_of_tiles()) {
-            // The part of a tile beyond the last row is undefined.
+            // The values of a tile beyond the last row are undefined.
             let pairs = tile.of::<T>()[..numbers].chunks_exact(2 * T::TILE_COLUMNS);
             let lone = pairs.remainder();
             let mut waves = waves.chunks_exact_mut(stride);

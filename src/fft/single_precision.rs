@@ -96,7 +96,7 @@ fn largest_magnitude<const N: usize>(layout: &Layout, x: [&[f64]; N]) -> f64 {
     layout.fold(leaf, larger)
 }
 
-/// Returns the maximum over one slice; lanes allow vector comparisons.
+/// Returns the maximum over one slice. The slice is divided into lanes for vector comparisons.
 fn largest_of(x: &[f64]) -> f64 {
     let mut lanes = [0.0; 8];
     let groups = x.chunks_exact(8);

@@ -20,8 +20,9 @@ pub(super) struct StridedLines<'a> {
     pub(super) entry: Range<usize>,
 }
 
-/// Writes the transform of a kernel on the `mx` x `my` torus of a frame, or the imaginary part of the transform,
-/// multiplied by `sign`. Each local wave number along x, of `0..=mx/2`, has a line of `my / 2 + 1` numbers.
+/// Writes the transform of a kernel on the `mx` x `my` torus of a frame, multiplied by `sign`. For an imaginary
+/// transform it writes the imaginary part. Each local wave number along x, of `0..=mx/2`, has a line of `my / 2 + 1`
+/// numbers.
 ///
 /// # Errors
 /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
@@ -57,9 +58,10 @@ pub(super) fn transform(
 /// Transforms a kernel whose samples reach at least half around the torus. `row` writes the samples of one distance
 /// along y.
 ///
-/// Along an axis the sample `d` of the torus is the sample at distance `min(d, m - d)`, with the sign that the parity
-/// of the kernel requires. An odd kernel vanishes halfway around the torus. If the rows of the samples are distributed,
-/// each rank transforms its own rows along x and its own columns along y. A collective exchange takes place in between.
+/// Along an axis of `m` samples, sample `d` of the torus is the kernel at the distance `min(d, m - d)`. The parity of
+/// the kernel determines its sign. An odd kernel vanishes halfway around the torus. If the rows of the samples are
+/// distributed, each rank transforms its own rows along x and its own columns along y. Between the two transforms the
+/// ranks exchange the samples collectively.
 ///
 /// # Errors
 /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
@@ -122,9 +124,9 @@ pub(super) fn of_samples(
 /// Number of lines whose samples are computed together: the numbers in a cache line.
 const AT_ONCE: usize = 8;
 
-/// Computes for each line the cosine (even) or sine (odd) sums `sum_d f(line, d) e^(2 pi i k d/m)` for `k = 0..=m/2`,
-/// with the samples wrapped around a circle of `m`. `sample` writes the samples `d = 0..=m/2` of some lines, line by
-/// line.
+/// Computes the sums `sum_d f(line, d) e^(2 pi i k d/m)` of each line for `k = 0..=m/2`, with the samples wrapped
+/// around a circle of `m`. They are cosine sums for an even kernel and sine sums for an odd kernel. `sample` writes the
+/// samples `d = 0..=m/2` of some lines, line by line.
 fn half_transforms(
     m: usize,
     is_odd: bool,

@@ -34,12 +34,11 @@ pub(crate) struct Superposition {
     is_loaded: bool,
 }
 
-/// Torus on which fields of some cells are convolved, and the quarter of its spectrum for which kernels are given:
-/// `[along x, along y]`.
+/// Torus on which fields of a given size are convolved. Kernels are given for one quarter of its spectrum.
 #[derive(Debug, Clone)]
 pub(crate) struct Torus {
     frame: TorusLayout,
-    /// Partition of the distances along y over the ranks; `None` for a single process.
+    /// Partition of the distances along y over the ranks, or `None` for a single process.
     distances: Option<Arc<RowPartition>>,
 }
 
@@ -79,9 +78,9 @@ impl Torus {
         self.frame.own_columns()
     }
 
-    /// Returns the spectrum of a kernel sampled by `at(i, j)` at the distances of a quarter, or its imaginary part if
-    /// the kernel is odd in one axis. The result contains the waves along y for each wave along x that this rank
-    /// multiplies, consecutively. `at` is called for the [local distances](Self::own_distances) along y.
+    /// Returns the spectrum of a kernel, or its imaginary part if the kernel is odd in one axis. `at(i, j)` samples the
+    /// kernel at the distances of a quarter. It is called for the [local distances](Self::own_distances) along y. The
+    /// result contains the waves along y for each wave along x that this rank multiplies.
     ///
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
@@ -164,7 +163,7 @@ impl Superposition {
         })
     }
 
-    /// Loads and transforms the fields, each times its factor; `None` is a field of zeros.
+    /// Loads and transforms the fields, each times its factor. `None` means a field of zeros.
     pub(crate) fn load(&mut self, fields: [Option<&[f64]>; 3], factors: [f64; 3]) {
         let Self {
             plan,

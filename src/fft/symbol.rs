@@ -18,14 +18,14 @@ use crate::parallel;
 /// Two-dimensional transform of a tensor of kernels of known parity, wrapped around an `mx` x `my` torus. It is a Hermitian N x
 /// N matrix for every wave, or any single kernel for N = 1.
 ///
-/// A kernel that is even in both axes, or odd in both, has a real spectrum. A kernel that is odd in one axis has an imaginary
+/// A kernel that is even in both axes or odd in both axes has a real spectrum. A kernel that is odd in one axis has an imaginary
 /// spectrum. The other three quarters of the plane follow from the parity. An imaginary entry couples an in-plane direction with
-/// the normal. A diagonal matrix D with entries 1 and i therefore gives the matrix of a wave as `A = D S D*` with S real and
-/// symmetric. The matrices take N (N + 1)/2 real numbers per wave of one quarter. Each of these numbers takes 8 bytes per cell
-/// of the unpadded grid.
+/// the normal. The matrix of a wave is therefore `A = D S D*`, where S is real and symmetric and D is a diagonal matrix with
+/// entries 1 and i. The matrices take N (N + 1)/2 real numbers per wave of one quarter. Each of these numbers takes 8 bytes per
+/// cell of the unpadded grid.
 #[derive(Debug, Clone)]
 pub(super) struct Symbol<T, const N: usize> {
-    /// Values of S: for each local column of `0..=mx/2` and each entry of the upper triangle, row by row, `my / 2 + 1` values.
+    /// Values of S. Each local column of `0..=mx/2` has `my / 2 + 1` values for each entry of the upper triangle, row by row.
     values: Vec<T>,
     /// First local column.
     first: usize,
@@ -63,7 +63,7 @@ impl<const N: usize> Parity<N> {
         }
     }
 
-    /// Returns whether the values of an entry of S are the negatives of its spectrum, or of the imaginary part of its spectrum.
+    /// Returns whether the values of an entry of S are the negatives of its real or imaginary spectrum.
     ///
     /// The transform A of an imaginary entry is i times its values. S is -i A if row i is rotated, and i A if column j is
     /// rotated.
@@ -181,8 +181,8 @@ impl<const N: usize> Symbol<f64, N> {
         self.frame.over_ranks(own, f64::min)
     }
 
-    /// Replaces the matrix of the mean by the matrix of the longest wave along x, if all columns are local and at least two
-    /// exist.
+    /// Replaces the matrix of the mean by the matrix of the longest wave along x. This requires that all columns are local and
+    /// that there are at least two.
     pub(super) fn with_mean_of_longest_wave(mut self) -> Self {
         let stride = self.shape.stride();
         if self.first == 0 && self.values.len() >= 2 * stride {
@@ -246,7 +246,7 @@ impl<const N: usize> Symbol<f64, N> {
 }
 
 impl Symbol<f64, 3> {
-    /// Returns the strongest [coupling] of the first component with the others over all waves for which it is defined.
+    /// Returns the largest [coupling] of the first component with the others, over all waves for which the coupling is defined.
     pub(super) fn coupling(&self) -> f64 {
         let SymbolShape { height, .. } = self.shape;
         let of_wave = |wave: usize| {

@@ -7,8 +7,8 @@ use crate::error::Result;
 use crate::fft::precision::Real;
 use crate::memory::fallible::{self, try_each};
 
-/// Number of rows of a tile. It is even because rows are transformed in pairs. With two cache lines per row, a tile is
-/// long enough for efficient memory access and small enough to be transposed in the cache.
+/// Number of rows of a tile. It is even because rows are transformed in pairs. A row of a tile occupies two cache lines,
+/// which is sufficient for efficient memory access. The tile is small enough to be transposed in the cache.
 pub(super) const TILE_ROWS: usize = 16;
 
 /// Number of words of a tile, in either precision.

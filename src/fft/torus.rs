@@ -13,12 +13,12 @@ pub(super) struct TorusLayout {
     /// Number of cells of a field, `[along x, along y]`, over all ranks.
     pub(super) size: [usize; 2],
     pub(super) torus: [usize; 2],
-    /// Partition of the rows over the ranks; `None` for a single process.
+    /// Partition of the rows over the ranks, or `None` for a single process.
     pub(super) share: Option<Arc<RowPartition>>,
 }
 
-/// Step of the number of columns of waves of a rank. The number is a multiple of this step, so that tiles of both
-/// precisions are whole.
+/// Divisor of the number of columns of waves of a rank. No tile of either precision is therefore split between
+/// ranks.
 const COLUMN_STEP: usize = 16;
 
 impl TorusLayout {

@@ -9,8 +9,8 @@ use crate::parallel::reduce;
 
 /// Lower bound of the energy of a traction component whose sum is not zero.
 ///
-/// The unit vector e of a uniform traction and tractions w without a mean span all tractions. For a given vector z
-/// without a mean, let $`u = e - z`$, $`\sigma = u' C u`$, and let $`\rho`$ be the part of $`C u`$ without a mean. With
+/// The unit vector e of a uniform traction and tractions w without a mean span all tractions. Let z be a given vector
+/// without a mean, $`u = e - z`$, and $`\sigma = u' C u`$. Let $`\rho`$ be $`C u`$ minus its mean. With
 /// $`w = v - \xi z`$ and the least eigenvalue $`\lambda`$ of the tractions without a mean,
 ///
 /// ```math
@@ -18,8 +18,8 @@ use crate::parallel::reduce;
 /// ```
 ///
 /// The right-hand side is positive if $`\sigma \lambda > |\rho|^2`$. For the traction of a flat punch as wide as the
-/// grid, $`\rho`$ vanishes. Conjugate gradients approximate this traction. For this traction the bound is sharp: the
-/// compliance is positive definite if and only if the approach of this punch is positive. A change of the datum changes
+/// grid, $`\rho`$ vanishes. Conjugate gradients approximate this traction. The bound is sharp for this traction: the
+/// compliance is positive definite if and only if the approach of the punch is positive. A change of the datum changes
 /// only $`\sigma`$.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct UniformWave {

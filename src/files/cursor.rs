@@ -30,7 +30,7 @@ impl<'a> Cursor<'a> {
         &self.bytes[self.position..]
     }
 
-    /// Reads the next `count` bytes; `what` describes them in the error.
+    /// Reads the next `count` bytes. `what` describes them in the error.
     pub(crate) fn take(&mut self, what: &str, count: usize) -> Result<&'a [u8]> {
         let Some((taken, _)) = self.rest().split_at_checked(count) else {
             let (start, found) = (self.position, self.rest().len());
@@ -107,7 +107,7 @@ impl NumberFormat {
         }
     }
 
-    /// Decodes all numbers stored in `bytes`; 64-bit integers are rounded.
+    /// Decodes all numbers stored in `bytes`. 64-bit integers are rounded.
     pub(crate) fn decode(self, order: ByteOrder, bytes: &[u8]) -> Vec<f64> {
         match self {
             Self::I8 => map(order, bytes, |b| f64::from(i8::from_le_bytes(b))),
@@ -124,7 +124,7 @@ impl NumberFormat {
     }
 }
 
-/// Decodes every `N` bytes as a number; `number` receives the bytes with the least significant byte first.
+/// Decodes every `N` bytes as a number. `number` receives the bytes with the least significant byte first.
 fn map<const N: usize>(
     order: ByteOrder,
     bytes: &[u8],

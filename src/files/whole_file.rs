@@ -1,4 +1,4 @@
-//! Files that are written by one process or by ranks together and receive their names when they are complete.
+//! Files that receive their names when they are complete. They are written by one process or by several ranks together.
 
 use std::fs::{File, OpenOptions};
 use std::io::{ErrorKind, Result as IoResult, Write};
@@ -81,13 +81,14 @@ impl Drop for PartialFile<'_> {
     }
 }
 
-/// Replaces a file completely or not at all: a temporary file next to the target is renamed to the target once its content is on
-/// the disk. A process that is killed in the meantime leaves the temporary file `NAME.PID.NUMBER.part`.
+/// Replaces a file completely or not at all. The content is written to a temporary file next to the target. This file is renamed
+/// to the target once its content is on the disk. A process that is killed in the meantime leaves the temporary file
+/// `NAME.PID.NUMBER.part`.
 pub(crate) fn replace_bytes(path: &Path, bytes: &[u8]) -> Result<()> {
     replace(path, None, |file| file.write_all(bytes))
 }
 
-/// Replaces a file like [`replace_bytes`], with every rank writing its part of the file.
+/// Replaces a file like [`replace_bytes`]. Every rank writes its part of the file.
 pub(crate) fn replace(
     path: &Path,
     team: Option<&RankGroup>,

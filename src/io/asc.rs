@@ -1,5 +1,5 @@
-//! ASC, the text export of SPIP and Gwyddion: a matrix in text after a header with lines such as `# key = value` (SPIP)
-//! or `# Width: 10 um` (Gwyddion).
+//! ASC, the text export of SPIP and Gwyddion: a header and a matrix in text. Lines of the header have the form `# key = value`
+//! (SPIP) or `# Width: 10 um` (Gwyddion).
 //!
 //! Heights and cell sides are in metres. Rows are ordered towards larger y.
 
@@ -41,16 +41,17 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 ///
 /// The first line is `# File Format = ASCII`. The keys `x-pixels` and `y-pixels` give the numbers of columns and rows.
 /// The keys `x-length` and `y-length` give the sides of the whole surface in nanometres. Heights are in the unit given
-/// by `z-unit`, or in multiples of `Bit2nm` nanometres. Numbers are separated as in [`csv`](super::csv::parse); line
-/// breaks have no meaning.
+/// by `z-unit`, or in multiples of `Bit2nm` nanometres. Numbers are separated as in [`csv`](super::csv::parse). Line breaks only
+/// separate numbers.
 ///
 /// Missing points become NaN. If `voidpixels` is not zero, a mask of equal size follows the heights. The mask is
 /// nonzero for each missing point and zero for the other points. Some programs write the value of missing heights as
-/// `voidpixels`. The key is interpreted in this way if no mask follows and if its value cannot be a number of points. A
-/// comment with the value of missing points, as in [`csv`](super::csv::parse), is also respected.
+/// `voidpixels`. The key is interpreted in this way if no mask follows and if its value cannot be a number of points. A comment
+/// may also give the value of missing points, as in [`csv`](super::csv::parse).
 ///
-/// The function also reads the text export of Gwyddion. Its comments `# Width: 10.0 um` and `# Height: 4.0 um` are the sides of
-/// the whole surface, and `# Value units: nm` is the unit of the heights. The matrix follows as in [`csv`](super::csv::parse).
+/// The function also reads the text export of Gwyddion. Its comments `# Width: 10.0 um` and `# Height: 4.0 um` give the sides of
+/// the whole surface, and `# Value units: nm` gives the unit of the heights. The matrix follows as in
+/// [`csv`](super::csv::parse).
 ///
 /// # Errors
 /// - [`Error::Format`] if the bytes are not an ASC file, a key is missing, a unit is unknown, or the number of heights is wrong.

@@ -1,7 +1,7 @@
 //! CSV and other matrices in text, with one row per line.
 //!
 //! Lines are ordered towards larger y. The file contains neither cell sides nor a unit. Points in three columns are a
-//! different format, [`xyz`](super::xyz); this module would read them as a matrix of width three. A matrix after a
+//! different format, [`xyz`](super::xyz). This module would read them as a matrix with three columns. A matrix after a
 //! header of SPIP is also a different format, [`asc`](super::asc).
 
 use std::fmt::Write;
@@ -75,7 +75,7 @@ impl Options {
         self
     }
 
-    /// Declares that the file has no labels: a first line or column that counts 0, 1, 2 contains heights.
+    /// Declares that the file has no labels. A first line or column that counts 0, 1, 2 then contains heights.
     ///
     /// Without this option, such a line or column is rejected.
     pub fn without_labels(mut self) -> Self {
@@ -352,17 +352,19 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 ///   in this order, that occurs in the first line. Commas within numbers in white space (`1,5 2,5`) are decimal commas.
 /// - A decimal comma counts as a point unless commas separate the cells.
 /// - Blank lines and lines that begin with `#` or `%` are skipped. A comment such as `# missing value = -32768` or
-///   `# NODATA_value: -9999` sets the value of missing points. It consists of `missing value`, `no data`,
-///   `no data value`, `bad value`, `invalid value` or `void value` (in any case and with any separators of words), then
-///   `=` or `:` and a single number. Any other comment is ignored; use [`Options::missing`] if it contains the value of
-///   missing points.
-/// - A cell is missing (NaN) if it is empty, consists of stars (`***`), or is one of these words in upper or lower
-///   case: `nan`, `BAD`, `No Data`, `no_data`, `N/A`, `NA`, `null`, `none`, `void`, `invalid`, `missing` and `--`.
+///   `# NODATA_value: -9999` sets the value of missing points. Such a comment consists of a name, `=` or `:`, and a
+///   single number. The name is `missing value`, `no data`, `no data value`, `bad value`, `invalid value` or
+///   `void value`, in upper or lower case and with any separators between words. All other comments are ignored. Use
+///   [`Options::missing`] if a comment of a different form contains the value of missing points.
+/// - A cell is missing (NaN) if it is empty, consists of stars (`***`) or is `--`. It is also missing if it is one of
+///   these words in upper or lower case: `nan`, `BAD`, `No Data`, `no_data`, `N/A`, `NA`, `null`, `none`, `void`,
+///   `invalid` and `missing`.
 /// - A separator at the end of every line adds no cell.
-/// - Names of columns and rows are rejected; [`Options::skip_rows`] and [`Options::skip_columns`] skip them.
-/// - Numbers that may be labels are also rejected: a first line or column of whole numbers that counts 0, 1, 2 or 1, 2,
-///   3 while the other numbers do not count or have decimals. After an empty first cell, evenly spaced coordinates on
-///   both axes are also labels. With [`Options::without_labels`] all of these numbers are read as heights.
+/// - Names of columns and rows are rejected. [`Options::skip_rows`] and [`Options::skip_columns`] skip them.
+/// - Numbers that may be labels are also rejected. A first line or column may be labels if it counts 0, 1, 2 or 1, 2, 3
+///   in whole numbers, whereas the other numbers do not count or have decimals. After an empty first cell, evenly
+///   spaced coordinates on both axes are also labels. With [`Options::without_labels`] all of these numbers are read as
+///   heights.
 ///
 /// # Errors
 /// - [`Error::NotPositive`] if a cell side is not positive and finite.

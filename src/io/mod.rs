@@ -15,25 +15,25 @@
 //!
 //! The argument of `read` is a path, and the argument of `parse` contains the bytes of a file. The functions `write`
 //! and `to_bytes` are the inverses of `read` and `parse`. [`read`](fn@read) of this module identifies the format of a
-//! file among the formats with cell sides. On a distributed grid, all ranks read and write a single NPY file, each its
-//! own rows, with [`HalfSpace::read_npy`](crate::HalfSpace::read_npy) and
-//! [`HalfSpace::write_npy`](crate::HalfSpace::write_npy).
+//! file among the formats with cell sides. On a distributed grid, all ranks read and write a single NPY file with
+//! [`HalfSpace::read_npy`](crate::HalfSpace::read_npy) and [`HalfSpace::write_npy`](crate::HalfSpace::write_npy). Each rank reads
+//! and writes its own rows.
 //!
 //! # Conventions
-//! - A height is returned as stored in the file: a surface that points up has large values at its peaks. The gap of a
-//!   contact has the opposite sign.
-//! - Samples keep the order of the file. The first sample belongs to cell `(0, 0)`, at the smallest x and y, and the
-//!   next sample belongs to the neighbour of this cell along x. Rows are ordered towards larger y, so a file whose rows
-//!   are counted from the top is read mirrored. XYZ files give the position of each point.
+//! - A height is returned as stored in the file. A surface that points up has large values at its peaks. The gap of a contact has
+//!   the opposite sign.
+//! - Samples keep the order of the file. The first sample belongs to cell `(0, 0)`, at the smallest x and y. The next sample
+//!   belongs to the neighbour of this cell along x. Rows are ordered towards larger y. A file whose rows are counted from the top
+//!   is therefore read mirrored. XYZ files give the position of each point.
 //! - A point that was not measured is NaN. Solvers do not accept NaN, so fill such points first.
-//! - A [`Grid`](crate::Grid) is centred on the origin; the origin given in the file is ignored.
-//! - A row of n points at a distance d from each other covers n cells of side d, not n - 1 cells.
+//! - A [`Grid`](crate::Grid) is centred on the origin. The origin given in the file is ignored.
+//! - A row of n points with the spacing d covers n cells of side d, not n - 1 cells.
 //!
 //! # Damaged files
 //! A truncated, damaged or inconsistent file causes an [`Error::Format`](crate::Error::Format) with the problem and its
-//! [place](Place). Sizes are checked against the number of bytes before memory is allocated. Reading therefore needs
-//! less memory than fifty times the size of the file. For X3P, which is compressed, it needs less memory than eight
-//! times the largest permitted size of an expanded entry.
+//! [place](Place). Sizes are checked against the number of bytes before memory is allocated. Reading a file therefore needs less
+//! memory than fifty times its size. X3P files are compressed, and reading one needs less memory than eight times the largest
+//! permitted size of an expanded entry.
 
 mod slabs;
 
@@ -59,8 +59,8 @@ use crate::error::{Result, positive};
 use crate::files::{Format, in_file, refused};
 use crate::grid::field::Field;
 
-/// Reads a surface from a file that contains its cell sides. SDF, SUR, ASC and X3P are recognised by their first bytes,
-/// XYZ by the extension `.xyz`.
+/// Reads a surface from a file that contains its cell sides. SDF, SUR, ASC and X3P are recognised by their first bytes, and XYZ
+/// is recognised by the extension `.xyz`.
 ///
 /// The unit is documented in the module of the format.
 ///

@@ -1,6 +1,6 @@
 //! NPY, the array file of NumPy.
 //!
-//! The arrays have two axes and the shape `(ny, nx)`; the first index counts rows towards larger y. The file contains
+//! The arrays have two axes and the shape `(ny, nx)`. The first index counts rows towards larger y. The file contains
 //! neither cell sides nor a unit.
 //!
 //! Layout: <https://numpy.org/doc/stable/reference/generated/numpy.lib.format.html>.
@@ -22,8 +22,8 @@ use crate::parallel::ranks::RankGroup;
 
 const FORMAT: Format = Format("NPY");
 const MAGIC: &[u8; 6] = b"\x93NUMPY";
-/// Length of a written header, enough for two integers. Samples then begin at byte 128; the format requires a multiple
-/// of 64.
+/// Length of a written header, enough for two integers. Samples then begin at byte 128, because the format requires a
+/// multiple of 64.
 const HEADER_LENGTH: u16 = 118;
 /// First byte of the samples in a written file.
 const FIRST_SAMPLE: u64 = 128;
@@ -42,8 +42,8 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 /// Reads the field in the bytes of a file. The [`Sides`] (lengths) are the sides of a cell, `[dx, dy]`, or the sides of
 /// the whole grid.
 ///
-/// The function supports versions 1 to 3 of the format, floats of 32 and 64 bits and integers of 8 to 64 bits in either
-/// byte order, and C and Fortran order of the axes. Integers of 64 bits are rounded to the nearest double.
+/// The function supports versions 1 to 3 of the format, and C and Fortran order of the axes. Samples are floats of 32
+/// or 64 bits or integers of 8 to 64 bits, in either byte order. Integers of 64 bits are rounded to the nearest double.
 ///
 /// # Errors
 /// - [`Error::NotPositive`](crate::Error::NotPositive) if a cell side is not positive and finite.
@@ -153,7 +153,7 @@ pub(crate) fn write_slab(path: &Path, field: &Field, team: Option<&RankGroup>) -
 }
 
 /// Returns the bytes of a file with a field: version 1.0, little-endian doubles in C order, shape `(ny, nx)`. Samples
-/// are stored exactly; the cell sides are not stored.
+/// are stored exactly. The cell sides are not stored.
 #[must_use]
 pub fn to_bytes(field: &Field) -> Vec<u8> {
     let mut bytes = header(field.grid());
@@ -189,7 +189,7 @@ struct ArrayHeader {
 }
 
 impl ArrayHeader {
-    /// Parses the bytes before the samples; `length` is the number of bytes of the whole file.
+    /// Parses the bytes before the samples. `length` is the number of bytes of the whole file.
     fn parse(bytes: &[u8], length: u64) -> Result<Self> {
         let mut bytes = Cursor::new(FORMAT, bytes);
         if bytes.take("the magic string", MAGIC.len())? != MAGIC {

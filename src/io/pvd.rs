@@ -13,9 +13,9 @@ const FORMAT: Format = Format("PVD");
 
 /// Series of [VTI](super::vti) files and the PVD file that lists them with their times.
 ///
-/// The files of the series are in the same folder as the PVD file and have its name and a number: `run.pvd`,
-/// `run.0000.vti`, `run.0001.vti`. The list is replaced after every file, so the series can be opened during the run
-/// and stays readable if the run is aborted.
+/// The files of the series are in the same folder as the PVD file. Their names are its name and a number, for
+/// example `run.0000.vti` and `run.0001.vti` for `run.pvd`. The PVD file is replaced after every file. The series
+/// can therefore be opened during the run, and it is still readable if the run is aborted.
 ///
 /// ```no_run
 /// use stickslip::io::{pvd::PvdWriter, vti::Array};
@@ -37,7 +37,7 @@ pub struct PvdWriter {
 }
 
 impl PvdWriter {
-    /// Creates an empty series; an existing PVD file is replaced.
+    /// Creates an empty series. An existing PVD file is replaced.
     ///
     /// # Errors
     /// - [`Error::Format`](crate::Error::Format) if the path has no name in UTF-8.
@@ -57,8 +57,8 @@ impl PvdWriter {
         Ok(series)
     }
 
-    /// Writes fields and vectors to the next file and adds this file to the list with the given time, which may be a
-    /// number of cycles.
+    /// Writes fields and vectors to the next file and adds this file to the PVD file with the given time. The time
+    /// may be a number of cycles.
     ///
     /// # Errors
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if the time is not finite.

@@ -1,4 +1,4 @@
-//! PVTI, a VTK image in pieces; every rank writes its own piece.
+//! PVTI, a VTK image in pieces. Every rank writes its own piece.
 //!
 //! Source: the file formats of VTK,
 //! <https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html>.
@@ -18,7 +18,7 @@ use crate::parallel::ranks::partition::RowPartition;
 
 const FORMAT: Format = Format("PVTI");
 
-/// Writes named distributed arrays. Every rank with rows writes its piece; the first rank writes the list of the
+/// Writes named distributed arrays. Every rank with rows writes its piece. The first rank writes the list of the
 /// pieces.
 pub(crate) fn write(
     path: &Path,
@@ -42,8 +42,8 @@ pub(crate) fn write(
         Ok(None)
     };
     let part = RankGroup::agreed_of(team, part)?;
-    // An earlier list is removed first, because it would refer to a mixture of old and new pieces while the pieces are
-    // renamed.
+    // An earlier list is removed first. It would otherwise refer to a mixture of old and new pieces while the pieces
+    // are renamed.
     RankGroup::agreed_of(team, of_first(&|| removed(path)))?;
     RankGroup::agreed_of(team, part.map_or(Ok(()), |part| part.take_name()))?;
 
@@ -86,7 +86,7 @@ fn removed(path: &Path) -> Result<()> {
     }
 }
 
-/// Returns the list of the pieces of a grid; `rows` are the rows of each rank.
+/// Returns the list of the pieces of a grid. `rows` are the rows of each rank.
 fn list(grid: Grid, arrays: &[(&str, Array<'_>)], name: &str, rows: &[Range<usize>]) -> String {
     let (whole, place) = (extent(grid.nx(), &grid.rows()), place(grid));
     let mut text = format!(

@@ -34,10 +34,10 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// Reads the surface in the bytes of a file (metres).
 ///
 /// The function supports version 1.0 (`bISO-1.0` or `aISO-1.0`) without compression or checksum. It also supports the
-/// text form of version 2.0 (`aISO-2.0`) and the earlier BCR format (`bBCR-1.0` and `aBCR-1.0`), which have the same
-/// layout. Binary samples are integers of 16 or 32 bits or floats of 32 or 64 bits (data types 5, 6, 3 and 7). Missing
-/// points become NaN. A binary file stores them as the smallest number of the type or as NaN, and a text file stores
-/// them as `BAD`. The record after the samples is ignored.
+/// text form of version 2.0 (`aISO-2.0`) and the earlier BCR format (`bBCR-1.0` and `aBCR-1.0`), both of which have
+/// the same layout. Binary samples are integers of 16 or 32 bits (data types 5 and 6) or floats of 32 or 64 bits (data
+/// types 3 and 7). Missing points become NaN. A missing point is stored as the smallest number of the data type or as
+/// NaN in a binary file, and as `BAD` in a text file. The record after the samples is ignored.
 ///
 /// # Errors
 /// - [`Error::Format`](crate::Error::Format) if the bytes are not an SDF file, or if there are fewer bytes than the
@@ -238,7 +238,7 @@ impl TextHeader {
         Ok(())
     }
 
-    /// Returns the grid and the scale of the heights; `line` is the last line of the header.
+    /// Returns the grid and the scale of the heights. `line` is the last line of the header.
     fn scales(&self, line: usize) -> Result<(Grid, f64)> {
         let missing = |name: &str| FORMAT.on_line(line, format!("the header has no {name}"));
         let nx = self.points.ok_or_else(|| missing("NumPoints"))?;

@@ -9,9 +9,9 @@ use crate::io::vti::{self, Array};
 use crate::io::{npy, pvti};
 
 impl HalfSpace {
-    /// Reads the local rows of a field from an NPY file of the shape of the whole grid, `(ny, nx)`. The call is
-    /// collective; each rank reads only its own rows. The function supports the same files as
-    /// [`io::npy::read`](npy::read). To read the grid of a file, use [`io::npy::grid`](npy::grid).
+    /// Reads the local rows of a field from an NPY file of the shape of the whole grid, `(ny, nx)`. The call is collective, and
+    /// each rank reads only its own rows. The function supports the same files as [`io::npy::read`](npy::read). To read the grid
+    /// of a file, use [`io::npy::grid`](npy::grid).
     ///
     /// # Errors
     /// - [`Error::File`](crate::Error::File) if the file cannot be read.
@@ -22,13 +22,13 @@ impl HalfSpace {
         self.collective_result(npy::read_slab(path.as_ref(), self.grid()))
     }
 
-    /// Writes a field to a single NPY file of the whole grid. The call is collective; each rank writes only its own rows. The
-    /// file is identical to the file of [`io::npy::write`](npy::write) for any number of ranks.
+    /// Writes a field to a single NPY file of the whole grid. The call is collective, and each rank writes only its own rows.
+    /// The file is identical to the file of [`io::npy::write`](npy::write) for any number of ranks.
     ///
-    /// The rows are first written to `NAME.PID.NUMBER.part` in the same folder. When every rank has written its rows to
-    /// the disk, this temporary file replaces the target. The target is therefore replaced completely or not at all.
-    /// The temporary file is removed after a failure; it remains only if the process is killed. A rank that loses the
-    /// connection to the other ranks at the very end returns an error although the file is complete.
+    /// The rows are first written to `NAME.PID.NUMBER.part` in the same folder. When every rank has written its rows to the
+    /// disk, this temporary file replaces the target. The target is therefore replaced completely or not at all. A failed call
+    /// removes the temporary file. It remains only if the process is killed. A rank that loses the connection to the other ranks
+    /// at the very end returns an error although the file is complete.
     ///
     /// ```
     /// use std::sync::Arc;
@@ -60,7 +60,7 @@ impl HalfSpace {
         npy::write_slab(path.as_ref(), field, self.sharing().map(|team| &**team))
     }
 
-    /// Writes named fields and vectors for ParaView. The call is collective: each rank writes the image of its own rows, and the
+    /// Writes named fields and vectors for ParaView. The call is collective. Each rank writes the image of its own rows. The
     /// first rank writes the list of the images, which represents the whole grid.
     ///
     /// The list has the given path, for example `run.pvti`. The images `run_0.vti`, `run_1.vti` and so on are in the
@@ -68,8 +68,8 @@ impl HalfSpace {
     /// there is a single image.
     ///
     /// A failure before all images are on the disk leaves existing files unchanged. Once all images are on the disk, an earlier
-    /// list is removed, the images are renamed, and finally the new list is written. A list therefore never refers to both old
-    /// and new images.
+    /// list is removed, the images are renamed, and the new list is written. A list therefore never refers to both old and new
+    /// images.
     ///
     /// ```no_run
     /// # fn show(bodies: &stickslip::HalfSpace, contact: &stickslip::NormalSolution) -> stickslip::Result<()> {

@@ -1,6 +1,6 @@
 //! SUR, the surface file of Digital Surf (`MountainsMap`), in its uncompressed form.
 //!
-//! Heights and cell sides are returned in metres; the file stores them in single precision and in its own units. Lines
+//! Heights and cell sides are returned in metres. The file stores them in single precision and in its own units. Lines
 //! are ordered towards larger y.
 //!
 //! Gwyddion, `SurfaceTopography`, surfalize and `RosettaSciIO` read the same layout. Their results differ in a constant
@@ -30,12 +30,13 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 
 /// Reads the surface in the bytes of a file (metres).
 ///
-/// The file must contain a single surface or profile with points of 16 or 32 bits that is neither inverted nor
-/// mirrored. Units range from the picometre to the metre. Points marked in the file as not measured are NaN.
+/// The file must contain a single surface or profile that is neither inverted nor mirrored. Its points must have 16 or
+/// 32 bits. Units range from the picometre to the metre. Points marked in the file as not measured are NaN.
 ///
 /// # Errors
 /// - [`Error::Format`](crate::Error::Format) if the bytes are not a SUR file, if there are fewer bytes than the sizes
-///   in the file require, or if the file is compressed (`DSCOMPRESSED`). Save such a file uncompressed.
+///   in the file require, or if the file is compressed (`DSCOMPRESSED`). The remedy for a compressed file is to save it
+///   uncompressed.
 pub fn parse(bytes: &[u8]) -> Result<Field> {
     let mut bytes = Cursor::new(FORMAT, bytes);
     let magic = bytes.take("the magic string", MAGIC.len())?;
@@ -150,8 +151,8 @@ fn metres(bytes: &mut Cursor<'_>) -> Result<f64> {
         b"dm" => Ok(1e-1),
         b"cm" => Ok(1e-2),
         b"mm" => Ok(1e-3),
-        // The micrometre is spelled with the micro sign in Latin-1 or in UTF-8, with the letter mu, in an old DOS code
-        // page, or with u.
+        // The prefix of the micrometre is the micro sign in Latin-1, in UTF-8 or in an old DOS code page, the letter
+        // mu, or u.
         b"\xb5m" | b"\xc2\xb5m" | b"\xce\xbcm" | b"\xe6m" | b"um" => Ok(1e-6),
         b"nm" => Ok(1e-9),
         b"pm" => Ok(1e-12),

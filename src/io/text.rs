@@ -30,8 +30,8 @@ pub(super) fn check_encoding(format: Format, bytes: &[u8]) -> Result<()> {
 }
 
 /// Returns the lines of a text that are neither blank nor comments (`#` or `%`), with their numbers. Bytes that are not
-/// UTF-8 are harmless in a comment; elsewhere they make a number invalid. The words `No Data` are joined, so that white
-/// space does not separate them.
+/// UTF-8 are harmless in a comment. In a number they are an error. The words `No Data` are joined, so that they are
+/// read as one cell.
 pub(super) fn lines(bytes: &[u8]) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
     let lines = without_mark(bytes).split(|&byte| byte == b'\n').enumerate();
     lines.filter_map(|(index, line)| {
@@ -79,8 +79,9 @@ pub(super) enum Separator {
 
 impl Separator {
     /// Determines the separator of a line. The separator is a semicolon if the line contains a semicolon, or else a tab
-    /// if the line contains a tab. Otherwise it is a comma, unless every comma could be the decimal comma of one of
-    /// several numbers (`1,5 2,5`). In all other cases it is white space.
+    /// if the line contains a tab. Otherwise it is a comma if the line contains commas. The exception is a line of
+    /// several numbers in which every comma may be a decimal comma (`1,5 2,5`). In this case and in all other cases it
+    /// is white space.
     pub(super) fn of(line: &str) -> Self {
         if line.contains(';') {
             Self::Semicolon
@@ -118,7 +119,7 @@ impl Separator {
             cell.replace(',', ".").parse()
         };
         match value {
-            // Only a word can represent infinity; digits that overflow are rejected.
+            // Only a word can represent infinity. Digits that overflow are rejected.
             Ok(value) if f64::is_finite(value) || !cell.contains(|c: char| c.is_ascii_digit()) => {
                 Ok(value)
             }

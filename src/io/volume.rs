@@ -1,8 +1,8 @@
 //! Volumes in VTI files, written plane by plane.
 //!
 //! The arrays follow the XML as raw bytes (`AppendedData` of the
-//! [format](https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html)), so that the position of every
-//! plane is known in advance and at most one plane is in memory.
+//! [format](https://docs.vtk.org/en/latest/vtk_file_formats/vtkxml_file_format.html)). The position of every plane is
+//! therefore known in advance, and at most one plane is in memory.
 
 use std::fmt::Write as _;
 use std::fs::File;

@@ -81,16 +81,16 @@ pub fn write<'a>(
 }
 
 /// Returns the bytes of a file with named fields and vectors on one grid. Each field or vector is an array of cell
-/// data, stored exactly as doubles, on a flat image in the plane `z = 0` whose origin is the corner of smallest x and
-/// y.
+/// data, stored exactly as doubles. The image is flat and lies in the plane `z = 0`. Its origin is the corner with the
+/// smallest x and y.
 ///
-/// Fields on a slab form an image of its rows only, at their position in the whole grid. The origin is the corner of
-/// the whole grid, and the extent along y counts the rows of the whole grid ([`Grid::rows`]), as required for the
-/// pieces of an image.
+/// Fields on a slab form an image of its rows only, at their position in the whole grid. As required for the pieces of
+/// an image, the origin is the corner of the whole grid. The extent along y counts the rows of the whole grid
+/// ([`Grid::rows`]).
 ///
 /// # Errors
-/// - [`Error::Format`](crate::Error::Format) if there is no field, if a field is on a different grid from the first, or
-///   if a name is empty, occurs twice or contains control characters.
+/// - [`Error::Format`](crate::Error::Format) if there is no field or if a field is on a different grid from the first.
+/// - [`Error::Format`](crate::Error::Format) if a name is empty, occurs twice or contains control characters.
 ///
 /// ```
 /// use stickslip::{Field, Grid, io::vti};

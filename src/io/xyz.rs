@@ -96,19 +96,20 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// Grid positions without a point, or with a missing height, are set to NaN. Separators, decimal commas, comments and
 /// words for missing heights are as in [`csv`](super::csv::parse).
 ///
-/// Lines of names before the first point are skipped; lines with numbers are skipped with [`Options::skip_rows`]. Cells
-/// after the third cell of a line are ignored, but every line must have the same number of cells.
+/// Lines of names before the first point are skipped. [`Options::skip_rows`] skips lines with numbers. Cells after the
+/// third cell of a line are ignored, but every line must have the same number of cells.
 ///
-/// Scattered points are rejected. Every point must be within 5 % of a spacing of its grid position, at least a tenth of
-/// the positions must have a point, and fewer than a thousand successive columns or rows may be empty. If the points of
-/// a column or row differ by more than 0.1 % of a spacing, more than half of the positions must have a point.
+/// Scattered points are rejected. The distance of every point from its grid position must be at most 5 % of a spacing.
+/// At least a tenth of the positions must have a point, and fewer than a thousand successive columns or rows may be
+/// empty. If the points of a column or row differ by more than 0.1 % of a spacing, more than half of the positions must
+/// have a point.
 ///
 /// # Errors
-/// - [`Error::Format`], with the line, if a line does not have three numbers, or has a different number of cells from
-///   the first line.
-/// - [`Error::Format`], with the line, if a point is off the grid, or if a place has two points.
-/// - [`Error::Format`] if the text is in UTF-16, if there are fewer than two places, or if there are too few points for
-///   the grid that they span.
+/// - [`Error::Format`], with the line, if a line does not have three numbers or if its number of cells differs from the
+///   number in the first line.
+/// - [`Error::Format`], with the line, if a point is off the grid, or if a grid position has two points.
+/// - [`Error::Format`] if the text is in UTF-16, if the points have fewer than two grid positions, or if there are too
+///   few points for the grid that they span.
 /// - [`Error::Format`] if commas separate more than three whole numbers, because the commas might be decimal commas.
 ///
 /// ```
@@ -123,8 +124,8 @@ pub fn parse(bytes: &[u8]) -> Result<Field> {
     Options::default().parse(bytes)
 }
 
-/// Returns whether a text has at least four lines and its first lines (up to 64) have three numbers each, like a list
-/// of points.
+/// Returns whether a text resembles a list of points. It must have at least four lines, and each of its first lines (up
+/// to 64) must have three numbers.
 pub(super) fn is_like_points(bytes: &[u8]) -> bool {
     const LINES: usize = 64;
     let mut separator = None;
@@ -315,9 +316,9 @@ fn has_no_number(number: usize, line: &str) -> bool {
 #[derive(Debug, Clone, Copy)]
 struct PlaceAxis {
     least: f64,
-    /// Spacing of the places; zero if there is only one place.
+    /// Spacing of the places, or zero if there is only one place.
     spacing: f64,
-    /// Number of places: an integer, or not finite if there is no such grid.
+    /// Number of places. It is an integer, or it is not finite if no grid fits.
     count: f64,
 }
 
@@ -326,7 +327,7 @@ impl PlaceAxis {
     /// threshold for a step to a new place.
     ///
     /// The threshold of the finest grid is [`NOISE`] times the widest step. If points scatter about their places, there
-    /// are also short steps; a jump in the sorted steps separates them from the steps between places.
+    /// are also short steps. A jump in the sorted steps separates the short steps from the steps between places.
     fn candidates(points: &[SamplePoint], axis: usize) -> Vec<Self> {
         let mut sorted: Vec<f64> = points.iter().map(|point| point.position[axis]).collect();
         sorted.sort_unstable_by(f64::total_cmp);
@@ -352,7 +353,7 @@ impl PlaceAxis {
         thresholds.into_iter().map(through).collect()
     }
 
-    /// Returns the grid through sorted coordinates; some of its places may have no points. A step that is not shorter
+    /// Returns the grid through sorted coordinates. Some of its places may have no points. A step that is not shorter
     /// than the threshold leads to a new place. Such a step counts as a multiple of the shortest step.
     fn through(sorted: &[f64], threshold: f64) -> Self {
         let (least, greatest) = (sorted[0], sorted[sorted.len() - 1]);
@@ -381,7 +382,7 @@ impl PlaceAxis {
         }
     }
 
-    /// Fits the grid to the coordinates by least squares; each coordinate belongs to its nearest place on the current
+    /// Fits the grid to the coordinates by least squares. Each coordinate belongs to its nearest place on the current
     /// grid.
     fn fitted(self, coordinates: &[f64]) -> Self {
         let number = coordinates.len() as f64;

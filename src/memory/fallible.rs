@@ -42,7 +42,7 @@ pub(crate) fn with_room<T>(items: usize) -> Result<Vec<T>> {
     Ok(buffer)
 }
 
-/// Reserves capacity for the given total number of items; existing items are kept.
+/// Reserves capacity for the given total number of items. Existing items are kept.
 pub(crate) fn make_room<T>(buffer: &mut Vec<T>, items: usize) -> Result<()> {
     let more = items.saturating_sub(buffer.len());
     let outcome = buffer.try_reserve_exact(more);
@@ -139,7 +139,7 @@ pub trait TryClone: Clone {
     /// Copies `source` into the value like `clone_from`, but returns an error if memory runs out.
     ///
     /// # Errors
-    /// - [`Error::Memory`] if memory runs out; the value is then unchanged.
+    /// - [`Error::Memory`] if memory runs out. The value is then unchanged.
     fn try_clone_from(&mut self, source: &Self) -> Result<()> {
         if self.has_room_for(source) {
             self.clone_from(source);

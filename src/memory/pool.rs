@@ -36,7 +36,8 @@ impl<T> Pool<T> {
             if let Some(piece) = self.take().or_else(|| make().ok()) {
                 break piece;
             }
-            // There is no memory for a new buffer. A holder never waits for another buffer, so one is returned soon.
+            // There is no memory for a new buffer. The user of a buffer never waits for a second buffer, so a buffer is soon
+            // returned.
             std::thread::yield_now();
         };
         let result = work(&mut piece);
@@ -92,7 +93,7 @@ impl<T> PooledBuffer<T> {
         }
     }
 
-    /// Returns the buffer if it is in use, that is, between its first use and its return; otherwise returns `None`.
+    /// Returns the buffer if it is in use, that is, between its first use and its return. Otherwise returns `None`.
     pub(crate) fn held(&self) -> Option<&T> {
         self.piece.as_ref()
     }

@@ -15,8 +15,8 @@ pub(crate) fn dot<const N: usize>(a: [f64; N], b: [f64; N]) -> f64 {
     sum
 }
 
-/// Returns the length of a vector. With two or more components it is infinite above 1e150, where squares overflow, and
-/// zero below 1e-160.
+/// Returns the length of a vector. With two or more components the result is infinite above 1e150 because squares
+/// overflow. It is zero below 1e-160 because squares underflow.
 #[inline]
 pub(crate) fn norm<const N: usize>(v: [f64; N]) -> f64 {
     if N == 1 { v[0].abs() } else { dot(v, v).sqrt() }

@@ -18,7 +18,7 @@ pub(crate) fn diagonalised<const N: usize>(mut a: [[f64; N]; N]) -> ([f64; N], [
         for p in 0..N {
             for q in p + 1..N {
                 // An entry this small changes an eigenvalue by less than the last bit of the largest eigenvalue. An
-                // entry that is not finite does not count as small, so it propagates into the result.
+                // entry that is not finite does not count as small and propagates into the result.
                 let is_small = a[p][q].abs() <= 0.25 * f64::EPSILON * scale;
                 if !is_small {
                     is_diagonal = false;

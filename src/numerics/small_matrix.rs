@@ -12,7 +12,7 @@ impl<const N: usize> Small<N> {
         Self(std::array::from_fn(|a| self.0.map(|row| row[a])))
     }
 
-    /// Solves for the active unknowns by elimination; all other unknowns are zero.
+    /// Solves for the active unknowns by elimination. All other unknowns are zero.
     pub(crate) fn solve(&self, right: [f64; N], active: [bool; N]) -> [f64; N] {
         let (mut rows, mut x) = (self.0, right);
         let is_below = |row: usize, pivot: usize| active[row] && row > pivot;
@@ -40,7 +40,7 @@ impl<const N: usize> Small<N> {
     }
 
     /// Returns the reciprocal trace of the inverse for the active unknowns, an approximation of the smallest
-    /// eigenvalue; infinite if no unknown is active.
+    /// eigenvalue. The result is infinite if no unknown is active.
     pub(crate) fn least(&self, active: [bool; N]) -> f64 {
         if active == [false; N] {
             return f64::INFINITY;

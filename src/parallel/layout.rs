@@ -93,7 +93,7 @@ impl Layout {
         }
     }
 
-    /// Returns the number of cells of a chunk; the last chunk may have fewer.
+    /// Returns the number of cells of a chunk. The last chunk may have fewer.
     pub(crate) fn chunk(&self) -> usize {
         self.chunk
     }
@@ -108,7 +108,7 @@ impl Layout {
         task * self.chunk..((task + 1) * self.chunk).min(self.cells)
     }
 
-    /// Returns the result of a step that every rank takes on its own, or an error if the step failed on any rank. The call is
+    /// Returns the local result of a step that every rank takes, or an error if the step failed on any rank. The call is
     /// collective.
     pub(crate) fn collective_result<T>(&self, result: Result<T>) -> Result<T> {
         RankGroup::agreed_of(self.team.as_deref(), result)
@@ -120,7 +120,7 @@ impl Layout {
         RankGroup::combined_of(team, own, combine)
     }
 
-    /// Returns an error with the name `quantity` if there are ranks; used for features that ranks do not support.
+    /// Returns an error with the name `quantity` if there are ranks. Features that ranks do not support call this function.
     pub(crate) fn check_alone(&self, quantity: &'static str) -> Result<()> {
         RankGroup::check_alone(self.team.as_deref(), quantity)
     }

@@ -1,10 +1,10 @@
 //! Thread parallelism of the crate.
 //!
 //! Work is split into tasks by index. The tasks of a sum do not depend on the number of threads, so results are bitwise
-//! identical for any number of threads. Only `rayon::join` is used: it runs in the caller's pool and allocates nothing there.
+//! identical for any number of threads. Only `rayon::join` is used, which runs in the caller's pool and allocates no memory.
 //!
 //! Work enters a pool through [`enter`], or through [`enter_with`] if it has more than [`SERIAL_CELL_LIMIT`] cells. All other
-//! functions share their tasks in the pool of the current thread, and run them sequentially on a thread outside a pool.
+//! functions share their tasks in the pool of the current thread. On a thread outside a pool they run the tasks sequentially.
 
 pub(crate) mod layout;
 pub mod ranks;
@@ -17,15 +17,15 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use crate::error::Result;
 
-/// Number of samples per task of vector work; the summation tree consists of these chunks.
+/// Number of samples in a chunk. Each task of vector work has one chunk, and the leaves of the summation tree are the chunks.
 pub(crate) const CHUNK: usize = 4096;
 
 /// Number of cells up to which all work on a contact runs on the calling thread, including its operators, fields and stresses.
 /// Sharing so little work between threads would cost more time than it saves.
 ///
-/// A program that runs solves in its own pool need not enter the pool for contacts with at most this number of cells. The work
-/// is still shared if one call has many contacts ([`History::step_all`](crate::History::step_all)), or if it computes stresses
-/// at more points than this number ([`at_points`](crate::subsurface::at_points)).
+/// A program with its own pool need not enter the pool to solve contacts with at most this number of cells. There are two
+/// exceptions, in which the work is shared. One is a call with many contacts ([`History::step_all`](crate::History::step_all)),
+/// and the other is a call that computes stresses at more points than this number ([`at_points`](crate::subsurface::at_points)).
 ///
 /// ```
 /// assert!(stickslip::Grid::square(64, 1.0)?.cells() <= stickslip::SERIAL_CELL_LIMIT);
@@ -37,12 +37,13 @@ pub const SERIAL_CELL_LIMIT: usize = CHUNK;
 #[cfg(feature = "parallel")]
 static STAYS_OUTSIDE: AtomicBool = AtomicBool::new(false);
 
-/// Keeps work that is called outside of rayon's pools on the calling thread, from now on for the whole process.
+/// Keeps work that is called outside of rayon's pools on the calling thread. The setting applies to the whole process and cannot
+/// be reversed.
 ///
-/// By default, work on more than [`SERIAL_CELL_LIMIT`] cells that is called outside of a pool runs in rayon's global pool,
-/// whose threads are created at its first use. These threads do not exist in a forked process, which would wait for them forever.
-/// A program that forks, or that must not start threads, calls this function first. Work that is called inside a pool, by
-/// `rayon::ThreadPool::install`, is still shared there. Results are bitwise identical in both cases.
+/// By default, work on more than [`SERIAL_CELL_LIMIT`] cells that is called outside of a pool runs in rayon's global pool. The
+/// threads of the global pool are created at its first use. They do not exist in a forked process, which would wait for them
+/// forever. A program that forks, or that must not start threads, calls this function first. Work that is called inside a pool,
+/// by `rayon::ThreadPool::install`, is still shared in that pool. Results are bitwise identical in both cases.
 ///
 /// ```
 /// use stickslip::*;
@@ -94,8 +95,8 @@ fn join<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + 
     }
 }
 
-/// Runs both closures in the caller's pool. Their types are hidden from rayon, so that its code is compiled once and not once per
-/// pair of closures.
+/// Runs both closures in the caller's pool. The types of the closures are hidden from rayon, so that its code is compiled once
+/// and not once per pair of closures.
 fn shared<A: Send, B: Send>(a: impl FnOnce() -> A + Send, b: impl FnOnce() -> B + Send) -> (A, B) {
     let (mut a, mut b) = (Some(a), Some(b));
     let (mut from_a, mut from_b) = (None, None);
@@ -121,7 +122,7 @@ fn join_tasks(a: &mut (dyn FnMut() + Send), b: &mut (dyn FnMut() + Send)) {
 }
 
 /// Runs work inside the caller's pool, in which further splitting is cheap. On a thread outside a pool, uses the global pool
-/// unless the program [avoids](disable_global_pool) it.
+/// unless the program has [disabled](disable_global_pool) it.
 pub(crate) fn enter<T: Send>(work: impl FnOnce() -> T + Send) -> T {
     if is_in_pool() || is_alone() {
         work()
@@ -183,7 +184,7 @@ impl Split for () {
     }
 }
 
-/// A mutable slice in which each task owns `width` consecutive items (the last task may own fewer).
+/// A mutable slice in which each task owns `width` consecutive items. The last task may own fewer.
 #[derive(Debug)]
 pub(crate) struct Blocks<'a, T> {
     pub(crate) items: &'a mut [T],
@@ -259,8 +260,8 @@ pub(crate) type Work<'a, D, T> = dyn Fn(usize, D) -> T + Sync + 'a;
 /// Combination of two results into one.
 pub(crate) type Combine<'a, T> = dyn Fn(T, T) -> T + Sync + 'a;
 
-/// Calls `work(task, its part of data)` for every task and combines the results pairwise in a fixed tree, so that the result is
-/// bitwise identical for any number of threads. On a thread outside a pool all tasks run there.
+/// Calls `work(task, its part of data)` for every task and combines the results pairwise in a fixed tree. The result is therefore
+/// bitwise identical for any number of threads. If the thread is outside a pool, it runs all tasks itself.
 pub(crate) fn sweep<D: Split, T: Send>(
     tasks: Range<usize>,
     data: D,
@@ -389,8 +390,9 @@ pub(crate) fn rows<T: Send>(
 }
 
 /// Returns the value of the cell, after computing and storing it if the cell is empty. The computation runs outside the lock of
-/// the cell to avoid a deadlock: a thread of the caller's pool could wait for the lock while the tasks of the computing thread
-/// wait for that thread. If two threads arrive together, both compute the value, and one result is kept.
+/// the cell, because otherwise a deadlock would be possible. A thread of the caller's pool could wait for the lock while the
+/// tasks of the computing thread wait for that thread. If two threads find the cell empty at the same time, both compute the
+/// value, and one result is kept.
 pub(crate) fn get_or_make<T>(cell: &OnceLock<T>, make: impl FnOnce() -> Result<T>) -> Result<&T> {
     if let Some(value) = cell.get() {
         return Ok(value);

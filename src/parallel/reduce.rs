@@ -1,6 +1,6 @@
 //! Reductions over cells: sums, maxima and searches.
 //!
-//! Sums follow the tree of a [`Layout`], so they are bitwise identical for any number of threads and ranks.
+//! Sums follow the tree of a [`Layout`]. They are therefore bitwise identical for any number of threads and ranks.
 
 use std::array::from_fn;
 use std::collections::VecDeque;
@@ -174,8 +174,8 @@ pub(crate) fn max(layout: &Layout, f: impl Fn(usize) -> f64 + Sync) -> f64 {
     layout.fold(|range| range.map(&f).fold(0.0, larger), larger)
 }
 
-/// Returns the least of the values `f(i)` that are `Some`, with the data of its cell. If several values are equal, returns
-/// the first.
+/// Returns the least of the values `f(i)` that are `Some`, with the other value that `f` returns for its cell. If several values
+/// are equal, returns the first.
 pub(crate) fn least<T: WireFormat>(
     layout: &Layout,
     f: impl Fn(usize) -> Option<(f64, T)> + Sync,

@@ -3,8 +3,8 @@
 #[cfg(not(all(target_family = "wasm", target_os = "unknown")))]
 pub(crate) use std::time::Instant;
 
-/// Replacement for the clock on a platform without one. Solves then take no time, and no time limit above zero ends a
-/// solve.
+/// Replacement for the clock on a platform without a clock. Solves then take no time, and no time limit above zero
+/// ends a solve.
 #[cfg(all(target_family = "wasm", target_os = "unknown"))]
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Instant;

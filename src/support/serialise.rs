@@ -1,8 +1,8 @@
-//! Serialisation code that is not derived: checks of deserialised values, and serialisation of numbers that may be
+//! Serialisation code that is not derived. It checks deserialised values and serialises numbers that may be
 //! infinite or NaN.
 //!
 //! JSON supports finite numbers only. In human-readable formats NaN and the infinities are therefore written as the
-//! strings `NaN`, `Infinity` and `-Infinity`; in all other formats every number is written as a number.
+//! strings `NaN`, `Infinity` and `-Infinity`. In all other formats every number is written as a number.
 
 use std::fmt;
 

@@ -1,5 +1,6 @@
-//! After the first cycle, a step of a history within its window allocates no buffer, plan or spectrum. The same applies
-//! to a stiffness in its own buffers, a change of the gap or the friction, a wear law, and the accumulation of a cycle.
+//! After the first cycle, a step of a history within its window allocates no buffer, plan or spectrum. A stiffness in
+//! existing buffers, a change of the gap or the friction, a wear law, and the accumulation of a cycle do not allocate
+//! such memory either.
 
 use std::ops::ControlFlow;
 
@@ -11,7 +12,7 @@ use stickslip::{
     NormalControl, TangentialControl, TangentialModel, surface,
 };
 
-/// Counts the allocations of the current thread; the steps must run on this thread.
+/// Counts the allocations of the current thread. The steps must run on this thread.
 fn allocations(mut work: impl FnMut() + Send) -> u64 {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(1)

@@ -22,7 +22,7 @@ fn history(bodies: &HalfSpace, lateral: TangentialModel, contact_radius: f64) ->
     history
 }
 
-/// Returns the number of cells in the window of the contact, and the bytes of a first history in addition to the
+/// Returns the number of cells in the window of the contact and three numbers of bytes: of a first history without the
 /// bodies, of a second history, and of a state.
 fn measured(bodies: &HalfSpace, lateral: TangentialModel, contact_radius: f64) -> [f64; 4] {
     // The first history creates the data that the bodies keep for all histories.
@@ -51,8 +51,7 @@ fn measured(bodies: &HalfSpace, lateral: TangentialModel, contact_radius: f64) -
 fn history_uses_documented_bytes_per_cell() {
     let grid = Grid::square(512, 512.0).unwrap();
     let bodies = unit_bodies(grid, 0.3);
-    // The numbers are bytes per cell of the grid and per cell of the contact, for the first history, a second history
-    // and a state.
+    // Bytes per cell of the grid and per cell of the contact, for the first history, a second history and a state.
     let models = [
         (
             TangentialModel::Vector,
@@ -67,7 +66,7 @@ fn history_uses_documented_bytes_per_cell() {
         let [small, large] = [100.0, 155.0].map(|radius| measured(&bodies, lateral, radius));
         for (what, [per_cell, per_contact_cell]) in (1..).zip(expected) {
             let slope = (large[what] - small[what]) / (large[0] - small[0]);
-            // The rest includes a fixed part of one or two megabytes that does not depend on the size.
+            // The rest includes one or two megabytes that do not depend on the size.
             let rest = (small[what] - slope * small[0]) / grid.cells() as f64;
             let difference = (slope - per_contact_cell).abs();
             assert!(difference < 0.02 * per_contact_cell + 1.0, "{slope}");
@@ -76,8 +75,8 @@ fn history_uses_documented_bytes_per_cell() {
     }
 }
 
-/// A contact that has been small for a long time releases the memory of a former large contact, except for the capacity
-/// of its state.
+/// If a large contact becomes small, the memory of the large contact is released after some time. Only the capacity of
+/// the state remains.
 #[test]
 fn history_of_shrunk_contact_releases_memory() {
     let bodies = unit_bodies(Grid::square(256, 256.0).unwrap(), 0.3);

@@ -27,7 +27,7 @@ fn max_bytes(size: usize, grid: Grid, boundary: Boundary) -> f64 {
         };
         allocation_counter::measure(make).bytes_current
     };
-    // Only the allocations of one thread are counted; each rank has one thread.
+    // Only the allocations of one thread are counted, so each rank has one thread.
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build();
     let ranks = || Threads::run(size, Duration::from_secs(120), hold);
     let bytes = pool.unwrap().install(ranks);

@@ -9,7 +9,7 @@ use stickslip::{
     surface,
 };
 
-/// Counts the allocations of the current thread; the solve must run on this thread.
+/// Counts the allocations of the current thread. The solve must run on this thread.
 fn allocations(mut work: impl FnMut() + Send) -> u64 {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(1)
@@ -128,9 +128,9 @@ fn repeated_coupled_solves_allocate_nothing() {
     assert_eq!(allocations(&mut cycle), 0);
 }
 
-/// Every cell slips along one direction and none may be released along the other, so that cells are repeatedly forced
-/// to stick. In the third step, cells are forced to stick so often that forcing all of them simultaneously no longer
-/// helps.
+/// Every cell slips along one direction, and no cell may be released along the other. Cells are therefore repeatedly
+/// forced to stick. In the third step, cells are forced to stick so often that forcing all of them simultaneously no
+/// longer helps.
 #[test]
 fn solves_that_force_cells_to_stick_allocate_nothing() {
     let grid = Grid::new(2, 4, 1.0, 1.0).unwrap();

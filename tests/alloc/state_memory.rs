@@ -1,4 +1,4 @@
-//! A state is stored and restored in existing buffers, and bytes that claim to contain many cells cause no allocation
+//! A state is stored and restored in existing buffers. If damaged bytes declare many cells, no memory is allocated
 //! for these cells.
 
 use kit::unit_bodies;
@@ -31,7 +31,7 @@ fn returning_to_state_allocates_nothing() {
     for model in [TangentialModel::Scalar, TangentialModel::Vector] {
         let mut history = start(model);
         let mut kept = history.state().clone();
-        // Later reports may be longer than the first one.
+        // Later reports may be longer than the first report.
         kept.clone_from(history.state());
         history.step(&load(0.8)).unwrap();
         history.set_state(&kept).unwrap();

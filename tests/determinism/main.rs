@@ -1,6 +1,6 @@
-//! Results are bitwise identical with and without threads. The solution of one rough contact is written to a file for
-//! each build configuration of the crate, and `.ci/run` compares the files. This is a separate program, so that little
-//! is compiled twice.
+//! Results are bitwise identical with and without threads. For each build configuration of the crate, the program
+//! writes the solution of one rough contact to a file. `.ci/run` compares the files. The program is separate, so that
+//! little is compiled twice.
 
 #![allow(clippy::unwrap_used, reason = "tests panic on failure")]
 

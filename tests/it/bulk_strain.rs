@@ -64,8 +64,8 @@ fn stick_zone(shear: &TangentialSolution) -> [f64; 2] {
     ]
 }
 
-/// As in the solution of Nowell and Hills, the stick zone is shifted, and the traction agrees with the closed form
-/// within the discretisation error.
+/// The stick zone is shifted as in the solution of Nowell and Hills. The traction agrees with their closed form within
+/// the discretisation error.
 #[test]
 fn moderate_strain_shifts_the_stick_zone() {
     let limit = FRICTION * LOAD;
@@ -104,8 +104,9 @@ fn moderate_strain_shifts_the_stick_zone() {
     assert!(signs.windows(2).filter(|pair| pair[0] != pair[1]).count() == 1);
 }
 
-/// Below and above the bulk stress that reverses slip at one end (the limit of Nowell and Hills), the traction is the
-/// exact minimum computed with active sets, and the zones are the active sets.
+/// Above a certain bulk stress the slip at one end is reversed, which is the limit of the solution of Nowell and Hills.
+/// Below and above this stress the traction is the exact minimum computed with active sets. The zones are the active
+/// sets.
 #[cfg(feature = "dense")]
 #[test]
 fn any_strain_gives_the_exact_minimum() {
@@ -155,9 +156,9 @@ fn difference_of_elliptic_integrals(m: f64) -> f64 {
     std::f64::consts::FRAC_PI_2 / a * sum
 }
 
-/// Under bulk stress alone both ends slip inwards, and the traction is not singular at the ends of the stick zone:
-/// $`\sigma = \frac8\pi \mu p_0 [K(m) - E(m)]`$ with $`m = 1 - c^2/a^2`$. This is the condition for a solution of the
-/// singular integral equation that is bounded at both ends.
+/// Under bulk stress alone both ends slip inwards, and the traction is bounded at both ends of the stick zone. The
+/// singular integral equation has such a solution if $`\sigma = \frac8\pi \mu p_0 [K(m) - E(m)]`$ with
+/// $`m = 1 - c^2/a^2`$.
 #[test]
 fn strain_alone_causes_inward_slip_at_both_ends() {
     let (a, limit) = (hertz().half_width(), FRICTION * hertz().max_pressure());
@@ -303,8 +304,8 @@ fn work_of_bulk_stress_is_in_energy_balance() {
     }
 }
 
-/// Under a bulk stress in phase with the force, the area of the loop of force and shift is the work of the force. The
-/// bulk stress does the remaining part of the dissipated work, here a sixth. Both parts agree with Nowell and Hills.
+/// The bulk stress is in phase with the force. The area of the loop of force and shift is the work of the force. The
+/// bulk stress does the rest of the dissipated work, here a sixth. Both shares agree with Nowell and Hills.
 #[test]
 fn loop_of_force_and_shift_encloses_work_of_force() {
     let (part, bulk_stress) = (0.6, 150.0);

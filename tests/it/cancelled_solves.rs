@@ -50,7 +50,7 @@ fn assert_cancelled<T>(
     }
 }
 
-/// Takes the steps in sequence; each step is first cancelled at every call of the observer.
+/// Takes the steps in sequence. Each step is first cancelled at every call of the observer.
 fn assert_steps_cancelled(history: &mut History, steps: &[LoadStep]) -> usize {
     let mut twin = history.clone();
     let mut calls = 0;

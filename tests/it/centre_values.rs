@@ -1,5 +1,6 @@
-//! Tests of values at the centres of cells. Away from the edge of the contact the pressure is more accurate than on
-//! uniform cells, at the same cost and with the same certificate. The two kinds of values cannot be mixed.
+//! Tests of values at the centres of cells. Away from the edge of the contact, they give a more accurate pressure than
+//! uniform cells, at the same cost and with the same certificate. Values at the centres and values of uniform cells
+//! cannot be mixed.
 
 use std::sync::Arc;
 
@@ -71,8 +72,8 @@ fn centre_products_match_uniform_cells_minus_second_difference() {
             let repeats_y = boundary != Boundary::NonPeriodic;
             let centres = with_values(grid, boundary, CellValue::Centre);
             let uniform = with_values(grid, boundary, CellValue::Uniform);
-            // Uniform cells would lack the part of a traction that is spread beyond a free edge. The outermost cells
-            // therefore carry no traction.
+            // Part of a traction at a free edge is spread beyond the edge and would be missing on uniform cells. The
+            // outermost cells therefore carry no traction.
             let is_inside = |i: usize, n: usize| n > 2 && i > 0 && i + 1 < n;
             let random = random_field(grid, 7);
             let traction = Field::from_indices(grid, |i, j| {
@@ -159,8 +160,8 @@ fn centre_eigenvalues_are_within_four_thirds_of_uniform_cells() {
                     DenseOperator::from_rows(cells, (0..cells * cells).map(entry).collect())
                         .unwrap()
                 };
-                // The difference C' - C is positive definite, although the ratio of C' to C is close to one for waves
-                // as long as the grid.
+                // The difference C' - C is positive definite. For waves as long as the grid, the ratio of C' to C is
+                // close to one.
                 assert!(
                     combined(-1.0, 1.0).lower_bound() > 0.0,
                     "{component:?} {boundary:?}"
@@ -298,8 +299,8 @@ fn centre_tractions_are_closer_to_closed_forms() {
     assert!(centres[1] < 0.85 * uniform[1], "{centres:?} {uniform:?}");
 }
 
-/// Covers windows, coarser grids and ranks. Results on ranks are bitwise identical to the results of one process, and
-/// cells of the same size have the same coefficients on any grid.
+/// Covers windows, coarser grids and ranks. Results on ranks are bitwise identical to the results of one process. Cells
+/// of the same size have the same coefficients on any grid.
 #[test]
 fn ranks_with_centre_values_match_one_process() {
     // The grid has more than one chunk of cells, so that each rank has local cells.
@@ -382,7 +383,7 @@ fn subsurface_stresses_match_uniform_cells_of_same_displacement() {
     }
 }
 
-/// A solution, a history and a saved history require bodies with the same kind of values.
+/// A solution, a history and a saved history require bodies with values of the same type.
 #[test]
 fn mismatched_cell_values_are_rejected() {
     let grid = Grid::square(24, 3.0).unwrap();
@@ -437,7 +438,7 @@ fn mismatched_cell_values_are_rejected() {
     let step = LoadStep::hold().tangential(Axis::X, TangentialControl::Force(0.1));
     let [first, second] = [&mut one, &mut two].map(|history| history.step(&step).unwrap().shift());
     assert_eq!(first, second);
-    // The two kinds are distinguished even before the first solve.
+    // The two types of values are distinguished even before the first solve.
     let fresh = History::builder(&centres, &gap, friction())
         .build()
         .unwrap();

@@ -1,5 +1,4 @@
-//! The values of a report equal the formulas documented on its fields; the values are not merely bounded by these
-//! formulas.
+//! The values of a report equal the formulas documented on its fields. The formulas are not only bounds.
 
 use std::ops::ControlFlow;
 
@@ -8,8 +7,8 @@ use kit::{Random, max_abs};
 use stickslip::cgm::{self, Bounds, Method, NonNegative, Problem, Report, Settings};
 use stickslip::{Error, Operator, Scratch};
 
-/// Ring of springs, each coupled to its neighbours: 2 on the diagonal and `coupling` next to it. A coupling of -1 maps
-/// constants to zero.
+/// Ring of springs, each coupled to its neighbours. The entries are 2 on the diagonal and `coupling` next to the
+/// diagonal. A coupling of -1 maps constants to zero.
 struct Chain {
     len: usize,
     coupling: f64,

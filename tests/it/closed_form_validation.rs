@@ -1,5 +1,5 @@
-//! Every closed form rejects an invalid parameter with an error that contains its name and value, and returns finite
-//! numbers for all accepted parameters.
+//! Every closed form rejects an invalid parameter. The error contains the name and the value of the parameter. For
+//! all accepted parameters the results are finite.
 
 use kit::refusal::Rule::{Finite, NonNegative, Positive};
 use kit::refusal::assert_checked;

@@ -72,7 +72,8 @@ fn cone_converges_to_closed_form() {
             law("approach", approach, 0.04, 2.0);
             let area = relative(normal.contact_area(), cone.contact_area());
             law("contact area", area, 0.45, 1.0);
-            // The pressure has a pole at the apex and a square-root edge at the rim; in between it is smooth.
+            // The pressure has a singularity at the apex and a square-root singularity at the rim. Between them it is
+            // smooth.
             let exact = Field::from_fn(grid, |x, y| match distance(x, y) {
                 r if (0.3..0.8).contains(&r) => cone.pressure(r),
                 _ => 0.0,

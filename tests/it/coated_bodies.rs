@@ -20,7 +20,7 @@ use stickslip::{
 };
 
 /// Reference values from mpmath with 60 digits, computed from Papkovich-Neuber potentials. The factor of a cell and the
-/// angle of its waves are integrated in Fourier space; no formula of the library is used.
+/// angle of its waves are integrated in Fourier space. The values use no formula of the library.
 const CELLS: &str = include_str!("../data/layers/cells.csv");
 const RESPONSES: &str = include_str!("../data/layers/responses.csv");
 const STACKS: &str = include_str!("../data/layers/stacks.csv");
@@ -199,7 +199,7 @@ fn layer_of_substrate_material_has_no_effect() {
     assert!(l2_difference(layered.as_slice(), plain.as_slice()) < 1e-9);
 }
 
-/// A layer that is thin compared with the cells has no effect; a layer that is thick compared with the grid is a
+/// A layer that is thin compared with the cells has no effect. A layer that is thick compared with the grid is a
 /// half-space.
 #[test]
 fn thin_and_thick_layers_approach_their_limits() {
@@ -214,7 +214,8 @@ fn thin_and_thick_layers_approach_their_limits() {
     }
 }
 
-/// A bed that is thin compared with the contact is a Winkler foundation with the oedometric modulus.
+/// A layer that is bonded to a rigid base and thin compared with the contact is a Winkler foundation with the
+/// oedometric modulus.
 #[test]
 fn thin_bed_on_rigid_base_matches_winkler() {
     let (thickness, nu) = (0.02, 0.2);
@@ -247,7 +248,7 @@ fn thin_bed_on_rigid_base_matches_winkler() {
     );
 }
 
-/// Compares a rigid sphere on a coating with an axisymmetric solution; the error is of second order in the cell size.
+/// Compares a rigid sphere on a coating with an axisymmetric solution. The error is of second order in the cell size.
 #[test]
 fn sphere_on_coating_matches_axisymmetric_solution() {
     let substrate = Material::from_shear_modulus(1.0, 0.3).unwrap();
@@ -280,11 +281,11 @@ fn sphere_on_coating_matches_axisymmetric_solution() {
     }
 }
 
-/// Compares a paraboloid on an incompressible layer that is bonded to a rigid base with a series in powers of `x =
-/// sqrt(R d) / h`: `F = F_Hertz (1 + 1.133 x + 1.497 x^2 + 1.469 x^3 + 0.755 x^4 + ...)`, Garcia and Garcia,
-/// Biophysical Journal 114 (2018) 2923, <https://doi.org/10.1016/j.bpj.2018.05.012>. In the earlier series of
-/// Dimitriadis and others (Biophysical Journal 82 (2002) 2798) the second coefficient is 1.283, the square of the first
-/// coefficient, as for a flat punch.
+/// Compares a paraboloid on an incompressible layer with a series in powers of `x = sqrt(R d) / h`. The layer is bonded
+/// to a rigid base. The series is `F = F_Hertz (1 + 1.133 x + 1.497 x^2 + 1.469 x^3 + 0.755 x^4 + ...)`, Garcia and
+/// Garcia, Biophysical Journal 114 (2018) 2923, <https://doi.org/10.1016/j.bpj.2018.05.012>. In the earlier series of
+/// Dimitriadis and others (Biophysical Journal 82 (2002) 2798) the second coefficient is 1.283. As for a flat punch, it
+/// is the square of the first coefficient.
 #[test]
 fn paraboloid_on_bonded_layer_matches_published_series() {
     let force_over_hertz = |x: f64| {
@@ -346,8 +347,8 @@ fn certificate_bounds_error_for_random_coatings() {
     }
 }
 
-/// In the limits of thin and thick layers, the ratio of tangential to normal stiffness is Mindlin's ratio for the
-/// substrate and the layer.
+/// The ratio of tangential to normal stiffness is Mindlin's ratio, for the substrate in the limit of thin layers and
+/// for the layer in the limit of thick layers.
 #[test]
 fn shear_stiffness_matches_mindlin_in_both_limits() {
     let grid = Grid::square(48, 3.0).unwrap();
@@ -376,7 +377,7 @@ fn shear_stiffness_matches_mindlin_in_both_limits() {
         1e-4 / dragged.shift()[0] / stiffness
     };
     let (thin, middle, thick) = (ratio(1e-5), ratio(0.3), ratio(1e5));
-    // Mindlin's ratio is (2 - 2 nu)/(2 - nu); under the small force all cells stick.
+    // Mindlin's ratio is (2 - 2 nu)/(2 - nu). All cells stick because the force is small.
     assert!(
         (thin - 1.0).abs() < 0.02 && (thick - 1.0).abs() < 0.02,
         "{thin} {thick}"

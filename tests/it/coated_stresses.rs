@@ -11,9 +11,9 @@ use stickslip::{
     Boundary, CellValue, ElasticPair, Error, Field, Grid, HalfSpace, Material, Operator,
 };
 
-/// Stresses under a pressure (1 - r^2)^3 on one layer (G = 3, nu = 0.35, h = 0.4) on a body with G = 1 and nu = 0.25.
-/// They were computed from Hankel integrals of Love's strain function to 40 digits. A plus after a depth denotes the
-/// lower side of the interface.
+/// Stresses under a pressure (1 - r^2)^3. The layer has G = 3, nu = 0.35 and h = 0.4, and the body below it has G = 1
+/// and nu = 0.25. They were computed from Hankel integrals of Love's strain function to 40 digits. A plus after a depth
+/// denotes the lower side of the interface.
 const BELOW: &str = include_str!("../data/layers/below.csv");
 
 const BOUNDARIES: [Boundary; 3] = [
@@ -167,7 +167,8 @@ fn surface_plane_has_tractions_and_displacements() {
     }
 }
 
-/// Displacements, the stresses across the interface and the strains along it are continuous; the stresses along it jump.
+/// Displacements, the stresses across the interface and the strains along it are continuous. The stresses along the
+/// interface are discontinuous.
 #[test]
 fn interface_is_continuous() {
     for boundary in BOUNDARIES {
@@ -259,8 +260,8 @@ fn coated_stresses_are_in_equilibrium() {
             } else {
                 Tractions::new(&wave)
             };
-            // The parities are given for a pressure; a traction along x inverts the parity along x. The sign is the
-            // sign of d cos = -k sin.
+            // The parities are given for a pressure. A traction along x inverts the parity along x. The sign is the sign
+            // of d cos = -k sin.
             let odd = |x: bool, y: bool| [x != shear, y];
             let sign = if shear { 1.0 } else { -1.0 };
             let found: Vec<[f64; 6]> = (0..9)

@@ -25,7 +25,7 @@ fn random_contact() -> impl Strategy<Value = RandomContact> {
     (
         (1..20_usize, 1..20_usize, 0.3..3.0_f64),
         (0.0..0.5_f64, any::<u64>(), -4.0..-1.0_f64),
-        // In one of ten cases the bodies barely touch, and in one of ten the contact is close to gross slip.
+        // In one of ten cases the bodies barely touch. In one of ten cases the contact is close to gross slip.
         (
             prop_oneof![9 => -3.0..-0.5_f64, 1 => Just(-9.0)],
             prop_oneof![9 => -0.95..0.95_f64, 1 => Just(0.9999)],
@@ -153,7 +153,8 @@ proptest! {
         }
     }
 
-    /// A larger force reduces the stick zone; the stick zones are nested for a Poisson's ratio of zero.
+    /// A larger force reduces the stick zone. For a Poisson's ratio of zero, the smaller stick zone is part of the
+    /// larger one.
     #[test]
     fn stick_zone_shrinks_with_force(case in random_contact()) {
         let case = RandomContact { poisson_ratio: 0.0, ..case };
@@ -173,7 +174,7 @@ proptest! {
         prop_assert!(wider.unwrap().is_gross_slip());
     }
 
-    /// A larger approach increases the force, which is zero at first touch and before it.
+    /// A larger approach increases the force. The force is zero up to first touch.
     #[test]
     fn force_increases_with_approach(case in random_contact()) {
         let problem = case.to_units(1.0, 1.0);

@@ -24,8 +24,8 @@ fn press(bodies: &HalfSpace, gap: &Field, load: NormalControl) -> NormalSolution
     problem.build().unwrap().solve().unwrap()
 }
 
-/// Returns relative errors, averaged over the offsets, of the cell and fitted pressures, of the cell and fitted areas,
-/// and of the force of the cell averages.
+/// Returns five relative errors, averaged over the offsets: of the cell and the fitted pressures, of the cell and the
+/// fitted areas, and of the force of the cell averages.
 fn mean_errors(shape: &Smooth, grid: Grid, cell_value: CellValue) -> [f64; 5] {
     let bodies = bodies_with(grid, 0.0, cell_value);
     let mut sums = [0.0; 5];
@@ -113,7 +113,7 @@ fn edges_of_closed_form_stick_zones_match_area_and_traction() {
     assert!(peak < 2e-3, "{peak}");
 }
 
-/// Along the traction, the edge of a stick zone opens as a plane strain crack; across the traction, it opens as an
+/// Along the traction, the edge of a stick zone opens like a plane strain crack. Across the traction, it opens like an
 /// antiplane crack.
 #[test]
 fn edges_of_stick_zones_depend_on_traction_direction() {
@@ -198,8 +198,9 @@ fn edges_of_singular_pressure_are_not_fitted() {
     }
 }
 
-/// Compares a periodic rough contact, whose waves the cells barely resolve, with the same contact on cells that are
-/// three times finer (in the campaign, five times). Counting cells overestimates the area.
+/// Compares a periodic rough contact, whose waves the cells barely resolve, with the same contact on finer cells. The
+/// cells are three times finer in everyday runs and five times finer in the campaign. Counting cells overestimates the
+/// area.
 #[test]
 fn areas_of_rough_contacts_are_accurate_if_most_fits_fail() {
     let area = |cells: usize| -> (f64, f64, Edges) {
@@ -237,7 +238,7 @@ fn areas_of_rough_contacts_are_accurate_if_most_fits_fail() {
     assert!((raw / fine - 1.0).abs() > 0.04, "{raw} {fine}");
 }
 
-/// Covers a line contact across the edge of a periodic grid, and bodies that are apart.
+/// Covers a line contact across the edge of a periodic grid, and bodies without contact.
 #[test]
 fn edges_on_periodic_lines_and_without_contact_exist() {
     let grid = Grid::line(64, 3.0 / 64.0).unwrap();
@@ -299,8 +300,9 @@ fn edges_for_mismatched_bodies_and_slabs_are_rejected() {
     assert!(outcomes.iter().all(|outcome| *outcome == (true, None)));
 }
 
-/// Returns the relative errors of the traction, the largest traction and the stick area, for the cells and for the
-/// fitted edges, averaged over the offsets. The force is the given fraction of the sliding force.
+/// Returns the relative errors of the traction, of the largest traction and of the stick area, averaged over the
+/// offsets. The errors are given for the cells and for the fitted edges. The force is the given fraction of the
+/// sliding force.
 fn shear_errors(shape: &Smooth, cells: usize, part: f64) -> [[f64; 2]; 3] {
     let grid = Grid::square(cells, 3.0).unwrap();
     let (bodies, coefficient) = (bodies_with(grid, 0.0, CellValue::Centre), 0.5);
@@ -334,8 +336,8 @@ fn shear_errors(shape: &Smooth, cells: usize, part: f64) -> [[f64; 2]; 3] {
 }
 
 /// In a slip ring one cell wide, the slip does not indicate the edge of the stick zone. The edge is then extrapolated
-/// from inside, which requires a nearly quadratic field. Under a sphere this improves the traction; for a gap r^4 the
-/// traction keeps the accuracy of the cells.
+/// from inside, which requires a nearly quadratic field. Under a sphere the extrapolation improves the traction. For a
+/// gap r^4 the traction is as accurate as on the cells.
 #[test]
 fn narrow_slip_rings_do_not_degrade_the_traction() {
     let parts = kit::thorough(&[0.4][..], &[0.1, 0.2, 0.4, 0.6, 0.8]);
@@ -344,7 +346,7 @@ fn narrow_slip_rings_do_not_degrade_the_traction() {
             let all = shear_errors(&Smooth::quartic(), cells, part);
             let [[raw, found], [raw_peak, peak], [raw_stick, stick]] = all;
             assert!(found < 1.04 * raw, "{cells} {part} {all:?}");
-            // This is the least accurate of these contacts; the docs mention it.
+            // This is the least accurate of these contacts, and the docs mention it.
             let is_worst = cells == 40 && part == 0.6;
             let [peaks, sticks] = if is_worst { [1.4, 1.8] } else { [1.04, 1.5] };
             assert!(peak < peaks * raw_peak + 1e-3, "{cells} {part} {all:?}");

@@ -1,6 +1,6 @@
 //! Contacts solved by CONTACT satisfy the laws of contact with the influence coefficients of this crate.
 //!
-//! Displacements are plain sums over the cells in contact; no solver of this crate is used.
+//! Displacements are sums over the cells in contact. The tests use no solver of this crate.
 
 use kit::contact::{Case, Cell, Normal, ReferenceStep, Tangential};
 use stickslip::influence::{Component, Table};
@@ -60,8 +60,8 @@ fn assert_near(found: f64, expected: f64, scale: f64) {
     assert!(error <= TOLERANCE, "{found:e} for {expected:e}: {error:e}");
 }
 
-/// Checks that the pressure is positive only where the gap is closed and zero where it is open, and that the load is
-/// the prescribed load.
+/// Checks that the pressure is positive only where the gap is closed, that it is zero where the gap is open, and
+/// that the load is the prescribed load.
 fn assert_normal_contact(case: &Case, step: &ReferenceStep, displacements: &Displacements) {
     let load: f64 = step.cells.iter().map(|cell| cell.pressure).sum();
     assert_near(load * case.grid.cell_area(), step.load, step.load);

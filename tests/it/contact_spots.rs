@@ -21,7 +21,8 @@ fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
 }
 
 /// Two balls are so far apart that each ball displaces the surface under the other ball nearly uniformly. Under the
-/// load of its spot, each ball has the contact area of Hertz, whereas counting cells is wrong by several per cent.
+/// load of its spot, each ball has the contact area of Hertz. The area from counting cells has an error of several
+/// per cent.
 #[test]
 fn spot_areas_from_fitted_edges_match_hertz() {
     let grid = Grid::new(128, 40, 0.1, 0.1).unwrap();
@@ -117,7 +118,7 @@ fn spots_of_rough_contact_partition_area_and_load() {
 fn spot_across_periodic_edges_is_single() {
     let grid = Grid::new(40, 32, 0.5, 0.5).unwrap();
     let bodies = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), Boundary::Periodic).unwrap();
-    // The period is 20 by 16; the ball is pressed at (9, -7), near a corner.
+    // The period is 20 by 16. The ball is pressed at (9, -7), near a corner.
     let gap = Field::from_fn(grid, |x, y| {
         let near = |x: f64, centre: f64, period: f64| {
             (x - centre - period * ((x - centre) / period).round()).powi(2)

@@ -122,8 +122,8 @@ fn normal_stiffness_matches_difference_of_forces() {
     }
 }
 
-/// The stiffness of Hertz is 2 E* a, and the stiffness of Mindlin is the same value times the ratio of the compliances.
-/// Averaged over several loads, the error due to the staircase-shaped edge decreases with the cell size.
+/// The normal stiffness of Hertz is 2 E* a. The tangential stiffness of Mindlin is this value times the ratio of the
+/// compliances. Averaged over several loads, the error due to the staircase-shaped edge decreases with the cell size.
 #[test]
 fn stiffness_converges_to_hertz_and_mindlin() {
     let poisson = 0.3;
@@ -271,7 +271,7 @@ fn pressing_increases_force_by_limit_of_slipping_cells() {
     }
 }
 
-/// For a history the loading stiffness is the difference quotient of a further step, and the reversal stiffness is the
+/// The loading stiffness of a history is the difference quotient of a further step. The reversal stiffness is the
 /// difference quotient of a step back.
 #[test]
 fn history_stiffness_matches_steps_forward_and_back() {

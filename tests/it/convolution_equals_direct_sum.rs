@@ -253,7 +253,7 @@ proptest! {
         }
     }
 
-    /// The bound used by the certificates is below the smallest eigenvalue and close to it.
+    /// The bound of the certificates is slightly smaller than the smallest eigenvalue.
     #[test]
     fn smallest_eigenvalue_is_bounded((grid, pair) in (any_grid(), any_pair())) {
         let bodies = HalfSpace::new(grid, pair).unwrap();

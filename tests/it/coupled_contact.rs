@@ -13,7 +13,7 @@ use stickslip::{
 
 /// Stick ratios (ratios of the radii) to which the coefficients of [`FRICTION`] lead.
 const STICK_RADII: [f64; 6] = [0.1, 0.3, 0.5, 0.7, 0.8, 0.9];
-/// Dundurs' beta, and friction coefficients for which a punch pressed in one step has the stick ratios of
+/// Dundurs' beta, and the friction coefficients that give a punch pressed in one step the stick ratios of
 /// [`STICK_RADII`]. The coefficients were computed from ring elements with elliptic integrals, to 3e-5. By
 /// self-similarity (Spence, Proc. R. Soc. A 305 (1968) 55) they are also valid for a sphere pressed in many steps.
 const FRICTION: [(f64, [f64; 6]); 3] = [
@@ -31,7 +31,7 @@ fn zero_shift() -> TangentialLoad {
     TangentialLoad::shift([0.0; 2]).along(Axis::X, STILL)
 }
 
-/// Returns an elastic body with Dundurs' constant `beta` on a rigid one: `beta = (1 - 2 nu) / (2 - 2 nu)`.
+/// Returns an elastic body with Dundurs' constant `beta` on a rigid body, for which `beta = (1 - 2 nu) / (2 - 2 nu)`.
 fn against_rigid(beta: f64) -> ElasticPair {
     let poisson_ratio = (1.0 - 2.0 * beta) / (2.0 - 2.0 * beta);
     let pair = ElasticPair::new(
@@ -66,7 +66,8 @@ fn punch_gap(grid: Grid) -> Field {
     Field::from_fn(grid, |x, y| if x.hypot(y) < 1.0 { 0.0 } else { 1e3 })
 }
 
-/// The radius of the stick zone agrees to a tenth of a cell, or less closely if it spans only a few cells.
+/// The radius of the stick zone agrees to a tenth of a cell. If the radius spans only a few cells, the difference is
+/// larger.
 #[test]
 fn punch_stick_radii_match_spence() {
     let grid = Grid::square(65, 2.4).unwrap();
@@ -119,7 +120,7 @@ fn punch_stick_radii_converge_with_the_grid() {
     assert!(coarse < 0.02 && fine < 0.4 * coarse, "{coarse} {fine}");
 }
 
-/// Compares with Mossakovskii's stiffness factor of a punch in full stick, `(1 - nu) ln(3 - 4 nu) / (1 - 2 nu)`
+/// Compares the stiffness of a punch in full stick with Mossakovskii's factor `(1 - nu) ln(3 - 4 nu) / (1 - 2 nu)`
 /// (Borodich & Keer, Proc. R. Soc. A 460 (2004) 507). The singular rim slips for any friction coefficient.
 #[test]
 fn punch_in_full_stick_matches_mossakovskii() {
@@ -341,8 +342,8 @@ fn halves_are_within_their_error_bounds() {
     }
 }
 
-/// Returns the errors of pressure and traction of an inaccurate solution, each in its energy norm relative to the
-/// energy norm of the complete solution.
+/// Returns the errors of the pressure and of the traction of an inaccurate solution. Each error is in its energy norm,
+/// relative to the energy norm of the complete solution.
 fn energy_errors(bodies: &HalfSpace, loose: &CoupledSolution, exact: &CoupledSolution) -> [f64; 2] {
     let grid = bodies.grid();
     let tensor = bodies.tensor_operator([Z, X, Y]).unwrap();
@@ -554,7 +555,7 @@ fn loads_that_are_invalid_or_beyond_capacity_are_rejected() {
     assert!(report.residual > 1e-8);
 }
 
-/// Includes cases in which the last solution is a poor start, so that both halves are solved from scratch.
+/// In some of the cases the last solution is a poor start. The pressure and the traction are then solved from scratch.
 #[test]
 fn tolerances_of_any_size_are_met() {
     let grid = Grid::square(24, 3.0).unwrap();

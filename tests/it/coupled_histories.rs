@@ -15,9 +15,9 @@ use stickslip::{
 /// Tolerance relative to the largest pressure.
 const AGREED: f64 = 1e-7;
 
-/// Compares every step of a case of CONTACT, including its zones, at the default tolerance; the bodies are only
-/// pressed. The number of examinations is limited. One examination is allowed before each semismooth Newton step, one
-/// at the end, and one for a start that is too poor for Newton steps.
+/// Compares every step of a case of CONTACT, including its zones, at the default tolerance. The bodies are only pressed.
+/// The number of examinations is limited. One examination is allowed before each semismooth Newton step, one at the end,
+/// and one for a start that is too poor for Newton steps.
 fn assert_every_step_agrees(text: &str, steps: usize, examinations: usize) {
     let case = Case::parse(text);
     assert_eq!(case.steps.len(), steps);
@@ -128,8 +128,8 @@ fn ball_problem(cells: usize) -> (HalfSpace, Field) {
     (bodies, surface::sphere(grid, 10.0).unwrap())
 }
 
-/// The stick radius of a pressed sphere converges to the value of the punch (0.5) with first order in the number of
-/// steps.
+/// The stick radius of a pressed sphere converges to the value of the punch (0.5), with an error inversely proportional to
+/// the number of steps.
 #[test]
 fn stick_radius_converges_with_first_order_in_steps() {
     let (bodies, gap) = ball_problem(53);
@@ -348,8 +348,8 @@ fn press_to_tolerance_takes_two_steps_if_one_is_exact() {
     ends_at_two_steps(smooth, 60.0);
 }
 
-/// Loads that grow from an earlier load or fall to zero are also divided into steps in which the contact size changes
-/// equally.
+/// Loads that increase from an earlier load or decrease to zero are also divided into steps with equal changes of the
+/// contact size.
 #[test]
 fn press_to_tolerance_continues_from_a_load_and_unloads() {
     let mut history = aluminium_on_steel(24, 0.1, Coupling::OneWay);
@@ -498,8 +498,8 @@ fn growing_contact_in_one_step_matches_many_steps() {
     }
 }
 
-/// Weakly coupled bodies that are pressed in a few long steps stick everywhere, as they do in many steps, whereas
-/// [`EntryRule::WholeStep`] lets a ring slip.
+/// Weakly coupled bodies that are pressed in a few long steps stick everywhere, as they do in many steps. Under
+/// [`EntryRule::WholeStep`] a ring slips.
 #[test]
 fn weakly_coupled_press_sticks_for_any_number_of_steps() {
     let grid = Grid::square(41, 2.6).unwrap();

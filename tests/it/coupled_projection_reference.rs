@@ -11,7 +11,7 @@ use stickslip::{
     NormalControl, Operator,
 };
 
-/// Pressures and tractions of all cells; the z component comes first.
+/// Pressures and tractions of all cells. The z component is the first.
 type Tractions = Vec<[f64; 3]>;
 
 /// Motion of the bodies in a step.
@@ -143,8 +143,8 @@ fn project_onto_cone(p: f64, q: [f64; 2], friction: f64) -> [f64; 3] {
     }
 }
 
-/// Checks a history of a random pair of bodies that are pressed, sheared, twisted, unloaded, worn, given a different
-/// friction coefficient and pressed further. Body 1 has the given coating, if any.
+/// Checks a history of a random pair of bodies. They are pressed, sheared, twisted, unloaded and worn. The friction
+/// coefficient is then changed, and they are pressed further. Body 1 has the given coating, if any.
 fn assert_scene_agrees(scene: u64, coating: Option<Layer>) {
     let mut random = Random(scene);
     let (nx, ny) = (random.integer(2, 6), random.integer(3, 6));

@@ -1,5 +1,6 @@
-//! Rolling of dissimilar bodies with full coupling of pressure and traction. The tests compare with numbers of CONTACT,
-//! the governing equations, closed forms and limits, and check that errors are below the reported estimates.
+//! Rolling of dissimilar bodies with full coupling of pressure and traction. The tests compare solutions with numbers
+//! of CONTACT, the governing equations, closed forms and limits. They also check that errors are below the reported
+//! estimates.
 
 use proptest::prelude::*;
 use stickslip::analytical::{BentallJohnson, HertzLine};
@@ -49,9 +50,9 @@ fn zone_cells(rolling: &CoupledRollingSolution) -> [usize; 2] {
 
 /// Compares with the example `bentall` of CONTACT (E. A. H. Vollebregt, Apache-2.0), cases 3 to 6, with an aluminium
 /// roller on a steel roller. The printed creepages and forces have four digits. CONTACT alternates between pressure and
-/// traction until both no longer change. Without the change of the pressure the creepages of CONTACT are 3.628e-4,
-/// 4.281e-4, 2.094e-4 and 5.388e-4, and no case has 201 cells in contact. CONTACT's creepage is the motion of body 1,
-/// so it has the opposite sign.
+/// traction until both no longer change. If the change of the pressure is neglected, the creepages of CONTACT are
+/// 3.628e-4, 4.281e-4, 2.094e-4 and 5.388e-4. No case then has 201 cells in contact. CONTACT defines the creepage as
+/// the motion of body 1, so it has the opposite sign.
 #[test]
 fn coupled_rollers_match_printed_digits_of_contact() {
     let grid = Grid::new(216, 1, 0.001, 1000.0).unwrap();

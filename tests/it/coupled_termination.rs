@@ -170,7 +170,7 @@ fn forces_close_to_sliding_converge() {
 }
 
 /// Under a prescribed approach, or with friction that varies between cells, the friction capacity depends on the
-/// unknown pressure. A force that is too large is rejected nevertheless, and the error contains the sliding force.
+/// unknown pressure. A force that is too large is still rejected, and the error contains the sliding force.
 #[test]
 fn forces_beyond_sliding_are_rejected() {
     let (bodies, gap) = ball_problem(12, 0.0);

@@ -7,7 +7,8 @@ use stickslip::cgm::{
 };
 use stickslip::{Error, Operator, Scratch};
 
-/// A positive definite matrix over all components of all cells, with a lower bound of its eigenvalues if it is known.
+/// A positive definite matrix over all components of all cells, and a lower bound of its eigenvalues if the bound is
+/// known.
 struct DenseMatrix {
     rows: Vec<Vec<f64>>,
     cells: usize,
@@ -34,7 +35,7 @@ impl DenseMatrix {
         }
     }
 
-    /// Adds an antisymmetric part with entries as large as the existing ones.
+    /// Adds an antisymmetric matrix with entries as large as the existing entries.
     fn with_antisymmetric_part(mut self, random: &mut Random) -> Self {
         let size = self.rows.len();
         let root = (size as f64).sqrt();
@@ -181,7 +182,8 @@ fn two_unknowns_per_cell_satisfy_minimum_conditions() {
                 ux[i] + bx[i] - found.multiplier[0],
                 uy[i] + by[i] - found.multiplier[1],
             ];
-            // Inside the disc the gradient vanishes; on its boundary the gradient is opposite to the vector.
+            // Inside the disc the gradient vanishes. On the boundary of the disc the gradient is opposite to the
+            // vector.
             let (along, across) = if size > 0.0 {
                 let (along, across) = (g[0] * x[i] + g[1] * y[i], g[0] * y[i] - g[1] * x[i]);
                 (along / size, across / size)
@@ -369,8 +371,8 @@ impl Operator for FailingOperator {
     }
 }
 
-/// After a solve with a product that becomes NaN or infinite, the iterate is feasible and finite, and the status
-/// reports a stall.
+/// If a product becomes NaN or infinite during a solve, the status reports a stall. The iterate is feasible and
+/// finite.
 #[test]
 fn failing_operator_leaves_a_feasible_iterate() {
     let mut random = Random(3);

@@ -158,7 +158,7 @@ fn cycle_loop_area_equals_dissipation() {
     assert!((cycle.energy_ratio() / ratio - 1.0).abs() < 2e-3);
 }
 
-/// For a sphere the energy ratio is 1/5 at the onset of sliding for all materials, and grows to one.
+/// For a sphere the energy ratio is 1/5 at the onset of sliding for all materials. It then increases to one.
 #[test]
 fn energy_ratio_separates_partial_from_gross_slip() {
     let grid = Grid::square(kit::thorough(64, 96), 10.0).unwrap();
@@ -289,7 +289,8 @@ fn cycle_rejects_history_on_a_different_grid() {
     assert_eq!(cycle, untouched);
 }
 
-/// Each step is added once. Steps may be skipped, but no step is added twice or before it has been taken.
+/// Each step is added once. Steps may be skipped. No step is added twice, and no step is added before it has been
+/// taken.
 #[test]
 fn cycle_rejects_step_that_is_not_new() {
     let mut history = ball_history(1e-6);
@@ -301,7 +302,7 @@ fn cycle_rejects_step_that_is_not_new() {
     assert_eq!(cycle.add(&history), Ok(()));
     let once = cycle.clone();
     assert_eq!(cycle.add(&history), not_new(2, 2));
-    // The first history is different; the second is the same history after a restart.
+    // The first history is different. The second is the same history after a restart.
     assert_eq!(cycle.add(&ball_history(1e-6)), not_new(1, 2));
     let bodies = unit_bodies(history.grid(), 0.3);
     let mut restored = History::from_bytes(&bodies, &history.to_bytes()).unwrap();

@@ -1,5 +1,5 @@
 //! Files that ranks write slab by slab are identical, byte by byte, to the files of one process. The fields that ranks
-//! read are bitwise identical, too.
+//! read are also bitwise identical.
 
 use std::fs;
 use std::path::{Path, PathBuf};

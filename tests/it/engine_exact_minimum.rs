@@ -115,7 +115,7 @@ fn tangential_contact_under_force_has_the_exact_minimum() {
         let mut scene = RandomProblem::new(1000 + seed);
         let matrix = DenseOperator::of_half_space(&scene.bodies, Component::XX).unwrap();
         let cells = scene.gap.grid().cells();
-        // The limits resemble a pressure, and some are zero; the slip of an earlier step may be present.
+        // The limits resemble a pressure, and some are zero. There may be slip of an earlier step.
         let limits: Vec<f64> = (0..cells)
             .map(|_| scene.random.uniform(-0.3, 1.0).max(0.0))
             .collect();
@@ -277,7 +277,8 @@ fn dense_reference_solves_three_unknowns_exactly() {
         .minimise(&[-1.0, 0.5, -1.0], &NonNegative, None)
         .unwrap();
     assert!(kit::max_difference(&free.x, &[0.5, 0.0, 0.5]) < 1e-15);
-    // x_1 = x_3 = (3 - x_2)/2, and the gradients agree: 2 x_1 + x_2 - 1 = 2 x_1 + 2 x_2 + 1/2.
+    // The total gives x_1 = x_3 = (3 - x_2)/2. Equal gradients, 2 x_1 + x_2 - 1 = 2 x_1 + 2 x_2 + 1/2, would require
+    // x_2 = -3/2, so that x_2 = 0.
     let held = matrix
         .minimise(&[-1.0, 0.5, -1.0], &NonNegative, Some(3.0))
         .unwrap();

@@ -187,7 +187,7 @@ fn smallest_twist_sticks() {
     assert!((-small.stick_ratio().ln()).abs() <= 2.0 * stick);
 }
 
-/// The influence coefficients are finite up to an aspect ratio of 1e100; more slender cells are rejected.
+/// The influence coefficients are finite up to an aspect ratio of 1e100. More slender cells are rejected.
 #[test]
 fn slender_cells_have_finite_coefficients_or_are_rejected() {
     let steel = Material::new(210e9, 0.3).unwrap();
@@ -252,7 +252,7 @@ fn heights_near_the_largest_double_are_filled_and_resampled() {
     assert!(surface::resample(&scaled(&tall), finer).is_ok());
 }
 
-/// Close to sliding the slip of a cell is as small as the residual; the dissipation is not negative nevertheless.
+/// Close to sliding the slip of a cell is as small as the residual. The dissipation is still not negative.
 #[test]
 fn dissipation_close_to_sliding_is_not_negative() {
     let mut random = Random(8);
@@ -303,7 +303,7 @@ fn extreme_number(outcome: Result<impl Sized, Error>) -> Option<(&'static str, f
 }
 
 /// Scales bodies, loads and tangential loads by the same unit. Solutions scale with the unit if squares are
-/// representable; otherwise an error reports the value.
+/// representable. Otherwise an error reports the value.
 #[test]
 fn units_with_squares_out_of_range_are_rejected_before_any_work() {
     let grid = Grid::square(16, 8.0).unwrap();

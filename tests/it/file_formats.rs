@@ -217,7 +217,7 @@ fn asc_header_determines_sides_unit_and_missing_points() {
     let file = header("# z-unit = um\r\n# missing value = -32768\r\n") + heights;
     let by_comment = io::asc::parse(file.as_bytes()).unwrap();
     assert!(by_comment.as_slice()[2].is_nan() && !by_comment.as_slice()[1].is_nan());
-    // A mask after the heights marks the missing points; a repeated value alone does not mark them.
+    // A mask after the heights marks the missing points. A repeated value alone does not mark them.
     let mask = "0 1 0\n0 0 0\n";
     let file = header("# Bit2nm = 1000\r\n# voidpixels = 1\r\n") + heights + mask;
     let by_mask = io::asc::parse(file.as_bytes()).unwrap();

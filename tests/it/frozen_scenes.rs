@@ -1,19 +1,19 @@
-//! Costs and results of small scenes, recorded in `tests/data/frozen_scenes.csv`, which must not change when the engine
-//! is rewritten.
+//! Costs and results of small scenes, which must not change when the engine is rewritten. They are recorded in
+//! `tests/data/frozen_scenes.csv`.
 //!
 //! `FREEZE=write cargo test --test it frozen_scenes` writes that file. Without the variable the test recomputes the
 //! scenes and compares the results with the file. For `Exact` scenes, counts must be equal, and numbers must agree to
-//! 1e-13 of their scale. For `Rounded` scenes, the order of sums has changed since the file was written. Counts must
-//! then agree to a few, and numbers to 1e-9 of their scale. For `Solver` scenes, counts are not compared, and numbers
-//! must agree to 1e-9 of their scale.
+//! 1e-13 of their scale. For `Rounded` scenes, the order of sums has changed since the file was written. Counts may then differ
+//! by a few, and numbers must agree to 1e-9 of their scale. For `Solver` scenes, counts are not compared, and numbers must
+//! agree to 1e-9 of their scale.
 //!
-//! The iterations amplify rounding. If gaps change in their last bits, numbers of more than half of the scenes change
-//! by more than 1e-13 (by up to 2e-9 if solves have a tolerance of 1e-8). Counts of a few solves change by one to five.
-//! `Exact` therefore requires the same sums in the same order, on a processor with the same vector units as the
-//! processor that wrote the file.
+//! The iterations amplify rounding. If the last bits of the gaps change, numbers of more than half of the scenes change by more
+//! than 1e-13. For solves with a tolerance of 1e-8 the change is up to 2e-9. Counts of a few solves change by one to five.
+//! `Exact` therefore requires the same sums in the same order. It also requires the same vector units as on the processor that
+//! wrote the file.
 //!
-//! The test also writes a hash of all bits of every scene to `frozen_bits`, in the folder for temporary files of the
-//! target directory. The hashes of two versions of the code can be compared on one machine.
+//! The test also writes a hash of all bits of every scene to `frozen_bits`. This file is in the folder for temporary files of
+//! the target directory. The hashes of two versions of the code can be compared on one machine.
 
 use std::fmt::Write;
 
@@ -102,7 +102,7 @@ const SCENES: &[FrozenScene] = &[
 // ---------------------------------------------------------------------------------------------------------------------
 // Record of a scene.
 
-/// Line of the file: the quantity, its value, and its scale or the kind of count.
+/// Line of the file: the quantity, its value, and its scale or the type of count.
 struct FrozenRow {
     quantity: String,
     value: String,
@@ -491,7 +491,7 @@ fn rough_two_fifths(record: &mut Record) {
     );
 }
 
-/// Force for which a tenth of a rough surface of 96 x 96 cells is in contact.
+/// Normal force under which a tenth of a rough surface of 96 x 96 cells is in contact.
 const ROUGH_TENTH: f64 = 70.0;
 /// Force for which two fifths of this surface are in contact.
 const ROUGH_TWO_FIFTHS: f64 = 300.0;

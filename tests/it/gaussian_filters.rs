@@ -56,7 +56,7 @@ fn transmission(filter: GaussianFilter, grid: Grid, periods: [f64; 2]) -> f64 {
 
 #[test]
 fn filter_transmits_half_of_a_wave_at_nesting_index() {
-    // Covers wavelengths relative to the side, numbers of periods along x and y, and filters of both kinds.
+    // Covers wavelengths relative to the side, numbers of periods along x and y, and both types of filters.
     let grid = Grid::new(96, 120, 1.0, 0.8).unwrap();
     let side: f64 = 96.0;
     for periods in [
@@ -228,7 +228,7 @@ fn filter_matches_surfalize() {
             filter
         };
         let filtered = filter.apply(&surface).unwrap();
-        // Points near the edges are excluded, because surfalize mirrors the surface there.
+        // Points near the edges are excluded, because surfalize mirrors the surface at the edges.
         let margin = |side: f64| {
             if edges == "wrap" {
                 0.0
@@ -301,7 +301,7 @@ fn filters_with_invalid_indices_are_rejected() {
                 matches!(refused, Error::NotPositive { quantity: q, .. } if q.starts_with(quantity))
             );
         }
-        // The smallest index is two cells of size 1 along y; cells along x are half as long. The longer side of the
+        // The smallest index is two cells of size 1 along y. Cells are half as long along x. The longer side of the
         // grid is 30, and the shorter side is 20.
         assert!(matches!(
             size(make(1.9)),

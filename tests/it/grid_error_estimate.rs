@@ -40,8 +40,8 @@ fn estimate_for_pressure_is_close_to_error() {
     }
 }
 
-/// As documented for the estimate, there are at least 32 cells over three contact radii, and the slip zone is at least a
-/// cell wide.
+/// As the documentation of the estimate requires, there are at least 32 cells over three contact radii. The slip zone is
+/// at least one cell wide.
 #[test]
 fn estimate_for_traction_is_close_to_error() {
     let (parts, coefficient) = (16, 0.5);

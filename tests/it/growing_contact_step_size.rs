@@ -1,6 +1,6 @@
 //! A contact that grows under shear reaches the same tractions for any number of steps. The agreement is exact along
-//! straight load paths, and of second order along curved paths. Lengths are in units of the radius of the ball divided
-//! by 1000; the grid is 64 long and wide.
+//! straight load paths, and of second order along curved paths. The unit of length is the radius of the ball divided
+//! by 1000. The grid is 64 long and wide.
 
 use kit::Random;
 use stickslip::history::{AdaptiveSteps, EntryRule};
@@ -81,7 +81,7 @@ fn with_waves(ball: &Field, part: f64) -> Field {
 /// Approach or normal force, and shift or tangential force, at the end of a leg of the path.
 type Leg = (f64, [f64; 2]);
 
-/// Follows the legs in equal steps; a leg that only presses is a single step.
+/// Follows the legs of a load path in equal steps. A leg that only presses is a single step.
 fn follow_legs(history: &mut History, legs: &[Leg], steps: usize, load: impl Fn(Leg) -> LoadStep) {
     let (mut press, mut shear) = (0.0, [0.0; 2]);
     for &(next_press, next_shear) in legs {
@@ -279,8 +279,8 @@ fn growing_contact_matches_jaeger_superposition() {
     assert!((history.shift()[0] / shift - 1.0).abs() < 1e-8);
 }
 
-/// For a nonzero Poisson's ratio, the error of one long step is a few per cent, far less than the error under the rule
-/// [`EntryRule::WholeStep`]. If every cell slips from first contact, both rules give the same result.
+/// For a nonzero Poisson's ratio, the error of one long step is a few per cent. It is far smaller than the error under
+/// the rule [`EntryRule::WholeStep`]. If every cell slips from first contact, both rules give the same result.
 #[test]
 fn long_steps_with_growth_rule_are_accurate() {
     let paths: [&[Leg]; 5] = [
@@ -364,7 +364,7 @@ fn assert_order_on_curved_paths(scene: &GrowingCase, least: f64) {
     }
 }
 
-/// The ball is twisted while it is pressed, about its centre and about an eccentric point.
+/// The ball is pressed and twisted simultaneously, about its centre and about an eccentric point.
 #[test]
 fn twist_in_a_growing_contact_is_accurate() {
     for poisson_ratio in [0.0, 0.3] {

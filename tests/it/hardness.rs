@@ -1,5 +1,5 @@
-//! The pressure never exceeds the hardness, and minimises the energy among such pressures. The references are other
-//! codes and a dense matrix. Contacts are also unloaded and loaded again.
+//! The pressure never exceeds the hardness. It minimises the energy among all pressures that satisfy this condition. The
+//! references are other codes and a dense matrix. Contacts are also unloaded and loaded again.
 
 use kit::{Random, max_difference, rough, unit_bodies};
 use stickslip::cgm::Bounds;
@@ -12,7 +12,7 @@ use stickslip::{
     TangentialLoad, TangentialModel, analytical, history::EntryRule, surface,
 };
 
-/// Returns steel on a rigid body; the contact modulus is in MPa.
+/// Returns steel on a rigid body. The contact modulus is in MPa.
 fn steel(grid: Grid) -> HalfSpace {
     let body = Material::new(115_384.615_384_615_39, 0.0).unwrap();
     HalfSpace::new(grid, ElasticPair::new(body, Material::rigid()).unwrap()).unwrap()
@@ -289,8 +289,8 @@ fn loads_beyond_capacity_are_rejected() {
     ));
 }
 
-/// The loads are carried by a whole number of cells at their limit, and no cell has a pressure between zero and its
-/// limit. Any approach within a range is then a multiplier.
+/// Each load is carried by a whole number of cells at their limit. No cell has a pressure between zero and its limit.
+/// Any approach within a range is then a multiplier.
 #[test]
 fn all_cells_may_be_at_their_bounds() {
     let grid = Grid::square(16, 4.0).unwrap();

@@ -101,9 +101,9 @@ fn moment_not_requested_is_gaussian() {
     }
 }
 
-/// Most cells follow the distribution, so the moments do not depend on a few extreme cells. For skewness 1 and the
-/// kurtosis of the lognormal distribution `exp(w g)` with this skewness, w = 0.31436, the 16 %, 50 % and 84 % quantiles
-/// of the heights are the values for `g = -1, 0, 1`.
+/// Most cells follow the distribution, so the moments do not depend on a few extreme cells. The lognormal distribution
+/// `exp(w g)` with w = 0.31436 has skewness 1. For this skewness and its kurtosis, the 16 %, 50 % and 84 % quantiles of
+/// the heights are the values for `g = -1, 0, 1`.
 #[test]
 fn heights_follow_the_johnson_distribution() {
     const WIDTH: f64 = 0.314_361;

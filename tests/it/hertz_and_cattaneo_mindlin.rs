@@ -1,7 +1,7 @@
 //! Tests of the sphere of the paper: results of Table 2 on 512 x 512 cells, and the convergence of the error.
 //!
 //! Each error bound consists of an order and a constant. It limits the largest error over eight offsets of the sphere
-//! within a cell, as a function of a/h, the ratio of contact radius to cell side.
+//! within a cell. The argument of the bound is a/h, the ratio of contact radius to cell side.
 
 use kit::{Random, Table2, l2_difference, max_abs};
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};

@@ -1,6 +1,6 @@
-//! Every kind of history has bitwise identical results when it is saved, copied, restored to an earlier state,
-//! disturbed by failing steps, or run concurrently with others. This also applies to any number of threads and any
-//! number of ranks.
+//! The results of every history are bitwise identical if it is saved, copied or restored to an earlier state. They are
+//! also bitwise identical if it is disturbed by failing steps or run concurrently with others. The number of threads
+//! and the number of ranks do not change the results.
 
 use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
@@ -29,7 +29,7 @@ fn with_ordinary_tolerance(scene: &Scene) -> Scene {
     }
 }
 
-/// Returns the scene with an ordinary tolerance; the last steps are left out except in the campaign.
+/// Returns the scene with an ordinary tolerance. Except in the campaign, the last steps are omitted.
 fn shortened(scene: &Scene) -> Scene {
     let mut scene = with_ordinary_tolerance(scene);
     scene.path.truncate(kit::thorough(5, usize::MAX));
@@ -49,7 +49,7 @@ fn check_equal<T: PartialEq + ?Sized>(
     }
 }
 
-/// Sets a different gap, friction and tolerance, and applies loads that need a different window; these steps may fail.
+/// Sets a different gap, friction and tolerance, and applies loads that need a different window. These steps may fail.
 fn disturb(history: &mut History, scene: &Scene) {
     let other = history.gap().map(|gap| 0.5 * gap + 0.01);
     history.set_gap(&other).unwrap();
@@ -220,8 +220,7 @@ fn run_separately(scenes: &[Scene]) -> Vec<Vec<u8>> {
     scenes.iter().map(run).collect()
 }
 
-/// Returns the scenes without wear, truncated to the same number of steps so that a single call can step their
-/// histories.
+/// Returns the scenes without wear. They have the same number of steps, so that a single call can step their histories.
 fn scenes_without_wear() -> Vec<Scene> {
     let mut scenes: Vec<_> = scenes().iter().map(with_ordinary_tolerance).collect();
     scenes.retain(|scene| scene.wear == 0.0);
@@ -231,7 +230,7 @@ fn scenes_without_wear() -> Vec<Scene> {
     scenes
 }
 
-/// Runs a scene on the given bodies; halfway, its saved state is continued on a different thread.
+/// Runs a scene on the given bodies. The state is saved after two steps and continued on a different thread.
 fn run_on_two_threads(scene: &Scene, bodies: &HalfSpace) -> Vec<u8> {
     let mut history = scene.history(bodies, &POSE);
     let (first, then) = scene.path.split_at(2);
@@ -309,7 +308,7 @@ fn histories_in_one_call_or_pool_are_bitwise_identical() {
     }
 }
 
-/// Returns the scene in two steps on a grid that is refined by `times` along x and y, so that every thread and rank has
+/// Returns the scene in two steps on a grid that is refined by `times` along x and y. Every thread and rank then has
 /// cells.
 fn refined(scene: &Scene, times: usize) -> Scene {
     let mut scene = Scene {
@@ -339,7 +338,7 @@ fn history_on_any_number_of_threads_is_bitwise_identical() {
     });
 }
 
-/// Returns scenes that together cover every boundary, model, coupling and kind of memory. In the campaign it returns
+/// Returns scenes that together cover every boundary, model, coupling and type of memory. In the campaign it returns
 /// all scenes.
 fn some_scenes() -> Vec<Scene> {
     let chosen = [

@@ -55,8 +55,8 @@ fn steady_loop_area_equals_dissipation() {
     cycle(&mut history);
     let [work, mid_step, end_of_step, residual] = cycle(&mut history);
     assert!((work / mid_step - 1.0).abs() < 1e-9);
-    // The trapezoidal rule underestimates the loop area; the dissipation by the tractions at the end of the steps does
-    // not underestimate it.
+    // The trapezoidal rule underestimates the loop area. The dissipation by the tractions at the end of the steps does
+    // not underestimate the area.
     assert!(end_of_step > mid_step && end_of_step < 1.1 * mid_step);
     assert!(residual < 1e-9 * work);
 }

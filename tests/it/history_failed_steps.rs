@@ -1,4 +1,4 @@
-//! A step that is rejected or does not converge leaves the state, and the start of the next step, bitwise unchanged.
+//! If a step is rejected or does not converge, the state and the start of the next step are bitwise unchanged.
 
 use kit::{rough, unit_bodies};
 use stickslip::cgm::Status;

@@ -1,5 +1,5 @@
-//! In a history with a hardness, the pressure does not exceed the hardness, and yielded material keeps its shape if
-//! permanent set is enabled.
+//! In a history with a hardness, the pressure does not exceed the hardness. If permanent set is enabled, yielded
+//! material keeps its shape.
 
 use kit::{max_difference, rough, unit_bodies};
 use stickslip::normal::Hardness;
@@ -182,7 +182,7 @@ fn load_beyond_capacity_of_last_window_is_carried() {
     }
 }
 
-/// Histories of the same bodies share buffers; data of one history must not affect another.
+/// Histories of the same bodies share buffers. The content left by one history must not affect another history.
 #[test]
 fn histories_with_shared_buffers_are_independent() {
     let grid = Grid::square(24, 4.0).unwrap();

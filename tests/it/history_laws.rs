@@ -1,5 +1,5 @@
-//! Properties of any history. Without slip there are no residual effects, cells do not slip at first contact, and
-//! tractions are within the limit of the current pressure.
+//! Properties of any history. A history without slip has no residual effects. Cells do not slip at first contact.
+//! Tractions are within the limit of the current pressure.
 
 use kit::{max_abs, max_difference, rough, unit_bodies};
 use stickslip::{
@@ -123,7 +123,7 @@ fn new_contact_cells_start_without_traction() {
         entered += usize::from(*zone == Zone::Separated && now == Zone::Stick);
     }
     assert!(entered > 100);
-    // All cells stick under the same force; without slip, no traction changes.
+    // All cells stick under the same force. Without slip, no traction changes.
     let difference = max_difference(history.traction()[0].as_slice(), traction.as_slice());
     assert!(difference < 1e-6 * traction.max(), "{difference:e}");
 
@@ -186,7 +186,7 @@ fn force_before_first_contact_is_rejected() {
             assert!(matches!(refused, Err(Error::EmptyContact)));
             assert_eq!(history.shift()[axis.index()], shift);
         }
-        // The bodies are pressed together at this shift and stick at it.
+        // The bodies are pressed together at this shift and stick.
         let hold = TangentialControl::Hold;
         take_steps(&mut history, &[(NormalControl::Force(2.0), hold)], 1.0);
         assert_eq!(history.shift()[axis.index()], position);

@@ -41,8 +41,8 @@ fn monotonic(part: f64) -> CattaneoMindlin {
     CattaneoMindlin::new(hertz, Table2::FRICTION, part * LIMIT).unwrap()
 }
 
-/// Returns traction and shift during unloading from `AMPLITUDE`: the values at `AMPLITUDE` minus twice the values for
-/// half the change of the force.
+/// Returns traction and shift during unloading from `AMPLITUDE`. They are the values at `AMPLITUDE` minus twice the
+/// values for half the change of the force.
 fn unloading(part: f64) -> (impl Fn(f64) -> f64, f64) {
     let (there, back) = (monotonic(AMPLITUDE), monotonic(0.5 * (AMPLITUDE - part)));
     let shift = there.shift() - 2.0 * back.shift();
@@ -101,8 +101,8 @@ fn energy_of_a_cycle_converges() {
     }
 }
 
-/// For any number of steps, the state at the end of a cycle equals the state at its start, and the state in the middle
-/// is the mirror image.
+/// For any number of steps, the state at the end of a cycle equals the state at its start. The state in the middle of
+/// the cycle is the mirror image.
 #[test]
 fn number_of_steps_does_not_change_the_cycle() {
     let mut ends: Vec<History> = Vec::new();

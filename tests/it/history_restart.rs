@@ -63,7 +63,8 @@ fn damaged_bytes_are_rejected() {
     }
 }
 
-/// Replaces the FNV-1a checksum by the checksum of the damaged bytes, so that they are accepted by the checksum test.
+/// Replaces the FNV-1a checksum by the checksum of the damaged bytes, so that the damaged bytes pass the test of the
+/// checksum.
 fn with_checksum(mut bytes: Vec<u8>) -> Vec<u8> {
     let end = bytes.len() - 8;
     let sum = bytes[..end]

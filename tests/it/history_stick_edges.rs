@@ -31,7 +31,7 @@ fn shear(force: f64) -> LoadStep {
     LoadStep::hold().tangential(Axis::X, TangentialControl::Force(force))
 }
 
-/// Returns the history of a ball that is pressed and then subjected to the tangential forces.
+/// Returns the history of a ball that is pressed and then loaded by the tangential forces.
 fn history(bodies: &HalfSpace, offset: [f64; 2], forces: &[f64]) -> History {
     let gap = Smooth::sphere().gap(bodies.grid(), offset);
     let builder = History::builder(bodies, &gap, Friction::coulomb(FRICTION).unwrap());
@@ -44,8 +44,8 @@ fn history(bodies: &HalfSpace, offset: [f64; 2], forces: &[f64]) -> History {
     history
 }
 
-/// Returns the relative errors of the counted and the fitted stick area, and the relative errors of the raw and the
-/// fitted tractions.
+/// Returns the relative errors of the counted stick area, the fitted stick area, the raw tractions and the fitted
+/// tractions.
 fn errors(history: &History, offset: [f64; 2], forces: &[f64]) -> [f64; 4] {
     let grid = history.grid();
     let hertz = HertzSphere::new(&unit_pair(0.0), 1.0, LOAD).unwrap();
@@ -68,17 +68,17 @@ fn errors(history: &History, offset: [f64; 2], forces: &[f64]) -> [f64; 4] {
     ]
 }
 
-/// The paths are loading, unloading, reversal and two reversals, in steps of any length. The errors are the mean and
-/// the largest error over eight positions (three positions outside the thorough run) on 96 cells over three contact
-/// radii.
+/// The paths are loading, unloading, reversal and two reversals, in steps of any length. There are 96 cells over
+/// three contact radii. The test uses the mean and the largest error over eight positions in the thorough run, and
+/// over three positions otherwise.
 #[test]
 fn stick_edges_after_reversals_match_mindlin_deresiewicz() {
     let bodies = bodies(96);
     let offsets = &OFFSETS[..kit::thorough(3, 8)];
     let part =
         |parts: &[f64]| -> Vec<f64> { parts.iter().map(|part| part * FRICTION * LOAD).collect() };
-    // Each case lists the path, the limits of the errors with fitted edges (as fractions of the errors of the counted
-    // area and of the raw traction), and the limit of the largest error of the area.
+    // Each case lists the path, the limits of two errors with fitted edges, and the limit of the largest error of the
+    // area. The first two limits are fractions of the errors of the counted area and of the raw traction.
     for (name, forces, area_left, traction_left, worst_area) in [
         ("loaded", part(&[0.4]), 0.05, 0.3, 1e-3),
         (
@@ -133,8 +133,8 @@ fn stick_edges_after_return_to_state_are_accurate() {
     assert_eq!(restarted.edges().unwrap(), history.edges().unwrap());
 }
 
-/// Without contact there is no edge. If no cell slips, the stick zone is the contact for any tractions; if every cell
-/// slips, it is empty.
+/// Without contact there is no edge. If no cell slips, the stick zone is the contact for any tractions. If every cell
+/// slips, the stick zone is empty.
 #[test]
 fn every_state_has_stick_edges() {
     let bodies = bodies(48);

@@ -85,7 +85,8 @@ fn new_gap_preserves_the_state() {
     assert!((history.shift()[0] / twin.shift()[0] - 1.0).abs() < 1e-6);
     assert!((history.accumulated_slip().max() / twin.accumulated_slip().max() - 1.0).abs() < 1e-6);
 
-    // The gap is worn in the middle under a constant pressure. The pressure changes only in a step that solves for it.
+    // The gap is worn in the middle under a constant pressure. The pressure changes only in a step that solves the
+    // pressure problem.
     let mut worn = ball.clone();
     for (h, p) in worn
         .as_mut_slice()
@@ -103,7 +104,7 @@ fn new_gap_preserves_the_state() {
     assert!(change < 1e-7 * pressure.max());
     press(&mut twin, NormalControl::Force(4.0));
     assert!(twin.pressure().max() < 0.99 * pressure.max());
-    // The shift was constant; force and traction followed the pressure.
+    // The shift was constant. Force and traction followed the pressure.
     assert!(twin.tangential_force()[0] != 0.5 && twin.tangential_force()[0].abs() < 1.6);
 }
 
@@ -200,7 +201,7 @@ fn contact_at_grid_edge_causes_a_warning() {
     assert_eq!(outcome.unwrap().last.warnings(), expected);
 }
 
-/// With a lower friction coefficient the contact slips further; a higher coefficient changes nothing.
+/// A lower friction coefficient causes further slip. A higher coefficient changes nothing.
 #[test]
 fn new_friction_limits_the_force() {
     let grid = Grid::square(48, 12.0).unwrap();

@@ -123,7 +123,7 @@ fn table_stores_coefficients_at_every_distance() {
     }
 }
 
-/// A coefficient that is odd across an axis is exactly zero on the axis, without round-off, at any distance.
+/// A coefficient that is odd across an axis is exactly zero at any distance along the axis, without round-off.
 #[test]
 fn odd_coefficients_vanish_on_axes() {
     let pair = kit::unit_pair(0.3);

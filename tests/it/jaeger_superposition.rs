@@ -1,5 +1,5 @@
-//! If normal and tangential compliances are proportional, partial slip is the difference of two normal contacts, on any
-//! surface and cell by cell.
+//! If normal and tangential compliances are proportional, the solution of partial slip is the difference of two normal
+//! contacts. This is true for any surface and for every cell.
 
 use kit::{max_abs, max_difference, rough, unit_bodies};
 use stickslip::cgm::Method;
@@ -44,7 +44,7 @@ fn superposition_is_exact_for_zero_poisson_ratio() {
     let bodies = unit_bodies(grid, 0.0);
     let load = 20.0;
     let full = press(&bodies, &gap, load);
-    // The contact has many spots; it is neither limited to a few cells nor closed.
+    // The contact has many spots. It is neither limited to a few cells nor closed.
     let fraction = full.contact_cells() as f64 / grid.cells() as f64;
     assert!((0.02..0.2).contains(&fraction), "{fraction}");
     for f in [0.1, 0.5, 0.9, 0.999] {

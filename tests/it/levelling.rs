@@ -39,7 +39,7 @@ fn remove_samples(field: &mut Field, seed: u64, share: f64) {
     }
 }
 
-/// Returns the form of a degree, as a named variant if there is one.
+/// Returns the form of a degree, as a named variant if the form has a name.
 fn form(degree: usize) -> Form {
     match degree {
         0 => Form::Mean,
@@ -55,7 +55,7 @@ fn difference(a: &Field, b: &Field) -> f64 {
     pairs.map(|(a, b)| (a - b).abs()).fold(0.0, f64::max)
 }
 
-/// Covers a plane with a distant datum whose heights are known in a corner of the grid only, with and without missing
+/// Covers a plane with a distant datum. The heights are known only in a corner of the grid, with and without missing
 /// heights.
 #[test]
 fn plane_is_found_exactly() {
@@ -191,7 +191,7 @@ fn underdetermined_form_is_rejected() {
         refused(&only(&|ix, iy| ix == 3 && iy < 2), Form::Plane),
         (3, 2)
     );
-    // All known heights are on a diagonal, on a column, or on a circle about the middle of a square of four cells.
+    // All known heights are on a diagonal, on a column, in a square of four cells, or on a circle.
     assert_eq!(refused(&only(&|ix, iy| ix == iy), Form::Plane), (3, 9));
     assert_eq!(refused(&only(&|ix, _| ix == 4), Form::Plane), (3, 9));
     let corners = only(&|ix, iy| (3..5).contains(&ix) && (3..5).contains(&iy));

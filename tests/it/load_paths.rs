@@ -70,8 +70,8 @@ fn ellipse_stays_within_amplitudes() {
     assert_eq!(circle.end(), [0.0, 5.0]);
     assert_eq!(circle.steps()[24][0], 5.0);
     assert_eq!(circle.steps()[49], [0.0, -5.0]);
-    // A phase of an eighth of a cycle puts a turning point of y on a step, where the rounded formula would exceed the
-    // amplitude.
+    // With a phase of an eighth of a cycle, a step ends at a turning point of y. The rounded formula would exceed the
+    // amplitude at this point.
     let tilted = LoadPath::ellipse([f64::MAX, f64::MAX], FRAC_PI_4, 8).unwrap();
     for value in tilted.steps().as_flattened() {
         assert!(value.is_finite());

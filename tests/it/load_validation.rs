@@ -255,7 +255,7 @@ fn tangential_problem_with_unsuitable_pressure_is_rejected() {
     assert!(one_way.shift() != neglected.shift());
 }
 
-/// Cells whose sides differ only by round-off count as equal; cells that differ by more do not.
+/// Cells whose sides differ only by round-off count as equal. Cells with a larger difference do not.
 #[test]
 fn grids_with_sides_equal_to_round_off_are_accepted() {
     let own = Grid::new(8, 6, 0.8 / 8.0, 0.6 / 6.0).unwrap();
@@ -447,7 +447,7 @@ fn normal_loads_of_extreme_size_converge_or_are_rejected() {
     }
 }
 
-/// Friction carries only a small tangential force; a shift of any size causes at most gross slip.
+/// Friction carries only a small tangential force. A shift of any size causes at most gross slip.
 #[test]
 fn tangential_loads_of_extreme_size_converge_or_are_rejected() {
     let bodies = unit_half_space();

@@ -1,6 +1,6 @@
 //! Integration tests, one module for each subject.
 //!
-//! The modules form a single program, so that the library and the shared code are linked once. Tests that count
+//! The modules form a single program, which links the library and the shared code only once. Tests that count
 //! allocations are in `tests/alloc`.
 
 #![allow(

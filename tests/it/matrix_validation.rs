@@ -1,4 +1,5 @@
-//! Explicit matrices that are too large, not finite or not positive definite are rejected with the offending number.
+//! Explicit matrices that are too large, not finite or not positive definite are rejected. The error contains the
+//! invalid number.
 
 use kit::unit_bodies;
 use stickslip::cgm::NonNegative;

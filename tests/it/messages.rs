@@ -19,7 +19,7 @@ use stickslip::{
     surface,
 };
 
-/// Ball of radius 20 on a grid of side 2.8; its contact radius is 1 under [`load`].
+/// Radius of the ball on a grid of side 2.8. The contact radius is 1 under [`load`].
 const RADIUS: f64 = 20.0;
 
 fn bodies(cells: usize) -> HalfSpace {
@@ -116,8 +116,8 @@ fn force_beyond_friction_names_remedy_for_its_subject() {
     );
 }
 
-/// Covers contacts in which no cell carries pressure: contacts that were never pressed, that were pressed by a zero
-/// force, or that were pressed and then separated, and a contact of dissimilar bodies.
+/// Covers contacts in which no cell carries pressure. They were never pressed, were pressed by a zero force, or were
+/// pressed and then separated. One contact has dissimilar bodies.
 #[test]
 fn force_on_empty_contact_reports_empty_contact() {
     let bodies = bodies(12);

@@ -119,8 +119,8 @@ fn active_set_method_solves_sphere_of_table_2_within_cost() {
     }
 }
 
-/// Under a tiny load, a step scaled by the gap would be much larger than any pressure, and the pressure would lose its
-/// accuracy.
+/// Under a tiny load, a step scaled by the gap would be much larger than any pressure. The pressure would then lose
+/// its accuracy.
 #[test]
 fn methods_agree_under_tiny_load_on_rough_surface() {
     let grid = Grid::square(32, 32.0).unwrap();

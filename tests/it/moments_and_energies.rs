@@ -29,7 +29,7 @@ fn shear(bodies: &HalfSpace, normal: &NormalSolution, load: TangentialLoad) -> T
 fn moments_match_position_of_ball() {
     let bodies = kit::unit_bodies(Grid::new(64, 48, 0.25, 0.25).unwrap(), 0.3);
     let force = 3.0;
-    // The ball is at the centre of a cell, so that the contact is symmetric about it.
+    // The ball is at the centre of a cell, so that the contact is symmetric about this point.
     let place = [1.625, -0.875];
     let contact = press(&bodies, place, force);
     let [x, y] = contact.centre_of_pressure().unwrap();

@@ -2,8 +2,8 @@
 //! single process.
 //!
 //! Run with `mpirun`. Every rank solves each case together with the other ranks and on its own. With `--stop-the-last`
-//! the last rank is stopped instead, and the other ranks must report this and end. With `--lose-the-last` the last rank
-//! leaves while the other ranks hold large blocks for each other, and the other ranks must report this as well.
+//! the last rank is stopped instead. The other ranks must report the loss and end. With `--lose-the-last` the last rank
+//! leaves while the other ranks have large blocks to send to each other. They must also report the loss.
 
 #![allow(
     clippy::unwrap_used,

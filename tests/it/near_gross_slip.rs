@@ -60,8 +60,8 @@ fn shift_grows_with_inverse_root_of_remaining_force() {
     }
 }
 
-/// Close to the sliding force some cells stick only if no displacement turns their slip, that is, without lateral
-/// contraction.
+/// Close to the sliding force some cells stick only if no displacement rotates the direction of slip. This requires
+/// a Poisson's ratio of zero.
 #[test]
 fn zero_poisson_ratio_keeps_a_stick_cell_until_sliding() {
     let (bodies, normal) = press_ball(16, 0.0);

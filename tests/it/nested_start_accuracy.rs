@@ -1,11 +1,11 @@
-//! Starts interpolated from coarser grids include the contact edges of the coarse solution, so that fine grids need few
-//! iterations.
+//! Starts are interpolated from coarser grids and include the contact edges of the coarse solution. Fine grids
+//! therefore need few iterations.
 
 use stickslip::surface::SelfAffine;
 use stickslip::*;
 
-/// Returns the number of iterations of the vector model for a periodic rough surface on `n` x `n` cells, a tenth of
-/// which are in contact.
+/// Returns the number of iterations of the vector model for a periodic rough surface on `n` x `n` cells. A tenth of the
+/// cells are in contact.
 fn iterations(n: usize, seed: u64) -> usize {
     let grid = Grid::square(n, 1.0).unwrap();
     let body = Material::new(1.0, 0.3).unwrap();
@@ -42,9 +42,9 @@ fn nested_start_of_rough_vector_problem_needs_few_iterations() {
     }
 }
 
-/// To tolerances of 1e-3 and 1e-6, the pressure takes 4 and 8 products in single precision, and the shear takes 7 and
-/// 12 products (measured). If only the tractions are interpolated, the pressure takes 10 and 14 products, and the shear
-/// takes 9 and 16 products.
+/// Measured numbers of products in single precision, for tolerances of 1e-3 and 1e-6: 4 and 8 for the pressure, and 7
+/// and 12 for the shear. If only the tractions are interpolated, the numbers are 10 and 14 for the pressure, and 9 and
+/// 16 for the shear.
 #[test]
 fn nested_start_of_sphere_needs_few_products() {
     let grid = Grid::square(256, 3.0).unwrap();

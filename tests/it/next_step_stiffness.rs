@@ -44,7 +44,8 @@ fn stiffness_of(history: &History, is_of_next_step: bool) -> ContactStiffness {
     history.stiffness_with(&mut workspace, go_on).unwrap()
 }
 
-/// Returns the change of the force along x and y in a small next step with this motion, per unit of its length.
+/// Returns the change of the force along x and y in a small next step with this motion, divided by the length of the
+/// motion.
 fn quotient(history: &History, [x, y]: [f64; 2]) -> [f64; 2] {
     let (shift, force) = (history.shift(), history.tangential_force());
     let length = 1e-6 * history.approach();
@@ -127,8 +128,8 @@ fn next_step_stiffness_continues_slip_of_sheared_contact() {
     }
 }
 
-/// If pressure and shear are coupled, the loading stiffness and the derivatives of the normal force give the stiffness
-/// at a constant normal force.
+/// If pressure and shear are coupled, the stiffness at a constant normal force follows from the loading stiffness and
+/// the derivatives of the normal force.
 #[test]
 fn next_step_stiffness_of_dissimilar_bodies_continues_slip() {
     for coupling in [Coupling::Full, Coupling::OneWay] {

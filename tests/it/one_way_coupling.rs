@@ -1,5 +1,5 @@
-//! Tests of one-way coupling (Goodman's approximation), in which tractions are computed under a given pressure, in
-//! problems and in histories.
+//! Tests of one-way coupling (Goodman's approximation) in problems and in histories. Tractions are computed under a
+//! given pressure.
 
 use kit::{l2_difference, max_difference};
 use stickslip::analytical::SpencePressing;
@@ -196,7 +196,7 @@ fn history(bodies: &HalfSpace, gap: &Field, coupling: Coupling) -> History {
         .unwrap()
 }
 
-/// Takes steps of all kinds: pressing, shear, twist, unloading, wear, separation, and renewed pressing.
+/// Takes steps of all types: pressing, shear, twist, unloading, wear, separation, and renewed pressing.
 fn steps(history: &mut History, mut seen: impl FnMut(usize, &History)) {
     let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
     let path = [

@@ -75,7 +75,7 @@ fn unbounded_paths_and_problems_are_rejected() {
     assert_eq!(bytes(LoadPath::triangle([1.0, 0.0], steps)), expected);
     assert_eq!(bytes(LoadPath::ellipse([1.0, 2.0], 0.3, steps)), expected);
 
-    // The operator may report any size; the length of the start is checked as well.
+    // The operator may report any size. The length of the start is also checked.
     let problem = Problem::new(Identity::new(usize::MAX), [&[]], NonNegative);
     let outcome = cgm::minimise(&problem, &Settings::default(), [&mut []]);
     assert!(matches!(outcome, Err(Error::Length { .. })));

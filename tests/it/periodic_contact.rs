@@ -53,8 +53,8 @@ fn full_contact_matches_westergaard() {
     }
 }
 
-/// In Westergaard's solution the half-width of the contact is `asin(sqrt(p/p*))/pi` wavelengths, which the cells
-/// resolve to about half a cell at either edge. The pressure at the crest, `2 sqrt(p p*)`, converges with second order.
+/// In Westergaard's solution the half-width of the contact is `asin(sqrt(p/p*))/pi` wavelengths. The cells resolve it
+/// to about half a cell at either edge. The pressure at the crest, `2 sqrt(p p*)`, converges with second order.
 #[test]
 fn partial_contact_matches_westergaard() {
     for cells in [64, 128, 256, 512] {
@@ -81,8 +81,8 @@ fn partial_contact_matches_westergaard() {
     }
 }
 
-/// The remaining difference arises because a cell of the free half-space carries a uniform pressure, whereas the
-/// periodic grid represents only the waves that fit.
+/// The remaining difference is due to the discretisation. A cell of the free half-space carries a uniform pressure,
+/// whereas the periodic grid represents only the waves that fit.
 #[test]
 fn small_contact_far_from_images_matches_free_half_space() {
     let cells = 256;
@@ -387,8 +387,8 @@ mod dense_reference {
     use stickslip::dense::DenseOperator;
     use stickslip::influence::Component;
 
-    /// Adds a multiple of the mean to the matrix so that it is definite; the minimisers under a given total stay the
-    /// same.
+    /// Adds a multiple of the mean to the matrix, so that the matrix is definite. The minimisers under a given total
+    /// are unchanged.
     fn with_definite_mean(bodies: &HalfSpace, component: Component) -> DenseOperator {
         let dense = DenseOperator::of_half_space(bodies, component).unwrap();
         let cells = bodies.grid().cells();

@@ -82,8 +82,8 @@ fn line_kernels_match_line_loads() {
     }
 }
 
-/// The kernel of a period equals the sum of two entries of the kernel of twice the period, which sums one more period of
-/// images exactly.
+/// The kernel of a period equals the sum of two entries of the kernel of twice the period. The second kernel sums one more
+/// period of images exactly.
 #[test]
 fn kernel_of_twice_the_period_adds_up_to_kernel_of_period() {
     let nu = 0.2;
@@ -176,8 +176,8 @@ fn equal_rows_match_single_line() {
     }
 }
 
-/// Returns the errors of the cylinder on `n` cells, for the peak pressure, the pressure in the L1 norm, the approach,
-/// the stick half-width, the traction and the shift.
+/// Returns the errors of the cylinder on `n` cells: of the peak pressure, the pressure in the L1 norm, the approach, the
+/// stick half-width, the traction and the shift.
 fn errors(n: usize) -> [f64; 6] {
     let steel = Material::new(210e3, 0.3).unwrap();
     let pair = ElasticPair::new(steel, steel).unwrap();
@@ -224,8 +224,8 @@ fn cylinders_match_hertz_and_cattaneo() {
     }
 }
 
-/// The hysteresis loop of a cycle between two forces has the area of the closed form, which is dissipated, and the
-/// energy balance closes.
+/// The area of the hysteresis loop of a cycle between two forces agrees with the closed form. It equals the dissipated
+/// energy, and the energy balance closes.
 #[test]
 fn cycle_dissipates_area_of_its_loop() {
     let pair = unit_pair(0.3);
@@ -296,7 +296,7 @@ fn datum_only_changes_approach_and_shift() {
 }
 
 proptest! {
-    /// A load that is shifted along y by a number of rows shifts the displacement by the same number of rows.
+    /// If a load is moved along y by a number of rows, its displacement moves by the same number of rows.
     #[test]
     fn load_shifted_along_y_shifts_displacement(
         (nx, ny, rows, seed) in (4..20_usize, 1..12_usize, 0..12_usize, any::<u64>())

@@ -1,11 +1,11 @@
-//! Random difficult scenes are solved correctly, including those in which a campaign over many thousands of scenes once
-//! found a fault.
+//! Random difficult scenes are solved correctly. They include the scenes in which a campaign over many thousands of
+//! scenes once found a fault.
 
 use kit::scenes::row::Row;
 use kit::scenes::{campaign, kinds};
 use rayon::prelude::*;
 
-/// Collects the faults of the scenes with these indices; small scenes are solved by both methods.
+/// Collects the faults of the scenes with these indices. Small scenes are solved by both methods.
 fn faults(indices: &[u64], rows: fn(u64) -> Vec<Row>) -> Vec<String> {
     let found = indices
         .par_iter()
@@ -54,8 +54,8 @@ fn scenes_with_former_faults_are_solved_correctly() {
         107, 114, 164, 247, 254, 506, 520, 762, 863, 953, 997, 1050, 1117, 1438,
         // These contacts are a single periodic cell, sheared in the plane.
         543, 1091, 1787, 4020,
-        // Scene 10225 has a window around a tip that is not the lowest, under a tiny load. In the other scenes the
-        // round-off of the slip is much larger than the displacement.
+        // In scene 10225, which has a tiny load, the window is around a tip that is not the lowest. In the other scenes
+        // the round-off of the slip is much larger than the displacement.
         10225, 191, 575, 615, 17791,
     ];
     let found = faults(&indices, campaign::rows);

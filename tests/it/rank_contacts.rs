@@ -131,8 +131,8 @@ pub(crate) fn by_cell<const N: usize>(fields: [&Field; N]) -> Vec<f64> {
     (0..fields[0].grid().cells()).flat_map(cell).collect()
 }
 
-/// Solvers continue from the last solution, along its trend and in windows that are replaced by larger ones. In small
-/// windows some ranks have no cells.
+/// Solvers continue from the last solution, along the trend of the solutions and in windows that are replaced by
+/// larger windows. In small windows some ranks have no cells.
 #[test]
 fn continued_solves_on_ranks_match_one_process() {
     let grid = Grid::new(96, 130, 0.3, 0.2).unwrap();

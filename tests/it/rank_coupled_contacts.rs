@@ -53,8 +53,8 @@ fn samples(contact: &CoupledSolution) -> Found {
     (cells, known)
 }
 
-/// Solvers continue from the last solution and in windows that are replaced by larger ones. In small windows some ranks
-/// have no cells. With a prescribed shift and weak friction, the error bounds refer to the whole contact.
+/// Solvers continue from the last solution and in windows that are replaced by larger windows. In small windows some
+/// ranks have no cells. With a prescribed shift and weak friction, the error bounds refer to the whole contact.
 #[test]
 fn continued_coupled_solves_on_ranks_match_one_process() {
     let grid = Grid::new(80, 130, 0.3, 0.2).unwrap();
@@ -127,7 +127,7 @@ fn assert_first_rank_decides(grid: Grid) {
     }
 }
 
-/// Input that one rank rejects is rejected by all ranks, and different kinds of friction are reported.
+/// Input that one rank rejects is rejected by all ranks. Different types of friction are reported.
 #[test]
 fn input_rejected_by_one_rank_is_rejected_by_all() {
     let grid = Grid::square(128, 8.0).unwrap();

@@ -36,7 +36,7 @@ fn on_both<T: Send>(size: usize, work: impl Fn(Arc<dyn Ranks>) -> T + Sync) -> [
     ]
 }
 
-/// Returns the words that `from` sends to `to`; some blocks are empty.
+/// Returns the words that `from` sends to `to`. Some blocks are empty.
 fn words(from: usize, to: usize) -> Vec<u64> {
     let count = if from == to { 0 } else { 3 * from * to % 4 };
     vec![(100 * from + to) as u64; count]
@@ -76,8 +76,8 @@ fn mismatched_gather_counts_are_reported() {
     }
 }
 
-/// A rank that leaves while two others hold large blocks for each other is lost to both, and neither waits for the
-/// other.
+/// A rank leaves while two other ranks have large blocks to send to each other. Both report the lost rank, and neither
+/// waits for the other.
 #[test]
 fn rank_leaving_among_large_blocks_is_reported() {
     for outcomes in on_both(3, |ranks| {
@@ -92,8 +92,8 @@ fn rank_leaving_among_large_blocks_is_reported() {
     }
 }
 
-/// Ranks that corrupt one block. After the given number of blocks, the first rank receives a block from the second rank
-/// that is one word too short.
+/// Ranks that corrupt one block. After the given number of blocks, the first rank receives a block that is one word too
+/// short from the second rank.
 #[derive(Debug)]
 struct ShortBlock {
     rank: Threads,

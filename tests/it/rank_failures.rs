@@ -37,8 +37,8 @@ fn mismatched_slabs_are_rejected() {
         let slabs = slabs.iter().map(|bytes| State::from_bytes(bytes));
         State::from_slabs(&alone, slabs).map(drop).unwrap_err()
     };
-    // A chunk has 32 rows. The local rows of the third rank start with the third of four chunks, or with the sixth of
-    // eight in the thorough run.
+    // A chunk has 32 rows. The local rows of the third rank start with the third of four chunks. In the thorough run
+    // they start with the sixth of eight chunks.
     let row = kit::thorough(64, 160);
     let other = Error::Ranks(RankFailure::InconsistentSlabs { row });
     assert_eq!(rejected(&slabs), other);
@@ -225,8 +225,8 @@ fn failed_step_leaves_ranks_unchanged() {
     }
 }
 
-/// If a rank is lost at any moment of a step, each of the other ranks has either taken the step completely or not at
-/// all.
+/// A rank is lost at any moment of a step. Each of the other ranks then has taken the step either completely or not
+/// at all.
 #[test]
 fn step_is_taken_completely_or_not_at_all() {
     let grid = Grid::new(64, 150, 0.15, 0.1).unwrap();
@@ -304,8 +304,8 @@ fn snapshot(history: &History, cycle: &Cycle) -> (Vec<u8>, [Cycle; 2], u64) {
 
 type Change = fn(&mut History, &mut Cycle, &State) -> Result<()>;
 
-/// If a rank is lost at any moment of a change, or while a cycle is accumulated, the change is made completely or not
-/// at all.
+/// A rank is lost at any moment of a change or of the accumulation of a cycle. The change is then made completely or
+/// not at all.
 #[test]
 fn change_is_made_completely_or_not_at_all() {
     let grid = Grid::new(96, kit::thorough(90, 180), 0.1, 0.08).unwrap();

@@ -19,7 +19,7 @@ pub(crate) fn ball(bodies: &HalfSpace) -> Field {
     })
 }
 
-/// Returns a grid with many chunks, also in the windows of its contacts, so that all ranks have work.
+/// Returns a grid with many chunks. The windows of its contacts also have many chunks, so that all ranks have work.
 pub(crate) fn fine() -> Grid {
     let (rows, dy) = kit::thorough((100, 0.15), (250, 0.06));
     Grid::new(128, rows, 0.08, dy).unwrap()
@@ -99,7 +99,7 @@ fn entries(stiffness: &ContactStiffness) -> impl Iterator<Item = f64> + use<> {
     found.map(|entry| entry.unwrap_or(-1.0)).chain(bounds)
 }
 
-/// The contact grows and slips. The bodies are similar, coupled one way, or fully coupled; one case has the scalar
+/// The contact grows and slips. The bodies are similar, coupled one way, or fully coupled. One case has the scalar
 /// model.
 #[test]
 fn stiffnesses_on_ranks_match_one_process() {
@@ -162,7 +162,7 @@ pub(crate) fn started(bodies: &HalfSpace, is_rich: bool) -> History {
     history
 }
 
-/// Histories that are saved by ranks continue on a different number of ranks, or on one process.
+/// A history that is saved by ranks continues on a different number of ranks or on one process.
 #[test]
 fn saved_slabs_continue_on_different_number_of_ranks() {
     let grid = fine();

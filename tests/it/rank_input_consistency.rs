@@ -1,5 +1,5 @@
-//! Ranks with inconsistent inputs report immediately which input differs, so that the ranks never have different
-//! results.
+//! Ranks with inconsistent inputs immediately report the input that differs. Different results on different
+//! ranks are therefore impossible.
 
 use std::fmt::Debug;
 use std::ops::ControlFlow;

@@ -11,7 +11,7 @@ use crate::rank_contacts::{Found, PATIENCE, assert_shared, boundaries, by_cell, 
 
 const DEPTHS: [f64; 2] = [0.0, 0.3];
 
-/// Returns tractions with discontinuous edges; some ranks have no tractions.
+/// Returns tractions with discontinuous edges. Some ranks have no tractions.
 fn loads(grid: Grid) -> [Field; 3] {
     let end = 0.3 * grid.whole().y(0);
     let at = |p: f64| {
@@ -32,8 +32,8 @@ fn cells_of(plane: &Plane) -> Vec<f64> {
     }
 }
 
-/// Solves a plane under pressure alone, then in the same memory with tractions and a uniform stress, on its own and
-/// together with the other depths.
+/// Computes the stresses of a plane under pressure alone. Then computes them in the same memory with tractions and a
+/// uniform stress, for this plane alone and together with the other depths.
 fn solved(bodies: &HalfSpace, index: usize, moves: bool) -> Found {
     let [p, qx, qy] = loads(bodies.grid());
     let bulk = Stress {
@@ -71,8 +71,8 @@ fn planes_on_ranks_match_one_process() {
         Grid::new(24, kit::thorough(180, 400), 0.5, 0.7).unwrap(),
         Grid::new(40, 1, 0.5, 0.7).unwrap(),
     ] {
-        // Kernels of periodic rows are sums over many images; outside the thorough run they are used for a single row
-        // only.
+        // Kernels of periodic rows are sums over many images. Except in the thorough run they are used only for a
+        // single row.
         let count = if grid.ny() > 1 {
             kit::thorough(2, 3)
         } else {
@@ -86,8 +86,8 @@ fn planes_on_ranks_match_one_process() {
     }
 }
 
-/// All ranks reject inputs that differ between ranks, a calculation that the observer of the first rank cancels, and
-/// functions that do not support ranks.
+/// All ranks return an error if inputs differ between ranks, if the observer of the first rank cancels, or if a
+/// function does not support ranks.
 #[test]
 fn ranks_reject_together() {
     let grid = Grid::new(64, 130, 0.5, 0.5).unwrap();

@@ -1,4 +1,4 @@
-//! Parameters and levelled heights of a surface that is distributed over ranks by slabs are bitwise identical to the
+//! A surface is distributed over ranks in slabs. Its parameters and levelled heights are bitwise identical to the
 //! results of one process.
 
 use stickslip::ranks::RankFailure;

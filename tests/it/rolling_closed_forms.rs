@@ -67,8 +67,8 @@ fn kalker_coefficients_match_printed_table() -> Result<()> {
     Ok(())
 }
 
-/// Returns the semi-axes of a contact and its coefficients C11, C22, C23, C32 and C33, computed by solves with the given
-/// number of cells across each axis.
+/// Returns the semi-axes of a contact and its coefficients C11, C22, C23, C32 and C33. The solves have the given number of
+/// cells across each axis.
 fn solved(radii: [f64; 2], poisson: f64, cells: f64) -> Result<([f64; 2], [f64; 5])> {
     let pair = alike(1.0, poisson)?;
     let hertz = HertzEllipse::new(&pair, radii[0], radii[1], 1.0)?;
@@ -99,7 +99,7 @@ fn solved(radii: [f64; 2], poisson: f64, cells: f64) -> Result<([f64; 2], [f64; 
     Ok(([a, b], coefficients))
 }
 
-/// A single solve is accurate to two digits only; the table was extrapolated from many solves.
+/// A single solve is accurate to only two digits. The table was extrapolated from many solves.
 #[test]
 fn kalker_coefficients_match_solves_at_small_creepage() -> Result<()> {
     for (radii, poisson) in [([1.0, 1.0], 0.25), ([1.0, 4.0], 0.1), ([5.0, 1.0], 0.4)] {
@@ -123,8 +123,8 @@ fn kalker_coefficients_match_solves_at_small_creepage() -> Result<()> {
     Ok(())
 }
 
-/// The coupling of spin and lateral creepage is reciprocal, except for an error due to the cells at the edge, which varies
-/// from grid to grid.
+/// The coupling of spin and lateral creepage is reciprocal, except for an error due to the cells at the edge. This error
+/// varies from grid to grid.
 #[test]
 fn reciprocity_error_falls_with_cell_size() -> Result<()> {
     let defect = |scale: f64| -> Result<f64> {
@@ -145,7 +145,7 @@ fn reciprocity_error_falls_with_cell_size() -> Result<()> {
     Ok(())
 }
 
-/// Ellipses that are long across the rolling direction roll like strips, each of which is a line contact.
+/// Ellipses that are long across the rolling direction roll like a set of strips. Each strip is a line contact.
 #[test]
 fn thin_ellipse_matches_strip_theory() -> Result<()> {
     let pi = std::f64::consts::PI;

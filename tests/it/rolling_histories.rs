@@ -31,7 +31,7 @@ fn press(force: f64) -> LoadStep {
     LoadStep::hold().normal(NormalControl::Force(force))
 }
 
-/// Returns the bodies, the gap and the normal load of a sphere of radius one on 16 cells across.
+/// Returns the bodies, the gap and the normal load of a sphere of radius one on a grid of 16 cells across.
 fn small_sphere(poisson: f64) -> (HalfSpace, Field, f64) {
     let grid = Grid::square(20, 2.5).unwrap();
     let bodies = similar_bodies(grid, 1.0, poisson);
@@ -40,7 +40,8 @@ fn small_sphere(poisson: f64) -> (HalfSpace, Field, f64) {
 }
 
 /// The reference is CONTACT (E. A. H. Vollebregt, revision 2707, Apache-2.0) on the same cells. It gives the forces on
-/// the other body and the number of sticking cells after the given number of steps of one cell from rest.
+/// the other body and the number of sticking cells. Both apply after the given number of steps from rest, each over one
+/// cell.
 #[test]
 fn rolling_without_entry_law_matches_contact() {
     let sphere = Grid::new(41, 37, 0.0116, 0.0116).unwrap();
@@ -79,7 +80,7 @@ fn rolling_without_entry_law_matches_contact() {
         }
     }
 
-    // A line of cells of length 200; the creepage reverses in the 25th step.
+    // A line of cells of length 200. The creepage reverses in the 25th step.
     let line = Grid::new(70, 1, 0.03125, 200.0).unwrap();
     let bodies = similar_bodies(line, 82_000.0, 0.28);
     let gap = Field::from_fn(line, |x, _| 0.001 * x * x);
@@ -105,8 +106,8 @@ fn rolling_without_entry_law_matches_contact() {
     }
 }
 
-/// In the frame of the particles the contact moves over the surfaces: the gap is a form whose apex moves by one cell in
-/// each step, under a shift that grows by the creepage.
+/// In the frame of the particles the contact moves over the surfaces. The apex of the gap moves by one cell in each
+/// step, and the shift increases by the creepage.
 #[test]
 fn rolling_step_matches_shift_in_frame_of_particles() {
     let soft = Material::from_shear_modulus(1.0, 0.3).unwrap();
@@ -275,8 +276,8 @@ fn texture_moves_with_particles() {
     }
 }
 
-/// Between a smooth roller and a rough roller whose texture does not move, as for a worn form, rolling converges to the
-/// steady state.
+/// A smooth roller rolls on a rough roller whose texture does not move, like the shape of a worn roller. The rolling
+/// converges to the steady state.
 #[test]
 fn rough_form_converges_to_steady_rolling() {
     let grid = Grid::new(24, 20, 0.14, 0.16).unwrap();
@@ -301,8 +302,8 @@ fn rough_form_converges_to_steady_rolling() {
     assert!((history.moment() - steady.moment()).abs() < 1e-5 * 0.3);
 }
 
-/// The slip in a cell is stored with its particle: the accumulated slip moves with the particle and leaves the contact
-/// with it.
+/// The slip in a cell belongs to its particle. The accumulated slip moves with the particle and leaves the contact with
+/// it.
 #[test]
 fn slip_and_dissipation_move_with_particles() {
     let (bodies, ball, load) = small_sphere(0.25);
@@ -326,8 +327,8 @@ fn slip_and_dissipation_move_with_particles() {
     assert!(history.accumulated_slip().max() > 0.1);
 }
 
-/// Returns the error of the force relative to the friction limit, for the given number of cells across the contact, 30
-/// half-widths from rest.
+/// Returns the error of the force relative to the friction limit, after rolling over 30 half-widths from rest. The
+/// contact has the given number of cells across.
 fn error_of_carter(cells: usize, ratio: f64, entry_rule: EntryRule) -> f64 {
     let body = Material::new(1.0, 0.0).unwrap();
     let pair = ElasticPair::new(body, body).unwrap();

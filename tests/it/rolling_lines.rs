@@ -57,7 +57,8 @@ fn cylinder_under_force_has_creepage_of_carter_for_any_datum() {
     }
 }
 
-/// If cells are much longer than the contact is wide, a row on a free grid has the large uniform displacement of a line.
+/// If the length of the cells is much larger than the width of the contact, a row on a free grid has the large uniform
+/// displacement of a line.
 #[test]
 fn row_of_long_cells_converges_for_any_force_and_material() {
     let grid = Grid::new(216, 1, 0.001, 1000.0).unwrap();

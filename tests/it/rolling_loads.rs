@@ -177,7 +177,7 @@ fn moment_beyond_friction_is_rejected() {
     else {
         panic!("the moment is accepted although no spin has it");
     };
-    // The factor 0.428 belongs to a contact that slides about a different point, on 17 cells across.
+    // The factor 0.428 belongs to a contact of 17 cells across that slides about a different point.
     assert!(moment == 0.97 * capacity && (limit / (0.428 * capacity) - 1.0).abs() < 0.03);
     // Nearly all of the moment of a fully sliding contact is reached.
     let near = SpinControl::Moment(0.95 * limit);
@@ -219,8 +219,8 @@ fn creep_forces_match_single_solves() {
     }
 }
 
-/// On 64 cells across, a cold solve to 1e-8 takes at most 150 products for any force. A solve after an increase of the
-/// creepages by one per cent takes at most 60 products, and a stiffness takes at most 170 products.
+/// On 64 cells across, a cold solve to 1e-8 takes at most 150 products for any force. If the creepages then increase by
+/// one per cent, the next solve takes at most 60 products. A stiffness takes at most 170 products.
 #[test]
 fn rolling_solves_take_few_products() {
     let scene = RollingSphere::across(64);
@@ -465,7 +465,7 @@ fn row_has_least_bound_of_moment() {
         ([Some(0.3), Some(0.3)], -1.0),
         ([None, Some(0.5)], 1.0),
     ] {
-        // Particles enter at plus x. In the middle of their step they are half a cell from the centres.
+        // Particles enter at plus x. In the middle of their step the particles are half a cell from the centres.
         let bound = |shift: [f64; 2]| {
             let turning = limits.iter().enumerate().map(|(i, limit)| {
                 let x = (i as f64 + 1.0) * cell - 0.5 * length;

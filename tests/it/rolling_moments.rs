@@ -1,5 +1,5 @@
-//! Moments of rolling bodies are reached, or rejected before any solve, on coarse and fine contacts for any force below
-//! the friction limit.
+//! The prescribed moment of rolling bodies is reached or is rejected before any solve. This applies to coarse and fine
+//! contacts and to any force below the friction limit.
 
 use kit::Random;
 use stickslip::rolling::{
@@ -91,8 +91,8 @@ impl RandomRolling {
             .control(Axis::Y, y)
     }
 
-    /// Returns the least and the greatest moment, as stated by the error for a moment far outside this range, or `None`
-    /// if the case cannot roll.
+    /// Returns the least and the greatest moment, or `None` if the case cannot roll. The error for a moment far outside
+    /// this range states both.
     fn range(&self) -> Option<[f64; 2]> {
         match self.rolling().spin(SpinControl::Moment(1e30)).build() {
             Err(Error::BeyondFrictionMoment { range, .. }) => Some(range),
@@ -169,8 +169,8 @@ fn moment_within_range_is_reached() {
     );
 }
 
-/// The error states the moments of large spins. If the midpoint of the path of a particle is
-/// nearly at rest, the moments converge slowly, and the test only requires that the difference decreases.
+/// The error states the moments of large spins. If the midpoint of the path of a particle is nearly at rest, the
+/// moments converge slowly. The test then requires only that the difference decreases.
 #[test]
 fn moment_range_matches_large_spins() {
     let mut random = Random(5);

@@ -11,8 +11,8 @@ fn pair(poisson: f64) -> Result<ElasticPair> {
     ElasticPair::new(body, body)
 }
 
-/// Rolls a sphere of radius 1 under the force 1.2, with G = 1 and friction 0.3, and the given number of cells across
-/// the contact.
+/// Rolls a sphere of radius 1 under the force 1.2, with G = 1 and friction 0.3. The contact has the given number of
+/// cells across.
 fn rolled(
     cells: usize,
     poisson: f64,

@@ -1,5 +1,6 @@
-//! Rough contacts agree with theory on surfaces that the cells resolve. The tests compare the area of rough balls, the
-//! dependence of the area on slope and load, and the dependence of the stick ratio on the tangential load.
+//! Rough contacts agree with theory on surfaces that the cells resolve. The tests compare the area of rough balls and
+//! the dependence of the area on slope and load. They also compare the dependence of the stick ratio on the tangential
+//! load.
 
 use rayon::prelude::*;
 use stickslip::analytical::{HertzSphere, RoughSphere};

@@ -162,8 +162,9 @@ fn mean_is_excluded_from_every_band() {
     );
 }
 
-/// The squared moduli relative to the law are exponentially distributed with mean one. The mean and the mean square of
-/// M squared moduli are therefore 1 and 2, with standard errors of 1 and sqrt(20) divided by sqrt(M).
+/// The squared moduli relative to the law are exponentially distributed with mean one. The mean of M squared moduli is
+/// therefore 1, with a standard error of 1 divided by sqrt(M). Their mean square is 2, with a standard error of
+/// sqrt(20) divided by sqrt(M).
 #[test]
 fn gaussian_amplitudes_match_law_on_average() {
     let law = SpectralLaw {

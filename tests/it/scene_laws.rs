@@ -1,4 +1,4 @@
-//! Every kind of history satisfies the laws of mechanics in every step. Its results are invariant under changes of
+//! Histories of every type satisfy the laws of mechanics in every step. Their results are invariant under changes of
 //! units, swapped axes, mirroring and exchange of the bodies.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -24,8 +24,8 @@ pub(crate) fn assert_every(scenes: Vec<Scene>, mut law: impl FnMut(&Scene) -> La
     assert!(broken.is_empty(), "violated by {broken:#?}");
 }
 
-/// Checks that the numbers of a transformed scene agree with the numbers of the original scene, relative to the largest
-/// number of each kind.
+/// Checks that the numbers of a transformed scene agree with the numbers of the original scene. Differences are
+/// relative to the largest number of each quantity.
 fn compare(scene: &Scene, one: &Measured, pose: &UnitTransform, tolerance: f64) -> LawResult {
     let other = Measured::run(scene, pose);
     for ((name, a), (_, b)) in one.groups().into_iter().zip(other.groups()) {
@@ -99,7 +99,7 @@ fn scene_swapped_and_mirrored_is_invariant() {
     });
 }
 
-/// All tangential quantities change their sign; the other quantities remain unchanged.
+/// All tangential quantities change their sign. The other quantities remain unchanged.
 #[test]
 fn scene_with_exchanged_bodies_is_invariant() {
     assert_every(scenes(), |scene| {
@@ -218,9 +218,9 @@ fn scene_satisfies_contact_and_friction_laws() {
     });
 }
 
-/// Checks cells that were already in contact or follow the whole step. Their slip is the change of the displacement by
-/// all tractions of the grid and by the strain, minus the change of the rigid motion. Half of traction times
-/// displacement is the elastic energy.
+/// Checks cells that were already in contact or follow the whole step. Their slip is the change of the displacement
+/// minus the change of the rigid motion. The displacement is due to all tractions of the grid and to the strain. Half
+/// of traction times displacement is the elastic energy.
 #[test]
 fn scene_slip_matches_relative_displacement() {
     assert_every(scenes(), |scene| {

@@ -391,7 +391,7 @@ fn omitted_options_have_defaults() {
     }
 }
 
-/// Changes one entry of the written value and returns the message of the error when it is read.
+/// Changes one entry of the serialised value and returns the message of the error of its deserialisation.
 fn error_after_change<T: Serialize + DeserializeOwned + Debug>(
     value: &T,
     place: &str,

@@ -1,4 +1,4 @@
-//! The tangential stiffness of histories that are sheared in any direction agrees with differences of their last step.
+//! Histories are sheared in any direction. Their tangential stiffness agrees with differences of their last step.
 
 use std::fmt;
 use std::ops::ControlFlow;
@@ -35,7 +35,7 @@ struct ShearStep {
 /// Result of the comparison with differences.
 #[derive(Debug)]
 enum Outcome {
-    /// Largest error of an entry, relative to the largest entry of its kind at reversal.
+    /// Largest error of an entry, relative to the largest entry of the same quantity at reversal.
     Compared(f64),
     /// The difference quotients of two increments disagree, because a set of cells changes nearby.
     Kink,

@@ -40,7 +40,7 @@ fn signs_are_consistent_for_two_different_bodies() {
     let press = NormalProblem::builder(&bodies, &ball, NormalControl::Force(3.0)).tolerance(1e-12);
     let normal = press.build().unwrap().solve().unwrap();
 
-    // Each surface moves into its own body; the sum of both displacements makes room for the approach.
+    // Each surface moves into its own body. The sum of both displacements compensates for the approach.
     let sinks = [soft, stiff].map(|body| displacement(&body, normal.pressure(), true));
     for (i, p) in normal.pressure().as_slice().iter().enumerate() {
         let room = ball.as_slice()[i] + sinks[0][i] + sinks[1][i] - normal.approach();
@@ -51,7 +51,7 @@ fn signs_are_consistent_for_two_different_bodies() {
         });
     }
 
-    // Body 2 is moved by `shift` along +x and body 1 is fixed, so that friction drags the surface of body 1 along +x.
+    // Body 2 is moved by `shift` along +x and body 1 is fixed. Friction then drags the surface of body 1 along +x.
     let load = TangentialLoad::shift([0.05, 0.0]);
     let friction = Friction::coulomb(0.4).unwrap();
     let shear = TangentialProblem::builder(&bodies, &normal, friction, load);

@@ -1,5 +1,5 @@
-//! After a cancellation or a time limit a solve takes at most one more product and returns a feasible iterate with its
-//! status. An iteration limit applies to all passes of a solve on its grid.
+//! After a cancellation or a time limit a solve takes at most one more product. It then returns a feasible iterate with
+//! its status. An iteration limit applies to all passes of a solve on its grid.
 
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -88,7 +88,7 @@ fn observer_is_called_before_every_product() {
     for method in [Method::ActiveSet, Method::PolonskyKeer] {
         let settings = Settings::default().method(method).tolerance(1e-11);
         for total in [None, Some(kit::thorough(25.0, 80.0))] {
-            // The start is the least value of the gap, or an approach that closes part of the gap.
+            // The start is the least value of the gap, or an approach that closes the gap in a part of the cells.
             let datum = if total.is_some() { 0.0 } else { 1.0 };
             let linear: Vec<f64> = gap.as_slice().iter().map(|h| h - datum).collect();
             let normal = |x: &mut [f64], observer: &mut Observer<'_>, settings: &Settings| {
@@ -313,8 +313,8 @@ impl PassLog {
         Self { report, seen }
     }
 
-    /// Asserts that the counts increase from pass to pass, and that the last entry of the history does not exceed the
-    /// counts of the report.
+    /// Asserts that the counts increase from pass to pass. The last entry of the history must not exceed the counts of
+    /// the report.
     fn assert_counted_once(&self) {
         let Self { report, seen } = self;
         for steps in [seen, &report.history] {

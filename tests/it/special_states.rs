@@ -396,7 +396,7 @@ fn keep_first(
     }
 }
 
-/// Before its first product a solve has no values to report, and it must not report the values of the previous solve.
+/// Before its first product a solve has no values to report. It must not report the values of the previous solve.
 #[test]
 fn observer_receives_nothing_of_previous_solve() {
     let grid = Grid::square(48, 100.0).unwrap();
@@ -558,7 +558,7 @@ fn empty_solution_is_unsolved() {
     assert!(!empty.is_gross_slip());
 }
 
-/// There is no total force, and the linear term is uniform over all cells that can carry a traction. The multiplier
+/// The total force is zero, and the linear term is uniform over all cells that can carry a traction. The multiplier
 /// balances it completely.
 #[test]
 fn uniform_linear_term_is_balanced_by_multiplier() {

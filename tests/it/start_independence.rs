@@ -13,7 +13,7 @@ use stickslip::{
 
 const TOLERANCE: f64 = 1e-9;
 
-/// Compares the solutions of both methods; the single loop starts without coarser grids and uses the whole grid.
+/// Compares the solutions of both methods. The single loop starts without coarser grids and uses the whole grid.
 fn assert_same(bodies: &HalfSpace, gap: &Field, load: NormalControl, friction: &Friction, f: f64) {
     let normal = press(bodies, gap, load, TOLERANCE, Method::ActiveSet);
     let plain = press(bodies, gap, load, TOLERANCE, Method::PolonskyKeer);
@@ -64,7 +64,7 @@ fn assert_same(bodies: &HalfSpace, gap: &Field, load: NormalControl, friction: &
     }
 }
 
-/// Returns the gap of a sphere in the middle and a tip of one cell in a corner that coarser cells do not resolve.
+/// Returns the gap of a sphere in the middle and a tip of one cell in a corner. Coarser cells do not resolve the tip.
 fn sphere_and_tip(grid: Grid) -> Field {
     let mut gap = Field::from_fn(grid, |x, y| (x * x + y * y) / (2.0 * 30.0));
     let tip = grid.nx() * (grid.ny() - 4) + 3;
@@ -225,7 +225,7 @@ fn stop_after(left: &mut usize) -> ControlFlow<()> {
     ControlFlow::Continue(())
 }
 
-/// Between two loads along y the solver solves a zero load with a different pressure, and it must keep its axis.
+/// Between two loads along y the solver solves a zero load under a different pressure. The axis must not change.
 #[test]
 fn solver_under_zero_load_keeps_axis() {
     let grid = Grid::square(64, 8.0).unwrap();

@@ -1,7 +1,7 @@
 //! Height, slope and spectral parameters agree with an independent evaluation.
 //!
-//! The reference values were computed with NumPy 2.4 from the formulas in the docs, over the whole plane of waves of a
-//! complex transform and with exactly rounded sums. The developed area was computed with mpmath from triangles in
+//! The reference values were computed with NumPy 2.4 from the formulas in the docs. They use the whole plane of waves
+//! of a complex transform and exactly rounded sums. The developed area was computed with mpmath from triangles in
 //! space, to 40 digits.
 
 use std::f64::consts::TAU;

@@ -105,8 +105,8 @@ fn steady_rolling_without_entry_law_matches_contact() {
     assert!((found[0] / 22_823.62310136 - 1.0).abs() < 1e-9 && stick == 782);
 }
 
-/// Returns the errors of the force relative to the friction limit and of the traction (L1), as means over three
-/// positions, for the given number of cells across the contact.
+/// Returns the error of the force relative to the friction limit and the error of the traction (L1). They are means
+/// over three positions, for the given number of cells across the contact.
 fn errors_of_carter(cells: usize, ratio: f64, entry_rule: EntryRule) -> [f64; 2] {
     let body = Material::new(1.0, 0.0).unwrap();
     let pair = ElasticPair::new(body, body).unwrap();
@@ -333,12 +333,12 @@ proptest! {
         let bound = (rough.report().duality_gap * energy).sqrt();
         // The solution with the smaller tolerance has an error as well.
         prop_assert!(error.max(0.0).sqrt() <= bound + 1e-10 * energy.sqrt());
-        // With the entry rule the same case converges as well.
+        // With the entry rule the same case also converges.
         let entering = problem(EntryRule::SinceTouch, 1e-9);
         prop_assert!(entering.work() >= -1e-9 || is_dissimilar);
     }
 
-    /// With the entry rule the certificate is above the error as well. Without lateral contraction the compliance of an
+    /// With the entry rule the certificate is also above the error. Without lateral contraction the compliance of an
     /// entering cell is the gap ahead divided by its pressure, in all directions.
     #[test]
     fn certificate_bounds_error_with_entry_law(
@@ -442,8 +442,8 @@ fn prescribed_force_gives_creepage_that_causes_it() {
     }
 }
 
-/// The position of the edge of the grid (three cells or more from the contact) and the unit of the pressures do not
-/// change the result.
+/// The unit of the pressures does not change the result. The position of the edge of the grid does not change it either
+/// if the edge is three cells or more from the contact.
 #[test]
 fn result_is_independent_of_margin_and_unit() {
     let answer = |cells: usize, unit: f64| {
@@ -571,7 +571,7 @@ fn dissipation_never_exceeds_work() {
     }
 }
 
-/// For a spinning sphere the difference is a sixteenth of the work on 12 cells across the grid, and halves if the
+/// For a spinning sphere on 12 cells across the grid, the difference is a sixteenth of the work. It halves if the
 /// number of cells doubles.
 #[test]
 fn work_and_dissipation_agree_as_cells_shrink() {

@@ -116,8 +116,8 @@ fn study_with_damaged_lines_is_repaired() {
     let [whole, merged] = paths(&folder, ["whole.csv", "merged.csv"]);
     let table = fs::read(&whole).unwrap();
     let ends: Vec<usize> = (0..table.len()).filter(|&at| table[at] == b'\n').collect();
-    // Damages each line after the two header lines in three ways: half of it is lost, it is overwritten with invalid
-    // text, or it is joined with the next line.
+    // Each line after the two header lines is damaged in three ways: half of the line is lost, the line is
+    // overwritten with invalid text, or the line is joined with the next line.
     for line in ends[1..].windows(2) {
         let (start, end) = (line[0] + 1, line[1]);
         let half = start + (end - start) / 2;
@@ -163,7 +163,7 @@ fn study_with_more_seeds_extends_its_table() {
     run_study(&format!("--merge {merged} {small} {large}")).unwrap();
     assert!(fs::read(&merged).unwrap() == expected);
 
-    // A shard of the smaller plan lacks cases of the larger plan until it has been enlarged, too.
+    // A shard of the smaller plan lacks cases of the larger plan until the shard is also enlarged.
     let [old] = paths(&folder, ["old.csv"]);
     run_study(&format!("{} --shard 2/2 --out {old}", plan("1-2"))).unwrap();
     let refused = run_study(&format!("--merge {merged} {small} {old}")).unwrap_err();
@@ -302,8 +302,8 @@ fn study_table_of_another_study_is_rejected() {
     let [whole, other, merged] = paths(&folder, ["whole.csv", "other.csv", "merged.csv"]);
     let table = fs::read(&whole).unwrap();
 
-    // A different setting, in a study or in a merge, and a file of a different kind are rejected, and no file is
-    // changed.
+    // A different setting is rejected in a study and in a merge, and a file of a different type is also rejected. No
+    // file is changed.
     let refused = run_study(&format!("{SMALL} --tolerance 1e-5 --out {whole}")).unwrap_err();
     assert!(matches!(&refused, Failure::OtherStudy { .. }), "{refused}");
     complain(&refused);

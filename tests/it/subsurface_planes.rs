@@ -112,7 +112,8 @@ proptest! {
     }
 }
 
-/// Planes of rows that are periodic along y equal sums over images, also for points that are whole periods away.
+/// Stresses in planes below rows that are periodic along y equal sums over images. This is also true for points that are
+/// whole periods away.
 #[test]
 fn plane_of_periodic_rows_is_sum_over_images() {
     for (nx, ny) in [(9, 1), (5, 4)] {
@@ -370,8 +371,8 @@ fn equal_rows_match_single_row() {
     }
 }
 
-/// Returns the stresses xx, zz and xz of `McEwen` (1949), in Johnson (1985), equation 4.49, for a half-width and a
-/// largest pressure of one.
+/// Returns the stresses xx, zz and xz of `McEwen` (1949), given in Johnson (1985), equation 4.49. The half-width and the
+/// largest pressure are one.
 fn mcewen(x: f64, z: f64) -> [f64; 3] {
     let sum = 1.0 - x * x + z * z;
     let root = (sum * sum + 4.0 * x * x * z * z).sqrt();
@@ -385,7 +386,7 @@ fn mcewen(x: f64, z: f64) -> [f64; 3] {
     [-m * (1.0 + ratio) + 2.0 * z, -m * (1.0 - ratio), shear]
 }
 
-/// The stresses below a cylinder agree with the closed form and are in plane strain along it.
+/// The stresses below a cylinder agree with the closed form and satisfy plane strain along the cylinder.
 #[test]
 fn cylinder_stresses_match_mcewen() {
     let errors = [128, 512].map(|n| {
@@ -422,9 +423,9 @@ fn cylinder_stresses_match_mcewen() {
     );
 }
 
-/// A sliding cylinder has its largest tension at the trailing edge on the surface, where the tractions have a
-/// square-root edge. This tension is twice the friction coefficient times the largest pressure. The largest tension of
-/// the cells converges to this value from below, with an error proportional to the square root of the cell size.
+/// A sliding cylinder has its largest tension on the surface at the trailing edge, where the tractions have a square-root
+/// edge. This tension is twice the friction coefficient times the largest pressure. The largest tension of the cells
+/// converges to this value from below, with an error proportional to the square root of the cell size.
 #[test]
 fn sliding_cylinder_has_largest_tension_at_trailing_edge() {
     let tension = |n: usize| {
@@ -454,8 +455,8 @@ fn sliding_cylinder_has_largest_tension_at_trailing_edge() {
     assert!((limit - 1.0).abs() < 2e-3, "{limit}");
 }
 
-/// Returns Hertz's ball of contact radius and largest pressure one on a body with the given Poisson's ratio, on `n`
-/// cells along a side.
+/// Returns Hertz's ball on a body with the given Poisson's ratio, on `n` cells along a side. The contact radius and the
+/// largest pressure are one.
 fn ball(n: usize, nu: f64) -> (HalfSpace, Field) {
     let grid = Grid::square(n, 2.2).unwrap();
     let bodies = HalfSpace::new(grid, pair(nu, 0.2)).unwrap();
@@ -488,9 +489,9 @@ fn ball_has_largest_shear_stress_near_half_the_contact_radius() {
     }
 }
 
-/// Von Mises stress, sxx, szz and sxz in the plane y = 0 or at `[x, y, z]` below a ball that slides along x (nu = 0.3),
-/// by quadrature of Hamilton and Goodman's problem. The last point for each friction has the largest von Mises stress
-/// below the surface.
+/// Von Mises stress, sxx, szz and sxz below a ball that slides along x (nu = 0.3), in the plane y = 0 or at `[x, y, z]`.
+/// They are quadratures of Hamilton and Goodman's problem. The last point for each friction has the largest von Mises
+/// stress below the surface.
 #[expect(clippy::type_complexity, reason = "a table")]
 const SLIDING: [(f64, [([f64; 3], f64, [f64; 3]); 4], [f64; 3]); 2] = [
     (
@@ -573,8 +574,8 @@ fn sliding_ball_matches_hamilton() {
     }
 }
 
-/// At a friction coefficient of 0.5 the von Mises stress is larger at the trailing edge. There Hamilton and Goodman give
-/// `sxx = mu pi (4 + nu)/8 + (1 - 2 nu)/3` and `syy = 3 mu pi nu/8 - (1 - 2 nu)/3` on the surface, the other stresses
+/// At a friction coefficient of 0.5 the von Mises stress is larger at the trailing edge. At this edge Hamilton and Goodman
+/// give `sxx = mu pi (4 + nu)/8 + (1 - 2 nu)/3` and `syy = 3 mu pi nu/8 - (1 - 2 nu)/3` on the surface. The other stresses
 /// vanish, and the von Mises stress is 0.9567. The first cells behind the contact converge to this value from below, with
 /// an error proportional to the square root of the cell size.
 #[test]
@@ -611,8 +612,8 @@ fn sliding_ball_has_largest_stress_at_trailing_edge() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(kit::thorough(8, 48)))]
 
-    /// On a grid that is periodic along both axes, every plane carries the load for any tractions: the sums of its
-    /// stresses equal the sums of the tractions.
+    /// On a grid that is periodic along both axes, every plane carries the load. For any tractions, the sums of the
+    /// stresses of a plane equal the sums of the tractions.
     #[test]
     fn every_periodic_plane_carries_the_load(
         nx in 1..24_usize, ny in 1..24_usize, aspect in 0.3..3.0_f64, nu in -0.4..0.5_f64,
@@ -765,8 +766,8 @@ fn invalid_planes_are_rejected() {
     assert!(matches!(refused, Error::GridMismatch { .. }));
 }
 
-/// A uniform stress, such as the stress of the bulk, is included in all stresses of planes and points; displacements do
-/// not include it.
+/// A uniform stress, such as the stress of the bulk, is included in all stresses of planes and points. Displacements do not
+/// include it.
 #[test]
 fn uniform_stress_is_added_to_planes_and_points() {
     let grid = Grid::new(7, 6, 0.4, 0.5).unwrap();

@@ -314,7 +314,7 @@ fn extreme_points_are_finite_or_rejected() {
     }
 }
 
-/// Every kind of solution is accepted as a source of tractions, and solutions for different bodies are rejected.
+/// Solutions of every type are accepted as a source of tractions. Solutions for different bodies are rejected.
 #[test]
 fn solutions_are_accepted_as_tractions() {
     let grid = Grid::square(12, 2.4).unwrap();

@@ -1,5 +1,5 @@
-//! In the preparation of measured surfaces, filling of missing heights, cropping, resampling and computing the gap
-//! between two surfaces leave known heights unchanged.
+//! Preparation of measured surfaces. Known heights are unchanged when missing heights are filled, when a surface is
+//! cropped or resampled, and when the gap between two surfaces is computed.
 
 use kit::Random;
 use proptest::prelude::*;

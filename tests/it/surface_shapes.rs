@@ -151,7 +151,7 @@ fn invalid_input_is_rejected() {
     }
     assert_eq!(paraboloid(grid, [0.0; 3]).unwrap(), Field::zeros(grid));
 
-    // A punch between four cell centres may contain none of them.
+    // A punch between four cell centres may contain no cell centre.
     let even = Grid::square(4, 4.0).unwrap();
     assert!(matches!(
         flat_punch(even, 0.7, 1.0),

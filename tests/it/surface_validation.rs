@@ -81,7 +81,7 @@ fn generated_surfaces_with_invalid_parameters_are_rejected() {
     assert_checked("kurtosis", Finite, |value| size(one().kurtosis(value)));
 }
 
-/// Computes quantities of a surface; each is a finite number or an error.
+/// Computes quantities of a surface. Each result is a finite number or an error.
 fn measure(heights: &Field) -> Vec<Result<f64, Error>> {
     let field = |made: Result<Field, Error>| made.map(|field| extreme(&field));
     vec![

@@ -1,5 +1,5 @@
-//! An unchanged problem that is solved again costs one product on the window and one product on the whole grid, which
-//! verify its solution.
+//! If an unchanged problem is solved again, one product on the window and one product on the whole grid verify its
+//! solution. No other products are computed.
 
 use kit::{rough, unit_bodies};
 use stickslip::{

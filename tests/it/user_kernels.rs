@@ -1,5 +1,5 @@
-//! User-defined kernels in the form of a closure or a table of a coating give the results of the built-in coating in
-//! every problem. Invalid kernels are rejected.
+//! A closure or a table with the response of a coating gives the results of the built-in coating in every problem.
+//! Invalid kernels are rejected.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -224,8 +224,8 @@ fn user_kernel_stiffness_rolling_wear_and_lines_match_coating() {
     });
     let [(rolling, pressure, traction, numbers), others @ ..] = &solved;
     for (other_rolling, other_pressure, other_traction, other_numbers) in others {
-        // The entry rule uses the ratio of compliances of `near` for a kernel, and the ratio at waves of two cells for
-        // the coating.
+        // For a kernel, the entry rule uses the ratio of compliances of `near`. For the coating, it uses the ratio for
+        // waves with a period of two cells.
         let close = |found: &Field, expected: &Field| {
             let error = max_difference(found.as_slice(), expected.as_slice());
             assert!(error < 2e-5 * max_abs(expected.as_slice()), "{error:e}");
@@ -427,7 +427,7 @@ fn invalid_kernels_are_rejected() {
     let response = move |k| coated.response(k).unwrap();
     let grid = Grid::square(16, 4.0).unwrap();
 
-    // Reject a near field that is not a half-space, and a response that does not tend to the near field.
+    // A near field that is not a half-space is rejected, and so is a response that does not tend to the near field.
     assert!(matches!(
         Kernel::isotropic(coated, 0.4, response),
         Err(Error::UnsupportedForCoatings { .. })
@@ -557,7 +557,7 @@ fn invalid_tables_are_rejected() {
     ));
 }
 
-/// The pair of a kernel does not define bodies, and it is rejected where a single modulus is required.
+/// The pair of a kernel does not define bodies. Functions that require a single modulus reject it.
 #[test]
 fn pair_of_kernel_is_rejected_without_kernel() {
     let kernel = closure(false);

@@ -1,5 +1,5 @@
 //! Tests of user-defined operators. Operators of known bodies give the results of these bodies in every supported
-//! problem, heterogeneous bodies agree with a dense matrix, and unsupported uses are rejected.
+//! problem. Heterogeneous bodies agree with a dense matrix. Unsupported uses are rejected.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -148,7 +148,7 @@ fn gap(bodies: &HalfSpace) -> Field {
     surface::sphere(bodies.grid(), 3.0).unwrap()
 }
 
-/// Compares the pressure, and the traction along x and in both models, on every kind of grid.
+/// Compares the pressure, and the traction along x and in both models, on every type of grid.
 #[test]
 fn user_operator_contacts_match_bodies() {
     for (grid, boundary) in [
@@ -289,7 +289,7 @@ fn user_operator_histories_match_bodies() {
     let [own, other] = [&expected, &found].map(|of| of.stiffness().unwrap());
     assert!((other.normal.value / own.normal.value - 1.0).abs() < 1e-7);
 
-    // Operators that are created again describe the same bodies; different operators describe different bodies.
+    // Operators that are created again describe the same bodies. Different operators describe different bodies.
     let bytes = found.to_bytes();
     let mut again = History::from_bytes(&with_separate_operators(&bodies), &bytes).unwrap();
     for history in [&mut found, &mut again] {
@@ -495,8 +495,8 @@ fn operator_failing_later_stalls_solve() {
     }
 }
 
-/// Operators without an eigenvalue bound allow only problems that need no bound: the pressure problem and then the
-/// traction problem, with entering cells in a history.
+/// Operators without an eigenvalue bound allow only problems that need no bound. These are the pressure problem
+/// followed by the traction problem, also with entering cells in a history.
 #[test]
 fn operator_without_bound_solves_problems_that_need_none() {
     let grid = Grid::square(24, 3.0).unwrap();

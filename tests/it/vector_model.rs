@@ -92,8 +92,8 @@ fn zero_poisson_ratio_gives_the_scalar_model() {
     }
 }
 
-/// Compares the scalar model with the vector model at one shift. In theory, the traction across the load is up to 3.7 %
-/// of the largest friction limit at a Poisson's ratio of 0.29, and up to 7.4 % at 0.5. The angles are up to 7.4 and 15
+/// Compares the scalar model with the vector model at one shift. For Poisson's ratios of 0.29 and 0.5, theory gives a
+/// traction across the load of up to 3.7 % and 7.4 % of the largest friction limit. The angles are up to 7.4 and 15
 /// degrees, and the errors of the force are at most 5e-4 and 1.9e-3.
 #[test]
 fn error_of_scalar_model_agrees_with_theory() {
@@ -321,7 +321,7 @@ proptest! {
         let size = rough.traction().map(Field::as_slice);
         let squares: f64 = size.iter().flat_map(|q| q.iter()).map(|q| q * q).sum();
         // Uniform tractions have no energy on a periodic grid. Their energy is replaced by the bound from the smallest
-        // eigenvalue of the tensor, which equals the smallest eigenvalue of the normal compliance.
+        // eigenvalue of the tensor. This eigenvalue equals the smallest eigenvalue of the normal compliance.
         let smallest = bodies.operator(Component::ZZ).unwrap().lower_bound();
         let whole = energy(size).max(if is_periodic { smallest * squares } else { 0.0 });
         let error = (energy([&difference[0], &difference[1]]) / whole).sqrt();

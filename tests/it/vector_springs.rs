@@ -1,5 +1,5 @@
 //! Springs in the vector model act along x, along y or along both axes, together with any other load. Each spring
-//! exerts the force k (X - delta), and the contact equals the contact under the same forces or the same shifts.
+//! exerts the force k (X - delta). The solution equals the solution under the same forces or the same shifts.
 
 use kit::{max_difference, rough, unit_bodies, unit_pair};
 use stickslip::history::LoadPath;
@@ -181,7 +181,7 @@ fn stiff_spring_gives_accurate_force_or_an_error() {
     }
 }
 
-/// A very stiff spring prescribes the shift; a very soft spring with a distant far end prescribes the force.
+/// A very stiff spring prescribes the shift. A very soft spring with a distant far end prescribes the force.
 #[test]
 fn stiff_and_soft_springs_prescribe_shift_and_force() {
     let [mut rod, mut by_shift, mut soft, mut by_force] =
@@ -286,7 +286,7 @@ fn springs_can_slide_the_contact() {
         }
     }
 
-    // When a force at the limit slides the contact, the force of a spring across it is zero.
+    // If a force at the friction limit causes gross slip, the force of a spring across this force is zero.
     let slide = both(TangentialControl::Force(limit), spring(70.0, 2.0));
     let step = history.step(&slide).unwrap();
     assert!(step.is_gross_slip());

@@ -1,5 +1,5 @@
-//! In repeated solves, a load that continues in the same direction starts from an extrapolation, and an unchanged load
-//! is not solved again.
+//! In repeated solves, a load that continues in the same direction starts from an extrapolation. An unchanged load is
+//! not solved again.
 
 use kit::{rough, unit_bodies};
 use stickslip::{
@@ -44,8 +44,8 @@ fn step(normal: f64, tangential: f64) -> LoadStep {
         .tangential(Axis::X, TangentialControl::Force(tangential))
 }
 
-/// Six more steps of one percent of the load cost less if each step starts along the trend of the previous steps than
-/// if each is the first step after a cold solve.
+/// Six more steps of one per cent of the load cost less along the trend of the previous steps. The reference is the
+/// cost if each step is the first step after a cold solve.
 #[test]
 fn continued_load_costs_less() {
     for (bodies, gap, force) in scenes() {

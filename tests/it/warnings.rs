@@ -23,8 +23,8 @@ fn across(contact: &NormalSolution) -> Option<[bool; 2]> {
     })
 }
 
-/// A cylinder that ends at the edge of the grid has pressure peaks at its ends, here three times the pressure in the
-/// middle.
+/// A cylinder that ends at the edge of the grid has pressure peaks at its ends. In this test they are three times the
+/// pressure in the middle.
 #[test]
 fn cylinder_ending_with_grid_gives_warning() {
     let grid = Grid::new(32, 48, 0.25, 0.25).unwrap();
@@ -72,8 +72,8 @@ fn line_of_cells_gives_warning() {
     assert!(!contact.warnings().contains(&Warning::SingleRowOfCells));
 }
 
-/// Returns a ball with a contact radius of the given number of cells, pressed, and sheared by this part of the friction
-/// limit.
+/// Returns a ball that is pressed and then sheared by this fraction of the friction limit. The contact radius has the
+/// given number of cells.
 fn ball(cells_per_radius: usize, part: f64) -> (HertzSphere, NormalSolution, TangentialSolution) {
     let n = (14 * cells_per_radius).div_ceil(5) + 2;
     let grid = Grid::square(n, n as f64 / cells_per_radius as f64).unwrap();
@@ -248,7 +248,7 @@ fn pressing_dissimilar_bodies_in_one_step_gives_warning() {
     assert!(!is_coarse(&history));
 }
 
-/// Histories and tangential problems whose dissimilar bodies come into contact in one step have the same warning as
+/// If dissimilar bodies come into contact in one step, histories and tangential problems have the same warning as
 /// coupled problems, for any coupling. A cycle has the warning of its steps.
 #[test]
 fn pressing_dissimilar_history_in_one_step_gives_warning() {
@@ -297,8 +297,8 @@ fn pressing_dissimilar_history_in_one_step_gives_warning() {
     assert!(!sheared(kit::unit_pair(0.3), 0.3, Coupling::OneWay));
 }
 
-/// On the surface the tension at the edge of a sheared contact is smaller than in the closed form, and the plane has a
-/// warning. At a depth of one cell side the tension is accurate.
+/// On the surface the tension at the edge of a sheared contact is smaller than in the closed form. The plane therefore
+/// has a warning. At a depth of one cell side the tension is accurate.
 #[test]
 fn surface_stress_at_edge_gives_warning() {
     let (hertz, normal, shear) = ball(12, 0.5);
@@ -316,8 +316,8 @@ fn surface_stress_at_edge_gives_warning() {
     }
 }
 
-/// If the slip zone of a rolling step is narrower than one cell, the energy from the tractions at the end of the step
-/// is half of the work.
+/// The slip zone of a rolling step is narrower than one cell. The energy from the tractions at the end of the step is
+/// then half of the work.
 #[test]
 fn narrow_slip_of_rolling_step_is_below_one_cell() {
     let grid = Grid::square(20, 2.6).unwrap();

@@ -1,5 +1,5 @@
-//! Tests of wear laws. The wear of steps adds up to the law for the total, coefficients may vary from cell to cell, and
-//! a cycle jump is as long as its limits allow.
+//! Tests of wear laws. The wear of single steps adds up to the law for the total. Coefficients may vary from cell to
+//! cell. A cycle jump is as long as its limits allow.
 
 use kit::{Random, max_difference, unit_bodies};
 use stickslip::history::wear::{self, CycleJump};

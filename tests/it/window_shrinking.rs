@@ -1,4 +1,4 @@
-//! After a contact has shrunk, its windows fit its present size, and its solution agrees with the solution of a contact
+//! After a contact has shrunk, its windows fit its present size. Its solution agrees with the solution of a contact
 //! that was never large.
 
 use kit::{boundaries, max_abs, max_difference, rough, unit_bodies, unit_pair};
@@ -11,8 +11,8 @@ use stickslip::{
 const FRICTION: f64 = 0.4;
 const RADIUS: f64 = 1000.0;
 
-/// Returns a step to a contact of the given radius, with the given fraction of the shift at which the whole contact
-/// would slip.
+/// Returns a step to a contact of the given radius. The shift is the given fraction of the shift at which the whole
+/// contact would slip.
 fn step_to((radius, part): (f64, f64)) -> LoadStep {
     let approach = radius * radius / RADIUS;
     let shift = TangentialControl::Shift(part * FRICTION * approach);
@@ -54,7 +54,7 @@ fn histories() -> Vec<History> {
     ]
 }
 
-/// Returns a history on a grid that is periodic along y, where windows are cropped along x only.
+/// Returns a history on a grid that is periodic along y. Its windows are cropped only along x.
 fn periodic_history() -> History {
     let grid = Grid::square(96, 96.0).unwrap();
     let [.., along_y] = boundaries(grid);

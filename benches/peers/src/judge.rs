@@ -5,9 +5,8 @@ use stickslip::{HalfSpace, Operator};
 
 use crate::Result;
 
-/// Compares `[found, truth]`. Returns the energy norm of the difference divided by the energy norm of the reference,
-/// the sum of the absolute differences divided by the sum of the absolute values of the reference, and the relative
-/// error of the total force.
+/// Compares `[found, truth]`. Returns the relative errors in the energy norm, in the sum of absolute values, and of
+/// the total force. The first two are norms of the difference, divided by the same norms of the reference.
 ///
 /// The reference is a solution of this crate with a tolerance of 1e-11. If a code used different influence
 /// coefficients, its solution would have an error that does not vanish at any tolerance.

@@ -4,7 +4,7 @@
 //! `stickslip-bench-peers write FOLDER CELLS..` writes the gaps and prints one line of JSON for each. `stickslip-bench-peers
 //! serve` reads one request per line and prints one line of JSON for each request.
 //!
-//! Lengths are in units of the side of the grid, and pressures in units of the contact modulus, so that no code
+//! Lengths are in units of the side of the grid, and pressures are in units of the contact modulus. No code therefore
 //! receives a system of units for which it was not tuned.
 
 #![allow(

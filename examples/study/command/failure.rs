@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 use super::plan::Plan;
 
-/// Error of a command. A solve that does not converge is not an error; it results in a row.
+/// Error of a command. A solve that does not converge is not an error, but results in a row.
 #[derive(Debug, thiserror::Error)]
 pub(crate) enum Failure {
     #[error("{0}; `study --help` lists the options")]
@@ -17,7 +17,7 @@ pub(crate) enum Failure {
     Threads(#[from] rayon::ThreadPoolBuildError),
     #[error("{}: {source}", path.display())]
     File { path: PathBuf, source: io::Error },
-    /// Another program is writing the table; two programs would solve each case twice.
+    /// Another program is writing the table. Two programs would solve each case twice.
     #[error("{}: another program is writing this table", .0.display())]
     Busy(PathBuf),
     /// The head of the file belongs to a different study.

@@ -1,4 +1,4 @@
-//! Execution of the commands of the program; the tests of the crate also call it.
+//! Execution of the commands of the program. The tests of the crate also call these functions.
 
 #![allow(
     clippy::print_stdout,

@@ -61,7 +61,7 @@ pub(super) struct Press {
 const TITLE: &str = concat!("# stickslip ", env!("CARGO_PKG_VERSION"), " study");
 /// Number of lines above the first row.
 pub(super) const HEAD_LINES: usize = 2;
-/// Maximum number of cases; a larger number indicates a mistake in a range of seeds.
+/// Maximum number of cases. A larger number indicates a mistake in a range of seeds.
 const MOST_CASES: usize = 10_000_000;
 
 impl Plan {

@@ -1,4 +1,4 @@
-//! Table of a shard. Rows are appended when they are finished; a restarted program skips the existing rows.
+//! Table of a shard. Rows are appended when they are finished. A restarted program skips the existing rows.
 
 use std::borrow::Cow;
 use std::collections::BTreeSet;
@@ -13,7 +13,7 @@ use super::failure::Failure;
 use super::plan::{self, Plan};
 use super::row;
 
-/// Time between two syncs; a power failure can lose only the rows of the last second.
+/// Time between two syncs. A power failure can lose only the rows of the last second.
 const BETWEEN_SYNCS: Duration = Duration::from_secs(1);
 
 /// Table to which rows are appended.
@@ -112,7 +112,7 @@ impl Table {
         self.write(&format!("{row}\n"))
     }
 
-    /// Waits until all written data is on the disk.
+    /// Waits until all written rows are on the disk.
     pub(super) fn sync(&mut self) -> Result<(), Failure> {
         let synced = match &mut self.lines {
             Lines::Output => io::stdout().flush(),

@@ -19,11 +19,11 @@ pub(super) struct Job {
     pub(super) cases: Vec<usize>,
 }
 
-/// Solves jobs on the given number of threads. `take` receives the rows on the calling thread in the order in which they are
-/// finished, and `None` if no row has arrived for a second. After the first failure no further job is started.
+/// Solves jobs on the given number of threads. `take` runs on the calling thread. It receives the rows in the order in which
+/// they are finished, and `None` if no row has arrived for a second. After the first failure no further job is started.
 ///
-/// Each solve runs in a pool of one thread; otherwise it would use all threads. Cases are independent, so threads never wait as
-/// long as jobs remain.
+/// Each solve runs in a pool of one thread, because it would otherwise use all threads. Cases are independent, so threads never
+/// wait as long as jobs remain.
 pub(super) fn work(
     plan: &Plan,
     jobs: &[Job],

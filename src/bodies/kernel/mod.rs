@@ -2,8 +2,8 @@
 //!
 //! A [`HalfSpace`](crate::HalfSpace) can be created from a [`Kernel`] instead of an [`ElasticPair`]. Pressure,
 //! traction, coupled problems, histories, wear and stiffness then work with the kernel. Rolling works with all kernels
-//! except operators. A kernel describes the relative displacement $`u_1 - u_2`$ of both bodies together, with the signs
-//! of the [`influence`](crate::influence) page, in one of four ways.
+//! except operators. A kernel describes the relative displacement $`u_1 - u_2`$ of both bodies in one of four ways. The signs are
+//! the signs of the [`influence`](crate::influence) page.
 //!
 //! | constructor | input | grids |
 //! |---|---|---|
@@ -71,18 +71,18 @@
 //!
 //! # How a free grid is computed
 //!
-//! Isotropic kernels are treated like [coatings](crate::layers#from-waves-to-cells). Let A be the constant value of
-//! $`k\,C(k)`$ for the half-space `near`, $`B = \lim k\,C(k)`$ for $`k \to 0`$, and H twice the `thickness`. Then
+//! Isotropic kernels are treated like [coatings](crate::layers#from-waves-to-cells). Let A be the constant value of $`k\,C(k)`$
+//! for the half-space `near`. Let B be the limit of $`k\,C(k)`$ for $`k \to 0`$, and H twice the `thickness`. Then
 //!
 //! ```math
 //! k\,C(k) = A + (B - A)\,e^{-kH} + k R(k) .
 //! ```
 //!
-//! The remainder R must be negligible at $`kH = 40`$. The constructors of `HalfSpace` check this and return
-//! [`Error::BelowMinimum`] if $`k R`$ exceeds 1e-10 of $`A_n`$ there. The remainder of a layer satisfies this if `thickness` is
-//! the thickness of the layer. The response of a body whose moduli vary gradually from the surface approaches A only like
-//! $`1/k`$. The response of a body without a half-space as its limit, such as springs, does not approach A at all. Such bodies
-//! require a grid that is periodic along both axes, or a table.
+//! The remainder R must be negligible at $`kH = 40`$. The constructors of `HalfSpace` return [`Error::BelowMinimum`] if $`k R`$
+//! exceeds 1e-10 of $`A_n`$ at this wave number. The remainder of a layer satisfies this if `thickness` is the thickness of the
+//! layer. The response of a body whose moduli vary gradually from the surface approaches A only like $`1/k`$. The response of a
+//! body without a half-space as its limit, such as springs, does not approach A at all. Such bodies require a grid that is
+//! periodic along both axes, or a table.
 //!
 //! The coefficients of a table are used without change. For windows and coarser grids they are cropped and averaged.
 //! Beyond the last distance, which only the periodic continuation of the transform reaches, the coefficients are
@@ -91,24 +91,23 @@
 //! # Certificate
 //!
 //! The smallest eigenvalue of a response or a table on the grid is computed when an operator is planned. If it is
-//! positive, errors are certified as for other bodies. If it is not positive, isotropic kernels on free grids and on
-//! grids periodic along y use an estimate on the infinite lattice of the cells, as for coated bodies
-//! ([`layers`](crate::layers#limits-of-the-model)). A solve returns [`Error::NotDefinite`] if this estimate is not
-//! positive either, and for all tables whose smallest eigenvalue is not positive. For coupled problems, the separate
+//! positive, errors are certified as for other bodies. If it is not positive, isotropic kernels on free grids and on grids
+//! periodic along y use an estimate. As for coated bodies ([`layers`](crate::layers#limits-of-the-model)), the estimate is
+//! computed on the infinite lattice of the cells. A solve returns [`Error::NotDefinite`] if this estimate is not positive either.
+//! It also returns this error for all tables whose smallest eigenvalue is not positive. For coupled problems, the separate
 //! eigenvalues of pressure and traction must be positive. User-defined operators report their own
-//! [bound](crate::Operator::lower_bound). Without a bound, pressure and traction can be solved only one after the
-//! other, and stiffnesses are rejected. [`Report::eigenvalue_bound`](crate::Report::eigenvalue_bound) reports the
-//! origin of the bound behind a certificate.
+//! [bound](crate::Operator::lower_bound). Without a bound, pressure and traction can be solved only one after the other, and
+//! stiffnesses are rejected. [`Report::eigenvalue_bound`](crate::Report::eigenvalue_bound) reports the origin of the bound behind
+//! a certificate.
 //!
 //! # Moduli and identity
 //!
-//! The pair `near` supplies the scalar constants: its hardness, its moduli, and the ratio of tangential to normal
-//! compliance in the law for cells that come into contact in a step. Closed forms, edges inside the cells and stresses
-//! below the surface [reject](Error::UnsupportedForCoatings) kernels. Two kernels count as the same bodies if `near` and a digest
-//! of their values are the same. The digest of a closure contains its values at 41 wave numbers in single precision, and the
-//! digest of a table contains all values. The digest of operators contains their directions and the work of two fields of
-//! tractions, also in single precision. States of histories store the digest, so that a history can continue only with the same
-//! kernel.
+//! The pair `near` supplies the scalar constants: its hardness, its moduli, and its ratio of tangential to normal compliance. The
+//! law for cells that come into contact in a step uses this ratio. Closed forms, edges inside the cells and stresses below the
+//! surface [reject](Error::UnsupportedForCoatings) kernels. Two kernels count as the same bodies if `near` and a digest of their
+//! values are the same. The digest of a closure contains its values at 41 wave numbers in single precision. The digest of a table
+//! contains all values. The digest of operators contains their directions and the work of two fields of tractions, also in single
+//! precision. States of histories store the digest. A history can therefore continue only with the same kernel.
 
 mod check;
 mod operators;
@@ -180,13 +179,13 @@ pub(crate) struct Isotropic {
     pub(crate) far: Response,
 }
 
-/// Displacements due to a wave of traction with one wave vector, in lengths over pressures, for bodies that are mirror
-/// images of themselves along x and along y.
+/// Displacements due to a wave of traction with one wave vector, in lengths over pressures. The bodies must be mirror images of
+/// themselves along x and along y.
 ///
 /// The fields are the real or imaginary parts of entries of the Hermitian matrix of a wave. The other entries follow
-/// from them, such as $`\hat C_{xz} = -\mathrm{i}\,C_{zx}`$. The entries are even in $`k_x`$ and $`k_y`$, except `xy`,
-/// which is odd in both, `zx`, which is odd in $`k_x`$, and `zy`, which is odd in $`k_y`$. For isotropic bodies, the
-/// page of [`layers`](crate::layers) lists the entries.
+/// from them, such as $`\hat C_{xz} = -\mathrm{i}\,C_{zx}`$. The entries are even in $`k_x`$ and $`k_y`$, with three exceptions:
+/// `xy` is odd in both, `zx` is odd in $`k_x`$, and `zy` is odd in $`k_y`$. For isotropic bodies, the page of
+/// [`layers`](crate::layers) lists the entries.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ResponseTensor {
     /// Displacement along x due to traction along x.
@@ -239,15 +238,15 @@ impl Kernel {
     /// 64 divided by the thickness, and for the wave numbers of grids that are periodic along both axes. At all of
     /// these wave numbers the response must be finite and store positive energy.
     ///
-    /// `near` is the pair of homogeneous half-spaces that determines the response to waves much shorter than
-    /// `thickness` (a length); for a coating it is the outermost layer. The two responses must agree to 1e-10 at
-    /// $`k = 20/\text{thickness}`$, and `near` replaces the response beyond this wave number. Grids periodic along both
-    /// axes use the response without this replacement.
+    /// `near` is the pair of homogeneous half-spaces that determines the response to waves much shorter than `thickness` (a
+    /// length). For a coating it is the outermost layer. The two responses must agree to 1e-10 at $`k = 20/\text{thickness}`$,
+    /// and `near` replaces the response beyond this wave number. Grids periodic along both axes use the response without this
+    /// replacement.
     ///
     /// # Errors
     /// - [`Error::UnsupportedForCoatings`] if `near` is not homogeneous.
-    /// - [`Error::NotPositive`] if the thickness is not positive, or if the response is not positive or its coupling is
-    ///   too strong at one of 41 wave numbers from $`2^{-14}`$ to $`2^6`$ over the thickness.
+    /// - [`Error::NotPositive`] if the thickness is not positive. The error is also returned if the response is not positive or
+    ///   its coupling is too strong at one of 41 wave numbers from $`2^{-14}`$ to $`2^6`$ over the thickness.
     /// - [`Error::NotFinite`] if a value is not finite.
     pub fn isotropic(
         near: ElasticPair,
@@ -280,10 +279,10 @@ impl Kernel {
         ))
     }
 
-    /// Sets the limit of k times the response for k to zero to `base` (one over a pressure). The limit is zero on a
-    /// rigid base; for elastic bodies it contains the constants of the half-space [below](crate::layers). By default
-    /// the limit is extrapolated from the response at k = 1e-9 over the thickness and at half this k. `base` may differ
-    /// from the extrapolated limit by 1e-3 of the value for `near`. The method has no effect on other kernels.
+    /// Sets the limit of k times the response for k to zero to `base` (one over a pressure). The limit is zero on a rigid base.
+    /// For elastic bodies it contains the constants of the half-space [below](crate::layers). By default the limit is
+    /// extrapolated from the response at k = 1e-9 over the thickness and at half this k. `base` may differ from the extrapolated
+    /// limit by 1e-3 of the value for `near`. The method has no effect on other kernels.
     ///
     /// # Errors
     /// - [`Error::NotFinite`] if `base` is not finite.
@@ -301,8 +300,8 @@ impl Kernel {
         Ok(self)
     }
 
-    /// Creates a kernel for bodies whose elastic axes lie along the grid, from their response to waves of the nonzero
-    /// wave vector $`(k_x, k_y)`$, for grids that are periodic along both axes. `near` supplies hardness and moduli.
+    /// Creates a kernel for bodies whose elastic axes lie along the grid, from their response to waves of the nonzero wave vector
+    /// $`(k_x, k_y)`$. The kernel is available on grids that are periodic along both axes. `near` supplies hardness and moduli.
     /// `length` is the approximate length scale on which the response changes.
     ///
     /// ```
@@ -358,13 +357,13 @@ impl Kernel {
         ))
     }
 
-    /// Creates a kernel from influence coefficients, for free grids that have the cell sides of the table and are at
-    /// most as large as the table. `near` supplies hardness and moduli.
+    /// Creates a kernel from influence coefficients. The kernel is available on free grids that have the cell sides of the table
+    /// and are at most as large as the table. `near` supplies hardness and moduli.
     ///
     /// # Errors
     /// - [`Error::UnsupportedForCoatings`] if `near` is not homogeneous.
-    /// - [`Error::Sample`] if a coefficient that is odd along an axis is not zero at distance zero along it, to 1e-12
-    ///   of the largest coefficient.
+    /// - [`Error::Sample`] if a coefficient that is odd along an axis is not zero at distance zero along this axis. The tolerance
+    ///   is 1e-12 of the largest coefficient.
     pub fn tabulated(near: ElasticPair, table: CoefficientTable) -> Result<Self> {
         near.check_homogeneous(NEAR_IS, NEAR_REMEDY)?;
         table.check_odd()?;
@@ -384,8 +383,8 @@ impl Kernel {
     /// [`Report::duality_gap`](crate::Report::duality_gap) is the duality gap, which is not part of the convergence
     /// test. Coupled problems, stiffnesses and jumps over cycles of wear are then not available. Rolling, ranks, dense
     /// matrices, edges inside the cells and stresses reject such bodies. On a grid that is periodic along both axes an
-    /// operator must map constants to zero. A [cell value](crate::HalfSpace::with_cell_value) does not change an
-    /// operator; it states the interpretation of the values that the operator uses.
+    /// operator must map constants to zero. A [cell value](crate::HalfSpace::with_cell_value) does not change an operator. It
+    /// states the interpretation of the values that the operator uses.
     ///
     /// # Errors
     /// - [`Error::UnsupportedForCoatings`] if `near` is not homogeneous.
@@ -394,8 +393,9 @@ impl Kernel {
     /// - [`Error::Length`] if operators have different numbers of cells.
     /// - [`Error::NotPositive`] if the energy of one of two test fields with zero mean is not positive.
     /// - [`Error::NotFinite`] if a product or a lower bound is not finite.
-    /// - [`Error::UnsupportedByModel`] if the work of each test field on the displacements of the other differs by more than 1e-9
-    ///   of the energies, or if an operator has a coupling and `near` has none.
+    /// - [`Error::UnsupportedByModel`] if an operator is not symmetric or has a coupling that `near` does not have. An operator
+    ///   counts as not symmetric if the work of each of two test fields on the displacements of the other differs by more than
+    ///   1e-9 of the energies.
     /// - [`Error::BelowMinimum`] if the energy of a test field is smaller than the lower bound states.
     /// - [`Error::Memory`] if memory runs out.
     pub fn operators(near: ElasticPair, operators: Operators) -> Result<Self> {
@@ -553,9 +553,9 @@ fn waves_of(grid: Grid) -> impl Iterator<Item = f64> {
     std::iter::successors(Some(2.0 * pi / longest), next)
 }
 
-/// Returns a digest of a length and of values times k. Numbers are rounded to single precision, so that round-off
-/// differences between machines do not change the digest. They are in the units of the pair, so they cannot over- or
-/// underflow in any system of units.
+/// Returns a digest of a length and of values times k. Numbers are rounded to single precision, so that round-off differences
+/// between machines do not change the digest. They are in the units of the pair, so that they do not overflow or underflow in any
+/// system of units.
 fn digest_of(near: &ElasticPair, length: f64, values: &[f64]) -> u64 {
     let unit = near.compliances().normal;
     let numbers = values.iter().map(|value| value / unit);

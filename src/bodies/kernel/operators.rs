@@ -16,8 +16,8 @@ use crate::operator::Operator;
 /// operator that has all required directions and the fewest others. [`NormalProblem`](crate::NormalProblem) requires Z
 /// and [`TangentialProblem`](crate::TangentialProblem) requires X, Y or both. Coupled problems require all three
 /// directions if `near` is [coupled](crate::ElasticPair::is_coupled). If a problem requires fewer directions than the operator
-/// has, each product still computes all of them. If several operators have the same direction, they must agree on it. This
-/// agreement is not checked.
+/// has, each product still computes all of them. If several operators have the same direction, they must agree for this
+/// direction. This agreement is not checked.
 ///
 /// ```
 /// use stickslip::influence::Direction::{X, Y, Z};
@@ -68,8 +68,8 @@ impl Operators {
         Self::default()
     }
 
-    /// Adds a symmetric operator for these directions (lengths from pressures), which maps the tractions along them to
-    /// the displacements along them. The signs are those of the [`influence`](crate::influence) page. The operator is
+    /// Adds a symmetric operator for these directions. It maps the tractions (pressures) along these directions to the
+    /// displacements (lengths) along them. The signs are those of the [`influence`](crate::influence) page. The operator is
     /// applied on many threads.
     #[must_use]
     pub fn with<T, const N: usize>(mut self, directions: [Direction; N], operator: T) -> Self
@@ -141,9 +141,9 @@ impl Operators {
 /// Name of the conditions for operators in error messages.
 const MODEL: &str = "a kernel of user-defined operators";
 
-/// Checks the products of two fields with zero mean and returns numbers that identify the operator. The numbers are the
-/// two energies, and the work of one field on the displacements of the other, divided by the geometric mean of the
-/// energies.
+/// Checks the products of two fields with zero mean and returns numbers that identify the operator. The first two numbers are
+/// the energies. The third number is the work of one field on the displacements of the other, divided by the geometric mean of
+/// the energies.
 fn examined(given: &UserOperator) -> Result<[f64; 3]> {
     let directions = given.directions();
     if !given.is_symmetric() {

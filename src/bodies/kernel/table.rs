@@ -7,9 +7,9 @@ use crate::support::checksum;
 use crate::support::debug::shown;
 
 /// Influence coefficients $`C_{ij}`$ of two bodies at the cell distances `(i dx, j dy)`, `0 <= i < nx`, `0 <= j < ny`.
-/// A coefficient is the displacement at the centre of a cell due to a unit traction on the cell at distance zero, as
-/// defined on the [`influence`](crate::influence) page (lengths over pressures). Coefficients at negative distances
-/// follow from the [parity](Component::is_odd) of bodies that are mirror images of themselves along x and y.
+/// A coefficient (a length over a pressure) is the displacement at the centre of a cell due to a unit traction on the
+/// cell at distance zero. The [`influence`](crate::influence) page defines the coefficients. Coefficients at negative
+/// distances follow from the [parity](Component::is_odd) of bodies that are mirror images of themselves along x and y.
 ///
 /// `XX`, `YY` or `ZZ` are required for displacements along these directions. `XY`, `ZX` and `ZY` are zero if they are
 /// not given. `YX`, `XZ` and `YZ` follow from these components by reciprocity.
@@ -39,7 +39,7 @@ use crate::support::debug::shown;
 pub struct CoefficientTable {
     sides: [f64; 2],
     size: [usize; 2],
-    /// Values of the six independent components, row by row; `None` for a component that is not given.
+    /// Values of the six independent components, row by row, or `None` for a component that is not given.
     values: [Option<Vec<f64>>; 6],
 }
 
@@ -144,7 +144,7 @@ impl CoefficientTable {
         Some(values.iter().map(|value| sign * value).collect())
     }
 
-    /// Checks that components that are odd along an axis are zero at distance zero along it, to round-off.
+    /// Checks that components that are odd along an axis are zero, up to round-off, at distance zero along this axis.
     pub(super) fn check_odd(&self) -> Result<()> {
         let [nx, ny] = self.size;
         let values = self.values.iter().flatten().flatten();

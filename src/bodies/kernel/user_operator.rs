@@ -94,7 +94,7 @@ impl UserOperator {
         self.operator.is_symmetric()
     }
 
-    /// Returns the product of all components, stored one after another.
+    /// Returns the product of all components, stored consecutively.
     pub(super) fn product(&self, x: &[f64]) -> Result<Vec<f64>> {
         let (cells, mut out) = (self.cells(), zeros(x.len())?);
         let mut scratch = self.operator.scratch()?;

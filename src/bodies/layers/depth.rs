@@ -3,10 +3,10 @@
 use crate::bodies::layers::Layer;
 use crate::bodies::layers::response::{Base, LayerWaves, Surface};
 
-/// Fields at a depth due to a wave with the wave vector k and a unit amplitude on the surface, for pressure and for
-/// traction along k. Entries with the other parity in x are defined up to a factor i. The six entries are k times the
-/// displacements normal and along k, the pressure and the traction that the plane transmits, and the normal stresses
-/// along and across k.
+/// Fields at a depth due to a wave of unit amplitude on the surface, for pressure and for traction along the wave vector
+/// k. Entries with the other parity in x are defined up to a factor i. The six entries are k times the displacements
+/// normal and along k, the pressure and the traction that the plane transmits, and the normal stresses along and across
+/// k.
 ///
 /// With $`U = G k u, W = G k w`$ and $`\zeta = kz`$ they obey
 ///
@@ -16,16 +16,15 @@ use crate::bodies::layers::response::{Base, LayerWaves, Surface};
 /// ```
 ///
 /// Growing waves are not propagated. The bodies below a depth have a surface compliance C, computed from the minors on
-/// the [page](crate::layers), and the surface of these bodies moves by C times the load that it carries. The load at
-/// the top of a layer is X times the load at its bottom, so the load at the bottom is adj X / det X times the load at
-/// the top. det X is the ratio of the first minors, a sum of positive terms. It grows as exp(2kh), and X grows as
-/// exp(kh).
+/// the [page](crate::layers). The surface of these bodies moves by C times the load that it carries. The load at the top
+/// of a layer is X times the load at its bottom. The load at the bottom is therefore adj X / det X times the load at the
+/// top. det X is the ratio of the first minors, a sum of positive terms. It grows as exp(2kh), and X grows as exp(kh).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SubsurfaceResponse {
     pub(crate) by_pressure: [f64; 6],
     pub(crate) by_traction: [f64; 6],
-    /// Fields due to traction across k: k times the displacement across, the transmitted traction, and the shear stress
-    /// in the plane, up to a factor i.
+    /// Fields due to traction across k: k times the displacement across k, the transmitted traction, and the shear
+    /// stress in the plane, up to a factor i.
     pub(crate) across: [f64; 3],
 }
 
@@ -101,8 +100,8 @@ impl LayerWaves<'_> {
     }
 }
 
-/// Load that a plane carries due to a unit load on the surface: pressure and traction along k, due to each of the two,
-/// and traction across k.
+/// Load that a plane carries due to a unit load on the surface. Pressure and traction along k depend on both loads along
+/// these directions. Traction across k is independent of them.
 #[derive(Debug, Clone, Copy)]
 struct TransferRatio {
     along: [[f64; 2]; 2],
@@ -115,8 +114,8 @@ impl TransferRatio {
         across: 1.0,
     };
 
-    /// Converts the load of a plane relative to the load at the bottom of a layer above it into the load relative to the
-    /// top of the layer: `self` times the ratio of bottom to top load.
+    /// Converts the load of a plane relative to the bottom of a layer above it into the load relative to the top of the
+    /// layer. The result is `self` times the ratio of bottom to top load.
     fn through(self, below: &Surface, top: &Surface, layer: &Layer, k: f64) -> Self {
         let nu = layer.poisson_ratio();
         let a = k * layer.thickness();

@@ -1,9 +1,8 @@
 //! Coated bodies: elastic layers bonded to each other and to a substrate.
 //!
-//! [`Material::coated`](crate::Material::coated) puts layers on an elastic half-space or on a rigid base. A pair of
-//! such bodies is solved like any other pair: pressure, traction, coupled problems, histories, stiffness and rolling,
-//! on free grids, on periodic grids and on lines of cells. For homogeneous bodies neither the results nor the cost
-//! change.
+//! [`Material::coated`](crate::Material::coated) puts layers on an elastic half-space or on a rigid base. A pair of such bodies
+//! is solved like any other pair. It supports pressure, traction, coupled problems, histories, stiffness and rolling, on free
+//! grids, on periodic grids and on lines of cells. For homogeneous bodies neither the results nor the cost change.
 //!
 //! ```
 //! use stickslip::layers::Layer;
@@ -23,9 +22,9 @@
 //!
 //! # Frequency responses
 //!
-//! The surface of a layered body responds to a wave of traction with the wave vector k by four functions of the
-//! wavelength, [`Response`]: $`C_n`$ ($`u_z`$ from pressure), $`C_l`$ and $`C_t`$ (tangential displacement along and
-//! across k) and $`C_c`$ (coupling of pressure and traction along k). With $`c = k_x/k`$ and $`s = k_y/k`$
+//! Four functions of the wavelength ([`Response`]) describe the response of a layered body to a wave of traction with the wave
+//! vector k. They are $`C_n`$ ($`u_z`$ from pressure), $`C_l`$ and $`C_t`$ (tangential displacement along and across k) and
+//! $`C_c`$ (coupling of pressure and traction along k). With $`c = k_x/k`$ and $`s = k_y/k`$
 //!
 //! ```math
 //! \hat C_{zz} = C_n, \quad \hat C_{xx} = C_l c^2 + C_t s^2, \quad \hat C_{yy} = C_l s^2 + C_t c^2, \quad
@@ -33,13 +32,12 @@
 //! \hat C_{zy} = -\hat C_{yz} = -\mathrm{i}\,C_c\,s .
 //! ```
 //!
-//! A half-space has $`G k\,(C_n, C_l, C_t, C_c) = (1 - \nu, 1 - \nu, 1, \tfrac12 - \nu)`$. A layer of thickness h maps
-//! the five minors $`s (1, n, l, c, nl - c^2)`$ of the surface compliance $`n, l, c`$ (in $`1/Gk`$) linearly. The
-//! entries of this map, except those for c, are sums of positive terms. There is no cancellation for any contrast of
-//! moduli, any k h and any Poisson's ratio, including 1/2. Across k, the layer changes $`G k C_t`$ from x to
-//! $`(x + \tanh kh)/(1 + x \tanh kh)`$. For one layer of modulus $`G_1`$ on a base of $`G_2`$, with $`m = G_1/G_2`$,
-//! $`a = kh`$, $`t = e^{-2a}`$, $`\lambda = 1 - 4(1-\nu_1)/(1 + m(3 - 4\nu_2))`$ and
-//! $`\kappa = (m - 1)/(m + 3 - 4\nu_1)`$, the normal response is
+//! A half-space has $`G k\,(C_n, C_l, C_t, C_c) = (1 - \nu, 1 - \nu, 1, \tfrac12 - \nu)`$. A layer of thickness h maps the five
+//! minors $`s (1, n, l, c, nl - c^2)`$ of the surface compliance $`n, l, c`$ (in $`1/Gk`$) linearly. The entries of this map,
+//! except those for c, are sums of positive terms. There is no cancellation for any contrast of moduli, any k h and any
+//! Poisson's ratio, including 1/2. Across k, the layer changes $`G k C_t`$ from x to $`(x + \tanh kh)/(1 + x \tanh kh)`$.
+//! Consider one layer of modulus $`G_1`$ on a base of $`G_2`$. With $`m = G_1/G_2`$, $`a = kh`$, $`t = e^{-2a}`$,
+//! $`\lambda = 1 - 4(1-\nu_1)/(1 + m(3 - 4\nu_2))`$ and $`\kappa = (m - 1)/(m + 3 - 4\nu_1)`$, the normal response is
 //!
 //! ```math
 //! C_n = \frac{1-\nu_1}{G_1 k}\;\frac{1 + 4 a \kappa t - \lambda \kappa t^2}{1 - (\lambda + \kappa + 4 \kappa a^2) t + \lambda \kappa t^2} .
@@ -61,19 +59,18 @@
 //!
 //! The first part is the closed form of the [influence](crate::influence) page with the constants of the outermost
 //! layer. The second part belongs to a force at the depth H. The remainder is smooth and negligible above $`kH = 40`$.
-//! Its Hankel integrals are computed with Gauss-Legendre panels and tabulated once per pair as a function of the
-//! distance r (Chebyshev polynomials, two pieces up to H, then one piece per octave). Gauss rules integrate the
-//! remainder over a cell, which is subdivided if it is wider than the layer. The response is not sampled on a padded
-//! grid in k, so there is no aliasing and no pole at k = 0. Periodic grids use the response itself.
+//! Its Hankel integrals are computed with Gauss-Legendre panels and tabulated once per pair as a function of the distance r. The
+//! tables are Chebyshev polynomials, in two pieces up to H and in one piece per octave above H. Gauss rules integrate the
+//! remainder over a cell, which is subdivided if it is wider than the layer. The response is not sampled on a padded grid in k,
+//! so there is no aliasing and no pole at k = 0. Periodic grids use the response itself.
 //!
 //! # Limits of the model
 //!
 //! - Layers are bonded, and their surfaces are plane. There are at most [`LIMIT`] layers.
 //! - On a [grid periodic along y only](crate::Boundary::PeriodicAlongY), the displacement far from the load is that of
-//!   the substrate with the given datum, and tends to zero on a rigid base. On such a grid the error of a solve is
-//!   certified by the smallest eigenvalue for tractions with zero mean, and by the energy of a flat punch if no sum is
-//!   prescribed. A solve returns [`Error::DatumTooNear`] if the datum is too near for a prescribed approach, shift or
-//!   spring.
+//!   the substrate with the given datum, and tends to zero on a rigid base. On such a grid the smallest eigenvalue for tractions
+//!   with zero mean certifies the error of a solve. If no sum is prescribed, the certificate also requires the energy of a flat
+//!   punch. A solve returns [`Error::DatumTooNear`] if the datum is too near for a prescribed approach, shift or spring.
 //! - The error of a solve on a free grid is certified by the smallest eigenvalue of a periodic continuation of the
 //!   kernel. For layers stiffer than the bodies below, on grids many thicknesses long, this eigenvalue can be negative
 //!   although the operator is positive. Examples are an incompressible layer of ten times the modulus of its base,
@@ -90,10 +87,10 @@
 //! - The law for cells that enter a growing or rolling contact uses the ratio of tangential to normal compliance of
 //!   waves with a period of two cells, $`k = \pi/h_{max}`$.
 //! - Scalar moduli of a pair ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus), Dundurs' beta) are
-//!   those of the outermost layers, which determine the response to waves much shorter than the layer thickness. Closed
-//!   forms, which depend on these moduli only, [reject](crate::Error::UnsupportedForCoatings) coated bodies, as do stresses [at
-//!   points](crate::subsurface::at_points). Stresses on [planes](crate::subsurface::Planes) are available for coated
-//!   bodies.
+//!   those of the outermost layers, which determine the response to waves much shorter than the layer thickness. Closed forms
+//!   depend only on these moduli and [reject](crate::Error::UnsupportedForCoatings) coated bodies. Stresses [at
+//!   points](crate::subsurface::at_points) also reject coated bodies. Stresses on [planes](crate::subsurface::Planes) are
+//!   available for coated bodies.
 //!
 //! Sources: J. W. Dunkin, Bull. Seismol. Soc. Am. 55 (1965) 335 (minors); T. C. O'Sullivan and R. B. King, J. Tribology
 //! 110 (1988) 235, <https://doi.org/10.1115/1.3261591> (one layer); T. Nogi and T. Kato, J. Tribology 119 (1997) 493,

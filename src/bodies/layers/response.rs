@@ -33,8 +33,8 @@ impl Response {
         self.with(self, |value, _| f(value))
     }
 
-    /// Returns the response of two bodies in contact: the sum of the functions, except for the coupling, which is the
-    /// value of body 1 minus the value of body 2.
+    /// Returns the response of two bodies in contact. It is the sum of the functions of both bodies, except for the
+    /// coupling, which is the value of body 1 minus the value of body 2.
     pub(crate) fn and_second(self, other: Self) -> Self {
         Self {
             coupling: self.coupling - other.coupling,
@@ -57,8 +57,8 @@ pub(crate) struct LayerWaves<'a> {
     pub(crate) base: Base,
 }
 
-/// Minors `s (1, n, l, c, n l - c^2)` of a surface compliance, up to a common factor, and the compliance across, in the
-/// unit `1/(G k)` of a modulus.
+/// Minors `s (1, n, l, c, n l - c^2)` of a surface compliance, up to a common factor, and the compliance across k. The
+/// unit is `1/(G k)` for a modulus G.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Surface {
     pub(super) unit: f64,

@@ -1,9 +1,9 @@
-//! X3P, the zipped XML format of ISO 25178-72 (previously ISO 5436-2); requires the feature `x3p`.
+//! X3P, the zipped XML format of ISO 25178-72 (previously ISO 5436-2). The module requires the feature `x3p`.
 //!
 //! Lengths are in metres. Rows are ordered towards larger y.
 //!
-//! Source: ISO 25178-72:2017, Geometrical product specifications, Surface texture: Areal, Part 72: XML file
-//! format x3p; the schema of <https://sourceforge.net/projects/open-gps/>.
+//! Sources: ISO 25178-72:2017, Geometrical product specifications, Surface texture: Areal, Part 72: XML file format
+//! x3p, and the schema of <https://sourceforge.net/projects/open-gps/>.
 
 mod xml;
 mod zip;
@@ -34,21 +34,22 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// Reads the surface in the bytes of a file (metres).
 ///
 /// The file must contain one layer on a regular grid without rotated axes. Samples are signed integers of 16 or 32 bits
-/// or floats of 32 or 64 bits (data types I, L, F and D), in a separate file or as text in the list of data. Integers
-/// are multiplied by the increment of the z axis. Floats are heights that are not multiplied by the increment, as in
-/// openGPS, the library of the standard. The offset of the z axis is added to integers and floats.
+/// (data types I and L) or floats of 32 or 64 bits (data types F and D). They are stored in a separate file or as text
+/// in the list of data. Integers are multiplied by the increment of the z axis. Floats are not multiplied by the
+/// increment, in agreement with openGPS, the library of the standard. The offset of the z axis is added to integers and
+/// floats.
 ///
 /// Missing points become NaN. A point is missing if it is NaN or infinite in the file, if it is empty in the list, or
 /// if its bit in the file of valid points is cleared. The checksums of the archive are verified, but the MD5 checksums
 /// of the format are not. An element without text counts as absent.
 ///
-/// `main.xml` may be in a folder of the archive; links to data are then relative to this folder. The archive may
-/// contain stored and deflated files. Each of them may expand to at most a hundred times its packed size, or 4 MiB if
-/// that is larger.
+/// `main.xml` may be in a folder of the archive. Links to data are then relative to this folder. The archive may
+/// contain stored and deflated files. Each file may expand to at most a hundred times its packed size or to 4 MiB,
+/// whichever is larger.
 ///
 /// # Errors
-/// - [`Error::Format`], with the file within the archive, if the bytes are not an X3P archive or if its files
-///   contradict each other.
+/// - [`Error::Format`], with the name of the file within the archive, if the bytes are not an X3P archive or if its
+///   files contradict each other.
 pub fn parse(bytes: &[u8]) -> Result<Field> {
     let archive = Archive::new(bytes)?;
     let folder = archive.folder_of(MAIN)?;
@@ -201,7 +202,7 @@ impl Element<'_> {
         count.map_err(|_| self.refused("must be a whole number of points"))
     }
 
-    /// Parses a number; NaN and infinities are accepted.
+    /// Parses a number. NaN and infinities are accepted.
     fn number(&self) -> Result<f64> {
         let number = self.text.parse();
         number.map_err(|_| self.refused("must be a number"))

@@ -18,8 +18,8 @@ pub(super) fn elements(xml: &[u8], mut visit: impl FnMut(&str, &str) -> Result<(
         .map_err(|error| broken(format!("the text is not UTF-8: {error}")))?;
     let mut reader = Reader::from_str(xml);
     reader.config_mut().expand_empty_elements = true;
-    // The path contains the names of the open elements below the root, each after a slash; `starts` contains their
-    // positions.
+    // The path contains the names of the open elements below the root, each after a slash. `starts` contains the
+    // positions of the names.
     let (mut path, mut starts) = (String::new(), Vec::new());
     let mut text = String::new();
     loop {

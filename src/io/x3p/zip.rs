@@ -80,7 +80,7 @@ impl<'a> Archive<'a> {
     }
 
     /// Returns the folder of the named entry, with a slash at its end. The folder is the root if the entry is in the
-    /// root or missing, otherwise the first folder with such an entry.
+    /// root or missing. Otherwise it is the first folder with such an entry.
     pub(super) fn folder_of(&self, name: &str) -> Result<String> {
         if self.has(name)? {
             return Ok(String::new());
@@ -106,7 +106,7 @@ impl<'a> Archive<'a> {
         &self,
         is_searched: impl Fn(&[u8]) -> bool,
     ) -> Result<Option<ZipFileHeaderRecord<'_>>> {
-        // The iterator continues to the end of the directory; only the declared number of entries is used.
+        // The iterator would continue to the end of the directory. Only the declared number of entries is used.
         let declared = usize::try_from(self.0.entries_hint()).unwrap_or(usize::MAX);
         for entry in self.0.entries().take(declared) {
             let entry = entry.map_err(|error| {

@@ -11,8 +11,8 @@ const COUNTS: [&str; 5] = [
     "SLURM_NTASKS",
 ];
 
-/// Returns an error if a process that is alone in its communicator was started as one of several. The first variable that is set
-/// determines the number of processes.
+/// Returns an error if a process is alone in its communicator but was started as one of several processes. The first variable
+/// that is set determines the number of processes.
 pub(super) fn check(
     size: usize,
     variable: impl Fn(&'static str) -> Option<String>,

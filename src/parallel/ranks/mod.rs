@@ -1,13 +1,14 @@
 //! Ranks: several processes or threads that solve one contact together.
 //!
-//! A *rank* is one of these processes or threads. Every rank runs the same program on its own part of the cells. Ranks
-//! communicate only through the exchanges of [`Ranks`], and all ranks make the same calls in the same order.
+//! A *rank* is one of these processes or threads. Every rank runs the same program on its local cells. Ranks communicate only
+//! through the exchanges of [`Ranks`], and all ranks make the same calls in the same order.
 //!
 //! [`HalfSpace::distributed`](crate::HalfSpace::distributed) distributes the rows of a grid. Each rank stores a *slab* of rows,
-//! with the fields, problems and solutions on it. The builders are the same as without ranks. The following calls are collective:
-//! every rank must make them.
+//! with the fields, problems and solutions on this slab. The builders are the same as without ranks. The following calls are
+//! collective: every rank must make them.
 //!
-//! - Building, solving and stepping; changing a problem or history; returning to a state.
+//! - Building and solving a problem, and changing a problem.
+//! - Taking a step of a history, changing a history, and returning to a state.
 //! - Displacements, energies, contact spots, statistics and files.
 //! - Starting cycles, adding to cycles, and jumps over cycles
 //!   ([`CycleJump::new`](crate::history::wear::CycleJump::new),
@@ -19,22 +20,26 @@
 //! # Consistent inputs
 //!
 //! Ranks with different inputs would not solve any common problem. Inputs that are common to the whole contact are therefore
-//! compared at the start of a call, in one exchange of a word for each input. These inputs are:
+//! compared at the start of a call. The comparison takes one exchange, with one word for each input. These inputs are:
 //!
-//! - grid, pair and boundary of the bodies, and parameters of a rough surface;
-//! - uniform loads, friction and hardness;
-//! - model, coupling and settings of a problem or a history, including later changes;
-//! - the load of each step, and the state that a history starts from or returns to.
+//! - Grid, pair and boundary of the bodies, and parameters of a rough surface.
+//! - Uniform loads, friction and hardness.
+//! - Model, coupling and settings of a problem or a history, including later changes.
+//! - Load of each step, and the state at which a history starts or to which it returns.
 //!
 //! If an input differs between ranks, all ranks return an error that names the input ([`RankFailure::InconsistentInput`]) and
 //! remain unchanged. Fields cannot be compared, because each rank has different rows. A gap, or a coefficient per cell, must
 //! therefore be computed from the same numbers on every rank.
 //!
-//! Normal, tangential and coupled problems and their histories can be distributed, on all boundaries, with hardness, friction
-//! that varies between cells, relative displacements, wear and stiffnesses. Stresses on planes below the surface
-//! ([`Planes`](crate::subsurface::Planes)) are also supported; each rank receives its rows. The following return
-//! [`RankFailure::UnsupportedOnRanks`]: stresses at single points, because a sum over the loaded cells of all ranks is not
-//! computed in slabs; stresses under values at the centres of cells; files of stresses; and dense matrices.
+//! Normal, tangential and coupled problems and their histories can be distributed, for all boundaries. Hardness, friction that
+//! varies between cells, relative displacements, wear and stiffnesses are supported. Stresses on planes below the surface
+//! ([`Planes`](crate::subsurface::Planes)) are also supported, and each rank receives the stresses of its rows. The following
+//! features return [`RankFailure::UnsupportedOnRanks`]:
+//!
+//! - Stresses at single points, because they are sums over the loaded cells of all ranks.
+//! - Stresses under values at the centres of cells.
+//! - Files of stresses.
+//! - Dense matrices.
 //!
 //! Surfaces are generated ([`SelfAffine::generate_on`](crate::surface::SelfAffine::generate_on)), characterised
 //! ([`HalfSpace::statistics`](crate::HalfSpace::statistics)) and levelled slab by slab. Fields are read from and written to files
@@ -50,21 +55,22 @@
 //!
 //! # Bitwise identical results
 //!
-//! Results are bitwise identical to those of one process, for any number of ranks. The transform of a row or a column is the same
-//! call on the same numbers on any rank. Sums follow one tree of chunks of rows, slabs end at chunk boundaries, and every rank
-//! completes the tree from the nodes that other ranks own entirely. Observer and clock are evaluated on all ranks, and the first
-//! rank decides, on every level. Every rank solves coarse grids of nested starts with at most 65 536 cells on its own.
+//! For any number of ranks, results are bitwise identical to the results of one process. The transform of a row or a column is
+//! the same call on the same numbers on any rank. Sums follow one tree of chunks of rows, and slabs end at chunk boundaries.
+//! Every rank completes the tree from the nodes that other ranks own entirely. Observer and clock are evaluated on all ranks, and
+//! the first rank decides, on every level. Every rank solves coarse grids of nested starts with at most 65 536 cells on its own.
 //!
 //! # Histories
 //!
-//! The state of a history contains the rows of the slab. All ranks save it together in one file, which replaces the earlier file
-//! when every rank has written its rows ([`History::save`](crate::History::save)). Any number of ranks can continue from it, with
-//! bitwise identical results ([`History::load`](crate::History::load)), or from the [bytes](crate::History::to_bytes) of the
-//! slabs ([`State::from_slabs`](crate::history::State::from_slabs)). A step sends the tractions and offsets in the window of the
-//! contact to the ranks that share the rows of the window, and sends the solution back. This communication amounts to about ten
-//! numbers per cell of the window and component. Gap, friction and settings must be changed by all ranks in the same way.
-//! Energies and sums of cycles refer to the whole contact, slip and wear to the slab. An observer of a
-//! [`FrettingLoop`](crate::history::FrettingLoop) is called on all ranks, and the first rank decides.
+//! The state of a history contains the rows of the slab. All ranks save it together in one file
+//! ([`History::save`](crate::History::save)). The file replaces the earlier file when every rank has written its rows. Any number
+//! of ranks can continue from the file with bitwise identical results ([`History::load`](crate::History::load)). They can also
+//! continue from the [bytes](crate::History::to_bytes) of the slabs ([`State::from_slabs`](crate::history::State::from_slabs)).
+//! A step sends the tractions and offsets in the window of the contact to the ranks that share the rows of the window. It then
+//! sends the solution back. This communication amounts to about ten numbers per cell of the window and component. Gap, friction
+//! and settings must be changed by all ranks in the same way. Energies and sums of cycles refer to the whole contact. Slip and
+//! wear refer to the slab. An observer of a [`FrettingLoop`](crate::history::FrettingLoop) is called on all ranks, and the first
+//! rank decides.
 //!
 //! # Communication volume
 //!
@@ -74,35 +80,35 @@
 //! 32\,n^2 \Bigl(1 - \frac1P\Bigr) \text{ bytes}
 //! ```
 //!
-//! on a non-periodic grid, half of this on a periodic grid, and in single precision half of either. Bands of 16 rows without
-//! traction are not sent in the first direction. In each direction a rank sends one block to every other rank, all in one
-//! exchange ([`Ranks::all_to_all`]), packed on all threads. Blocks of more than 4 MB are sent in up to 16 rounds, so they take
-//! little memory compared with their source. The rows of a window of the contact are distributed over all ranks again. An
-//! iteration reduces seven partial results, each in $`\lceil\log_2 P\rceil`$ messages of a few hundred bytes.
-//! [`HalfSpace::traffic`](crate::HalfSpace::traffic) counts exchanges and reductions.
+//! on a non-periodic grid, and half of this volume on a periodic grid. Products in single precision send half as many bytes.
+//! Bands of 16 rows without traction are not sent in the first direction. In each direction a rank sends one block to every other
+//! rank in a single exchange ([`Ranks::all_to_all`]). All threads of the rank pack the blocks. Blocks of more than 4 MB are sent
+//! in up to 16 rounds, so they take little memory compared with their source. The rows of a window of the contact are distributed
+//! over all ranks again. An iteration reduces seven partial results, each in $`\lceil\log_2 P\rceil`$ messages of a few hundred
+//! bytes. [`HalfSpace::traffic`](crate::HalfSpace::traffic) counts exchanges and reductions.
 //!
-//! Columns of the transform are distributed in groups of sixteen, two cache lines of each row, because both precisions use the
-//! same distribution. On a periodic grid of $`n \times n`$ cells, at most $`n/32`$ ranks have columns to transform (twice this
-//! number on a non-periodic grid). Rows are distributed in whole chunks of the sums, 4096 cells or one row, and in pairs, as they
-//! are transformed: 96 rows of 96 cells are split into 42, 42 and 12 rows on three ranks. Shorter chunks would balance the rows,
-//! but would change the last digits of every sum, and such small grids gain nothing from ranks. For $`8192 P`$ cells or more, no
-//! rank has more than twice an even share of the rows. For $`81\,920\, P`$ cells or more, no rank has more than 1.1 times an even
-//! share. Ranks without rows or columns have no work in that stage and only wait.
+//! Columns of the transform are distributed in groups of sixteen, because both precisions use the same distribution. On a grid of
+//! $`n \times n`$ cells, at most $`n/32`$ ranks have columns to transform if the grid is periodic, and at most $`n/16`$ if it is
+//! not periodic. Rows are distributed in whole chunks of the sums (4096 cells or one row), and in pairs, because they are
+//! transformed in pairs. On three ranks, 96 rows of 96 cells are split into 42, 42 and 12 rows. Shorter chunks would balance the
+//! rows, but would change the last digits of every sum. Such small grids gain nothing from ranks. For $`8192 P`$ cells or more,
+//! no rank has more than twice an even share of the rows. For $`81\,920\, P`$ cells or more, no rank has more than 1.1 times an
+//! even share. Ranks without rows or columns only wait during the corresponding stage.
 //!
-//! A rank stores only counts of the whole contact. Each rank counts its slab, and joins the spots at the ends of its slab with
-//! the spots of the next slab in $`\lceil\log_2 P\rceil`$ exchanges of two rows. For a list of all spots
-//! ([`NormalSolution::spots`](crate::NormalSolution::spots) and similar methods), each rank labels its slab and sends the labels
-//! of its last row to the next rank. All ranks then gather the sums of all spots: 72 bytes for each spot and for each part of a
-//! spot that a slab cuts.
+//! A rank stores only counts of the whole contact. Each rank counts the spots of its slab. It joins them with the spots of the
+//! next slab in $`\lceil\log_2 P\rceil`$ exchanges of two rows. A list of all spots is created by
+//! [`NormalSolution::spots`](crate::NormalSolution::spots) and similar methods. Each rank labels the spots of its slab and sends
+//! the labels of its last row to the next rank. All ranks then gather the sums of all spots. These sums take 72 bytes for each
+//! spot, or for each fragment of a spot that the ends of the slabs cut.
 //!
 //! # Failures
 //!
 //! If one rank rejects an input, all ranks return an error: its own error on that rank, [`RankFailure::RejectedByRank`] on the
 //! others. This also holds for a kernel that one rank cannot compute, because of a lack of memory or a failure of its response. If
 //! a rank ends or is silent for too long, the calls of the other ranks return [`RankFailure::Disconnected`] or
-//! [`RankFailure::Timeout`], and so do all later calls on the same bodies. If a block has an unexpected length, its sender makes
-//! different calls, and the receiver returns [`RankFailure::CollectiveMismatch`]. A file that the ranks were writing together is
-//! then the old file, or the new file if it was complete.
+//! [`RankFailure::Timeout`]. All later calls on the same bodies return the same error. If a block has an unexpected length, its
+//! sender makes different calls, and the receiver returns [`RankFailure::CollectiveMismatch`]. After a failure, a file that the
+//! ranks were writing together is the old file, or the new file if it was complete.
 
 pub(crate) mod partition;
 
@@ -147,9 +153,9 @@ pub trait Ranks: Debug + Send + Sync {
     fn swap(&self, block: Vec<u64>, to: usize, from: usize) -> Result<Vec<u64>, RankFailure>;
 
     /// Sends `blocks[r]` to each rank `r` and returns the received blocks in the order of the ranks. All ranks call at the same
-    /// time. If rank `r` sends any words to this rank, `is_expected[r]` must be true here, and an expected rank must send at
-    /// least one word. Empty blocks need not be sent; an empty block is returned for them. The block for this rank itself is
-    /// dropped, and an empty block is returned in its place.
+    /// time. If rank `r` sends any words to this rank, `is_expected[r]` must be true on this rank. An expected rank must send at
+    /// least one word. Empty blocks need not be sent, and an empty block is returned for them. The block for this rank itself is
+    /// dropped, and an empty block is returned instead.
     ///
     /// The default implementation swaps blocks with the other ranks in turn.
     ///
@@ -173,7 +179,7 @@ pub trait Ranks: Debug + Send + Sync {
 
     /// Gathers the words of all ranks in their order. Rank `r` contributes `counts[r]` words, with the same counts on all ranks.
     ///
-    /// In the default implementation each step doubles the number of ranks whose words a rank has: the rank sends these words to
+    /// In the default implementation each step doubles the number of ranks whose words a rank has. The rank sends these words to
     /// the rank that precedes it by this number (Bruck et al., IEEE Trans. Parallel Distrib. Syst. 8 (1997) 1143,
     /// <https://doi.org/10.1109/71.642949>).
     ///
@@ -195,7 +201,7 @@ pub trait Ranks: Debug + Send + Sync {
             known.extend(received);
             of += new;
         }
-        // The words are in cyclic order from this rank; rotate them to start with the first rank.
+        // The words are in cyclic order from this rank. The rotation moves the words of the first rank to the front.
         known.rotate_right(words_of(0..me));
         Ok(known)
     }

@@ -56,22 +56,22 @@ impl Mpi {
     /// currently runs the work. The MPI library must therefore grant `MPI_THREAD_SERIALIZED`, as Open MPI, MPICH and their
     /// derivatives do.
     ///
-    /// All messages of an exchange are sent and received concurrently, but as individual messages and not by collective calls of
-    /// MPI. Collective calls cannot be tested for one rank and cannot be cancelled, so a lost rank would block the others
-    /// forever.
+    /// All messages of an exchange are sent and received concurrently, as individual messages. The function does not use
+    /// collective calls of MPI. Collective calls cannot be tested for one rank and cannot be cancelled, so a lost rank would
+    /// block the others forever.
     ///
-    /// MPI can be finalised only by all ranks together. This function does not return if a call has timed out waiting for a rank,
-    /// and that rank is still silent for another `patience` after the work. It also does not return if a block cannot be sent
-    /// within `patience`. In both cases it writes the rank and the reason to standard error and aborts all processes. Otherwise
-    /// it waits for the other ranks without a limit, however long their work takes.
+    /// MPI can be finalised only by all ranks together. This function aborts all processes in two cases: if a block cannot be
+    /// sent within `patience`, and if a rank for which a call has timed out is still silent for another `patience` after the
+    /// work. In both cases it first writes the rank and the reason to standard error. Otherwise it waits for the other ranks
+    /// without a time limit.
     ///
     /// # Errors
     /// The function returns [`Error::Ranks`], before any work, with
     /// - [`RankFailure::MpiAlreadyInitialised`] if MPI is already initialised.
     /// - [`RankFailure::InsufficientThreadLevel`] if the MPI library does not grant the thread level.
-    /// - [`RankFailure::SeparateMpiJobs`] if the process is alone in its communicator although several processes were started,
-    ///   for example by the launcher of a different MPI library or by a batch job of several tasks. The number of processes is
-    ///   the value of the first variable that is set among `OMPI_COMM_WORLD_SIZE`, `PMI_SIZE`, `MV2_COMM_WORLD_SIZE`,
+    /// - [`RankFailure::SeparateMpiJobs`] if the process is alone in its communicator although several processes were started.
+    ///   Possible causes are the launcher of a different MPI library and a batch job of several tasks. The number of processes is
+    ///   read from the first of these variables that is set: `OMPI_COMM_WORLD_SIZE`, `PMI_SIZE`, `MV2_COMM_WORLD_SIZE`,
     ///   `SLURM_STEP_NUM_TASKS` and `SLURM_NTASKS`.
     ///
     /// # Panics
@@ -204,8 +204,8 @@ impl PeerQueues {
         })
     }
 
-    /// Receives a block from each of the awaited ranks, in any order. If one of them is lost, still receives the blocks of the
-    /// others, so that no rank waits for this rank to receive its block.
+    /// Receives a block from each of the awaited ranks, in any order. If a rank is lost, the function still receives the blocks
+    /// of the others, so that they do not wait for this rank.
     fn receive(
         &mut self,
         world: &SimpleCommunicator,
@@ -268,9 +268,9 @@ impl PeerQueues {
         world.abort(1)
     }
 
-    /// Sends the last message to every other rank and receives their last messages. Thus no rank waits for this rank, and no
-    /// message is unread when MPI is finalised. Aborts if a rank that has timed out is still silent, because finalising would
-    /// wait for it forever.
+    /// Sends the last message to every other rank and receives their last messages. No rank then waits for this rank, and no
+    /// message is unread when MPI is finalised. Aborts if a rank that has timed out is still silent, because the call that
+    /// finalises MPI would wait for that rank forever.
     fn part(&mut self) {
         self.has_parted = true;
         let world = SimpleCommunicator::world();

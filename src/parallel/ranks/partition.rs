@@ -14,8 +14,8 @@ use crate::parallel::{self, Combine, Split, Work};
 /// Approximate number of words that a rank receives in one round.
 const ROUND_WORDS: usize = 1 << 19;
 
-/// A rectangle of cells in slabs of rows, one slab per rank in the order of the ranks; a slab may be empty. Slabs end at chunk
-/// boundaries of the summation tree.
+/// A rectangle of cells in slabs of rows, one slab per rank in the order of the ranks. Slabs end at chunk boundaries of the
+/// summation tree and may be empty.
 #[derive(Debug)]
 pub(crate) struct RowPartition {
     team: Arc<RankGroup>,
@@ -50,7 +50,7 @@ impl RowPartition {
         Self::of(team, size, chunk, (0..=ranks).map(first).collect())
     }
 
-    /// Returns the partition of a range of rows, with the given number of columns, in chunks of one row. The rows stay on their
+    /// Returns the partition of a range of rows, with the given number of columns, in chunks of one row. The rows remain on their
     /// ranks.
     pub(crate) fn within(&self, columns: usize, all: Range<usize>) -> Self {
         let first = |row: &usize| row.clamp(&all.start, &all.end) - all.start;
@@ -126,8 +126,8 @@ impl RowPartition {
     }
 
     /// Runs [`Layout::sweep`](crate::parallel::layout::Layout::sweep) over the chunks of all ranks. Each rank computes the
-    /// largest nodes of the tree that it owns entirely, and all ranks complete the tree from these. After a failed call the
-    /// result is only local.
+    /// largest nodes of the tree that it owns entirely, and all ranks complete the tree from the values of these nodes. After a
+    /// failed call the result is only local.
     pub(crate) fn sweep<D: Split, T: WireFormat>(
         &self,
         data: D,
@@ -169,7 +169,8 @@ impl RowPartition {
         self.finish(0..self.all_chunks(), &mut all, combine)
     }
 
-    /// Computes the value of a node of the tree from the values of the entirely owned nodes, in the order of the ranks.
+    /// Computes the value of a node of the tree from the values of the nodes that single ranks own entirely, in the order of the
+    /// ranks.
     fn finish<T: WireFormat>(
         &self,
         node: Range<usize>,
@@ -203,7 +204,7 @@ impl RowPartition {
         found
     }
 
-    /// Returns the number of rounds of an exchange, in which no rank receives more than [`ROUND_WORDS`] words at a time.
+    /// Returns the number of rounds of an exchange, for about [`ROUND_WORDS`] words per round on the rank that receives most.
     fn rounds(&self, wanted: impl Fn(usize) -> [Range<usize>; 2]) -> usize {
         let most = (0..self.team.size())
             .map(|rank| wanted(rank).map(|range| range.len()).iter().product());
@@ -307,7 +308,7 @@ pub(crate) fn part(all: &Range<usize>, round: usize, rounds: usize) -> Range<usi
     end(round)..end(round + 1)
 }
 
-/// Returns the intersection of two ranges, or an empty range at the start of the second if they are disjoint.
+/// Returns the intersection of two ranges. If the ranges are disjoint, returns an empty range at the start of the second range.
 fn common(one: &Range<usize>, other: &Range<usize>) -> Range<usize> {
     let (start, end) = (one.start.max(other.start), one.end.min(other.end));
     if start < end {

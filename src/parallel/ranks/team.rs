@@ -1,4 +1,4 @@
-//! Ranks as used inside the crate: calls return no errors, the first failure is recorded, and traffic is counted.
+//! Ranks as used inside the crate. Calls return no errors, but record the first failure. The messages are counted.
 
 use std::fmt::Debug;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -22,7 +22,7 @@ pub(crate) struct RankGroup {
     refusals: AtomicU64,
 }
 
-/// Input that must be equal on all ranks: its name and its value, which is compared by its `Debug` output.
+/// Name and value of an input that must be equal on all ranks. Values are compared by their `Debug` output.
 pub(crate) type Input<'a> = (&'static str, &'a dyn Debug);
 
 /// Numbers of messages and bytes sent by one rank since its bodies were created.
@@ -163,7 +163,7 @@ impl RankGroup {
         values.reduce(combine).unwrap_or(own)
     }
 
-    /// Returns the result of a step that every rank takes on its own, or an error if the step failed on any rank.
+    /// Returns the local result of a step that every rank takes, or an error if the step failed on any rank.
     pub(crate) fn collective_result<T>(&self, result: Result<T>) -> Result<T> {
         self.collective_result_checked(result, &[])
     }
@@ -201,8 +201,8 @@ impl RankGroup {
         }
     }
 
-    /// Returns a result like [`RankGroup::collective_result`] for work that may contain collective agreements. An error of such
-    /// an agreement is known on all ranks and needs no further exchange.
+    /// Returns a result like [`RankGroup::collective_result`] for work that may contain collective agreements. All ranks have the
+    /// error of such an agreement, so that no further exchange is necessary.
     pub(crate) fn run_collectively<T>(&self, work: impl FnOnce() -> Result<T>) -> Result<T> {
         let before = self.refusals.load(Ordering::Relaxed);
         let result = work();
@@ -224,7 +224,7 @@ impl RankGroup {
         }
     }
 
-    /// Returns an error with the name `quantity` if there is a team; used for features that ranks do not support.
+    /// Returns an error with the name `quantity` if there is a team. Features that ranks do not support call this function.
     pub(crate) fn check_alone(team: Option<&Self>, quantity: &'static str) -> Result<()> {
         match team {
             Some(_) => Err(Error::Ranks(RankFailure::UnsupportedOnRanks(quantity))),

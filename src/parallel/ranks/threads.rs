@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use crate::parallel;
 use crate::parallel::ranks::{RankFailure, Ranks};
 
-/// A rank that is a thread of this process, for developing and testing a distributed program without MPI.
+/// A rank that is a thread of this process. A distributed program can be developed and tested with such ranks, without MPI.
 ///
 /// ```
 /// use std::sync::Arc;

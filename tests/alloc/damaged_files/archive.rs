@@ -390,7 +390,7 @@ fn invalid_headers_are_rejected() {
 
 #[test]
 fn archives_that_expand_beyond_limit_are_rejected() {
-    // The XML, the data or a list expand to a thousand times their packed size.
+    // The XML, the samples or a list expands to a thousand times its packed size.
     let zeros = vec![0; 8 << 20];
     let bomb = zip(&[("main.xml", &zeros, true)]);
     assert_rejected(

@@ -87,7 +87,7 @@ pub(crate) fn changes() -> impl Strategy<Value = Vec<Change>> {
 
 pub(crate) fn changed(mut bytes: Vec<u8>, changes: &[Change]) -> Vec<u8> {
     for change in changes {
-        // The index may equal the number of bytes, so that a change can be at the end.
+        // The index may equal the number of bytes, so that a change after the last byte is possible.
         let at = |index: &Index| index.index(bytes.len() + 1);
         match change {
             Change::Set(index, byte) => {

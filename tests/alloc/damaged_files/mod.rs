@@ -1,5 +1,5 @@
-//! A damaged, truncated or inconsistent file is rejected with an error that states the fault and its position. Reading
-//! such a file does not panic, and the memory needed is proportional to the size of the file.
+//! A damaged, truncated or inconsistent file is rejected with an error that states the fault and its position. No
+//! panic occurs when such a file is read. The required memory is proportional to the size of the file.
 
 #[cfg(feature = "x3p")]
 mod archive;

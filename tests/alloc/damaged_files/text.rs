@@ -162,8 +162,8 @@ fn damaged_xyz_files_are_rejected() {
 
 #[test]
 fn valid_lists_of_points_are_read() {
-    // The points are in any order, with spacings of a third of a unit rounded to two decimals, two empty columns and a
-    // missing height.
+    // The points are unordered, and their spacing is a third of a unit rounded to two decimals. Two columns are empty
+    // and one height is missing.
     let file = "0.33,2,1\n0,2,2\n1.67,0,3\n0,0,\n";
     let field = io::xyz::parse(file.as_bytes()).unwrap();
     let grid = field.grid();

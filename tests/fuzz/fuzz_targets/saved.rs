@@ -42,7 +42,7 @@ fn state(model: TangentialModel, coupling: Coupling) -> Result<Vec<u8>> {
     Ok(history.to_bytes())
 }
 
-/// Returns one of the states with bytes replaced. The first byte of the input selects the state; each further group of
+/// Returns one of the states with bytes replaced. The first byte of the input selects the state. Each further group of
 /// three bytes is a position and its new value.
 pub fn changed(input: &[u8]) -> Vec<u8> {
     let (&selector, changes) = input.split_first().unwrap_or((&0, &[]));

@@ -1,4 +1,4 @@
-//! Bytes are read as a state or rejected, and a state that was read can be saved and read again.
+//! Bytes are read as a state or rejected. A state that was read can be saved and read again.
 #![no_main]
 
 mod saved;

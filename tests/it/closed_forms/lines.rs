@@ -21,7 +21,7 @@ fn shear_roller(part: f64, moved: f64) -> Result<CattaneoMindlinLine> {
     shear.with_bulk_stress([4.0 * FRICTION * hertz.max_pressure() * moved, 0.0])
 }
 
-/// Integrates over the contact; the integrand may have square-root singularities at the edges of the contact and of the
+/// Integrates over the contact. The integrand may have square-root singularities at the edges of the contact and of the
 /// stick strip.
 fn integrate_over_contact(shear: &CattaneoMindlinLine, integrand: impl Fn(f64) -> f64) -> f64 {
     let (a, c, e) = (
@@ -52,8 +52,8 @@ fn displacement(shear: &CattaneoMindlinLine, x: f64) -> f64 {
     2.0 / PI / hertz.pair().contact_modulus() * parts.sum::<f64>()
 }
 
-/// In the stick strip, displacement and strain add up to the shift; in the slip zones, friction does work on the
-/// remainder.
+/// In the stick strip, displacement and strain add up to the shift. In the slip zones the slip is the difference, on
+/// which friction does work.
 #[test]
 fn shift_and_energy_under_bulk_stress_match_the_slip() -> Result<()> {
     for (part, moved) in [
@@ -136,15 +136,15 @@ fn coupled_bodies_and_excessive_strain_are_rejected() -> Result<()> {
     Ok(())
 }
 
-/// Returns the stresses `[xx, zz, xz]` at the depth z under line loads at `s` along z and along x. Flamant; Johnson
-/// (1985), 2.13-2.16.
+/// Returns the stresses `[xx, zz, xz]` at the depth z under line loads at `s` along z and along x. Sources: Flamant,
+/// and Johnson (1985), 2.13-2.16.
 fn stress_of_line_loads([p, q]: [f64; 2], s: f64, x: f64, z: f64) -> [f64; 3] {
     let (x, square) = (x - s, (x - s).powi(2) + z * z);
     let radial = -2.0 / PI * (p * z + q * x) / (square * square);
     [radial * x * x, radial * z * z, radial * x * z]
 }
 
-/// Stresses below the surface are the superposition of line loads; in body 2 the traction has the opposite sign.
+/// Stresses below the surface are the superposition of line loads. In body 2 the traction has the opposite sign.
 #[test]
 fn stresses_match_superposition_of_line_loads() -> Result<()> {
     for (part, moved) in [(0.6, 0.12), (-0.7, 0.2), (0.9, 0.0), (1.0, -0.3)] {
@@ -183,8 +183,8 @@ fn stresses_match_superposition_of_line_loads() -> Result<()> {
     Ok(())
 }
 
-/// On the surface, the stress components along z equal the tractions. The stress along x is minus the pressure plus the
-/// principal value $`-\frac2\pi \int q(s)/(x-s)\,ds`$ of the traction, inside and outside the contact.
+/// On the surface, the stress components along z equal the tractions. Inside and outside the contact, the stress along
+/// x is the principal value $`-\frac2\pi \int q(s)/(x-s)\,ds`$ minus the pressure.
 #[test]
 fn surface_stress_matches_the_principal_value() -> Result<()> {
     for (part, moved) in [(0.6, 0.12), (-0.7, 0.2), (0.9, 0.0)] {
@@ -193,7 +193,8 @@ fn surface_stress_matches_the_principal_value() -> Result<()> {
         let (a, p0) = (hertz.half_width(), hertz.max_pressure());
         let bulk = 4.0 * FRICTION * p0 * moved;
         for x in [-2.0, -1.01, -0.97, -0.4, 0.05, 0.3, 0.9, 1.3].map(|x| x * a) {
-            // The traction at x is subtracted from the integrand; the principal value of this constant is a logarithm.
+            // The traction at x is subtracted from the integrand. The principal value for this constant traction is a
+            // logarithm.
             let here = shear.traction(x);
             let (c, e) = (shear.stick_half_width(), shear.stick_centre());
             let mut ends = vec![-a, e - c, e + c, a];

@@ -109,8 +109,8 @@ fn chord_integral(kink: f64, edge: f64, d: f64, field: impl Fn(f64) -> f64) -> f
     2.0 * (inner + singular_integral(half(kink), half(edge), along))
 }
 
-/// Integrates `chord(d, t)` over the directions of the chords of radius `edge` through a point at the distance `r` from
-/// the centre; `d` is the distance of the chord from the centre, and `t` its angle to the radius.
+/// Integrates `chord(d, t)` over all chords of a disc of radius `edge` through a point at the distance `r` from the
+/// centre. `d` is the distance of the chord from the centre, and `t` is its angle to the radius.
 fn sum_over_chords(edge: f64, r: f64, chord: impl Fn(f64, f64) -> f64) -> f64 {
     let reach = if r > edge {
         (edge / r).asin()

@@ -67,8 +67,8 @@ fn ellipse_pressure_closes_the_gap_in_contact() -> Result<()> {
         let hertz = HertzEllipse::new(&pair, radius_x, radius_y, 100.0)?;
         let [along_x, along_y] = hertz.semi_axes();
         assert_eq!(along_x > along_y, radius_x > radius_y);
-        // Integrates Boussinesq's kernel along chords in the direction (along_x cos t, along_y sin t), which map to the
-        // chords of a unit disc.
+        // Integrates Boussinesq's kernel along chords in the direction (along_x cos t, along_y sin t). These chords map
+        // to the chords of a unit disc.
         let displacement = |x: f64, y: f64| {
             let (xi, eta) = (x / along_x, y / along_y);
             let sum = integral(0.0, PI, |t| {

@@ -68,8 +68,8 @@ const PARTIAL_SLIP: [[f64; 4]; 6] = [
     ],
 ];
 
-/// Distance over the contact radius, traction, and slip at 0, 45 and 90 degrees from the force, for a force of 0.4 of
-/// the limit.
+/// Columns: distance divided by the contact radius, traction, and slip at 0, 45 and 90 degrees from the force. The
+/// force is 0.4 of the limit.
 const FIELDS_AT_0_4: [[f64; 5]; 9] = [
     [0.0, 217200444.58083636, 0.0, 0.0, 0.0],
     [0.1, 218499720.82644063, 0.0, 0.0, 0.0],

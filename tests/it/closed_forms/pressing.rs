@@ -8,9 +8,10 @@ fn against_rigid(poisson_ratio: f64) -> Result<ElasticPair> {
     ElasticPair::new(Material::new(1.0, poisson_ratio)?, Material::rigid())
 }
 
-/// Poisson's ratio; stiffness of the punch relative to the frictionless stiffness; 1/I, the approach relative to `a^2 /
-/// 2R`; loads of the sphere relative to the Hertzian loads at equal approach and at equal radius. The integral I was
-/// evaluated independently of this crate, and also by ring elements to 2e-5.
+/// Columns: Poisson's ratio, the stiffness of the punch relative to the frictionless stiffness, 1/I, and two loads of
+/// the sphere. The value 1/I is the approach relative to `a^2 / 2R`. The loads are relative to the Hertzian loads at
+/// equal approach and at equal radius. The integral I was evaluated independently of this crate, and also by ring
+/// elements to 2e-5.
 const NO_SLIP: [[f64; 5]; 5] = [
     [0.0, 1.09861, 2.17747, 1.05289, 1.19609],
     [0.1, 1.07495, 2.13274, 1.04096, 1.14629],
@@ -86,8 +87,8 @@ fn full_stick_without_coupling_does_not_stiffen() -> Result<()> {
     Ok(())
 }
 
-/// Stick ratio; friction over beta for round and for plane contacts: (1/2k) ln((1+k)/(1-k)) / K'(k) and K(k) / K'(k),
-/// from tables of elliptic integrals.
+/// Columns: the stick ratio k, and the friction coefficient divided by beta for round and for plane contacts. These
+/// quotients are (1/2k) ln((1+k)/(1-k)) / K'(k) and K(k) / K'(k), from tables of elliptic integrals.
 const SPENCE: [[f64; 3]; 4] = [
     [0.1, 0.27150, 0.42610],
     [0.3, 0.39262, 0.61194],

@@ -430,8 +430,7 @@ fn zero_force_gross_slip_and_edges_are_exact() -> Result<()> {
         -FRICTION * cone.pressure(0.3 * a),
     );
     assert!(cone.pressure(0.0).is_infinite());
-    // At the apex, where the pressure and the pressure subtracted from it are infinite, their difference is a
-    // logarithm.
+    // At the apex the pressure and the pressure subtracted from it are infinite. Their difference is a logarithm.
     let forth = shear(FRICTION, 0.3 * limit)?;
     let c = forth.stick_radius();
     assert_close(forth.traction(0.0), FRICTION * 625e3 * (a / c).ln());

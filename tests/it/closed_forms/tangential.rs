@@ -48,8 +48,8 @@ fn displacement_matches_integral_of_traction() -> Result<()> {
         pair.equivalent_poisson_ratio(),
         pair.equivalent_shear_modulus(),
     );
-    // A chord at the distance d from the centre crosses q0 sqrt(1 - r^2/b^2) with the integral (pi/2) q0 (b^2 - d^2)/b,
-    // and the kernel depends only on its direction t.
+    // Along a chord at the distance d from the centre, the integral of q0 sqrt(1 - r^2/b^2) is (pi/2) q0 (b^2 - d^2)/b.
+    // The kernel depends only on the direction t of the chord.
     let hertzian = |q0: f64, b: f64, x: f64, y: f64| {
         let (r, theta) = (x.hypot(y), y.atan2(x));
         let reach = if r > b { (b / r).asin() } else { FRAC_PI_2 };

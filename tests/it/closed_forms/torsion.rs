@@ -11,9 +11,10 @@ use super::{
     sum_over_chords,
 };
 
-/// Stick radius over contact radius; twist times the shear modulus over the friction limit at the largest pressure;
-/// moment over the product of friction, load and contact radius. The values are Lubkin's relations, evaluated to 20
-/// digits in extended precision, independently of this crate, and rounded to double.
+/// Columns: the stick radius divided by the contact radius, the dimensionless twist and the dimensionless moment. The
+/// twist is multiplied by the shear modulus and divided by the friction limit at the largest pressure. The moment is
+/// divided by the product of friction, load and contact radius. The values follow from Lubkin's relations. They were
+/// evaluated to 20 digits in extended precision, independently of this crate, and rounded to double.
 const TORSION: [[f64; 3]; 5] = [
     [0.1, 1.3398219089823253, 0.5886198850944907],
     [0.3, 0.7656479073460584, 0.5768680425718781],
@@ -22,8 +23,8 @@ const TORSION: [[f64; 3]; 5] = [
     [0.9, 0.08066327969565987, 0.17634538145161682],
 ];
 
-/// Twists the steel ball by the given multiple of the ratio of the friction limit at the largest pressure to the shear
-/// modulus.
+/// Twists the steel ball. `strain` is the twist divided by the ratio of the friction limit at the largest pressure to
+/// the shear modulus.
 fn twist_ball(strain: f64) -> Result<LubkinTorsion> {
     let ball = ball()?;
     let unit = FRICTION * ball.max_pressure() / steel()?.equivalent_shear_modulus();

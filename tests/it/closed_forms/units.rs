@@ -12,7 +12,8 @@ use stickslip::analytical::{
 use super::{FRICTION, LIMIT, assert_close, pair};
 
 proptest! {
-    /// Solves the same contact in units of length and force that are smaller by the factors `length` and `force`.
+    /// Solves the same contact in different units. The units of length and force are smaller by the factors
+    /// `length` and `force`.
     #[test]
     fn paraboloid_contacts_in_any_units_are_invariant(
         exponents in [-6.0..6.0_f64, -6.0..6.0],

@@ -75,8 +75,8 @@ fn shear_waves(ratio: f64, fraction: f64) -> Result<WestergaardPartialSlip> {
     )
 }
 
-/// Returns the displacement at `x`, with zero mean, due to `stress` of half-width `a` about each crest, by the
-/// logarithmic kernel of a periodic half-space in plane strain.
+/// Returns the displacement at `x` due to `stress` within the half-width `a` of each crest. The mean displacement is
+/// zero. The kernel is the logarithmic kernel of a periodic half-space in plane strain.
 fn displacement(a: f64, x: f64, kinks: &[f64], stress: impl Fn(f64) -> f64) -> Result<f64> {
     let kernel = |d: f64| -(2.0 * (PI * d / WAVELENGTH).sin().abs()).ln();
     let part = |side: f64| {
@@ -181,8 +181,8 @@ fn gap_near_the_edge_is_accurate() -> Result<()> {
     Ok(())
 }
 
-/// A single crest is a cylinder of radius `lambda^2/(4 pi^2 Delta)`: `a^2 = 4 W R/(pi E*)` and `p_0 = 2 W/(pi a)`, with
-/// W the load per length.
+/// A single crest is a cylinder of radius `lambda^2/(4 pi^2 Delta)`. With the load per length W, `a^2 = 4 W R/(pi E*)`
+/// and `p_0 = 2 W/(pi a)`.
 #[test]
 fn light_loads_give_hertzian_line_contacts() -> Result<()> {
     let waves = wavy_contact(1e-12)?;

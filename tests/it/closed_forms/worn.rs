@@ -21,8 +21,8 @@ fn limiting_shape(stick: f64) -> Result<PopovLimitingShape> {
     PopovLimitingShape::new(&steel()?, ball.radius(), ball.approach(), c)
 }
 
-/// The profile corresponds to the plane contact that is worn off at the depth of the approach, transformed to three
-/// dimensions.
+/// The profile is the transformation to three dimensions of a plane contact that is worn off at the depth of the
+/// approach.
 #[test]
 fn profile_matches_the_worn_plane_contact() -> Result<()> {
     let ball = ball()?;

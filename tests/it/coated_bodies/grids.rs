@@ -1,5 +1,4 @@
-//! Operators of coated bodies on each kind of grid are positive definite, equal to sums over images, and equal to
-//! direct sums.
+//! Operators of coated bodies on every type of grid are positive definite. They equal sums over images and direct sums.
 
 use kit::{Random, max_abs, max_difference};
 #[cfg(feature = "dense")]
@@ -13,7 +12,8 @@ use stickslip::{
 
 use super::{against_rigid, layer, parse_body};
 
-/// The symbol is positive for all kinds of contact, on cells that are small or large compared with the layer.
+/// The symbol is positive for pressure, traction and coupled problems, on cells that are small or large compared with
+/// the layer.
 #[test]
 fn symbol_is_positive() {
     for m in [1e-3, 0.1, 10.0, 1e3] {
@@ -38,8 +38,8 @@ fn symbol_is_positive() {
     }
 }
 
-/// Rows of a grid that is periodic along y, with equal loads, agree with a line of cells. Sums over their images agree
-/// with a free grid of many periods.
+/// If the rows of a grid that is periodic along y have equal loads, they agree with a line of cells. Sums over the
+/// images of the rows agree with a free grid of many periods.
 #[test]
 fn periodic_rows_sum_their_images() {
     let body = parse_body("4/0.3/0.4;0.5/0.45/0.2", "1/0.2");
@@ -78,7 +78,7 @@ fn periodic_rows_sum_their_images() {
                 }
             }
         }
-        // Compares the displacements under an alternating load on the rows, without its uniform part, with the
+        // The load on the rows alternates and has no uniform part. The displacements are compared with the
         // displacements on 41 periods of a free grid.
         let many = Grid::new(10, 6 * 41, dx, dy).unwrap();
         let many = HalfSpace::new(many, against_rigid(body)).unwrap();
@@ -109,8 +109,8 @@ fn periodic_rows_sum_their_images() {
     }
 }
 
-/// If the periodic continuation of a free grid gives no bound, the infinite lattice of its cells gives one. This bound
-/// is below the smallest eigenvalue of the matrix.
+/// If the periodic continuation of a free grid gives no bound, the infinite lattice of its cells gives a bound. This
+/// bound is below the smallest eigenvalue of the matrix.
 #[cfg(feature = "dense")]
 #[test]
 fn stiff_coating_on_long_grid_has_an_eigenvalue_bound() {
@@ -260,7 +260,7 @@ fn line_matches_plane_strain() {
             (layered[19_999] - plain[19_999]).abs() < 1e-4,
             "{component:?}"
         );
-        // The reference is a cell that is long compared with the distances; the contribution of its ends is the same at
+        // The reference is a cell that is long compared with the distances. The contribution of its ends is the same at
         // all distances and cancels in the difference.
         let cell = Rectangle::new(0.25, 4e6).unwrap();
         let of = |x: f64| {

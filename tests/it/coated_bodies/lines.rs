@@ -14,7 +14,7 @@ use stickslip::{
 
 use super::against_rigid;
 
-/// A coated half-space on a grid that is periodic along y; the moduli are Young's moduli.
+/// A coated half-space on a grid that is periodic along y. The moduli are Young's moduli.
 #[derive(Clone, Copy, Debug)]
 struct CoatedStrip {
     grid: Grid,
@@ -298,8 +298,8 @@ fn line_traction_is_independent_of_the_datum() {
             }
         }
     }
-    // A prescribed motion, which a distant datum makes equivalent to a force, is rejected if the compliance is
-    // indefinite, and solved otherwise.
+    // A prescribed motion is rejected if the compliance is indefinite, and solved otherwise. With a distant datum it is
+    // equivalent to a force.
     for load in [
         TangentialLoad::shift([0.02, 0.0]),
         TangentialLoad::force([0.0; 2]).along(

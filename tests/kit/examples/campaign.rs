@@ -1,6 +1,6 @@
 //! Random difficult scenes. `campaign FIRST COUNT` solves COUNT scenes from index FIRST, verifies the solutions and
 //! prints the faults. `campaign coated FIRST COUNT` uses coated bodies. `campaign kinds FIRST COUNT` uses contacts of
-//! every kind, and counts how their solves end.
+//! every type, and counts the outcomes of their solves.
 
 #![allow(
     clippy::print_stdout,

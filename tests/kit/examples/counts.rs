@@ -54,7 +54,7 @@ fn sphere(times: usize) -> stickslip::Result<()> {
     Ok(())
 }
 
-/// Moves back and forth on 64 x 64 cells, in two steps of a history that has already taken two steps.
+/// Moves back and forth on 64 x 64 cells, in two further steps of a history of two steps.
 fn steps(model: TangentialModel, direction: [f64; 2], times: usize) -> stickslip::Result<()> {
     let scene = ball(64)?;
     let friction = Friction::coulomb(FRICTION)?;

@@ -1,5 +1,5 @@
-//! Measures the cost of each digit of the solution. The example prints time and distance from closed forms for several
-//! grids and tolerances, for uniform cells without edges and for centre values with subcell edges.
+//! Measures the cost of each digit of the solution. The example prints the time and the distance from closed forms for
+//! several grids and tolerances. It compares uniform cells without edges with centre values with subcell edges.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -247,8 +247,8 @@ impl ErrorRow {
     }
 }
 
-/// Draws the time over the error, with the pressure of the sphere on the left and its traction on the right; the grid
-/// size increases along a curve.
+/// Draws the time over the error, for the pressure of the sphere on the left and for its traction on the right. The
+/// grid size increases along a curve.
 fn draw(path: &Path, rows: &[ErrorRow]) -> std::result::Result<(), Box<dyn Error>> {
     let title = "Grids of 32 × 32 cells (right) to 512 × 512 cells (left)";
     let figure = support::figure(path, (2 * support::PANEL, 1540), title)?;

@@ -1,11 +1,11 @@
-//! Computes the table of Kalker's coefficients in the library, by solves of steady rolling with creepages so small that
-//! only the edge slips. `kalker_table [HALVES]` prints the rows of ellipse ratios a/b = 2^(k/2) with |k| up to HALVES
-//! (default 8).
+//! Computes the table of Kalker's coefficients of the library. The creepages of the solves of steady rolling are so
+//! small that only the edge slips. `kalker_table [HALVES]` prints the rows of ellipse ratios a/b = 2^(k/2) with |k| up
+//! to HALVES (default 8).
 //!
 //! On a single grid the forces have an error of about 0.3 %, because the cells of the contact cover slightly more or
 //! less than the ellipse. This error appears as a lack of reciprocity, C32 + C23, although C23 itself is hardly
-//! affected. Each coefficient is therefore extrapolated from several grids to reciprocity and to a cell size of zero,
-//! by a linear fit in the lack of reciprocity and the cell size.
+//! affected. Each coefficient is therefore extrapolated from several grids to reciprocity and to a cell size of zero.
+//! The fit is linear in the lack of reciprocity and in the cell size.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -20,7 +20,7 @@ use stickslip::{
 /// Numbers of cells across each axis of the ellipse on the coarsest and the finest grid, and the number of grids.
 const CELLS: [f64; 2] = [32.0, 128.0];
 const GRIDS: u32 = 24;
-/// Creepage, for a friction coefficient of 1; hardly any cell slips.
+/// Creepage for a friction coefficient of 1, at which hardly any cell slips.
 const TINY: f64 = 1e-9;
 
 fn main() -> std::result::Result<(), Box<dyn Error>> {

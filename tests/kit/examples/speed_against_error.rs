@@ -1,5 +1,5 @@
-//! Measures the cost of each digit: time and true error of the ball and of a rough surface at five tolerances, by both
-//! methods. With `--large` the program also uses 1024 x 1024 cells.
+//! Measures the cost of each digit of the solution. The program prints the time and the true error for the ball and a
+//! rough surface, at five tolerances and by both methods. With `--large` the program also uses 1024 x 1024 cells.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -25,8 +25,8 @@ const BEST: f64 = 1e-12;
 const SHOWN: usize = 256;
 
 /// Columns of a row: the scene and the settings, the normal problem, the tangential problem under the best pressure,
-/// and the distances of the best solutions from the closed forms. The bound is certified by the library; `energy` and
-/// `l1` are true errors, in the energy norm and of the tractions summed over the cells.
+/// and the distances of the best solutions from the closed forms. The bound is certified by the library. `energy` and
+/// `l1` are true errors: `energy` in the energy norm, and `l1` of the tractions summed over the cells.
 const COLUMNS: &str = "scene,cells,contact,method,tolerance,\
     normal_ms,normal_double,normal_single,normal_bound,normal_energy,normal_l1,normal_status,\
     shear_ms,shear_double,shear_single,shear_bound,shear_energy,shear_l1,shear_status,\
@@ -139,7 +139,7 @@ fn measure(
                 energy: energy_error(&scene.bodies, Component::ZZ, found.pressure(), pressure)?,
                 l1: distance(found.pressure(), pressure),
             };
-            // The best pressure is used, so that the error is the error of the tangential solve only.
+            // The best pressure is used, so that only the tangential solve contributes to the error.
             let mut solver = scene
                 .tangential(&normal, method, tolerance)?
                 .into_solver()?;

@@ -12,8 +12,9 @@ pub const FRICTION: f64 = 0.5;
 /// Tangential force relative to the force at which the contact slides.
 pub const LOADING: f64 = 0.4;
 
-/// Mean pressures relative to the contact modulus, adjusted on 256 x 256 cells until about 2, 10 and 40 % of the cells
-/// were in contact. The surface has the same slope on every grid, so the fractions are nearly the same on all grids.
+/// Mean pressures divided by the contact modulus. They were adjusted on 256 x 256 cells until about 2, 10 and 40 % of
+/// the cells were in contact. The surface has the same slope on every grid, so the fractions are nearly the same on
+/// all grids.
 const ROUGH_LOADS: [(&str, f64); 3] = [
     ("rough-2%", 0.0009),
     ("rough-10%", 0.0044),

@@ -10,7 +10,7 @@ use stickslip::{ElasticPair, Field, Grid, Material};
 #[derive(Debug)]
 pub struct Case {
     pub grid: Grid,
-    /// Centre of the first cell; the centre of the grid need not be the origin.
+    /// Centre of the first cell. The centre of the grid need not be the origin.
     first: [f64; 2],
     pub pair: ElasticPair,
     pub friction: f64,
@@ -40,7 +40,7 @@ pub enum Tangential {
 pub struct ReferenceStep {
     /// Whether the step continues from the previous step, or starts from unloaded bodies.
     pub continues: bool,
-    /// Factors of x^2, x y, y^2, x, y and 1 in the gap; zero if the pressure is prescribed.
+    /// Factors of x^2, x y, y^2, x, y and 1 in the gap, or zero if the pressure is prescribed.
     gap: [f64; 6],
     pub normal: Normal,
     pub tangential: [Tangential; 2],
@@ -50,7 +50,7 @@ pub struct ReferenceStep {
     pub approach: f64,
     /// Increment of the shift in the step.
     pub shift: [f64; 2],
-    /// Elastic energy at the end of the step; `None` if the normal problem was not solved.
+    /// Elastic energy at the end of the step, or `None` if the normal problem was not solved.
     pub elastic_energy: Option<f64>,
     /// Energy dissipated during the step.
     pub dissipated_energy: f64,
@@ -58,7 +58,7 @@ pub struct ReferenceStep {
     pub cells: Vec<Cell>,
 }
 
-/// A cell in contact; column and row are counted from 0.
+/// A cell in contact. Column and row are counted from 0.
 #[derive(Debug, Clone, Copy)]
 pub struct Cell {
     pub ix: usize,

@@ -36,8 +36,8 @@ use stickslip::{
 #[cfg(feature = "serde")]
 pub use {postcard, serde_json};
 
-/// Returns the first argument in an everyday run of the tests, and the second in the campaign before a release, which
-/// sets the environment variable `STICKSLIP_CAMPAIGN`.
+/// Returns the first argument in an everyday run of the tests, and the second argument in the campaign before a
+/// release. The campaign sets the environment variable `STICKSLIP_CAMPAIGN`.
 ///
 /// Both arguments must test the same law to the same tolerance. The first argument is a small instance, because it runs
 /// for every change.

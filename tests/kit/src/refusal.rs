@@ -1,4 +1,4 @@
-//! Checks of parameters of every kind: invalid values must be rejected, and extreme values handled.
+//! Checks of parameters of every type. Invalid values must be rejected, and extreme values must be handled.
 
 use stickslip::{Error, Field, Grid};
 
@@ -27,8 +27,8 @@ impl Rule {
 }
 
 /// Asserts that the call rejects every value that violates the rule, with an error that names the parameter and the
-/// value. Asserts further that the smallest and the largest valid doubles neither panic nor give a result that is not
-/// finite.
+/// value. Asserts further that the smallest and the largest valid doubles cause no panic and give finite results or
+/// errors.
 pub fn assert_checked(word: &str, rule: Rule, call: impl Fn(f64) -> Result<f64, Error>) {
     for value in rule.broken_by() {
         let Err(error) = call(value) else {

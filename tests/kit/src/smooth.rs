@@ -5,8 +5,8 @@ use stickslip::{Field, Grid, NormalControl};
 
 use crate::unit_pair;
 
-/// A contact of the [unit pair](unit_pair) with a Poisson's ratio of zero about the origin; its longer semi-axis is
-/// one.
+/// A contact of the [unit pair](unit_pair) with a Poisson's ratio of zero, centred on the origin. Its longer semi-axis
+/// is one.
 #[expect(missing_debug_implementations, reason = "it holds functions")]
 pub struct Smooth {
     pub name: &'static str,
@@ -96,7 +96,7 @@ impl Smooth {
         })
     }
 
-    /// Returns the mean pressure of the cells, by 24 x 24 points in each.
+    /// Returns the mean pressure of each cell, computed from 24 x 24 points.
     pub fn mean_pressure(&self, grid: Grid, [x0, y0]: [f64; 2]) -> Field {
         let parts = 24;
         let part = |k: i32| (f64::from(k) + 0.5) / f64::from(parts) - 0.5;
@@ -120,9 +120,9 @@ impl Smooth {
         (1.0 - part).powf(1.0 / power)
     }
 
-    /// Returns the traction about the origin divided by the friction coefficient, under a force that is this fraction
-    /// of the sliding force. The result is the pressure minus the pressure of the contact that is as large as the stick
-    /// zone.
+    /// Returns the traction of the contact centred on the origin, divided by the friction coefficient. The force is this
+    /// fraction of the sliding force. The result is the pressure minus the pressure of a contact that is as large as the
+    /// stick zone.
     ///
     /// Sources: J. Jaeger, Arch. Appl. Mech. 65 (1995) 478, <https://doi.org/10.1007/BF00835661>; M. Ciavarella, J. Appl.
     /// Mech. 65 (1998) 998.

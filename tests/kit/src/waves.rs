@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 
 use stickslip::Field;
 
-/// One wave `a exp(i (kx x + ky y))` of a field relative to the origin of the grid; the wave of the opposite wave
-/// vector is listed as well.
+/// One wave `a exp(i (kx x + ky y))` of a field relative to the origin of the grid. The wave of the opposite wave
+/// vector is also listed.
 #[derive(Debug, Clone, Copy)]
 pub struct Wave {
     /// Number of periods along each side, from `-n/2`.

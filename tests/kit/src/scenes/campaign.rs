@@ -23,8 +23,8 @@ pub fn rows(index: u64) -> Vec<Row> {
     settled(index, outcome)
 }
 
-/// Returns the rows of the contacts of an index with coated bodies, or a single row that states why no error can be
-/// certified.
+/// Returns the rows of the contacts with coated bodies for an index. If no error can be certified, returns a single
+/// row with the reason.
 pub fn coated_rows(index: u64) -> Vec<Row> {
     let outcome = draw::coated_scene(index).and_then(|scene| {
         let plane = scene.bodies.tensor_preconditioner([X, Y]).map(|_| ());

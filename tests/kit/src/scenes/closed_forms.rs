@@ -17,7 +17,8 @@ fn pair() -> Result<ElasticPair> {
     ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())
 }
 
-/// Compares the approach of a punch whose edge lies between cells; the error is a fraction of a cell over the radius.
+/// Compares the approach of a punch whose edge lies between cells. The error is a fraction of the cell size divided
+/// by the radius.
 fn flat_punch() -> Result<Row> {
     let grid = Grid::square(128, 2.5)?;
     let bodies = HalfSpace::new(grid, pair()?)?;

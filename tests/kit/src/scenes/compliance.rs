@@ -10,7 +10,8 @@ pub(crate) struct Compliance {
     blocks: usize,
     /// Row, column, and the operator between them.
     parts: Vec<(usize, usize, ElasticOperator)>,
-    /// Lower bound of the eigenvalues. In the plane it is the bound for each axis alone, which may be slightly larger.
+    /// Lower bound of the eigenvalues. For the vector model it is the bound of single axes, which may be slightly
+    /// larger.
     pub(crate) lower_bound: f64,
     /// Round-off of a product relative to its largest value, including the round-off of the coefficients.
     pub(crate) round_off: f64,

@@ -14,7 +14,7 @@ use crate::Random;
 /// Time limit after which a solve counts as hanging.
 pub(crate) const PATIENCE: Duration = Duration::from_secs(60);
 
-/// Returns the generator of a scene; the scenes of adjacent indices are unrelated.
+/// Returns the generator of a scene. The scenes of adjacent indices are unrelated.
 pub(crate) fn random_of(index: u64) -> Random {
     let mut seed = Random(index);
     Random(seed.bits())
@@ -289,7 +289,7 @@ fn shear(grid: Grid, random: &mut Random) -> Result<Shear> {
     } else {
         (Demand::Force(direction.map(|n| n * part)), Expected::Answer)
     };
-    // In the plane the last digits before the limit are lost to round-off.
+    // In the vector model the last digits before the limit are lost to round-off.
     let expected =
         if is_in_plane && (0.9999999..1.0).contains(&part) && expected == Expected::Answer {
             Expected::AnswerOrRoundOff

@@ -1,7 +1,7 @@
 //! Solves a scene and checks the solution for faults.
 //!
-//! A solution is correct if it is feasible, if complementarity holds to the tolerance with an independent product, and
-//! if its distance from the reference solution is within the certified error.
+//! A correct solution satisfies three conditions. It is feasible. It satisfies complementarity to the tolerance,
+//! computed with an independent product. Its distance from the reference solution is within the certified error.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -23,7 +23,7 @@ pub(crate) struct Verifier {
 }
 
 impl Verifier {
-    /// Returns the rows of all parts of a scene; a panic counts as a fault.
+    /// Returns the rows of all problems of a scene. A panic counts as a fault.
     pub(crate) fn rows(self, scene: &RandomScene, method: Method) -> Vec<Row> {
         let halves = AssertUnwindSafe(|| self.halves(scene, method));
         match catch_unwind(halves) {
@@ -240,7 +240,8 @@ impl Verifier {
                 self.dense_limit,
             );
             let truth = truth.filter(|truth| truth.error < 1.0);
-            // Near the limit, a reference under the force found has lost its last digits if the load was a shift.
+            // If the load is a shift near the limit, a reference under the computed force is not accurate to the
+            // last digits.
             if truth.is_some() || !solution.is_gross_slip() {
                 answer.check_error(row, truth);
             }
@@ -336,8 +337,8 @@ impl Answer<'_> {
         1e-12 + 2.0 * noise / (self.compliance.lower_bound * self.energy()).sqrt()
     }
 
-    /// Returns the change of the energy norm due to the round-off of the total, if a single cell has to compensate for
-    /// it.
+    /// Returns the change of the energy norm due to the round-off of the total if a single cell compensates for the
+    /// round-off.
     fn missing_load(&self) -> f64 {
         let magnitude: f64 = self.x.iter().map(|x| x.abs()).sum();
         let mut one_cell = vec![0.0; self.x.len()];

@@ -1,4 +1,5 @@
-//! Random contacts of every kind, each determined by its index, to test how their solves end: problems, then a history.
+//! Random contacts of every type, each determined by its index. They test the outcomes of the solves of problems and
+//! then of a history.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
@@ -45,11 +46,11 @@ const KINDS: [(Kind, &str); 9] = [
 /// Period of the indices that are also histories.
 const HISTORIES: u64 = 3;
 
-/// Deficit from the sliding force in the plane below which the solution depends on the last digits of the force, so
-/// that a solve may stall.
+/// Relative deficit from the sliding force in the vector model. Below this deficit the solution depends on the last
+/// digits of the force, and a solve may stall.
 const LAST_DIGITS: f64 = 1e-7;
 
-/// Returns the rows of an index; the scene of each row is its kind.
+/// Returns the rows of an index. The scene of each row is the name of its problem.
 pub fn rows(index: u64) -> Vec<Row> {
     let (kind, name) = KINDS[(index % KINDS.len() as u64) as usize];
     let mut random = draw::random_of(index ^ 0x6b69_6e64);
@@ -316,8 +317,8 @@ impl Contact {
         self.force / (modulus * grid.area().sqrt())
     }
 
-    /// Returns the fraction of the displacement `Self::reach` that remains if constants cause no displacement. For a
-    /// pressure between zero and `h` times its mean, the root-mean-square difference from the mean is at most
+    /// Returns the fraction of the displacement `Self::reach` that remains if constants cause no displacement. If a
+    /// pressure is between zero and `h` times its mean, its root-mean-square difference from the mean is at most
     /// `sqrt(h - 1)` times the mean.
     fn part_of_reach(&self) -> f64 {
         let mean = self.force / self.bodies.grid().area();
@@ -331,7 +332,7 @@ impl Contact {
     /// Returns the expected ending for this fraction of the sliding force.
     fn expected(&self, part: f64) -> Expected {
         let is_sliding = self.model == TangentialModel::Vector && 1.0 - part < 1.01 * LAST_DIGITS;
-        // The last digit of a height is compared with a displacement that is known to an order of magnitude.
+        // The last digit of a height is compared with a displacement of which only the order of magnitude is known.
         let displacement = self.reach() * self.part_of_reach();
         let digit = 10.0 * f64::EPSILON * self.gap.max().max(-self.gap.min()) / displacement;
         if is_sliding || self.settings.tolerance < digit {

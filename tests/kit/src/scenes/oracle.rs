@@ -104,8 +104,8 @@ pub(crate) fn tractions(
     let limits = limits(&shear.friction, normal);
     let cell_area = normal.grid().cell_area();
     let is_periodic = scene.bodies.boundary() == Boundary::Periodic;
-    // Near sliding the tractions under the prescribed force and under the force reached differ by the square root of
-    // the difference of the forces.
+    // Near sliding the tractions under the prescribed force differ from the tractions under the reached force. The
+    // difference is the square root of the difference of the forces.
     let is_missed = prescribed_force(load).is_some_and(|[x, y]| {
         let limit = limits.iter().sum::<f64>() * cell_area;
         found.axis().is_none() && found.report().load_error > 1.0 - x.hypot(y) / limit
@@ -187,7 +187,7 @@ fn sliding(
     let size = x.hypot(y);
     let missing = (1.0 - size / limit).max(0.0);
     let along = |n: f64| limits.iter().map(move |limit| n / size * limit);
-    // In the plane tractions rotate by the square root of the deficit.
+    // In the vector model tractions rotate by the square root of the deficit.
     let (x, error): (Vec<f64>, f64) = if let Some(axis) = found.axis() {
         (along([x, y][axis.index()]).collect(), 1e-10)
     } else {

@@ -17,11 +17,11 @@ pub struct Row {
     pub half: String,
     /// Ending of the solve, in a word.
     pub ending: String,
-    /// Report of the solve; `None` if it was rejected.
+    /// Report of the solve, or `None` if the problem was rejected.
     pub report: Option<Report>,
     pub error: Option<Measured>,
     pub time: Duration,
-    /// Description of the fault, if there is one.
+    /// Description of the fault, or `None` without a fault.
     pub fault: Option<String>,
 }
 
@@ -70,7 +70,7 @@ impl Row {
         });
     }
 
-    /// Records a fault if the condition holds; the first fault is kept.
+    /// Records a fault if the condition holds. The first fault is kept.
     pub(crate) fn blame(&mut self, condition: bool, fault: impl FnOnce() -> String) {
         if condition && self.fault.is_none() {
             self.fault = Some(fault());
@@ -81,7 +81,7 @@ impl Row {
         self.fault.is_none()
     }
 
-    /// Records how a solve ended; returns whether there is an iterate to check.
+    /// Records the outcome of a solve. Returns whether there is an iterate to check.
     pub(crate) fn end(&mut self, outcome: &Result<()>, report: &Report, wanted: Expected) -> bool {
         match outcome {
             Ok(()) | Err(Error::NotConverged(_)) => {

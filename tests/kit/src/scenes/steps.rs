@@ -287,8 +287,8 @@ fn exact(
     })
 }
 
-/// Runs histories that move back and forth, up to sliding and back, through states that erase the memory of the contact
-/// and states that preserve it.
+/// Runs histories that move back and forth, and up to sliding and back. Some of the states erase the memory of the
+/// contact, and others preserve it.
 pub(crate) fn rows() -> Result<Vec<Row>> {
     let to_and_fro = [0.7, -0.7, 0.999999, 0.0, -1.0, 1.0 + 1e-9, 1e-12, 0.5];
     let mut rows = Vec::new();

@@ -1,4 +1,4 @@
-//! Results of a history: the bits of its state, and numbers that must be the same for a different pose of the scene.
+//! Results of a history: the bits of its state, and numbers that must not depend on the pose of the scene.
 
 use stickslip::{Field, History};
 

@@ -1,5 +1,6 @@
-//! Histories of every kind on small grids, for laws that each of them obeys. Every option and load of a history occurs in
-//! a scene. Lengths, pressures and directions have no units and one orientation; a [`UnitTransform`] transforms them.
+//! Histories of every type on small grids, for laws that every history obeys. Every option and load of a history occurs
+//! in a scene. Lengths and pressures have no units, and directions refer to one orientation. A [`UnitTransform`]
+//! transforms them.
 
 mod kinds;
 mod measure;

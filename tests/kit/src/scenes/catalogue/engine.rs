@@ -69,7 +69,7 @@ pub(crate) fn starts() -> Result<Vec<Row>> {
     Ok(rows)
 }
 
-/// Runs the engine with operators that return NaN or are negative definite; the solves must not converge.
+/// Runs the engine with operators that return NaN or are negative definite. The solves must not converge.
 pub(crate) fn broken_operators() -> Vec<Row> {
     let mut rows = Vec::new();
     for (name, sign) in [("NaN", f64::NAN), ("a negative definite map", -1.0)] {
