@@ -26,7 +26,7 @@
 //! sticking particle by B q, with $`B = \kappa\,g/p`$. Here g is the gap at the previous position of the particle. The pressure p
 //! acts on the cell that the particle enters. The factor $`\kappa`$ varies from 1 across the edge of the contact to
 //! $`1/(1 - \nu)`$ along the edge (for bodies of the same material). This is the entry rule of [growing
-//! contacts](crate::guide::load_steps). With this rule the error of the force decreases with the square of the cell size. Without
+//! contacts](crate::guide::load_steps). The error of the force then decreases with the square of the cell size. Without
 //! it ([`EntryRule::WholeStep`], as in CONTACT) the error decreases in proportion to the cell size.
 //!
 //! # Loads

@@ -25,7 +25,7 @@ fn random_contact() -> impl Strategy<Value = RandomContact> {
     (
         (1..20_usize, 1..20_usize, 0.3..3.0_f64),
         (0.0..0.5_f64, any::<u64>(), -4.0..-1.0_f64),
-        // In one of ten cases the bodies barely touch. In one of ten cases the contact is close to gross slip.
+        // The bodies barely touch in one of ten cases. In one of ten cases the contact is close to gross slip.
         (
             prop_oneof![9 => -3.0..-0.5_f64, 1 => Just(-9.0)],
             prop_oneof![9 => -0.95..0.95_f64, 1 => Just(0.9999)],

@@ -336,7 +336,7 @@ fn shear_errors(shape: &Smooth, cells: usize, part: f64) -> [[f64; 2]; 3] {
 }
 
 /// In a slip ring one cell wide, the slip does not indicate the edge of the stick zone. The edge is then extrapolated
-/// from inside, which requires a nearly quadratic field. Under a sphere the extrapolation improves the traction. For a
+/// from inside, which requires a nearly quadratic field. The extrapolation improves the traction of a sphere. For a
 /// gap r^4 the traction is as accurate as on the cells.
 #[test]
 fn narrow_slip_rings_do_not_degrade_the_traction() {

@@ -12,7 +12,7 @@ impl State {
     /// Returns the gap that each cell closes when it comes into contact in a step under this load, as a function of the
     /// cell. The gap is zero for a cell in contact. Returns `None` if cells follow the motion of the whole step.
     ///
-    /// In a rolled step the new gap belongs to other particles. A change of the gap then counts only before the first
+    /// The new gap of a rolled step belongs to other particles. A change of the gap then counts only before the first
     /// step.
     pub(crate) fn closing(
         &self,

@@ -81,7 +81,7 @@
 //! ```
 //!
 //! on a non-periodic grid, and half of this volume on a periodic grid. Products in single precision send half as many bytes.
-//! Bands of 16 rows without traction are not sent in the first direction. In each direction a rank sends one block to every other
+//! Bands of 16 rows without traction are not sent in the first direction. A rank sends one block in each direction to every other
 //! rank in a single exchange ([`Ranks::all_to_all`]). All threads of the rank pack the blocks. Blocks of more than 4 MB are sent
 //! in up to 16 rounds, so they take little memory compared with their source. The rows of a window of the contact are distributed
 //! over all ranks again. An iteration reduces seven partial results, each in $`\lceil\log_2 P\rceil`$ messages of a few hundred

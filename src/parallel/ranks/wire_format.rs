@@ -11,7 +11,7 @@ pub(crate) trait WireFormat: Copy + Send {
     /// Appends the words.
     fn write(self, words: &mut Vec<u64>);
 
-    /// Reads the words from the front. The caller must ensure that there are enough words.
+    /// Reads the words from the front. The caller must provide enough words.
     fn read(words: &mut &[u64]) -> Self;
 }
 
