@@ -35,7 +35,7 @@ pub enum Error {
         /// Number of cells along y.
         ny: usize,
     },
-    /// Memory for a quantity cannot be allocated. [The state is unchanged](crate::guide::embedding#when-memory-runs-out).
+    /// Memory for a quantity cannot be allocated. [The state is unchanged](crate::guide::memory_and_errors#when-memory-runs-out).
     #[error("cannot allocate {} for {quantity}", messages::size(*bytes))]
     Memory {
         /// The quantity that requires the memory, in words.

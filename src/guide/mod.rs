@@ -43,6 +43,7 @@
 //! The module contains no code except for the examples, which run as tests.
 
 #[doc = include_str!("first_steps.md")]
+#[cfg_attr(doc, doc = include_str!("../pictures/sphere.html"))]
 pub mod first_steps {}
 
 /// Choice of a model and of a type: a decision figure, costs and errors, types by task, and combinations.

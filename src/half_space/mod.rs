@@ -150,11 +150,9 @@ impl HalfSpace {
     /// is collective on ranks. On a grid with [`Boundary::Periodic`], values always refer to the centres. The symbols on such
     /// a grid belong to waves and are not averaged over cells.
     ///
-    /// The following accuracies are for values at the centres with [`edges`](crate::edges). They refer to the pressure, the
-    /// traction at 40 % of the sliding force and the areas of a sphere. The accuracy is 1 % with 11 cells per contact radius
-    /// at a tolerance of 1e-3, and 0.1 % with 43 cells. [Narrow slip rings](crate::edges#narrow-slip-rings) need more cells.
-    /// Uniform cells without edges need 21 to 43 cells per contact radius for 1 %. For 0.1 % they need 170 cells per contact
-    /// radius for the tractions, and more cells for the areas. [A table](crate::guide::accuracy) lists the times.
+    /// Values at the centres with [`edges`](crate::edges) need fewer cells than uniform cells. The page on
+    /// [accuracy](crate::guide::accuracy#recommendation) lists the cells per contact radius for 5, 1 and 0.1 %, and the
+    /// times. [Narrow slip rings](crate::edges#narrow-slip-rings) need more cells.
     ///
     /// # Cost
     ///
