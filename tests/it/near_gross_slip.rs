@@ -4,7 +4,7 @@ use kit::{Random, unit_bodies};
 use stickslip::influence::Direction::{X, Y};
 use stickslip::layers::Layer;
 use stickslip::{
-    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
+    Boundary, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
     NormalProblem, NormalSolution, Operator, TangentialLoad, TangentialModel, TangentialProblem,
     TangentialSolution, Zone, surface,
 };
@@ -154,7 +154,11 @@ impl LongCellContact {
         let (load, friction) = (TangentialLoad::force(force), Friction::coulomb(FRICTION));
         let problem =
             TangentialProblem::builder(&self.bodies, &self.pressure, friction.unwrap(), load);
-        let problem = problem.model(TangentialModel::Vector).tolerance(TOLERANCE);
+        // The residual below does not include the displacements due to the pressure.
+        let problem = problem
+            .model(TangentialModel::Vector)
+            .coupling(Coupling::Neglected)
+            .tolerance(TOLERANCE);
         let solution = match problem.build().unwrap().solve() {
             Ok(solution) => solution,
             Err(error) => return Some(error.to_string()),
