@@ -173,7 +173,7 @@ impl LongCellContact {
     }
 
     /// Returns the largest slip across the tractions, or the largest slip in stick cells, relative to the largest
-    /// displacement.
+    /// displacement or to its bound by the smallest eigenvalue.
     fn relative_residual(&self, solution: &TangentialSolution) -> f64 {
         let operator = self.bodies.tensor_operator([X, Y]).unwrap();
         let [x, y] = solution.traction().map(Field::as_slice);
@@ -193,7 +193,8 @@ impl LongCellContact {
             } else {
                 (slip[0] * y[i] - slip[1] * x[i]).abs() / x[i].hypot(y[i])
             };
-            largest = largest.max(u[i].hypot(v[i]));
+            let least = operator.lower_bound() * x[i].hypot(y[i]);
+            largest = largest.max(u[i].hypot(v[i])).max(least);
             residual = residual.max(forbidden);
         }
         residual / largest
