@@ -82,8 +82,8 @@
 //! | 1024 x 1024 | 1.2e-14, 5.7e-15, 4.7e-15 | 4.6e-15, 2.7e-15, 1.1e-15 | not measured |
 //!
 //! The error of the first two surfaces grows approximately as the square root of the number of cells along a side. The error
-//! bound from the residual and the smallest eigenvalue grows in the same way. In the vector model, a solve with a force within
-//! 1e-7 of sliding may stall much earlier on some surfaces. The motion then depends on the last digits of the force.
+//! bound from the residual and the smallest eigenvalue grows in the same way. In the vector model, the motion under a force
+//! within 1e-7 of sliding depends on the last digits of the force. A few of these solves stall much earlier.
 //!
 //! # Example
 //!

@@ -179,8 +179,13 @@ const LAST: f64 = 0.6;
 const IN_SIGHT: f64 = 0.02;
 
 /// Number of outer steps without progress after which the method counts as stuck if the sets no longer change. A step makes
-/// progress if the residual halves or if fewer entries than ever before change sets.
+/// progress if the residual halves, if fewer entries than ever before change sets, or if the slip grows by [`SLIP_GROWTH`].
 const PATIENCE: usize = 4;
+
+/// Growth of the mean slip that counts as progress while all cells slip. Near the sliding force, the angles between tractions and
+/// force are small. The deficit from the sliding force is quadratic in the angles, so a step halves angles that are too large.
+/// The slip then doubles, whereas the residual hardly changes.
+const SLIP_GROWTH: f64 = 1.5;
 
 /// Progress of the outer iterations.
 #[derive(Debug)]
@@ -191,6 +196,8 @@ pub(super) struct Progress {
     pub(super) changes: usize,
     fewest: usize,
     best: f64,
+    /// Largest slip so far while all cells slip; zero before such a step.
+    largest_slip: f64,
     without: usize,
     /// Reduction of the inner residual while sets change. The value may decrease but never increases.
     pub(super) inner_reduction: f64,
@@ -204,6 +211,7 @@ impl Progress {
             changes: usize::MAX,
             fewest: usize::MAX,
             best: f64::INFINITY,
+            largest_slip: 0.0,
             without: 0,
             inner_reduction,
         }
@@ -214,10 +222,13 @@ impl Progress {
         self.best > EARLY && self.without == 0
     }
 
-    /// Records a step. Returns whether the method is stuck.
-    pub(super) fn has_stalled(&mut self, merit: f64) -> bool {
+    /// Records a step. Returns whether the method is stuck. `slip` is the mean slip if all cells slip under a prescribed sum, else
+    /// zero.
+    pub(super) fn has_stalled(&mut self, merit: f64, slip: f64) -> bool {
+        let slips_more = self.largest_slip > 0.0 && slip > SLIP_GROWTH * self.largest_slip;
+        self.largest_slip = self.largest_slip.max(slip);
         // An infinite residual does not count as halved.
-        if merit < 0.5 * self.best || self.changes < self.fewest {
+        if merit < 0.5 * self.best || self.changes < self.fewest || slips_more {
             self.best = self.best.min(merit);
             self.fewest = self.fewest.min(self.changes);
             self.without = 0;

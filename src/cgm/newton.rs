@@ -16,7 +16,7 @@ use crate::cgm::linear::BASES;
 use crate::cgm::monitor::Progress;
 use crate::cgm::totals::Total;
 use crate::cgm::{Constraint, MotionOf, reduce};
-use crate::numerics::cell_vector::{at, chunks, held, minus, put, slices, within};
+use crate::numerics::cell_vector::{at, chunks, held, minus, norm, put, slices, within};
 use crate::parallel;
 use crate::report::Status;
 
@@ -114,7 +114,8 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for ActiveSetSolve<'_, '_, K,
     }
 
     fn has_stalled(&mut self, merit: f64) -> bool {
-        let is_stuck = self.progress.has_stalled(merit);
+        let slip = self.mean_slip_of_all().unwrap_or(0.0);
+        let is_stuck = self.progress.has_stalled(merit, slip);
         if is_stuck {
             self.inner_reduction = self.progress.inner_reduction;
         }
@@ -297,6 +298,21 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             Total::Free => 0.0,
             Total::Sum(_) | Total::Spring { .. } => sum[c] / count,
         });
+    }
+
+    /// Returns the length of the mean slip if the sets are settled and all cells slip under a prescribed sum.
+    fn mean_slip_of_all(&self) -> Option<f64> {
+        let is_settled = self.progress.changes == 0 && self.totals.has_sum() != [false; N];
+        if !MotionOf::<K, N>::IS_CURVED || !is_settled || self.has_free_cell() {
+            return None;
+        }
+        let w = &*self.workspace;
+        let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
+        let (sum, count): ([f64; N], f64) = w.linear.moving.sweep((), |entries, ()| {
+            let gradient = within(&gradient, &entries.chunk);
+            entries.sums(|_, place| (minus(at(&gradient, place), multiplier), 1.0))
+        });
+        Some(norm(sum) / count)
     }
 
     /// Measures the stiffness of every curved bound from the current gradient. Passes the stiffness to the preconditioner only if

@@ -74,7 +74,9 @@ fn scenes_that_formerly_stalled_converge() {
         1665, 3248,
     ];
     let of_kinds = of_kinds.into_iter().map(|i| (i, kinds::rows(i)));
-    for (index, rows) in small_shifts.chain(of_kinds) {
+    // This contact has long cells, a stiff coating and a force just below sliding.
+    let coated = [(20_261_378, campaign::coated_rows(20_261_378))];
+    for (index, rows) in small_shifts.chain(of_kinds).chain(coated) {
         for row in rows {
             assert!(
                 row.is_right() && row.ending == "converged",
