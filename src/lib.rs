@@ -81,11 +81,11 @@
 //!
 //! A solve converges only if its residual and a bound on its error in the energy norm are below the tolerance. A
 //! solve without convergence returns an error that contains the [`Report`]. The [bound](cgm#the-certified-error) excludes the
-//! [discretisation error](guide::accuracy). On a periodic grid with a prescribed approach or shift, it refers to the
-//! contact under the computed force. A [coupled contact](coupled::CoupledReport) has a bound for each half. Its whole
-//! error has a bound only for weak friction, and otherwise at most an estimate. On stiff coatings the bound may rely on
-//! an [estimated eigenvalue](EigenvalueBound). A user-defined operator without an eigenvalue converges on its residual
-//! alone. The table lists the largest errors of a sphere and a rough surface (2 to 40 % contact) on 256 x 256 cells.
+//! [discretisation error](guide::accuracy). On a periodic grid with a prescribed approach or shift, the bound is relative to the
+//! exact solution for the computed force. A [coupled contact](coupled::CoupledReport) has a bound for each half. Its whole error
+//! has a bound only for weak friction, and otherwise at most an estimate. On stiff coatings the bound may rely on an [estimated
+//! eigenvalue](EigenvalueBound). A user-defined operator without an eigenvalue converges on its residual alone. The table lists
+//! the largest errors of a sphere and a rough surface (2 to 40 % contact) on 256 x 256 cells.
 //!
 //! | tolerance | approach, shift | contact and stick cells | pressure of one cell, relative to the largest | suitable for |
 //! |---|---|---|---|---|

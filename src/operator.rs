@@ -249,7 +249,7 @@ impl<const N: usize> Operator<N> for Identity {
 pub struct Scratch(Option<Box<dyn AnyBuffers>>);
 
 impl Scratch {
-    /// Returns a scratch without buffers.
+    /// Returns a `Scratch` without buffers.
     #[must_use]
     pub fn none() -> Self {
         Self(None)

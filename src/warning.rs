@@ -362,8 +362,8 @@ impl Resolution {
         edge: impl FnOnce() -> usize,
     ) -> Self {
         let width = || {
-            // Measured in cell sides, the edge of a disc is 4/pi times as long. 452/355 equals 4/pi with an error below
-            // 1e-7.
+            // The edge of a disc, measured along cell sides, is 4/pi times as long as its circumference. 452/355 equals 4/pi with
+            // a relative error below 1e-7.
             let [sides, length] = if self.is_line { [1, 1] } else { [452, 355] };
             let edge = length * edge();
             // The radius of a disc is twice its area divided by the length of its edge.

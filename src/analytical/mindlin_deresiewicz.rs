@@ -44,7 +44,7 @@ pub struct MindlinDeresiewicz {
     force: f64,
     /// First loading, up to the force of the greatest magnitude.
     first: CattaneoMindlin,
-    /// Solution for half the change of force, for each later reversal that no closed loop has erased.
+    /// Solutions for half the change of force, one for each later reversal that no closed loop has erased.
     turns: Vec<CattaneoMindlin>,
     /// Energy dissipated in the closed loops.
     closed_energy: f64,

@@ -70,7 +70,7 @@ impl RoughSphere {
     }
 
     /// Sets the coefficient $`\kappa`$ of the area (dimensionless; default
-    /// [`AREA_COEFFICIENT`](Self::AREA_COEFFICIENT)). The page of [`Persson`](super::Persson) lists values of other
+    /// [`AREA_COEFFICIENT`](Self::AREA_COEFFICIENT)). The documentation of [`Persson`](super::Persson) lists values of other
     /// theories.
     ///
     /// # Errors

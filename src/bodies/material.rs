@@ -36,7 +36,7 @@ pub struct Material {
     coating: Coating,
 }
 
-/// Deserialised values before their check.
+/// Deserialised values that have not been checked yet.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 struct RawMaterial {
@@ -131,7 +131,7 @@ impl Material {
     }
 
     /// Adds layers that are bonded to this body, the outermost first, above any layers that it already has. On a
-    /// [rigid](Self::rigid) body they form a bed on a rigid base. The page of [`layers`](crate::layers) describes the
+    /// [rigid](Self::rigid) body they form a bed on a rigid base. The documentation of [`layers`](crate::layers) describes the
     /// model and its limits. The moduli of a coated [`Material`] are the moduli of the body below the layers. A
     /// hardness that was set earlier is kept. The hardness of the coating must be set afterwards.
     ///
@@ -298,7 +298,7 @@ pub(crate) struct KernelMark {
     pub(crate) coupling: f64,
 }
 
-/// Deserialised values before their check.
+/// Deserialised values that have not been checked yet.
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 struct RawPair {
@@ -525,7 +525,7 @@ impl ElasticPair {
         1.0 / (2.0 * self.compliances.normal + self.compliances.lateral)
     }
 
-    /// Returns the shear modulus of a single body that is as compliant as both bodies, `1/G = 1/G_1 + 1/G_2` (a
+    /// Returns the shear modulus of a single body that is as compliant as both bodies together, `1/G = 1/G_1 + 1/G_2` (a
     /// pressure); see [`tangential_modulus`](Self::tangential_modulus) for `G*`. For two bodies of the same material it is
     /// half of their modulus.
     #[must_use]
@@ -533,7 +533,7 @@ impl ElasticPair {
         1.0 / (self.compliances.normal + self.compliances.lateral)
     }
 
-    /// Returns Poisson's ratio of a single body that is as compliant as both bodies, `nu = G (nu_1/G_1 + nu_2/G_2)`.
+    /// Returns Poisson's ratio of a single body that is as compliant as both bodies together, `nu = G (nu_1/G_1 + nu_2/G_2)`.
     #[must_use]
     pub fn equivalent_poisson_ratio(&self) -> f64 {
         self.compliances.lateral * self.equivalent_shear_modulus()

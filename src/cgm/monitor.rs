@@ -222,8 +222,8 @@ impl Progress {
         self.best > EARLY && self.without == 0
     }
 
-    /// Records a step. Returns whether the method is stuck. `slip` is the mean slip if all cells slip under a prescribed sum, else
-    /// zero.
+    /// Records a step. Returns whether the method is stuck. `slip` is the mean slip if all cells slip under a prescribed sum,
+    /// else zero.
     pub(super) fn has_stalled(&mut self, merit: f64, slip: f64) -> bool {
         let slips_more = self.largest_slip > 0.0 && slip > SLIP_GROWTH * self.largest_slip;
         self.largest_slip = self.largest_slip.max(slip);

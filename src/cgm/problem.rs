@@ -96,7 +96,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
 
     /// Marks a problem whose solution this solve does not certify. The solution is a start for a different solve, or the caller
     /// examines it with an exact product. Convergence may then be tested with a product whose error is a small fraction of the
-    /// tolerance. The report and the stored product have the same error.
+    /// tolerance. The report and the stored product then also contain this error.
     pub(crate) fn verified_by_caller(mut self) -> Self {
         self.is_examined_elsewhere = true;
         self

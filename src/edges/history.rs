@@ -18,7 +18,7 @@ const STUCK: f64 = 1e-3;
 
 impl History {
     /// Returns the edges of the contact and of the stick zone after the last step, located inside the cells. The function uses
-    /// the current friction. The page of [`edges`](crate::edges) describes the method.
+    /// the current friction. The documentation of [`edges`](crate::edges) describes the method.
     ///
     /// The value in the stick zone is the friction reserve $`\mu p - q \cdot t`$ in the direction in which a cell would slip.
     /// Here t is the unit vector of the traction in the nearest slipping cell. After a reversal this value falls to zero at the

@@ -223,8 +223,8 @@ fn excess(boundary: Boundary, cell_value: CellValue) -> f64 {
 }
 
 impl NormalSolution {
-    /// Returns the edge of the contact inside the cells, and the pressure at this edge. The page of [`edges`](crate::edges)
-    /// describes the method.
+    /// Returns the edge of the contact inside the cells, and the pressure at this edge. The documentation of
+    /// [`edges`](crate::edges) describes the method.
     ///
     /// # Errors
     /// - [`Error::Memory`] if memory runs out.

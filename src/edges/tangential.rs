@@ -88,8 +88,8 @@ impl TangentialEdges {
 
 impl TangentialSolution {
     /// Returns the edges of the contact and of the stick zone inside the cells. `normal` and `friction` must be the contact and
-    /// the friction of the problem. The page of [`edges`](crate::edges) describes the method. The result is valid for a contact
-    /// that is loaded once. After the steps of a history use [`History::edges`](crate::History::edges).
+    /// the friction of the problem. The documentation of [`edges`](crate::edges) describes the method. The result is valid for a
+    /// contact that is loaded once. After the steps of a history use [`History::edges`](crate::History::edges).
     ///
     /// ```
     /// use stickslip::*;

@@ -21,9 +21,9 @@ use crate::report::Report;
 /// Reason why a call failed. Each variant belongs to one violated rule and contains the offending number.
 ///
 /// `Debug` writes the name of the variant and the sentence of `Display`, because a program whose `main` returns the
-/// error prints it with `Debug`. [`kind`](Self::kind) groups the variants by the reaction of a program. Arguments are checked before any work, and a failed call leaves the state of the caller unchanged.
-/// [`Error::NotConverged`] is the exception: `solve_into` and `solve_observed` then leave the last feasible iterate in
-/// the solution.
+/// error prints it with `Debug`. [`kind`](Self::kind) groups the variants by how a program can respond to them. Arguments are
+/// checked before any work, and a failed call leaves the state of the caller unchanged. [`Error::NotConverged`] is the exception:
+/// `solve_into` and `solve_observed` then leave the last feasible iterate in the solution.
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -125,7 +125,7 @@ pub enum Error {
     #[error("the kernel is missing or incomplete: {0}")]
     IncompleteKernel(&'static str),
     /// The smallest eigenvalue of the compliance of coated bodies, or of a [`Kernel`](crate::Kernel), is not positive on this
-    /// grid. No error could be certified. The page of [`kernel`](crate::kernel#certificate) lists the available bounds.
+    /// grid. No error could be certified. The documentation of [`kernel`](crate::kernel#certificate) lists the available bounds.
     #[error(
         "the smallest eigenvalue of the compliance must be positive, got {eigenvalue:?} on cells of sides {sides:?}: use a grid that is smaller relative to the layer thickness, a periodic grid, or a kernel of positive energy"
     )]

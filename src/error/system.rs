@@ -1,4 +1,4 @@
-//! Error of the operating system, as the cause of an error of a file.
+//! Error of the operating system that caused an error of a file.
 
 use std::sync::Arc;
 

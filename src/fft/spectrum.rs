@@ -74,7 +74,7 @@ pub(super) fn of_samples(
     lines: StridedLines<'_>,
     row: impl Fn(usize, &mut [f64]) + Sync,
 ) -> Result<()> {
-    // An odd axis contributes -i. One odd axis makes the spectrum imaginary. Two odd axes change its sign.
+    // Each odd axis contributes a factor of -i. One odd axis makes the spectrum imaginary. Two odd axes change its sign.
     let sign = if is_odd_x || is_odd_y { -sign } else { sign };
 
     // The first transform is along x, with one row per distance along y. The second is along y, with one column per

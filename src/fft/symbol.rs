@@ -181,7 +181,8 @@ impl<const N: usize> Symbol<f64, N> {
         self.frame.over_ranks(own, f64::min)
     }
 
-    /// Replaces the matrix of the mean by the matrix of the longest wave along x. This requires at least two columns, all of them local.
+    /// Replaces the matrix of the mean by the matrix of the longest wave along x. This requires at least two columns, all of them
+    /// local.
     pub(super) fn with_mean_of_longest_wave(mut self) -> Self {
         let stride = self.shape.stride();
         if self.first == 0 && self.values.len() >= 2 * stride {

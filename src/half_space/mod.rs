@@ -64,7 +64,7 @@ shown!(HalfSpace: grid(), pair(), boundary(), cell_value());
 #[derive(Debug)]
 struct Shared {
     grid: Grid,
-    /// Kernels that are kept, for small grids.
+    /// Cached kernels. Only the kernels of small grids are cached.
     kernels: CellKernels,
     /// Ranks that share the grid, or that each store the whole grid and perform the same work.
     team: Option<Arc<RankGroup>>,
@@ -281,7 +281,7 @@ impl HalfSpace {
     /// ```
     ///
     /// By Betti's reciprocity the operator is symmetric. The odd coefficients satisfy $`C_{xz}(x) = C_{zx}(-x)`$. One product
-    /// costs N forward and N inverse transforms. The page of [`HalfSpace`] states the memory.
+    /// costs N forward and N inverse transforms. The documentation of [`HalfSpace`] states the memory.
     ///
     /// ```
     /// use stickslip::influence::Direction::{X, Y, Z};

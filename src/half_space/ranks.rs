@@ -21,7 +21,7 @@ impl HalfSpace {
     /// Creates the bodies on `grid` with its rows distributed over ranks. The call is collective and requires the same
     /// arguments on every rank. Each rank stores one slab of rows. [`HalfSpace::grid`] returns this slab. Fields,
     /// problems and solutions contain the cells of this slab. Each rank states the problem for its slab, and all ranks
-    /// solve it together. Results are bitwise identical to the results of one process. The page of
+    /// solve it together. Results are bitwise identical to the results of one process. The documentation of
     /// [`ranks`](crate::ranks) has the details.
     ///
     /// # Errors

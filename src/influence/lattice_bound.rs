@@ -39,12 +39,12 @@ type HermitianPair = [f64; 3];
 /// ```
 ///
 /// times $`1 + (4 - 2\cos\theta_x - 2\cos\theta_y)/24`$ for values at [centres](CellValue::Centre). Shells of aliases alternate
-/// in sign and decrease as the cube of their number. The last shell of the sum therefore bounds the sum of all omitted shells. S
-/// is even in each phase. It is smooth except at phase zero, where it has a pole (or a limit for a body on a rigid base). It is
-/// sampled in steps of pi/16, and in twelve octaves below the first step. If a sample is a minimum along an axis, it is lowered
-/// by half of the second difference along this axis. A parabola through the samples can fall below the sample by at most two
-/// thirds of this reduction. If S decreases towards phase zero, the sample is lowered by the decrease over the last octave. The
-/// result is a conservative estimate of the smallest eigenvalue, not an enclosure. It is zero if S is NaN.
+/// in sign and decrease as the inverse cube of their number. The last shell of the sum therefore bounds the sum of all omitted
+/// shells. S is even in each phase. It is smooth except at phase zero, where it has a pole (or a limit for a body on a rigid
+/// base). It is sampled in steps of pi/16, and in twelve octaves below the first step. If a sample is a minimum along an axis, it
+/// is lowered by half of the second difference along this axis. A parabola through the samples can fall below the sample by at
+/// most two thirds of this reduction. If S decreases towards phase zero, the sample is lowered by the decrease over the last
+/// octave. The result is a conservative estimate of the smallest eigenvalue, not an enclosure. It is zero if S is NaN.
 ///
 /// On a grid that is periodic along y, tractions contain only the phases of the waves that fit the period along y. If there are
 /// few of these phases, they are sampled. Phase zero corresponds to a wave along x of infinite length, which tractions without a

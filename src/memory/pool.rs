@@ -59,7 +59,7 @@ impl<T> Pool<T> {
     }
 
     fn free(&self) -> MutexGuard<'_, Vec<T>> {
-        // A panic under the lock leaves a list of complete buffers.
+        // A panic while the lock is held leaves the list valid, so a poisoned lock can be used.
         self.free.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -204,7 +204,7 @@ impl NormalSolution {
         Ok(())
     }
 
-    /// Sets the number of cells at their hardness.
+    /// Sets the number of cells whose pressure is at the hardness.
     pub(crate) fn set_yielded_cells(&mut self, cells: usize) {
         self.yielded_cells = cells;
     }

@@ -42,8 +42,8 @@ static STAYS_OUTSIDE: AtomicBool = AtomicBool::new(false);
 ///
 /// By default, work on more than [`SERIAL_CELL_LIMIT`] cells that is called outside of a pool runs in rayon's global pool. The
 /// threads of the global pool are created at its first use. They do not exist in a forked process, which would wait for them
-/// forever. A program that forks, or that must not start threads, calls this function first. Work that is called inside a pool,
-/// by `rayon::ThreadPool::install`, is still shared in that pool. Results are bitwise identical in both cases.
+/// forever. A program that forks, or that must not start threads, calls this function first. Work started inside a pool with
+/// `rayon::ThreadPool::install` still runs on the threads of that pool. Results are bitwise identical in both cases.
 ///
 /// ```
 /// use stickslip::*;

@@ -6,10 +6,10 @@ use crate::subsurface::kernel::{FieldComponent, Load};
 
 /// One of the two bodies of a contact.
 ///
-/// In both bodies, depths are measured from the surface into the body and are never negative. The depth `d` is the
-/// plane `z = d` in body 1 and the plane `z = -d` in body 2. Components refer to the common axes x, y and z in both
-/// bodies, with z into body 1. Body 1 receives the pressure along +z and the tractions along +x and +y. Body 2 receives
-/// the opposite tractions. Therefore both bodies have `szz = -p`, `sxz = -qx` and `syz = -qy` on their surfaces.
+/// In both bodies, depths are measured from the surface into the body and are never negative. A depth of `d` corresponds to the
+/// plane `z = d` in body 1 and to the plane `z = -d` in body 2. Components refer to the common axes x, y and z in both bodies,
+/// with z into body 1. Body 1 receives the pressure along +z and the tractions along +x and +y. Body 2 receives the opposite
+/// tractions. Therefore both bodies have `szz = -p`, `sxz = -qx` and `syz = -qy` on their surfaces.
 ///
 /// ```
 /// use stickslip::subsurface::{Body, Tractions, at_points};

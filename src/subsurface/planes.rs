@@ -56,12 +56,12 @@ use crate::support::debug::shown;
 ///
 /// # Coated bodies
 ///
-/// The waves are propagated downwards through the layers by decaying factors only, which is stable for any contrast and depth. On
-/// free grids and lines, the closed form of the outermost layer represents the singular effect of a cell. The correction for the
-/// other layers consists of Hankel integrals with errors of about 1e-11 of the largest component. A depth equal to the sum of the
-/// layer thicknesses, added from the surface, is on the outer side of the interface. The next larger floating-point number is on
-/// the inner side. At an interface `szz`, `sxz`, `syz` and the displacements are continuous, whereas `sxx`, `syy` and `sxy` jump.
-/// The mean of a periodic grid uses Poisson's ratio of the layer.
+/// The waves are propagated downwards through the layers with decaying factors only. The computation is therefore stable for any
+/// contrast of stiffness and any depth. On free grids and lines, the closed form of the outermost layer represents the singular
+/// effect of a cell. The correction for the other layers consists of Hankel integrals with errors of about 1e-11 of the largest
+/// component. A depth equal to the sum of the layer thicknesses, added from the surface, is on the outer side of the interface.
+/// The next larger floating-point number is on the inner side. At an interface `szz`, `sxz`, `syz` and the displacements are
+/// continuous, whereas `sxx`, `syy` and `sxy` jump. The mean of a periodic grid uses Poisson's ratio of the layer.
 ///
 /// ```
 /// use stickslip::layers::Layer;

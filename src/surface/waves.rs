@@ -126,8 +126,8 @@ impl Waves {
         along_rows(grid, |column, row| amplitudes[column * ny + row])
     }
 
-    /// Returns the local rows of the sum of the waves. The columns of the waves are distributed as by
-    /// [`shared_columns`], and the rows of the field as by `rows`.
+    /// Returns the local rows of the sum of the waves. [`shared_columns`] gives the distribution of the columns of the waves, and
+    /// `rows` the distribution of the rows of the field.
     pub(super) fn into_slab(self, columns: &RowPartition, rows: &RowPartition) -> Field {
         let (grid, count) = (self.grid, self.grid.nx() / 2 + 1);
         let slab = grid.slab(rows.local_rows());

@@ -11,7 +11,7 @@ use crate::tangential::{Axis, TangentialIncrement, at};
 
 /// Motion that a cell follows if it comes into contact within a step.
 ///
-/// The page of [`history`](crate::history#entry-rule) derives [`Self::SinceTouch`] and compares the two rules.
+/// The documentation of [`history`](crate::history#entry-rule) derives [`Self::SinceTouch`] and compares the two rules.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

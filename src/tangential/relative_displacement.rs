@@ -10,7 +10,7 @@ use crate::tangential::{Axis, TangentialModel};
 /// Tangential displacement w of body 1 relative to body 2 in each cell, which the contact does not cause (lengths,
 /// `[x, y]`). Examples are bulk strain, thermal expansion and the deformation due to a nearby contact.
 ///
-/// The slip is then $`s = u + w - \delta`$. In stick zones, tractions balance w. A uniform w acts like a shift of the
+/// The slip is then $`s = u + w - \delta`$. In stick zones, the tractions compensate w. A uniform w acts like a shift of the
 /// opposite sign. See Nowell & Hills, Int. J. Mech. Sci. 29 (1987) 355.
 ///
 /// ```

@@ -72,7 +72,7 @@ fn line_contacts_reject_invalid_parameters() {
     });
     assert_checked("tangential force", Finite, |value| shear(0.5, value, 0.0));
     assert_checked("bulk strain", Finite, |value| shear(0.5, 1e-4, value));
-    // Without friction there is neither traction nor a strain that it could balance.
+    // Without friction there is no traction, so a nonzero bulk strain cannot be balanced.
     let hertz = HertzLine::new(&pair, 2.0, 1e-3).unwrap();
     let smooth = CattaneoMindlinLine::new(hertz, 0.0, 0.0).unwrap();
     assert_eq!(smooth.with_strain(0.0), Ok(smooth));

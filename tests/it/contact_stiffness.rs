@@ -309,7 +309,7 @@ fn history_stiffness_matches_steps_forward_and_back() {
     assert!(matches!(refused, Err(Error::NotPositive { .. })));
 }
 
-/// A fully sliding contact has no stiffness along its axis in either model.
+/// A fully sliding contact has no stiffness along the direction of slip in either model.
 #[test]
 fn sliding_contact_has_no_stiffness_along_slip() {
     for model in [TangentialModel::Scalar, TangentialModel::Vector] {

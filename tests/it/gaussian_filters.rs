@@ -173,7 +173,7 @@ proptest! {
     }
 }
 
-/// Compares with the direct sum over the available heights with the weights of the standard.
+/// Compares the filtered heights with the direct sum over the available heights, which uses the weights of the standard.
 #[test]
 fn filter_weights_match_the_standard() {
     let grid = Grid::new(40, 31, 1.0, 1.25).unwrap();

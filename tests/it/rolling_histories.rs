@@ -276,8 +276,8 @@ fn texture_moves_with_particles() {
     }
 }
 
-/// A smooth roller rolls on a rough roller whose texture does not move, like the shape of a worn roller. The rolling
-/// converges to the steady state.
+/// A smooth roller rolls on a rough roller whose texture does not move, like the shape of a worn roller. The history converges to
+/// steady rolling.
 #[test]
 fn rough_form_converges_to_steady_rolling() {
     let grid = Grid::new(24, 20, 0.14, 0.16).unwrap();

@@ -423,9 +423,9 @@ fn cylinder_stresses_match_mcewen() {
     );
 }
 
-/// A sliding cylinder has its largest tension on the surface at the trailing edge, where the tractions have a square-root
-/// edge. This tension is twice the friction coefficient times the largest pressure. The largest tension of the cells
-/// converges to this value from below, with an error proportional to the square root of the cell size.
+/// A sliding cylinder has its largest tension on the surface at the trailing edge, where the tractions vanish as the square root
+/// of the distance from the edge. This tension is twice the friction coefficient times the largest pressure. The largest tension
+/// of the cells converges to this value from below, with an error proportional to the square root of the cell size.
 #[test]
 fn sliding_cylinder_has_largest_tension_at_trailing_edge() {
     let tension = |n: usize| {

@@ -132,7 +132,7 @@ use crate::support::checksum;
 pub(crate) use check::check_thickness;
 use check::{AS_ALLOWED, check_mirrored, checked, checked_far, checked_tensor, ratio, stronger};
 
-/// Two bodies defined by their response, or an unmodified pair of materials (see the page of
+/// Two bodies defined by their response, or an unmodified pair of materials (see the documentation of
 /// [`kernel`](crate::kernel)).
 ///
 /// ```
@@ -184,7 +184,7 @@ pub(crate) struct Isotropic {
 ///
 /// The fields are the real or imaginary parts of entries of the Hermitian matrix of a wave. The other entries follow
 /// from them, such as $`\hat C_{xz} = -\mathrm{i}\,C_{zx}`$. The entries are even in $`k_x`$ and $`k_y`$, with three exceptions:
-/// `xy` is odd in both, `zx` is odd in $`k_x`$, and `zy` is odd in $`k_y`$. For isotropic bodies, the page of
+/// `xy` is odd in both, `zx` is odd in $`k_x`$, and `zy` is odd in $`k_y`$. For isotropic bodies, the documentation of
 /// [`layers`](crate::layers) lists the entries.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ResponseTensor {
@@ -235,8 +235,8 @@ impl Kernel {
     /// Creates a kernel for bodies that are isotropic in their plane, from their response to waves of the positive wave
     /// number k. The response is defined as in [`ElasticPair::response`] (not multiplied by k), for the relative
     /// displacement. The closure is called on many threads and must not wait for them. It is called for k from 5e-10 to
-    /// 64 divided by the thickness, and for the wave numbers of grids that are periodic along both axes. At all of
-    /// these wave numbers the response must be finite and store positive energy.
+    /// 64 divided by the thickness, and for the wave numbers of grids that are periodic along both axes. The response must be
+    /// finite and positive definite at all of these wave numbers.
     ///
     /// `near` is the pair of homogeneous half-spaces that determines the response to waves much shorter than `thickness` (a
     /// length). For a coating it is the outermost layer. The two responses must agree to 1e-10 at $`k = 20/\text{thickness}`$,

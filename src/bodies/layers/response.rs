@@ -2,7 +2,7 @@
 
 use crate::bodies::layers::Layer;
 
-/// Response of a surface to a wave of traction, in lengths over pressures. The page of [`layers`](crate::layers)
+/// Response of a surface to a wave of traction, in lengths over pressures. The documentation of [`layers`](crate::layers)
 /// defines the directions and signs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

@@ -233,7 +233,8 @@ impl<'a, F: FrictionCone> ConeRun<'a, '_, F> {
 
     fn found(&self, normal: &IterateMeasures, plane: &IterateMeasures) -> ConeMeasures {
         let pressed = normal.measure();
-        // A contact that sticks from rest does not move. The displacement caused by the pressure alone is then the scale.
+        // If every cell has stuck since the start, the tangential motion is zero. The displacement caused by the pressure alone
+        // is then the scale.
         let moved = reduce::larger(plane.measure(), self.problem.coupling * pressed);
         let ratio = |a: f64, b: f64| if a == 0.0 { 0.0 } else { a / b };
         let residuals = [

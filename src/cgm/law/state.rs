@@ -46,8 +46,8 @@ pub trait Row<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
     /// Returns the term that the curvature of a bound adds to the equations for a change of the unknowns.
     fn bend(self, v: [f64; N]) -> [f64; N];
 
-    /// Returns the additional displacement of the cell under a change `d` of its tractions. The displacement by the operator is
-    /// not included.
+    /// Returns the additional displacement of the cell under a change `d` of its tractions. The displacement that the operator
+    /// computes is not included.
     fn lag(self, _d: [f64; N]) -> [f64; N] {
         [0.0; N]
     }

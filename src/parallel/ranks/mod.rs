@@ -104,8 +104,8 @@
 //! # Failures
 //!
 //! If one rank rejects an input, all ranks return an error: its own error on that rank, [`RankFailure::RejectedByRank`] on the
-//! others. This also holds for a kernel that one rank cannot compute, because of a lack of memory or a failure of its response. If
-//! a rank ends or is silent for too long, the calls of the other ranks return [`RankFailure::Disconnected`] or
+//! others. This also holds for a kernel that one rank cannot compute, because of a lack of memory or a failure of its response.
+//! If a rank ends or is silent for too long, the calls of the other ranks return [`RankFailure::Disconnected`] or
 //! [`RankFailure::Timeout`]. All later calls on the same bodies return the same error. If a block has an unexpected length, its
 //! sender makes different calls, and the receiver returns [`RankFailure::CollectiveMismatch`]. After a failure, a file that the
 //! ranks were writing together is the old file, or the new file if it was complete.

@@ -87,7 +87,7 @@ impl CoupledRollingSolver {
     /// Returns [`stiffness`](Self::stiffness) with an observer that is called before every product and may cancel.
     ///
     /// # Errors
-    /// The errors of [`stiffness`](Self::stiffness).
+    /// Returns the same errors as [`stiffness`](Self::stiffness).
     pub fn stiffness_observed(
         &mut self,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,

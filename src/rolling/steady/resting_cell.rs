@@ -21,8 +21,8 @@ pub(in crate::rolling) struct RestingCell {
 }
 
 impl RollingProblem {
-    /// Returns the cell whose path has its middle at rest under a motion. Returns `None` if no cell that can carry traction
-    /// has such a path.
+    /// Returns the cell whose path has a midpoint that is at rest under a motion. Returns `None` if no cell that can carry
+    /// traction has such a path.
     pub(in crate::rolling) fn resting_cell(
         &self,
         prescribed: &Prescribed,

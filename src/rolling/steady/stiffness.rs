@@ -1,8 +1,8 @@
 //! Derivatives of forces and moment of rolling bodies with respect to creepages and spin, with fixed zones.
 //!
 //! Let P be the projection onto the admissible changes of the tractions and K the rotational stiffness of slipping
-//! cells. Let $`w_a`$ be the motion of a step by a unit of a creepage or of the spin. The additional tractions $`y_a`$
-//! satisfy $`P\,((1 - T)\,C + B)\,y_a + K y_a = P\,w_a`$.
+//! cells. Let $`w_a`$ be the motion during a step that is caused by a unit creepage or a unit spin. The additional tractions
+//! $`y_a`$ satisfy $`P\,((1 - T)\,C + B)\,y_a + K y_a = P\,w_a`$.
 
 use std::ops::ControlFlow;
 
