@@ -29,12 +29,27 @@ pub(crate) fn tables(groups: &[Group]) -> String {
             "\n# {}\n\n{}\n\n{line}\n",
             group.heading, group.caption
         );
+        // Names of tests are too long for a column.
+        let mut tests = Vec::new();
         for row in &group.rows {
+            let place = tests.iter().position(|&test| test == row.test);
+            let place = place.unwrap_or_else(|| {
+                tests.push(row.test);
+                tests.len() - 1
+            });
             let _ = writeln!(
                 text,
-                "| {} | {} | {} | {:.1e} | `{}` |",
-                row.reference, row.quantity, row.cells, row.error, row.test
+                "| {} | {} | {} | {:.1e} | {} |",
+                row.reference,
+                row.quantity,
+                row.cells,
+                row.error,
+                place + 1
             );
+        }
+        text.push_str("\nTests:\n\n");
+        for (place, test) in tests.iter().enumerate() {
+            let _ = writeln!(text, "{}. `{test}`", place + 1);
         }
     }
     text.push('\n');
