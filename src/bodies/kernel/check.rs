@@ -98,3 +98,18 @@ pub(super) fn check_mirrored(
     at_least(AS_ALLOWED, 1.0, quantity, MIRRORED / most.max(MIRRORED))?;
     Ok(())
 }
+
+/// Returns the wave numbers at which a kernel is checked.
+pub(super) fn wave_numbers(thickness: f64) -> impl Iterator<Item = f64> {
+    (-28..=12).map(move |n| (0.5 * f64::from(n)).exp2() / thickness)
+}
+
+/// Iterates over half octaves from the longest wave of a grid to the shortest.
+pub(super) fn waves_of(grid: Grid) -> impl Iterator<Item = f64> {
+    let pi = std::f64::consts::PI;
+    let longest = (grid.nx() as f64 * grid.dx()).max(grid.ny() as f64 * grid.dy());
+    let shortest = pi * (1.0 / grid.dx()).hypot(1.0 / grid.dy());
+    let next =
+        move |k: &f64| (*k < shortest).then_some((std::f64::consts::SQRT_2 * k).min(shortest));
+    std::iter::successors(Some(2.0 * pi / longest), next)
+}

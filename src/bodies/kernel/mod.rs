@@ -130,7 +130,10 @@ use crate::grid::boundary::Boundary;
 use crate::support::checksum;
 
 pub(crate) use check::check_thickness;
-use check::{AS_ALLOWED, check_mirrored, checked, checked_far, checked_tensor, ratio, stronger};
+use check::{
+    AS_ALLOWED, check_mirrored, checked, checked_far, checked_tensor, ratio, stronger,
+    wave_numbers, waves_of,
+};
 
 /// Two bodies defined by their response, or an unmodified pair of materials (see the documentation of
 /// [`kernel`](crate::kernel)).
@@ -537,21 +540,6 @@ impl Isotropic {
 
 const NEAR_IS: &str = "the pair `near` of a kernel";
 const NEAR_REMEDY: &str = "give a pair of homogeneous bodies";
-
-/// Returns the wave numbers at which a kernel is checked.
-fn wave_numbers(thickness: f64) -> impl Iterator<Item = f64> {
-    (-28..=12).map(move |n| (0.5 * f64::from(n)).exp2() / thickness)
-}
-
-/// Iterates over half octaves from the longest wave of a grid to the shortest.
-fn waves_of(grid: Grid) -> impl Iterator<Item = f64> {
-    let pi = std::f64::consts::PI;
-    let longest = (grid.nx() as f64 * grid.dx()).max(grid.ny() as f64 * grid.dy());
-    let shortest = pi * (1.0 / grid.dx()).hypot(1.0 / grid.dy());
-    let next =
-        move |k: &f64| (*k < shortest).then_some((std::f64::consts::SQRT_2 * k).min(shortest));
-    std::iter::successors(Some(2.0 * pi / longest), next)
-}
 
 /// Returns a digest of a length and of values times k. Numbers are rounded to single precision, so that round-off differences
 /// between machines do not change the digest. They are in the units of the pair, so that they do not overflow or underflow in any
