@@ -78,14 +78,13 @@
 //!
 //! # Accuracy
 //!
-//! A solve converges only if its residual and error bound (energy norm) are below the tolerance. Otherwise it returns an error
-//! with the [`Report`]. The [bound](cgm#the-certified-error) excludes the [discretisation error](guide::accuracy). A tolerance of
-//! 1e-3 [suffices](guide::accuracy#choice-of-the-tolerance) for a total error of 0.1 %. On a periodic grid with a prescribed
-//! approach or shift, the bound is relative to the exact solution for the computed force. A [coupled
-//! contact](coupled::CoupledReport) has a bound for each half, and for its whole error only under weak friction. On stiff
-//! coatings the bound may rely on an [estimated eigenvalue](EigenvalueBound). A user-defined operator without an eigenvalue
-//! converges on its residual alone. The table lists the largest errors of a sphere and a rough surface (2 to 40 % contact), 256 x
-//! 256 cells.
+//! A solve converges only if its residual and error bound (energy norm) are below the tolerance. Otherwise its error contains the
+//! [`Report`]. The [bound](cgm#the-certified-error) excludes the [discretisation error](guide::accuracy). A tolerance of 1e-3
+//! [suffices](guide::accuracy#choice-of-the-tolerance) for a total error of 0.1 %. On a periodic grid with a prescribed approach
+//! or shift, the bound is relative to the exact solution for the computed force. A [coupled contact](coupled::CoupledReport) has
+//! a bound for each half, and for its whole error only under weak friction. On stiff coatings the bound may rely on an [estimated
+//! eigenvalue](EigenvalueBound). A user-defined operator without an eigenvalue converges on its residual alone. The table lists
+//! the largest errors of a sphere and a rough surface (2 to 40 % contact) on 256 x 256 cells.
 //!
 //! | tolerance | approach, shift | contact and stick cells | pressure of one cell, relative to the largest | suitable for |
 //! |---|---|---|---|---|

@@ -27,10 +27,10 @@
 //! Friction makes pressing depend on the load history. Cells at the edge of a growing contact slip while cells inside
 //! the contact stick. One step from rest gives a stick radius that is too small or too large. At $`\beta = 0.5`$ and
 //! $`\mu = 0.3`$ a `CoupledProblem` gives 0.23 instead of 0.50 of the contact radius. Its approach is accurate to 4e-4,
-//! and its peak pressure to 9e-3. In one step of a history with the entry rule, aluminium on steel
-//! at $`\mu = 0.1`$ sticks everywhere ([table](crate::guide::load_steps#load-steps-of-dissimilar-bodies)). For a flat
-//! punch, whose contact does not grow, one step is exact. [`History::press`](crate::History::press) takes as many steps
-//! as a tolerance requires.
+//! and its peak pressure to 9e-3. In one step of a history with the entry rule, aluminium on steel at $`\mu = 0.1`$
+//! sticks everywhere ([table](crate::guide::load_steps#load-steps-of-dissimilar-bodies)). For a flat punch, whose
+//! contact does not grow, one step is exact. [`History::press`](crate::History::press) takes as many steps as a
+//! tolerance requires.
 //!
 //! # Sliding forces
 //!
