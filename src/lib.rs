@@ -78,8 +78,8 @@
 //!
 //! # Accuracy
 //!
-//! A solve converges only if its residual and error bound (energy norm) are below the tolerance. Otherwise its error contains the
-//! [`Report`]. The [bound](cgm#the-certified-error) excludes the [discretisation error](guide::accuracy). A tolerance of 1e-3
+//! A solve converges only if its residual and error bound (energy norm) are below the tolerance. Otherwise the [`Error`] contains
+//! the [`Report`]. The [bound](cgm#the-certified-error) excludes the [discretisation error](guide::accuracy). A tolerance of 1e-3
 //! [suffices](guide::accuracy#choice-of-the-tolerance) for a total error of 0.1 %. On a periodic grid with a prescribed approach
 //! or shift, the bound is relative to the exact solution for the computed force. A [coupled contact](coupled::CoupledReport) has
 //! a bound for each half, and for its whole error only under weak friction. On stiff coatings the bound may rely on an [estimated
