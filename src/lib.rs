@@ -52,14 +52,13 @@
 //!
 //! # Units and signs
 //!
-//! Any consistent units can be used, such as m, N and Pa, or mm, N and MPa. z points into body 1. Pressure is positive
-//! in compression. A gap is positive if the surfaces are apart. The approach is positive if the bodies come together.
-//! Heights are positive away from their body. Traction and tangential force act on body 1, and body 2 exerts them
-//! through the contact. Displacements are relative: body 1 minus body 2. The shift is the rigid motion of body 2
-//! relative to body 1, far from the contact. If body 2 is dragged along +x, its shift is positive, and it pulls body 1
-//! along with a positive force. Slip `s = u - shift` is the motion of the surface of body 1 over the surface of body 2,
-//! opposite to the traction. Fields are row-major with x fastest, like NumPy arrays of shape `(ny, nx)`. The page on
-//! [nomenclature](guide::nomenclature) lists all symbols.
+//! Any consistent units can be used, such as m, N and Pa, or mm, N and MPa. z points into body 1. Pressure is positive in
+//! compression. A gap is positive if the surfaces are apart. The approach is positive if the bodies come together. Heights are
+//! positive away from their body. Traction and tangential force act on body 1, and body 2 exerts them through the contact.
+//! Displacements are relative: body 1 minus body 2. The shift is the rigid motion of body 2 relative to body 1, far from the
+//! contact. If body 2 is dragged along +x, its shift is positive, and it pulls body 1 along with a positive force. Slip
+//! `s = u - shift` is the motion of the surface of body 1 over the surface of body 2, opposite to the traction. Fields are
+//! row-major with x fastest, like NumPy arrays of shape `(ny, nx)`. [Nomenclature](guide::nomenclature) lists all symbols.
 #![cfg_attr(doc, doc = include_str!("pictures/signs.html"))]
 //!
 //! # Tasks
@@ -67,7 +66,7 @@
 //! | task | types | pages |
 //! |---|---|---|
 //! | solve a first contact | [`Grid`], [`Material`], [`HalfSpace`] | [first steps](guide::first_steps), [troubleshooting](guide::troubleshooting) |
-//! | press bodies | [`NormalProblem`] | [which model](guide::which_model), [grids](guide::grids_and_steps) |
+//! | press bodies | [`NormalProblem`] | [which model](guide::which_model), [grids](guide::grids_and_steps), [validation](guide::validation) |
 //! | shear a contact | [`TangentialProblem`], [`CoupledProblem`] | [which model](guide::which_model) |
 //! | apply load steps with memory of slip, wear | [`History`] | [load steps](guide::load_steps), [fretting](guide::fretting_and_wear) |
 //! | press rough or measured surfaces | [`surface`], [`io`] | [rough surfaces](guide::rough_surfaces) |
@@ -75,15 +74,15 @@
 //! | roll bodies | [`rolling`], [`LoadStep::roll`] | [rolling](guide::rolling) |
 //! | coat bodies | [`Material::coated`], [`layers`] | [coatings](guide::coatings) |
 //! | study many surfaces and loads | [`NormalSolver`], [`TangentialSolver`] | [studies](guide::studies) |
-//! | embed contacts in a simulator | [`history::State`], [`stiffness`] | [embedding](guide::embedding) |
+//! | save, continue and embed histories | [`History::save`], [`History::load`], [`stiffness`] | [embedding](guide::embedding), [memory](guide::memory_and_errors) |
 //!
 //! # Accuracy
 //!
-//! A solve converges only if its residual and a bound on its error in the energy norm are below the tolerance. A
-//! solve without convergence returns an error that contains the [`Report`]. The [bound](cgm#the-certified-error) excludes the
-//! [discretisation error](guide::accuracy). On a periodic grid with a prescribed approach or shift, the bound is relative to the
-//! exact solution for the computed force. A [coupled contact](coupled::CoupledReport) has a bound for each half. Its whole error
-//! has a bound only for weak friction, and otherwise at most an estimate. On stiff coatings the bound may rely on an [estimated
+//! A solve converges only if its residual and error bound (energy norm) are below the tolerance. Otherwise the [`Error`] contains
+//! the [`Report`]. The [bound](cgm#the-certified-error) excludes the [discretisation error](guide::accuracy). A tolerance of 1e-3
+//! [suffices](guide::accuracy#choice-of-the-tolerance) for a total error of 0.1 %. On a periodic grid with a prescribed approach
+//! or shift, the bound is relative to the exact solution for the computed force. A [coupled contact](coupled::CoupledReport) has
+//! a bound for each half, and for its whole error only under weak friction. On stiff coatings the bound may rely on an [estimated
 //! eigenvalue](EigenvalueBound). A user-defined operator without an eigenvalue converges on its residual alone. The table lists
 //! the largest errors of a sphere and a rough surface (2 to 40 % contact) on 256 x 256 cells.
 //!
@@ -91,7 +90,7 @@
 //! |---|---|---|---|---|
 //! | 1e-2 | 2e-4 | 0.7 % | 8e-2 | an initial guess, a rough estimate |
 //! | 1e-4 | 1e-6 | two cells | 4e-4 | area, approach and stick ratio of any surface |
-//! | 1e-6 | 2e-9 | none | 1e-5 | fields; steps of a few per cent |
+//! | 1e-6 | 2e-9 | none | 1e-5 | fields to 1e-5; steps of a few per cent |
 //! | 1e-8 (default) | 2e-11 | none | 2e-8 | histories, derivatives, comparison with other codes |
 //!
 //! # Features

@@ -19,16 +19,18 @@
 //! # Influence of the coupling
 //!
 //! Between aluminium and steel ($`\beta = 0.12`$), neglecting the coupling changes the peak pressure of a sphere by 1.2
-//! %. The change is 8 % at $`\beta = 0.29`$ and 20 to 30 % at $`\beta = 0.5`$. The approach changes by at most 3.4 %.
+//! %. The change is 8 % at $`\beta = 0.29`$ and 20 to 31 % at $`\beta = 0.5`$. The approach changes by at most 3.4 %.
 //! Steel on rubber is nearly uncoupled ($`\beta = 0.02`$), but a hard body on a compressible body is not.
 //!
 //! # Load steps
 //!
 //! Friction makes pressing depend on the load history. Cells at the edge of a growing contact slip while cells inside
-//! the contact stick. One step from rest underestimates the stick radius of a pressed sphere by more than a factor of
-//! two. At $`\beta = 0.5`$ and $`\mu = 0.3`$ one step gives 0.23 instead of 0.50 of the contact radius. The approach is
-//! accurate to 4e-4, and the peak pressure to 9e-3. For a flat punch, whose contact does not grow, one step is exact.
-//! [`History::press`](crate::History::press) takes as many steps as a tolerance requires.
+//! the contact stick. One step from rest gives a stick radius that is too small or too large. At $`\beta = 0.5`$ and
+//! $`\mu = 0.3`$ a `CoupledProblem` gives 0.23 instead of 0.50 of the contact radius. Its approach is accurate to 4e-4,
+//! and its peak pressure to 9e-3. In one step of a history with the entry rule, aluminium on steel at $`\mu = 0.1`$
+//! sticks everywhere ([table](crate::guide::load_steps#load-steps-of-dissimilar-bodies)). For a flat punch, whose
+//! contact does not grow, one step is exact. [`History::press`](crate::History::press) takes as many steps as a
+//! tolerance requires.
 //!
 //! # Sliding forces
 //!

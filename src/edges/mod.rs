@@ -37,7 +37,9 @@
 //! with [`CellValue::Centre`], and 0.102 on grids with [`Boundary::Periodic`]. A sharp punch therefore keeps its raw cells.
 //! Nearly all cells of a rough contact also keep their raw values if its shortest waves are less than sixteen cells long. If
 //! hundreds of cells of such a contact touch, the error of the corrected area is at most 2.5 %. Its mean over seeds is 1 %. The
-//! counted area is 4 to 16 % too large. If fifty cells touch, the error of the corrected area can reach 7 %.
+//! counted area is 4 to 16 % too large. If fifty cells touch, the error of the corrected area can reach 7 %. The page on
+//! [accuracy](crate::guide::accuracy#rough-surfaces) lists smaller errors, for three periodic surfaces by number of cells per
+//! wave.
 //!
 //! Tests were run with 600 ellipses of any shape, angle and position. The pressure error of the fit exceeded the error of the raw
 //! cells for two ellipses. Both were three cells across, with 20 and 29 cells in total. The median ratio of the error of the fit

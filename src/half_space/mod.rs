@@ -41,7 +41,7 @@ pub(crate) use region::Region;
 ///
 /// The samples for `XX`, `YY` and `ZZ` together take 16 bytes per cell. Each of `XY`, `XZ` and `YZ` takes 8 bytes per cell for
 /// its samples. The coarser grids of nested starts use the same samples. On a grid that is periodic along y only, the coarser
-/// grids have separate samples. On grids of more than a million cells the samples are recomputed for each operator and not
+/// grids have separate samples. On grids of more than 1024 x 1024 cells the samples are recomputed for each operator and not
 /// kept. Each operator takes 12 bytes per cell, and its preconditioner one byte per cell. The operators of coarser grids add a
 /// third. Compared with an operator of one direction, an operator of two directions takes three times as much memory. An
 /// operator of all three directions takes six times as much. With a periodic boundary there are no samples, and an operator

@@ -254,7 +254,8 @@
 //! # Failed steps
 //! A step that is rejected, is cancelled or does not converge leaves the [`State`] of the history bitwise unchanged.
 //! The state includes everything that the next step starts from. [`History::set_state`] undoes a successful step.
-//! [`State::to_bytes`] saves a state, and a history created from these bytes continues with bitwise identical results.
+//! [`State::to_bytes`] saves a state, and a history created from these bytes continues with bitwise identical results
+//! ([limits on other machines](crate::guide::embedding#restart)).
 //!
 //! A history on distributed bodies ([`ranks`](crate::ranks)) copies its state before it commits a step, and allocates
 //! in every step.

@@ -40,10 +40,11 @@
 //! # Bodies of different materials
 //!
 //! Tractions lift the surfaces of such bodies, and the pressure changes. A [`RollingProblem`] requires a given pressure, which
-//! ignores the lift. Its solution then has the warning [`SteadyLift`](crate::Warning::NeglectedLift). A [`CoupledRollingProblem`]
-//! alternates between two solves: for the pressure over the lifted gap, and for the tractions under this pressure. The passes
-//! were a contraction in all measured contacts. The table is for a sphere on a rigid plane ($`\nu`$ of 0.45, 0.25 and 0) and 24
-//! cells over 2.6 contact radii. The longitudinal creepage is 0.05, the spin is 0.1, and the tolerance is 1e-9:
+//! ignores the lift. Its solution then has the warning [`NeglectedLift`](crate::Warning::NeglectedLift). A
+//! [`CoupledRollingProblem`] alternates between two solves: for the pressure over the lifted gap, and for the tractions under
+//! this pressure. The passes were a contraction in all measured contacts. The table is for a sphere on a rigid plane ($`\nu`$ of
+//! 0.45, 0.25 and 0) and 24 cells over 2.6 contact radii. The longitudinal creepage is 0.05, the spin is 0.1, and the tolerance
+//! is 1e-9:
 //!
 //! | $`\beta`$ | $`\mu`$ | error of a pass divided by the error of the previous pass | passes | products |
 //! |---|---|---|---|---|

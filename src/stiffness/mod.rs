@@ -6,8 +6,8 @@
 //!
 //! - **normal**: All cells that carry pressure follow a change of the approach.
 //! - **loading**: Sticking cells follow a change of the shift, and slipping cells stay at their limit. In the scalar model the
-//!   traction of slipping cells is constant. In the vector model their traction turns against the stiffness $`|s|/m`$, with the
-//!   slip s and the limit m.
+//!   traction of slipping cells is constant. In the vector model their traction turns with the slip. This rotation has the
+//!   additional compliance $`|s|/m`$, with the slip s and the limit m.
 //! - **reversal**: All cells of the contact stick, as they do initially when the shift reverses.
 //! - **by approach**: The limit of slipping cells follows the pressure while slip continues, and the tangential force follows the
 //!   limit. The derivative is valid if the shift grows in the same step or if the approach decreases. If the bodies are pressed
@@ -36,7 +36,7 @@
 //!
 //! The motions are the shift along x, the shift along y and the twist. The loads are the forces and the moment about the origin
 //! of the grid. Entries that a model does not have are `None`. In the scalar model these are the entries for the motion across
-//! its axis and for the twist. The matrices are symmetric.
+//! its axis and for the twist. The matrices are symmetric unless pressure and shear are coupled.
 //!
 //! ```
 //! use stickslip::*;

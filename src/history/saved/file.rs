@@ -89,7 +89,8 @@ impl History {
     }
 
     /// Creates a history from a file of [`History::save`], on the bodies that the file belongs to. The history
-    /// continues with bitwise identical results. The number of ranks may differ from the number of ranks that
+    /// continues with bitwise identical results ([limits on other
+    /// machines](crate::guide::embedding#restart)). The number of ranks may differ from the number of ranks that
     /// [saved](History::save) the file. A single process without ranks may also save or load the file. The call is
     /// collective: each rank reads the slabs that contain its local rows.
     ///

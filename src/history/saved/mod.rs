@@ -143,7 +143,8 @@ impl History {
     }
 
     /// Creates a history from the bytes of [`History::to_bytes`], on the bodies that the bytes belong to. The history
-    /// continues with bitwise identical results. Its [last step](History::last_step) is empty.
+    /// continues with bitwise identical results ([limits on other machines](crate::guide::embedding#restart)). Its
+    /// [last step](History::last_step) is empty.
     ///
     /// # Errors
     /// Errors of [`State::from_bytes`] and [`History::from_state`].

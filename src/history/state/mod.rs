@@ -56,11 +56,13 @@ use crate::tangential::{Axis, Friction, RigidMotion, Zone, check_axes};
 /// kept.clone_from(history.state());
 /// assert!(kept.tangential_force()[0] > 19.9 && kept.shift()[0] > 0.0);
 ///
-/// // Continue elsewhere or later, with bitwise identical results.
+/// // Continue in another history, with bitwise identical results.
 /// let mut other = History::from_state(&bodies, kept)?;
 /// assert_eq!(other.step(&shear(0.0))?.shift(), history.step(&shear(0.0))?.shift());
 /// # Ok::<(), Error>(())
 /// ```
+///
+/// The page on [embedding](crate::guide::embedding#restart) describes restarts on other machines.
 ///
 /// The feature `serde` serialises a state as the bytes of [`State::to_bytes`] in any format.
 #[cfg_attr(
