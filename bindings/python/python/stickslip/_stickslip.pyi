@@ -2701,7 +2701,8 @@ class History:
     @staticmethod
     def from_bytes(bodies: HalfSpace, bytes: bytes) -> History:
         """
-        Restores a history from its bytes, on the same bodies. Continued steps give bitwise identical results.
+        Restores a history from its bytes, on the same bodies. Continued steps give bitwise identical results on processors with
+        the same vector instructions.
         """
     @staticmethod
     def from_state(bodies: HalfSpace, state: State) -> History:

@@ -42,7 +42,8 @@ impl History {
         Ok(PyBytes::new(py, &bytes))
     }
 
-    /// Restores a history from its bytes, on the same bodies. Continued steps give bitwise identical results.
+    /// Restores a history from its bytes, on the same bodies. Continued steps give bitwise identical results on processors with
+    /// the same vector instructions.
     #[staticmethod]
     fn from_bytes(py: Python<'_>, bodies: &HalfSpace, bytes: &[u8]) -> PyResult<Self> {
         let history = unobserved_on(py, bodies.0.grid(), || {
