@@ -14,7 +14,7 @@ use crate::digits::short;
 use crate::error::OrRaise;
 use crate::grid::{Grid, size};
 use crate::pickle::{Reduced, Stored, reduced};
-use crate::real::{is_real, misshapen, plane};
+use crate::real::{Count, is_real, misshapen, plane};
 use crate::unit::{Unit, is_same, metres, one_of};
 
 /// Samples at the cells of a grid, one number per cell, such as gaps, heights or pressures. A field is immutable.
@@ -157,8 +157,8 @@ impl Field {
     }
 
     /// Returns the sample of a cell, given by column and row, or ``None`` outside the grid.
-    fn get(&self, ix: usize, iy: usize) -> Option<f64> {
-        self.0.get(ix, iy)
+    fn get(&self, ix: Count, iy: Count) -> Option<f64> {
+        self.0.get(ix.0, iy.0)
     }
 
     #[pyo3(signature = (dtype=None, copy=None))]

@@ -13,7 +13,7 @@ use crate::digits::counted;
 use crate::error::OrRaise;
 use crate::field::{Field, Samples};
 use crate::grid::Grid;
-use crate::real::{Real, is_plane};
+use crate::real::{Count, Real, is_plane};
 use crate::solution_pool::lock;
 
 /// Returns the sides of a cell or of the grid, for files that do not state them.
@@ -84,8 +84,8 @@ formats! {
     x3p: x3p_read, x3p_parse, "an X3P", "metres", Some(METRE.into());
 }
 
-fn points(missing: Option<Real>, skip_rows: usize) -> io::xyz::Options {
-    let options = io::xyz::Options::default().skip_rows(skip_rows);
+fn points(missing: Option<Real>, skip_rows: Count) -> io::xyz::Options {
+    let options = io::xyz::Options::default().skip_rows(skip_rows.0);
     match missing {
         None => options,
         Some(Real(value)) => options.missing(value),
@@ -107,12 +107,12 @@ fn points(missing: Option<Real>, skip_rows: usize) -> io::xyz::Options {
 /// ------
 /// File, Format
 #[pyfunction]
-#[pyo3(signature = (path, *, missing=None, skip_rows=0))]
+#[pyo3(signature = (path, *, missing=None, skip_rows=Count(0)))]
 pub(crate) fn xyz_read(
     py: Python<'_>,
     path: PathBuf,
     missing: Option<Real>,
-    skip_rows: usize,
+    skip_rows: Count,
 ) -> PyResult<Field> {
     let options = points(missing, skip_rows);
     py.detach(|| options.read(&path))
@@ -122,12 +122,12 @@ pub(crate) fn xyz_read(
 
 /// Reads a surface from the bytes of an XYZ file (lengths in the unit of the file); see :func:`read`.
 #[pyfunction]
-#[pyo3(signature = (bytes, *, missing=None, skip_rows=0))]
+#[pyo3(signature = (bytes, *, missing=None, skip_rows=Count(0)))]
 pub(crate) fn xyz_parse(
     py: Python<'_>,
     bytes: &[u8],
     missing: Option<Real>,
-    skip_rows: usize,
+    skip_rows: Count,
 ) -> PyResult<Field> {
     let options = points(missing, skip_rows);
     py.detach(|| options.parse(bytes))
@@ -155,13 +155,13 @@ pub(crate) fn sdf_to_bytes<'py>(
 
 fn options(
     missing: Option<Real>,
-    skip_rows: usize,
-    skip_columns: usize,
+    skip_rows: Count,
+    skip_columns: Count,
     without_labels: bool,
 ) -> io::csv::Options {
     let mut options = io::csv::Options::default()
-        .skip_rows(skip_rows)
-        .skip_columns(skip_columns);
+        .skip_rows(skip_rows.0)
+        .skip_columns(skip_columns.0);
     if without_labels {
         options = options.without_labels();
     }
@@ -192,15 +192,15 @@ fn options(
 /// ------
 /// File, Format, NotPositive
 #[pyfunction]
-#[pyo3(signature = (path, *, cell=None, size=None, missing=None, skip_rows=0, skip_columns=0, without_labels=false))]
+#[pyo3(signature = (path, *, cell=None, size=None, missing=None, skip_rows=Count(0), skip_columns=Count(0), without_labels=false))]
 pub(crate) fn csv_read(
     py: Python<'_>,
     path: PathBuf,
     cell: Option<conversion::CellSides>,
     size: Option<conversion::GridSides>,
     missing: Option<Real>,
-    skip_rows: usize,
-    skip_columns: usize,
+    skip_rows: Count,
+    skip_columns: Count,
     without_labels: bool,
 ) -> PyResult<Field> {
     let sides = sides(cell, size)?;
@@ -212,15 +212,15 @@ pub(crate) fn csv_read(
 
 /// Reads a field from the bytes of a text file that contains a matrix; see :func:`read`.
 #[pyfunction]
-#[pyo3(signature = (bytes, *, cell=None, size=None, missing=None, skip_rows=0, skip_columns=0, without_labels=false))]
+#[pyo3(signature = (bytes, *, cell=None, size=None, missing=None, skip_rows=Count(0), skip_columns=Count(0), without_labels=false))]
 pub(crate) fn csv_parse(
     py: Python<'_>,
     bytes: &[u8],
     cell: Option<conversion::CellSides>,
     size: Option<conversion::GridSides>,
     missing: Option<Real>,
-    skip_rows: usize,
-    skip_columns: usize,
+    skip_rows: Count,
+    skip_columns: Count,
     without_labels: bool,
 ) -> PyResult<Field> {
     let sides = sides(cell, size)?;

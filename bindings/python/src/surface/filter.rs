@@ -6,6 +6,7 @@ use stickslip::surface::{self, GaussianFilter};
 
 use crate::digits::short;
 use crate::field::{Field, Samples};
+use crate::real::Real;
 use crate::unit::Unit;
 use crate::work::unobserved_on;
 
@@ -96,16 +97,16 @@ impl Filtered {
 pub(crate) fn gaussian_filter(
     py: Python<'_>,
     heights: Samples<'_>,
-    s: Option<f64>,
-    l: Option<f64>,
+    s: Option<Real>,
+    l: Option<Real>,
     periodic: bool,
     along: &str,
 ) -> PyResult<Filtered> {
     let (unit, heights) = (heights.unit()?, heights.alone("heights")?);
     let filter = match (s, l) {
-        (Some(s), Some(l)) => GaussianFilter::sl(s, l),
-        (Some(s), None) => GaussianFilter::s(s),
-        (None, Some(l)) => GaussianFilter::l(l),
+        (Some(Real(s)), Some(Real(l))) => GaussianFilter::sl(s, l),
+        (Some(Real(s)), None) => GaussianFilter::s(s),
+        (None, Some(Real(l))) => GaussianFilter::l(l),
         (None, None) => {
             return Err(PyTypeError::new_err(
                 "give the nesting index of the S filter (s=), of the L filter (l=), or both",

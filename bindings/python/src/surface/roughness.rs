@@ -11,7 +11,7 @@ use crate::field::Field;
 use crate::grid::{Grid, size};
 use crate::half_space::HalfSpace;
 use crate::pickle::{parts, picklable};
-use crate::real::Real;
+use crate::real::{Real, Seed};
 use crate::surface::numbers;
 use crate::work::{observed_on, watch};
 
@@ -69,7 +69,7 @@ impl SelfAffine {
         cropped: bool,
         skewness: Option<Real>,
         kurtosis: Option<Real>,
-        seed: Option<u64>,
+        seed: Option<Seed>,
     ) -> PyResult<Self> {
         use surface::SelfAffine as Recipe;
         type Setting = (Option<Real>, fn(Recipe, f64) -> Recipe);
@@ -99,7 +99,7 @@ impl SelfAffine {
         if cropped {
             recipe = recipe.cropped();
         }
-        if let Some(seed) = seed {
+        if let Some(Seed(seed)) = seed {
             recipe = recipe.seed(seed);
         }
         Ok(Self(recipe))
