@@ -72,7 +72,7 @@ def test_pair_with_number_out_of_range_names_number(scene, call, message):
         (lambda scene: ss.set_num_threads(-1), "threads", "must not be negative, got -1"),
         (lambda scene: ss.io.csv.read("x.csv", cell=(1.0, 1.0), skip_rows=-1), "skip_rows", "must not be negative, got -1"),
         (lambda scene: scene.ball.get(-1, 0), "ix", "must not be negative, got -1"),
-        (lambda scene: ss.Material(10**400, 0.3), "young_modulus", "is too large for a real number, got 1000"),
+        (lambda scene: ss.Material(10**400, 0.3), "youngs_modulus", "is too large for a real number, got 1000"),
         (lambda scene: LOOP.run(scene.history(), -1), "cycles", "must not be negative, got -1"),
     ],
 )
@@ -85,7 +85,7 @@ def test_number_out_of_range_message_names_argument(scene, call, argument, messa
 @pytest.mark.parametrize(
     ("call", "argument", "message"),
     [
-        (lambda scene: ss.Material(np.array([1.0, 2.0]), 0.3), "young_modulus", r"a real number, got an array of shape \(2,\)"),
+        (lambda scene: ss.Material(np.array([1.0, 2.0]), 0.3), "youngs_modulus", r"a real number, got an array of shape \(2,\)"),
         (lambda scene: ss.surface.sphere(scene.grid, [1.0, 2.0]), "radius", "a real number, got list of length 2"),
         (lambda scene: ss.surface.sinusoidal(scene.grid, 1.0, None), "wavelength", "a real number, got None"),
         (lambda scene: ss.surface.gaussian_filter(scene.ball, s=(1.0,)), "s", "a real number, got tuple of length 1"),

@@ -1516,7 +1516,7 @@ class CycleJump:
     max_residual : float, default 0.25
         The largest :attr:`Cycle.cyclic_residual` of a cycle that may represent the following cycles.
     cycles_left : float, optional
-        The largest number of cycles to jump over; no limit by default.
+        The largest number of cycles to jump over, such as the rest of a simulation; no limit by default.
 
     Raises
     ------
@@ -1524,9 +1524,21 @@ class CycleJump:
     """
     def __new__(cls, /, bodies: HalfSpace, cycle: Cycle, depth: Field | ArrayLike, *, largest_depth: float | None = None, max_residual: float | None = None, cycles_left: float | None = None) -> CycleJump: ...
     def __repr__(self, /) -> str: ...
-    def cycles(self, /) -> float:
+    def cycles(self, /) -> int | None:
         """
-        Returns the number of cycles to jump over, not rounded, or infinity without a limit.
+        Returns the number of whole cycles to jump over, or ``None`` if no limit applies, as in full stick without
+        ``cycles_left``. Without wear, multiplying by the number of cycles would have no meaning, so the number is not infinite.
+
+        Raises
+        ------
+        NoWholeCycle
+            If one cycle already removes more than the limit.
+        CycleNotClosed, NotPositive, NegativeOrNotFinite
+        """
+    @property
+    def is_unlimited(self, /) -> bool:
+        """
+        Whether no limit applies to the number of cycles: no cell wears, and ``cycles_left`` is not given.
 
         Raises
         ------
@@ -6966,8 +6978,8 @@ def max_stable_cycles(bodies: HalfSpace, coefficient: Field | ArrayLike, slip_di
     Returns
     -------
     float
-        The number of cycles, not rounded; infinite without slip. For fewer than half of these cycles, no pattern of
-        pressure changes sign; :class:`CycleJump` remains below this limit.
+        The limit, not rounded; infinite without slip. For fewer than half of these cycles, no pattern of pressure changes
+        sign. To multiply a depth, use :meth:`CycleJump.cycles`, which remains below this limit and is never infinite.
 
     Raises
     ------

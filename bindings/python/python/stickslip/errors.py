@@ -573,6 +573,13 @@ class CycleNotClosed(StickslipError):
     """The largest residual allowed."""
 
 
+class NoWholeCycle(StickslipError):
+    """One cycle already removes more than the limit of :class:`~stickslip.wear.CycleJump`."""
+
+    cycles: float
+    """The limit, a fraction of a cycle."""
+
+
 class StepTooLong(StickslipError):
     """A load was divided into the shortest steps allowed, and the error of one step still exceeds its tolerance."""
 
