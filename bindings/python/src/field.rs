@@ -4,14 +4,15 @@ use std::sync::Arc;
 
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple};
+use pyo3::pyclass::CompareOp;
+use pyo3::types::{PyBool, PyDict, PyFloat, PyTuple};
 use stickslip::Error;
 
 use crate::argument::argument;
-use crate::array::{Array, view};
+use crate::array::{Array, mask, view};
 use crate::conversion::kind_of;
 use crate::digits::short;
-use crate::error::OrRaise;
+use crate::error::{OrRaise, raised};
 use crate::grid::{Grid, size};
 use crate::pickle::{Reduced, Stored, reduced};
 use crate::real::{Count, is_real, misshapen, plane};
@@ -21,8 +22,9 @@ use crate::unit::{Unit, is_same, metres, one_of};
 ///
 /// Every argument that accepts a field also accepts an array of shape (ny, nx), which is copied. A Field is created once
 /// and shared, so repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of a field, and
-/// ``field[iy, ix]`` is a sample. A sum, difference, product or quotient with a field, an array or a number, in either
-/// order, is computed cell by cell and is a field. Other NumPy functions treat a field as its array.
+/// ``field[iy, ix]`` is a sample. A sum, difference, product, quotient or power with a field, an array or a number, in
+/// either order, is computed cell by cell and is a field. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of
+/// booleans. Two fields are compared as a whole by ``==``. Other NumPy functions treat a field as its array.
 ///
 /// Parameters
 /// ----------
@@ -44,7 +46,7 @@ use crate::unit::{Unit, is_same, metres, one_of};
 /// Field(4 x 3 cells, 0 to 11)
 /// >>> (field + 1.0).array[0]
 /// array([1., 2., 3., 4.])
-#[pyclass(frozen, eq, module = "stickslip")]
+#[pyclass(frozen, module = "stickslip")]
 #[derive(Clone)]
 pub(crate) struct Field(pub(crate) Arc<stickslip::Field>, pub(crate) Option<Unit>);
 
@@ -128,19 +130,72 @@ impl Field {
         view(slf, |field| &field.0)
     }
 
-    /// Returns the largest sample; NaN is ignored.
-    fn max(&self) -> f64 {
-        self.0.max()
+    /// Returns the largest sample; NaN is ignored. The arguments are those of :func:`numpy.nanmax`, such as the axis.
+    #[pyo3(signature = (*arguments, **options), text_signature = "($self, axis=None, **options)")]
+    fn max<'py>(
+        slf: &Bound<'py, Self>,
+        arguments: &Bound<'py, PyTuple>,
+        options: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        reduced_by(
+            slf,
+            "nanmax",
+            Some(stickslip::Field::max),
+            arguments,
+            options,
+        )
     }
 
-    /// Returns the smallest sample; NaN is ignored.
-    fn min(&self) -> f64 {
-        self.0.min()
+    /// Returns the smallest sample; NaN is ignored. The arguments are those of :func:`numpy.nanmin`, such as the axis.
+    #[pyo3(signature = (*arguments, **options), text_signature = "($self, axis=None, **options)")]
+    fn min<'py>(
+        slf: &Bound<'py, Self>,
+        arguments: &Bound<'py, PyTuple>,
+        options: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        reduced_by(
+            slf,
+            "nanmin",
+            Some(stickslip::Field::min),
+            arguments,
+            options,
+        )
     }
 
-    /// Returns the mean of the samples.
-    fn mean(&self) -> f64 {
-        self.0.mean()
+    /// Returns the mean of the samples. The arguments are those of :func:`numpy.mean`, such as the axis.
+    #[pyo3(signature = (*arguments, **options), text_signature = "($self, axis=None, **options)")]
+    fn mean<'py>(
+        slf: &Bound<'py, Self>,
+        arguments: &Bound<'py, PyTuple>,
+        options: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        reduced_by(
+            slf,
+            "mean",
+            Some(stickslip::Field::mean),
+            arguments,
+            options,
+        )
+    }
+
+    /// Returns the sum of the samples. The arguments are those of :func:`numpy.sum`, such as the axis.
+    #[pyo3(signature = (*arguments, **options), text_signature = "($self, axis=None, **options)")]
+    fn sum<'py>(
+        slf: &Bound<'py, Self>,
+        arguments: &Bound<'py, PyTuple>,
+        options: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        reduced_by(slf, "sum", None, arguments, options)
+    }
+
+    /// Returns the standard deviation of the samples. The arguments are those of :func:`numpy.std`, such as the axis.
+    #[pyo3(signature = (*arguments, **options), text_signature = "($self, axis=None, **options)")]
+    fn std<'py>(
+        slf: &Bound<'py, Self>,
+        arguments: &Bound<'py, PyTuple>,
+        options: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        reduced_by(slf, "std", None, arguments, options)
     }
 
     /// Returns the sum of the samples times the area of a cell.
@@ -167,17 +222,7 @@ impl Field {
         dtype: Option<Bound<'py, PyAny>>,
         copy: Option<bool>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let array = Self::array(slf).0;
-        if dtype.is_none() && copy != Some(true) {
-            return Ok(array);
-        }
-        let kwargs = PyDict::new(slf.py());
-        kwargs.set_item("copy", copy.unwrap_or(false))?;
-        let dtype = match dtype {
-            Some(dtype) => dtype,
-            None => array.getattr("dtype")?,
-        };
-        array.call_method("astype", (dtype,), Some(&kwargs))
+        as_numpy(Self::array(slf).0, dtype, copy)
     }
 
     /// Implements NumPy functions with a field among their operands.
@@ -196,6 +241,7 @@ impl Field {
                 "subtract" => Some("__rsub__"),
                 "multiply" => Some("__rmul__"),
                 "divide" | "true_divide" => Some("__rtruediv__"),
+                "power" => Some("__rpow__"),
                 _ => None,
             };
             if let Some(reflected) = reflected.filter(|_| right.is(slf)) {
@@ -240,6 +286,64 @@ impl Field {
 
     fn __rtruediv__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
         self.by_cell(py, &other, |own, other| other / own)
+    }
+
+    fn __pow__(
+        &self,
+        py: Python<'_>,
+        other: Samples<'_>,
+        modulo: Option<Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        without_modulo(modulo.as_ref())?;
+        self.by_cell(py, &other, f64::powf)
+    }
+
+    fn __rpow__(
+        &self,
+        py: Python<'_>,
+        other: Samples<'_>,
+        modulo: Option<Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        without_modulo(modulo.as_ref())?;
+        self.by_cell(py, &other, |own, other| other.powf(own))
+    }
+
+    fn __abs__(&self, py: Python<'_>) -> PyResult<Self> {
+        let samples = self.0.as_slice().iter().map(|sample| sample.abs());
+        let field = stickslip::Field::from_vec(self.0.grid(), samples.collect()).or_raise(py)?;
+        Ok(Self(Arc::new(field), self.1.clone()))
+    }
+
+    fn __pos__(&self) -> Self {
+        self.clone()
+    }
+
+    fn __richcmp__<'py>(
+        &self,
+        py: Python<'py>,
+        other: &Bound<'py, PyAny>,
+        comparison: CompareOp,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let compared: fn(f64, f64) -> bool = match comparison {
+            CompareOp::Eq | CompareOp::Ne => {
+                let Ok(other) = other.cast::<Self>() else {
+                    return Ok(py.NotImplemented().into_bound(py));
+                };
+                let is_equal = self == other.get();
+                let is_wanted = matches!(comparison, CompareOp::Eq);
+                return Ok(PyBool::new(py, is_equal == is_wanted).to_owned().into_any());
+            }
+            CompareOp::Lt => |own, other| own < other,
+            CompareOp::Le => |own, other| own <= other,
+            CompareOp::Gt => |own, other| own > other,
+            CompareOp::Ge => |own, other| own >= other,
+        };
+        let other: Samples<'_> = other.extract()?;
+        one_of([self.1.clone(), other.unit()?])?;
+        let other = self.beside(py, &other)?;
+        let pairs = self.0.as_slice().iter().zip(other.as_slice());
+        let cells = pairs.map(|(own, other)| compared(*own, *other));
+        Ok(mask(py, self.0.grid(), cells).0)
     }
 
     fn __neg__(&self) -> Self {
@@ -302,22 +406,77 @@ impl Field {
         other: &Samples<'_>,
         operation: fn(f64, f64) -> f64,
     ) -> PyResult<Self> {
+        let other = self.beside(py, other)?;
+        let pairs = self.0.as_slice().iter().zip(other.as_slice());
+        let samples = pairs.map(|(own, other)| operation(*own, *other)).collect();
+        let field = stickslip::Field::from_vec(self.0.grid(), samples).or_raise(py)?;
+        Ok(field.into())
+    }
+
+    /// Returns the second field of an operation, or an error if its grid differs.
+    fn beside(&self, py: Python<'_>, other: &Samples<'_>) -> PyResult<Arc<stickslip::Field>> {
         let grid = self.0.grid();
         let other = other.on(py, "other field", grid)?;
-        // The difference computed by the crate checks that both fields have the same grid; it is then overwritten.
-        let difference = self.0.minus(&other).map_err(|mut error| {
-            if let Error::GridMismatch { quantity, .. } = &mut error {
-                *quantity = "other field";
+        // The crate checks that both fields have the same grid when it computes a difference.
+        match self.0.minus(&other) {
+            Ok(_) => Ok(other),
+            Err(mut error) => {
+                if let Error::GridMismatch { quantity, .. } = &mut error {
+                    *quantity = "other field";
+                }
+                Err(raised(py, error))
             }
-            error
-        });
-        let mut result = difference.or_raise(py)?;
-        let pairs = self.0.as_slice().iter().zip(other.as_slice());
-        for (sample, (own, other)) in result.as_mut_slice().iter_mut().zip(pairs) {
-            *sample = operation(*own, *other);
         }
-        Ok(result.into())
     }
+}
+
+/// Returns the result of a NumPy function of the samples. Without arguments, it is the result of the crate, if there is one.
+fn reduced_by<'py>(
+    slf: &Bound<'py, Field>,
+    function: &str,
+    plain: Option<fn(&stickslip::Field) -> f64>,
+    arguments: &Bound<'py, PyTuple>,
+    options: Option<&Bound<'py, PyDict>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let py = slf.py();
+    let is_none = |(_, value): (_, Bound<'py, PyAny>)| value.is_none();
+    let is_plain =
+        arguments.is_empty() && options.is_none_or(|options| options.iter().all(is_none));
+    if let Some(plain) = plain.filter(|_| is_plain) {
+        return Ok(PyFloat::new(py, plain(&slf.get().0)).into_any());
+    }
+    let samples = std::iter::once(Field::array(slf).0);
+    let all: Vec<_> = samples.chain(arguments.iter()).collect();
+    let function = py.import("numpy")?.getattr(function)?;
+    function.call(PyTuple::new(py, all)?, options)
+}
+
+/// Returns an error if the third argument of ``pow`` is given.
+fn without_modulo(modulo: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
+    match modulo {
+        None => Ok(()),
+        Some(_) => Err(PyTypeError::new_err(
+            "the power of a field takes no modulus",
+        )),
+    }
+}
+
+/// Returns an array in the form that NumPy requests by the method ``__array__``.
+pub(crate) fn as_numpy<'py>(
+    array: Bound<'py, PyAny>,
+    dtype: Option<Bound<'py, PyAny>>,
+    copy: Option<bool>,
+) -> PyResult<Bound<'py, PyAny>> {
+    if dtype.is_none() && copy != Some(true) {
+        return Ok(array);
+    }
+    let options = PyDict::new(array.py());
+    options.set_item("copy", copy.unwrap_or(false))?;
+    let dtype = match dtype {
+        Some(dtype) => dtype,
+        None => array.getattr("dtype")?,
+    };
+    array.call_method("astype", (dtype,), Some(&options))
 }
 
 argument! {

@@ -1846,8 +1846,9 @@ class Field:
 
     Every argument that accepts a field also accepts an array of shape (ny, nx), which is copied. A Field is created once
     and shared, so repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of a field, and
-    ``field[iy, ix]`` is a sample. A sum, difference, product or quotient with a field, an array or a number, in either
-    order, is computed cell by cell and is a field. Other NumPy functions treat a field as its array.
+    ``field[iy, ix]`` is a sample. A sum, difference, product, quotient or power with a field, an array or a number, in
+    either order, is computed cell by cell and is a field. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of
+    booleans. Two fields are compared as a whole by ``==``. Other NumPy functions treat a field as its array.
 
     Parameters
     ----------
@@ -1870,6 +1871,7 @@ class Field:
     >>> (field + 1.0).array[0]
     array([1., 2., 3., 4.])
     """
+    def __abs__(self, /) -> Field: ...
     def __add__(self, other: object, /) -> Field: ...
     def __array__(self, /, dtype: Any | None = None, copy: bool | None = None) -> Any: ...
     def __array_ufunc__(self, /, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:
@@ -1877,18 +1879,25 @@ class Field:
         Implements NumPy functions with a field among their operands.
         """
     def __eq__(self, value: object, /) -> bool: ...
+    def __ge__(self, value: object, /) -> NDArray[bool_]: ...
     def __getitem__(self, index: Any, /) -> Any:
         """
         Indexes :attr:`array`: ``field[iy, ix]`` is a sample, and ``field[iy]`` is a row.
         """
+    def __gt__(self, value: object, /) -> NDArray[bool_]: ...
+    def __le__(self, value: object, /) -> NDArray[bool_]: ...
+    def __lt__(self, value: object, /) -> NDArray[bool_]: ...
     def __mul__(self, other: object, /) -> Field: ...
     def __ne__(self, value: object, /) -> bool: ...
     def __neg__(self, /) -> Field: ...
     def __new__(cls, /, grid: Grid, samples: Field | ArrayLike, unit: str | None = None) -> Field: ...
+    def __pos__(self, /) -> Field: ...
+    def __pow__(self, other: object, modulo: None = None, /) -> Field: ...
     def __radd__(self, other: object, /) -> Field: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     def __rmul__(self, other: object, /) -> Field: ...
+    def __rpow__(self, other: object, modulo: None = None, /) -> Field: ...
     def __rsub__(self, other: object, /) -> Field: ...
     def __rtruediv__(self, other: object, /) -> Field: ...
     def __sub__(self, other: object, /) -> Field: ...
@@ -1911,22 +1920,30 @@ class Field:
         """
         Returns the sum of the samples times the area of a cell.
         """
-    def max(self, /) -> float:
+    def max(self, /, axis: Any = None, **options: Any) -> Any:
         """
-        Returns the largest sample; NaN is ignored.
+        Returns the largest sample; NaN is ignored. The arguments are those of :func:`numpy.nanmax`, such as the axis.
         """
-    def mean(self, /) -> float:
+    def mean(self, /, axis: Any = None, **options: Any) -> Any:
         """
-        Returns the mean of the samples.
+        Returns the mean of the samples. The arguments are those of :func:`numpy.mean`, such as the axis.
         """
-    def min(self, /) -> float:
+    def min(self, /, axis: Any = None, **options: Any) -> Any:
         """
-        Returns the smallest sample; NaN is ignored.
+        Returns the smallest sample; NaN is ignored. The arguments are those of :func:`numpy.nanmin`, such as the axis.
         """
     @property
     def shape(self, /) -> tuple[int, int]:
         """
         Shape of the field as an array, (ny, nx).
+        """
+    def std(self, /, axis: Any = None, **options: Any) -> Any:
+        """
+        Returns the standard deviation of the samples. The arguments are those of :func:`numpy.std`, such as the axis.
+        """
+    def sum(self, /, axis: Any = None, **options: Any) -> Any:
+        """
+        Returns the sum of the samples. The arguments are those of :func:`numpy.sum`, such as the axis.
         """
     def to_unit(self, /, unit: str) -> Field:
         """
@@ -1950,6 +1967,7 @@ class Filled:
     """
     A surface whose missing heights (NaN) are filled smoothly.
     """
+    def __array__(self, /, dtype: Any | None = None, copy: bool | None = None) -> Any: ...
     def __repr__(self, /) -> str: ...
     @property
     def filled_cells(self, /) -> int:
@@ -1967,6 +1985,7 @@ class Filtered:
     """
     A filtered surface and the removed components: the three add up to the given surface.
     """
+    def __array__(self, /, dtype: Any | None = None, copy: bool | None = None) -> Any: ...
     def __repr__(self, /) -> str: ...
     @property
     def heights(self, /) -> Field:
@@ -3255,6 +3274,7 @@ class Levelled:
     """
     A surface without its form.
     """
+    def __array__(self, /, dtype: Any | None = None, copy: bool | None = None) -> Any: ...
     def __repr__(self, /) -> str: ...
     @property
     def form(self, /) -> Field:
@@ -5179,6 +5199,7 @@ class RoughSurface:
     """
     A generated rough surface.
     """
+    def __array__(self, /, dtype: Any | None = None, copy: bool | None = None) -> Any: ...
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
     def __repr__(self, /) -> str: ...

@@ -4,8 +4,9 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use stickslip::surface::{self, GaussianFilter};
 
+use crate::array::view;
 use crate::digits::short;
-use crate::field::{Field, Samples};
+use crate::field::{Field, Samples, as_numpy};
 use crate::real::Real;
 use crate::unit::Unit;
 use crate::work::unobserved_on;
@@ -30,6 +31,15 @@ impl Filtered {
     #[getter]
     fn heights(&self) -> Field {
         self.field(self.parts.heights())
+    }
+
+    #[pyo3(signature = (dtype=None, copy=None))]
+    fn __array__<'py>(
+        slf: &Bound<'py, Self>,
+        dtype: Option<Bound<'py, PyAny>>,
+        copy: Option<bool>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        as_numpy(view(slf, |surface| surface.parts.heights()).0, dtype, copy)
     }
 
     /// Short waves removed by the S filter (lengths), such as noise; ``None`` without an S filter.

@@ -4,10 +4,11 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use stickslip::surface;
 
+use crate::array::view;
 use crate::conversion;
 use crate::digits::short;
 use crate::error::OrRaise;
-use crate::field::{Field, Samples, one_unit};
+use crate::field::{Field, Samples, as_numpy, one_unit};
 use crate::grid::Grid;
 use crate::progress::Progress;
 use crate::unit::Unit;
@@ -109,6 +110,15 @@ impl Filled {
         Field::made(self.0.heights().clone(), self.1.clone())
     }
 
+    #[pyo3(signature = (dtype=None, copy=None))]
+    fn __array__<'py>(
+        slf: &Bound<'py, Self>,
+        dtype: Option<Bound<'py, PyAny>>,
+        copy: Option<bool>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        as_numpy(view(slf, |surface| surface.0.heights()).0, dtype, copy)
+    }
+
     /// Number of heights that were missing.
     #[getter]
     fn filled_cells(&self) -> usize {
@@ -146,6 +156,15 @@ impl Levelled {
     #[getter]
     fn heights(&self) -> Field {
         Field::made(self.0.heights().clone(), self.1.clone())
+    }
+
+    #[pyo3(signature = (dtype=None, copy=None))]
+    fn __array__<'py>(
+        slf: &Bound<'py, Self>,
+        dtype: Option<Bound<'py, PyAny>>,
+        copy: Option<bool>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        as_numpy(view(slf, |surface| surface.0.heights()).0, dtype, copy)
     }
 
     /// The removed form (lengths).

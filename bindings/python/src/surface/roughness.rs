@@ -7,7 +7,7 @@ use stickslip::surface;
 use crate::array::{Array, view};
 use crate::choice::Choice;
 use crate::digits::short;
-use crate::field::Field;
+use crate::field::{Field, as_numpy};
 use crate::grid::{Grid, size};
 use crate::half_space::HalfSpace;
 use crate::pickle::{parts, picklable};
@@ -199,6 +199,15 @@ impl RoughSurface {
     #[getter]
     fn array<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
         view(slf, |rough| rough.0.heights())
+    }
+
+    #[pyo3(signature = (dtype=None, copy=None))]
+    fn __array__<'py>(
+        slf: &Bound<'py, Self>,
+        dtype: Option<Bound<'py, PyAny>>,
+        copy: Option<bool>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        as_numpy(Self::array(slf).0, dtype, copy)
     }
 
     /// Number of iterations for a prescribed skewness or kurtosis.
