@@ -312,7 +312,18 @@ pub(crate) fn npy_to_bytes<'py>(
 struct Arrays(Vec<(String, Vec<Arc<stickslip::Field>>)>);
 
 impl Arrays {
-    fn of(py: Python<'_>, fields: &Bound<'_, PyDict>, grid: Option<&Grid>) -> PyResult<Self> {
+    /// Reads a dictionary of fields, or the fields of a solution or a surface.
+    fn of(py: Python<'_>, given: &Bound<'_, PyAny>, grid: Option<&Grid>) -> PyResult<Self> {
+        if let Ok(fields) = given.cast::<PyDict>() {
+            return Self::by_name(py, fields, grid);
+        }
+        let module = py.import("stickslip.io._datasets")?;
+        let found = module.call_method1("fields_of", (given,))?;
+        let (fields, grid): (Bound<'_, PyDict>, Bound<'_, Grid>) = found.extract()?;
+        Self::by_name(py, &fields, Some(grid.get()))
+    }
+
+    fn by_name(py: Python<'_>, fields: &Bound<'_, PyDict>, grid: Option<&Grid>) -> PyResult<Self> {
         let mut arrays = Vec::with_capacity(fields.len());
         let one = |object: &Bound<'_, PyAny>| {
             let samples: Samples<'_> = object.extract()?;
@@ -357,16 +368,16 @@ impl Arrays {
 /// ----------
 /// path : path_like
 ///     The file; an existing file is replaced.
-/// fields : dict
-///     Fields by name; a pair of fields is a vector.
+/// fields : dict, solution, State, History, Field or surface
+///     Fields by name; a pair of fields is a vector. For other objects, all their fields are written.
 /// grid : Grid, optional
-///     Grid of the fields; required if they are arrays.
+///     Grid of the fields of a dictionary; required if they are arrays.
 #[pyfunction]
 #[pyo3(signature = (path, fields, *, grid=None))]
 pub(crate) fn vti_write(
     py: Python<'_>,
     path: PathBuf,
-    fields: &Bound<'_, PyDict>,
+    fields: &Bound<'_, PyAny>,
     grid: Option<&Grid>,
 ) -> PyResult<()> {
     let arrays = Arrays::of(py, fields, grid)?;
@@ -410,7 +421,7 @@ impl PvdWriter {
         &self,
         py: Python<'_>,
         time: Real,
-        fields: &Bound<'_, PyDict>,
+        fields: &Bound<'_, PyAny>,
         grid: Option<&Grid>,
     ) -> PyResult<()> {
         let arrays = Arrays::of(py, fields, grid)?;

@@ -392,6 +392,19 @@ def test_solution_converts_to_xarray_dataset(scene):
         ss.io.to_xarray([planes[0], *ss.subsurface.Planes(scene.bodies, [0.0]).solve_all("one", contact)])
 
 
+def test_solutions_are_written_as_images(scene):
+    contact = scene.normal()
+    shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
+    names = {"pressure": contact.pressure, "gap": contact.gap, "contact": contact.contact}
+    assert ss.io.vti.to_bytes(contact) == ss.io.vti.to_bytes(names, grid=scene.grid)
+    names |= {"traction": shear.traction, "slip": shear.slip, "zones": shear.zones}
+    assert ss.io.vti.to_bytes((contact, shear)) == ss.io.vti.to_bytes(names, grid=scene.grid)
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    for loaded in (history, history.state()):
+        assert b'Name="accumulated_slip"' in ss.io.vti.to_bytes(loaded)
+
+
 def test_dataset_netcdf_round_trip_is_exact(scene, tmp_path):
     xarray = pytest.importorskip("xarray")
     pytest.importorskip("scipy")  # required to write netCDF

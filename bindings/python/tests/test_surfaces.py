@@ -79,6 +79,34 @@ def test_surfaces_with_different_units_are_rejected():
     assert one != two and one == unknown
 
 
+def test_surfaces_convert_to_datasets_and_images(tmp_path):
+    pytest.importorskip("xarray")
+    grid = ss.Grid(6, 4, 0.5, 1.0)
+    rough = ss.surface.SelfAffine(rms_height=0.1, cut_off_wavelength=2.0).generate(grid)
+    dataset = ss.io.to_xarray(rough)
+    assert np.array_equal(dataset.heights, rough.heights) and np.array_equal(dataset.x, grid.x)
+    assert dataset.attrs["rms_slope"] == rough.rms_slope and "units" not in dataset.x.attrs
+    measured = ss.Field(grid, rough.heights.array, "um")
+    levelled, filtered = ss.surface.level(measured, "plane"), ss.surface.gaussian_filter(measured, l=2.5)
+    for surface, other in [(levelled, "form"), (filtered, "long_waves")]:
+        dataset = ss.io.to_xarray(surface)
+        assert dataset.heights.attrs["units"] == dataset.x.attrs["units"] == "um"
+        assert np.array_equal(dataset[other], getattr(surface, other))
+    filled = ss.io.to_xarray(ss.surface.fill_missing(measured))
+    assert filled.attrs["filled_cells"] == 0 and np.array_equal(filled.heights, measured)
+
+    assert ss.io.vti.to_bytes(rough) == ss.io.vti.to_bytes({"heights": rough.heights})
+    assert ss.io.vti.to_bytes(measured) == ss.io.vti.to_bytes({"values": measured})
+    ss.io.vti.write(tmp_path / "surface.vti", levelled)
+    assert (tmp_path / "surface.vti").read_bytes() == ss.io.vti.to_bytes({"heights": levelled.heights, "form": levelled.form})
+    series = ss.io.pvd.PvdWriter(tmp_path / "series.pvd")
+    series.write(0.0, rough)
+    assert len(series) == 1
+    for wrong in (1.0, [rough], None):
+        with pytest.raises(TypeError, match="expected a solution, a state, a history, a Field, a surface"):
+            ss.io.vti.to_bytes(wrong)
+
+
 def test_xarray_arrays_convert_to_surfaces():
     xarray = pytest.importorskip("xarray")
     heights = np.arange(12.0).reshape(3, 4)

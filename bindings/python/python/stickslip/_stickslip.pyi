@@ -5346,7 +5346,7 @@ class PvdWriter:
     def __len__(self, /) -> int: ...
     def __new__(cls, /, path: str | PathLike[str]) -> PvdWriter: ...
     def __repr__(self, /) -> str: ...
-    def write(self, /, time: float, fields: dict[str, Any], *, grid: Grid | None = None) -> None:
+    def write(self, /, time: float, fields: Any, *, grid: Grid | None = None) -> None:
         """
         Writes fields and vectors at a given time as :func:`stickslip.io.vti.write` does, and adds them to the list.
         """
@@ -7220,12 +7220,12 @@ def threshold_energy(coefficient: Field | ArrayLike, threshold: float, accumulat
     NegativeOrNotFinite, Sample, GridMismatch, Shape, NotFinite
     """
 
-def vti_to_bytes(fields: dict[str, Any], *, grid: Grid | None = None) -> bytes:
+def vti_to_bytes(fields: Any, *, grid: Grid | None = None) -> bytes:
     """
     Returns fields as the bytes of a VTI file for ParaView; see :func:`write`.
     """
 
-def vti_write(path: str | PathLike[str], fields: dict[str, Any], *, grid: Grid | None = None) -> None:
+def vti_write(path: str | PathLike[str], fields: Any, *, grid: Grid | None = None) -> None:
     """
     Writes fields to a VTI file (image data) for ParaView.
 
@@ -7233,10 +7233,10 @@ def vti_write(path: str | PathLike[str], fields: dict[str, Any], *, grid: Grid |
     ----------
     path : path_like
         The file; an existing file is replaced.
-    fields : dict
-        Fields by name; a pair of fields is a vector.
+    fields : dict, solution, State, History, Field or surface
+        Fields by name; a pair of fields is a vector. For other objects, all their fields are written.
     grid : Grid, optional
-        Grid of the fields; required if they are arrays.
+        Grid of the fields of a dictionary; required if they are arrays.
     """
 
 def x3p_parse(bytes: bytes) -> Field:
