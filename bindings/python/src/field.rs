@@ -16,7 +16,7 @@ use crate::error::{OrRaise, raised};
 use crate::grid::{Grid, size};
 use crate::pickle::{Reduced, Stored, reduced};
 use crate::real::{Count, is_real, misshapen, plane};
-use crate::unit::{Unit, is_same, metres, one_of};
+use crate::unit::{Unit, factor, is_same, known, one_of};
 
 /// Samples at the cells of a grid, one number per cell, such as gaps, heights or pressures. A field is immutable.
 ///
@@ -33,9 +33,21 @@ use crate::unit::{Unit, is_same, metres, one_of};
 /// samples : array_like of shape (ny, nx), or float
 ///     The values, row-major with x fastest, or one value for all cells.
 /// unit : str, optional
-///     The unit of the lengths of a surface, such as ``"um"``. Results computed from the surface keep the unit, and
-///     operations on surfaces of different units raise an error. The unit is optional; the package computes in any
-///     consistent units.
+///     The unit of the lengths of a surface, such as ``"um"``: heights and cell sides. Accepted units are those of
+///     :meth:`to_unit`. Results computed from the surface keep the unit, and operations on surfaces of different units raise
+///     an error. The unit is optional; the package computes in any consistent units.
+///
+/// Notes
+/// -----
+/// A number, an array or a field without a unit takes the unit of the other operand in sums, differences and comparisons.
+/// A product with it and a quotient by it keep the unit, so ``heights * 1e-6`` does not convert a unit; :meth:`to_unit`
+/// does. Products and ratios of two fields with units, inverse fields and powers have no unit.
+///
+/// Raises
+/// ------
+/// ValueError
+///     If the unit is not a unit of length.
+/// Shape
 ///
 /// Examples
 /// --------
@@ -80,7 +92,10 @@ impl Field {
         samples: Samples<'_>,
         unit: Option<&str>,
     ) -> PyResult<Self> {
-        let unit = unit.map(Unit::from).or(samples.unit()?);
+        let unit = match unit {
+            Some(unit) => Some(known(unit)?),
+            None => samples.unit()?,
+        };
         Ok(Self(samples.on(py, "samples", grid.0)?, unit))
     }
 
@@ -92,7 +107,7 @@ impl Field {
 
     /// Converts the heights and the cell sides of a surface from its own unit to another unit.
     ///
-    /// Accepted units are m, dm, cm, mm, um, nm, pm and A; the micro sign may replace the letter u.
+    /// Accepted units are km, m, dm, cm, mm, um, nm, A and pm; the micro sign may replace the letter u.
     ///
     /// Raises
     /// ------
@@ -104,7 +119,7 @@ impl Field {
                 "the surface has no unit: give one by Field(grid, samples, unit=...)",
             )
         })?;
-        let factor = metres(own)? / metres(unit)?;
+        let factor = factor(own, unit)?;
         let (grid, samples) = (self.0.grid(), self.0.scaled(factor).into_vec());
         let grid =
             stickslip::Grid::new(grid.nx(), grid.ny(), grid.dx() * factor, grid.dy() * factor);
@@ -273,15 +288,20 @@ impl Field {
     }
 
     fn __mul__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
-        self.by_cell(py, &other, |own, other| own * other)
+        self.times(py, &other)
     }
 
     fn __rmul__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
-        self.by_cell(py, &other, |own, other| own * other)
+        self.times(py, &other)
     }
 
     fn __truediv__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
-        self.by_cell(py, &other, |own, other| own / other)
+        let unit = match other.unit()? {
+            None => self.1.clone(),
+            Some(_) => None,
+        };
+        let quotient = self.by_cell(py, &other, |own, other| own / other)?;
+        Ok(Self(quotient.0, unit))
     }
 
     fn __rtruediv__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
@@ -397,6 +417,16 @@ impl Field {
     ) -> PyResult<Self> {
         let unit = one_of([self.1.clone(), other.unit()?])?;
         Ok(Self(self.by_cell(py, other, operation)?.0, unit))
+    }
+
+    /// Returns the product cell by cell, with a unit if exactly one factor has a unit.
+    fn times(&self, py: Python<'_>, other: &Samples<'_>) -> PyResult<Self> {
+        let unit = match (self.1.clone(), other.unit()?) {
+            (Some(unit), None) | (None, Some(unit)) => Some(unit),
+            _ => None,
+        };
+        let product = self.by_cell(py, other, |own, other| own * other)?;
+        Ok(Self(product.0, unit))
     }
 
     /// Applies an operation cell by cell with a second field.
@@ -580,7 +610,7 @@ impl Samples<'_> {
         if unit.is_none() {
             return Ok(None);
         }
-        Ok(Some(unit.str()?.to_str()?.into()))
+        known(unit.str()?.to_str()?).map(Some)
     }
 
     fn field(&self) -> Option<Arc<stickslip::Field>> {

@@ -1857,9 +1857,21 @@ class Field:
     samples : array_like of shape (ny, nx), or float
         The values, row-major with x fastest, or one value for all cells.
     unit : str, optional
-        The unit of the lengths of a surface, such as ``"um"``. Results computed from the surface keep the unit, and
-        operations on surfaces of different units raise an error. The unit is optional; the package computes in any
-        consistent units.
+        The unit of the lengths of a surface, such as ``"um"``: heights and cell sides. Accepted units are those of
+        :meth:`to_unit`. Results computed from the surface keep the unit, and operations on surfaces of different units raise
+        an error. The unit is optional; the package computes in any consistent units.
+
+    Notes
+    -----
+    A number, an array or a field without a unit takes the unit of the other operand in sums, differences and comparisons.
+    A product with it and a quotient by it keep the unit, so ``heights * 1e-6`` does not convert a unit; :meth:`to_unit`
+    does. Products and ratios of two fields with units, inverse fields and powers have no unit.
+
+    Raises
+    ------
+    ValueError
+        If the unit is not a unit of length.
+    Shape
 
     Examples
     --------
@@ -1949,7 +1961,7 @@ class Field:
         """
         Converts the heights and the cell sides of a surface from its own unit to another unit.
 
-        Accepted units are m, dm, cm, mm, um, nm, pm and A; the micro sign may replace the letter u.
+        Accepted units are km, m, dm, cm, mm, um, nm, A and pm; the micro sign may replace the letter u.
 
         Raises
         ------
@@ -6792,12 +6804,12 @@ def crop(heights: Field | ArrayLike, columns: tuple[int, int], rows: tuple[int, 
     Range
     """
 
-def csv_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = 0, skip_columns: int = 0, without_labels: bool = False) -> Field:
+def csv_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = 0, skip_columns: int = 0, without_labels: bool = False, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a field from the bytes of a text file that contains a matrix; see :func:`read`.
     """
 
-def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = 0, skip_columns: int = 0, without_labels: bool = False) -> Field:
+def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = 0, skip_columns: int = 0, without_labels: bool = False, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a field from a text file that contains a matrix.
 
@@ -6815,10 +6827,18 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
         Number of columns to skip at the start of each row, such as names or row numbers.
     without_labels : bool, default False
         Whether a first row or column 0, 1, 2, ... contains heights; if not, such a row or column is rejected.
+    unit : str, optional
+        The unit of the lengths of the file, which the surface keeps, such as ``"um"``.
+    height_unit : str, optional
+        The unit of the heights of the file, if it differs; the heights are converted to ``unit``.
 
     Raises
     ------
     File, Format, NotPositive
+    ValueError
+        If a name is not a unit of length.
+    TypeError
+        If ``height_unit`` is given without ``unit``.
     """
 
 def csv_to_bytes(field: Field | ArrayLike) -> bytes:
@@ -7076,14 +7096,33 @@ def npy_grid(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
     Returns the grid of an NPY file without reading its samples.
     """
 
-def npy_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None) -> Field:
+def npy_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
-    Reads a field from the bytes of an NPY file.
+    Reads a field from the bytes of an NPY file; see :func:`read`.
     """
 
-def npy_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None) -> Field:
+def npy_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
-    Reads a field from an NPY file, with either the cell sides ``cell`` or the grid sides ``size`` (pairs of lengths).
+    Reads a field from an NPY file.
+
+    Parameters
+    ----------
+    path : path_like
+        The file.
+    cell, size : pair of float
+        Side lengths of a cell or of the grid; exactly one of the two is required.
+    unit : str, optional
+        The unit of the lengths of the file, which the surface keeps, such as ``"um"``.
+    height_unit : str, optional
+        The unit of the heights of the file, if it differs; the heights are converted to ``unit``.
+
+    Raises
+    ------
+    File, Format, NotPositive
+    ValueError
+        If a name is not a unit of length.
+    TypeError
+        If ``height_unit`` is given without ``unit``.
     """
 
 def npy_to_bytes(field: Field | ArrayLike) -> bytes:
@@ -7110,7 +7149,7 @@ def paraboloid(grid: Grid, curvatures: Sequence[float] | NDArray[Any]) -> Field:
 def read(path: str | PathLike[str]) -> Field:
     """
     Reads a surface from a file whose format is given by its extension: ASC, SDF, SUR, X3P or XYZ. Lengths are in metres,
-    except for XYZ, where they are in the unit of the file.
+    except for XYZ, where they are in the unit of the file; :func:`stickslip.io.xyz.read` accepts this unit.
     """
 
 def resample(heights: Field | ArrayLike, grid: Grid) -> Field:
@@ -7249,12 +7288,12 @@ def x3p_read(path: str | PathLike[str]) -> Field:
     Reads a surface from an X3P file (lengths in metres).
     """
 
-def xyz_parse(bytes: bytes, *, missing: float | None = None, skip_rows: int = 0) -> Field:
+def xyz_parse(bytes: bytes, *, missing: float | None = None, skip_rows: int = 0, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a surface from the bytes of an XYZ file (lengths in the unit of the file); see :func:`read`.
     """
 
-def xyz_read(path: str | PathLike[str], *, missing: float | None = None, skip_rows: int = 0) -> Field:
+def xyz_read(path: str | PathLike[str], *, missing: float | None = None, skip_rows: int = 0, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a surface from an XYZ file (lengths in the unit of the file).
 
@@ -7266,9 +7305,17 @@ def xyz_read(path: str | PathLike[str], *, missing: float | None = None, skip_ro
         The height that marks a missing point (default: the value that a comment states, or none).
     skip_rows : int, default 0
         Number of lines before the points.
+    unit : str, optional
+        The unit of the lengths of the file, which the surface keeps, such as ``"um"``.
+    height_unit : str, optional
+        The unit of the heights of the file, if it differs; the heights are converted to ``unit``.
 
     Raises
     ------
     File, Format
+    ValueError
+        If a name is not a unit of length.
+    TypeError
+        If ``height_unit`` is given without ``unit``.
     """
 
