@@ -174,6 +174,22 @@ def test_rolling_problem_round_trips(ball):
     assert (again.traction[0] == solution.traction[0]).all() and again.spin == solution.spin != 0.0
 
 
+def test_rolling_solutions_round_trip(ball):
+    rolling = ball.problem(creepage=(1e-3, 2e-3), spin=0.1).solve(warn=False)
+    gap = ss.surface.sphere(ball.bodies.grid, 1.0)
+    problem = ss.rolling.CoupledRollingProblem(ball.bodies, gap, FRICTION, normal_force=1.0, creepage_x=1e-3)
+    coupled = problem.solve(warn=False)
+    both = pickle.loads(pickle.dumps(coupled))
+    assert both.report == coupled.report == pickle.loads(pickle.dumps(coupled.report)) and both.normal == coupled.normal
+    for back, value in [(pickle.loads(pickle.dumps(rolling)), rolling), (both.rolling, coupled.rolling)]:
+        assert repr(back) == repr(value) and back.report == value.report
+        assert (back.creepage, back.spin, back.force, back.moment, back.work) == (
+            value.creepage, value.spin, value.force, value.moment, value.work
+        )  # fmt: skip
+        for name in ("traction", "slip", "zones", "dissipation"):
+            assert np.array_equal(getattr(back, name), getattr(value, name))
+
+
 def test_rolling_rejected_input_leaves_solver_unchanged(ball):
     solver = ball.problem(creepage_x=0.05).solver()
     before = solver.solve()

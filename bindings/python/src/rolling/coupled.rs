@@ -18,7 +18,7 @@ use crate::grid::size;
 use crate::half_space::HalfSpace;
 use crate::load;
 use crate::normal::NormalSolution;
-use crate::pickle::Recipe;
+use crate::pickle::{Recipe, picklable};
 use crate::real::{Count, Real};
 use crate::report::{Report, Warning, ending};
 use crate::rolling::RollingSolution;
@@ -346,6 +346,8 @@ impl CoupledRollingSolution {
     }
 }
 
+picklable!(CoupledRollingSolution: rolling::CoupledRollingSolution);
+
 /// Report of coupled rolling: termination, cost, number of passes and certified error bounds.
 #[pyclass(frozen, eq, module = "stickslip.rolling")]
 #[derive(Clone, PartialEq)]
@@ -423,3 +425,5 @@ impl CoupledRollingReport {
         ))
     }
 }
+
+picklable!(CoupledRollingReport: rolling::CoupledRollingReport);

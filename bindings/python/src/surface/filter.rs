@@ -7,6 +7,7 @@ use stickslip::surface::{self, GaussianFilter};
 use crate::array::view;
 use crate::digits::short;
 use crate::field::{Field, Samples, as_numpy};
+use crate::pickle::{Reduced, Stored, reduced};
 use crate::real::Real;
 use crate::unit::Unit;
 use crate::work::unobserved_on;
@@ -61,10 +62,37 @@ impl Filtered {
         self.valid_range
     }
 
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
+        let ((first, end), (low, high)) = self.valid_range;
+        reduced::<Self>(
+            py,
+            &(
+                self.parts.clone(),
+                self.unit.as_deref().map(String::from),
+                [first, end, low, high],
+            ),
+        )
+    }
+
     fn __repr__(&self) -> String {
         let heights = self.parts.heights();
         let (low, high) = (short(heights.min()), short(heights.max()));
         format!("Filtered(heights from {low} to {high})")
+    }
+}
+
+impl Stored for Filtered {
+    type Content = (surface::Filtered, Option<String>, [usize; 4]);
+
+    const KIND: &'static str = "Filtered";
+
+    fn of_content((parts, unit, range): Self::Content) -> Self {
+        let [first, end, low, high] = range;
+        Self {
+            parts,
+            unit: unit.map(Unit::from),
+            valid_range: ((first, end), (low, high)),
+        }
     }
 }
 

@@ -10,6 +10,7 @@ use crate::digits::short;
 use crate::error::OrRaise;
 use crate::field::{Field, Samples, as_numpy, one_unit};
 use crate::grid::Grid;
+use crate::pickle::{Reduced, Stored, reduced};
 use crate::progress::Progress;
 use crate::unit::Unit;
 use crate::work::{solve, unobserved_on};
@@ -125,8 +126,22 @@ impl Filled {
         self.0.filled_cells()
     }
 
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
+        reduced::<Self>(py, &(self.0.clone(), self.1.as_deref().map(String::from)))
+    }
+
     fn __repr__(&self) -> String {
         format!("Filled(filled_cells={})", self.0.filled_cells())
+    }
+}
+
+impl Stored for Filled {
+    type Content = (surface::Filled, Option<String>);
+
+    const KIND: &'static str = "Filled";
+
+    fn of_content((surface, unit): Self::Content) -> Self {
+        Self(surface, unit.map(Unit::from))
     }
 }
 
@@ -173,9 +188,23 @@ impl Levelled {
         Field::made(self.0.form().clone(), self.1.clone())
     }
 
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
+        reduced::<Self>(py, &(self.0.clone(), self.1.as_deref().map(String::from)))
+    }
+
     fn __repr__(&self) -> String {
         let (low, high) = (self.0.heights().min(), self.0.heights().max());
         format!("Levelled(heights from {} to {})", short(low), short(high))
+    }
+}
+
+impl Stored for Levelled {
+    type Content = (surface::Levelled, Option<String>);
+
+    const KIND: &'static str = "Levelled";
+
+    fn of_content((surface, unit): Self::Content) -> Self {
+        Self(surface, unit.map(Unit::from))
     }
 }
 

@@ -225,3 +225,5 @@ impl RoughSurface {
         )
     }
 }
+
+picklable!(RoughSurface: surface::RoughSurface);
