@@ -479,7 +479,10 @@ fn inconsistent_solutions_are_rejected() {
     is(modes, "modes has 0 entries");
     let levelled = surface::level(&ball, surface::Form::Mean).unwrap();
     let form = error_after_change(&levelled, "/form/grid/dx", json!(0.4));
-    is(form, "form is on a grid of [24, 20] cells of sides [0.4, 0.6]");
+    is(
+        form,
+        "form is on a grid of [24, 20] cells of sides [0.4, 0.6]",
+    );
     let edges = normal.edges().unwrap();
     let cell = error_after_change(&edges, "/cells/0/index", json!(1_000_000));
     is(cell, "1000000..1000001 of cells");

@@ -249,8 +249,10 @@ fn options(
 /// TypeError
 ///     If ``height_unit`` is given without ``unit``.
 #[pyfunction]
-#[pyo3(signature = (path, *, cell=None, size=None, missing=None, skip_rows=Count(0), skip_columns=Count(0), without_labels=false, unit=None, height_unit=None),
-    text_signature = "(path, *, cell=None, size=None, missing=None, skip_rows=0, skip_columns=0, without_labels=False, unit=None, height_unit=None)")]
+#[pyo3(signature = (path, *, cell=None, size=None, missing=None, skip_rows=Count(0), skip_columns=Count(0),
+    without_labels=false, unit=None, height_unit=None),
+    text_signature = "(path, *, cell=None, size=None, missing=None, skip_rows=0, skip_columns=0, without_labels=False, \
+        unit=None, height_unit=None)")]
 pub(crate) fn csv_read(
     py: Python<'_>,
     path: PathBuf,
@@ -273,8 +275,10 @@ pub(crate) fn csv_read(
 
 /// Reads a field from the bytes of a text file that contains a matrix; see :func:`read`.
 #[pyfunction]
-#[pyo3(signature = (bytes, *, cell=None, size=None, missing=None, skip_rows=Count(0), skip_columns=Count(0), without_labels=false, unit=None, height_unit=None),
-    text_signature = "(bytes, *, cell=None, size=None, missing=None, skip_rows=0, skip_columns=0, without_labels=False, unit=None, height_unit=None)")]
+#[pyo3(signature = (bytes, *, cell=None, size=None, missing=None, skip_rows=Count(0), skip_columns=Count(0),
+    without_labels=false, unit=None, height_unit=None),
+    text_signature = "(bytes, *, cell=None, size=None, missing=None, skip_rows=0, skip_columns=0, without_labels=False, \
+        unit=None, height_unit=None)")]
 pub(crate) fn csv_parse(
     py: Python<'_>,
     bytes: &[u8],

@@ -269,7 +269,8 @@ impl TangentialLoad {
     #[new]
     #[pyo3(signature = (*positional, force=None, shift=None, spring=None, force_x=None, force_y=None, shift_x=None,
         shift_y=None, spring_x=None, spring_y=None, twist=None),
-        text_signature = "(*, force=None, shift=None, spring=None, force_x=None, force_y=None, shift_x=None, shift_y=None, spring_x=None, spring_y=None, twist=None)")]
+        text_signature = "(*, force=None, shift=None, spring=None, force_x=None, force_y=None, shift_x=None, shift_y=None, \
+            spring_x=None, spring_y=None, twist=None)")]
     fn new(
         positional: &Bound<'_, PyTuple>,
         force: Option<conversion::Force>,
@@ -418,7 +419,9 @@ impl LoadStep {
     #[pyo3(signature = (*positional, normal_force=None, approach=None, force=None, shift=None, spring=None, force_x=None,
         force_y=None, shift_x=None, shift_y=None, spring_x=None, spring_y=None, twist=None, relative_displacement=None,
         roll=None),
-        text_signature = "(*, normal_force=None, approach=None, force=None, shift=None, spring=None, force_x=None, force_y=None, shift_x=None, shift_y=None, spring_x=None, spring_y=None, twist=None, relative_displacement=None, roll=None)")]
+        text_signature = "(*, normal_force=None, approach=None, force=None, shift=None, spring=None, force_x=None, \
+            force_y=None, shift_x=None, shift_y=None, spring_x=None, spring_y=None, twist=None, \
+            relative_displacement=None, roll=None)")]
     fn new(
         positional: &Bound<'_, PyTuple>,
         normal_force: Option<Real>,

@@ -144,7 +144,7 @@ fn refused(object: &Bound<'_, PyAny>, error: PyErr, expected: &str, range: &str)
     )
 }
 
-/// Describes an object that is not a number: the shape of an array, the length of a sequence, or the type.
+/// Describes an object of a wrong type: the shape of an array, the length of a sequence, or the name of the type.
 fn found(object: &Bound<'_, PyAny>) -> String {
     if let Some(shape) = object
         .getattr("shape")

@@ -65,7 +65,8 @@ impl NormalProblem {
     #[new]
     #[pyo3(signature = (bodies, gap, *positional, force=None, approach=None, hardness=None, settings=None, tolerance=None,
         method=None, max_iterations=None, time_limit=None),
-        text_signature = "(bodies, gap, *, force=None, approach=None, hardness=None, settings=None, tolerance=None, method=None, max_iterations=None, time_limit=None)")]
+        text_signature = "(bodies, gap, *, force=None, approach=None, hardness=None, settings=None, tolerance=None, \
+            method=None, max_iterations=None, time_limit=None)")]
     pub(super) fn new(
         py: Python<'_>,
         bodies: &HalfSpace,

@@ -122,7 +122,8 @@ impl NormalSolver {
     #[new]
     #[pyo3(signature = (bodies, gap, *positional, force=None, approach=None, hardness=None, settings=None, tolerance=None,
         method=None, max_iterations=None, time_limit=None),
-        text_signature = "(bodies, gap, *, force=None, approach=None, hardness=None, settings=None, tolerance=None, method=None, max_iterations=None, time_limit=None)")]
+        text_signature = "(bodies, gap, *, force=None, approach=None, hardness=None, settings=None, tolerance=None, \
+            method=None, max_iterations=None, time_limit=None)")]
     fn new(
         py: Python<'_>,
         bodies: &HalfSpace,

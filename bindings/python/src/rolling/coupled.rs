@@ -76,7 +76,10 @@ impl CoupledRollingProblem {
     #[pyo3(signature = (bodies, gap, friction, *positional, normal_force=None, approach=None, creepage=None, creepage_x=None,
         creepage_y=None, force=None, force_x=None, force_y=None, spin=None, moment=None, leading_edge=None, step=None,
         entry_rule=None, slip_corrections=None, settings=None, tolerance=None, method=None, max_iterations=None, time_limit=None),
-        text_signature = "(bodies, gap, friction, *, normal_force=None, approach=None, creepage=None, creepage_x=None, creepage_y=None, force=None, force_x=None, force_y=None, spin=None, moment=None, leading_edge=None, step=None, entry_rule=None, slip_corrections=None, settings=None, tolerance=None, method=None, max_iterations=None, time_limit=None)")]
+        text_signature = "(bodies, gap, friction, *, normal_force=None, approach=None, creepage=None, creepage_x=None, \
+            creepage_y=None, force=None, force_x=None, force_y=None, spin=None, moment=None, leading_edge=None, \
+            step=None, entry_rule=None, slip_corrections=None, settings=None, tolerance=None, method=None, \
+            max_iterations=None, time_limit=None)")]
     fn new(
         py: Python<'_>,
         bodies: &HalfSpace,

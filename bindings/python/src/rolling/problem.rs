@@ -88,7 +88,10 @@ impl RollingProblem {
     #[pyo3(signature = (bodies, normal, friction, *positional, creepage=None, creepage_x=None, creepage_y=None, force=None,
         force_x=None, force_y=None, spin=None, moment=None, leading_edge=None, step=None, entry_rule=None, slip_corrections=None, settings=None,
         tolerance=None, method=None, max_iterations=None, time_limit=None),
-        text_signature = "(bodies, normal, friction, *, creepage=None, creepage_x=None, creepage_y=None, force=None, force_x=None, force_y=None, spin=None, moment=None, leading_edge=None, step=None, entry_rule=None, slip_corrections=None, settings=None, tolerance=None, method=None, max_iterations=None, time_limit=None)")]
+        text_signature = "(bodies, normal, friction, *, creepage=None, creepage_x=None, creepage_y=None, force=None, \
+            force_x=None, force_y=None, spin=None, moment=None, leading_edge=None, step=None, entry_rule=None, \
+            slip_corrections=None, settings=None, tolerance=None, method=None, max_iterations=None, \
+            time_limit=None)")]
     fn new(
         py: Python<'_>,
         bodies: &HalfSpace,
