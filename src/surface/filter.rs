@@ -113,10 +113,8 @@ impl<'de> serde::Deserialize<'de> for Filtered {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         checked(RawFiltered::deserialize(deserializer)?, |read| {
             let grid = read.heights.grid();
-            let waves = read.short_waves.iter().chain(&read.long_waves);
-            waves
-                .map(|waves| grid.expect("waves", waves.grid()))
-                .collect::<Result<(), _>>()
+            let mut waves = read.short_waves.iter().chain(&read.long_waves);
+            waves.try_for_each(|waves| grid.expect("waves", waves.grid()))
         })
     }
 }

@@ -12,7 +12,7 @@ use crate::argument::argument;
 use crate::array::{Array, mask, view};
 use crate::conversion::kind_of;
 use crate::digits::short;
-use crate::error::{OrRaise, raised};
+use crate::error::OrRaise;
 use crate::grid::{Grid, size};
 use crate::pickle::{Reduced, Stored, reduced};
 use crate::real::{Count, is_real, misshapen, plane};
@@ -47,7 +47,7 @@ use crate::unit::{Unit, factor, is_same, known, one_of};
 /// ------
 /// ValueError
 ///     If the unit is not a unit of length.
-/// Shape
+/// Shape, GridMismatch
 ///
 /// Examples
 /// --------
@@ -96,7 +96,9 @@ impl Field {
             Some(unit) => Some(known(unit)?),
             None => samples.unit()?,
         };
-        Ok(Self(samples.on(py, "samples", grid.0)?, unit))
+        let field = samples.on(py, "samples", grid.0)?;
+        same_grid(grid.0, &field, "samples").or_raise(py)?;
+        Ok(Self(field, unit))
     }
 
     /// Unit of the lengths of a surface; ``None`` if it is not known.
@@ -447,17 +449,28 @@ impl Field {
     fn beside(&self, py: Python<'_>, other: &Samples<'_>) -> PyResult<Arc<stickslip::Field>> {
         let grid = self.0.grid();
         let other = other.on(py, "other field", grid)?;
-        // The crate checks that both fields have the same grid when it computes a difference.
-        match self.0.minus(&other) {
-            Ok(_) => Ok(other),
-            Err(mut error) => {
-                if let Error::GridMismatch { quantity, .. } = &mut error {
-                    *quantity = "other field";
-                }
-                Err(raised(py, error))
-            }
-        }
+        same_grid(grid, &other, "other field").or_raise(py)?;
+        Ok(other)
     }
+}
+
+/// Returns an error unless a field is on the given grid.
+fn same_grid(
+    grid: stickslip::Grid,
+    field: &stickslip::Field,
+    name: &'static str,
+) -> stickslip::Result<()> {
+    if field.grid() == grid {
+        return Ok(());
+    }
+    // The crate accepts grids whose sides differ by round-off. It compares the grids when it computes a difference.
+    let difference = stickslip::Field::zeros(grid).minus(field);
+    difference.map(|_| ()).map_err(|mut error| {
+        if let Error::GridMismatch { quantity, .. } = &mut error {
+            *quantity = name;
+        }
+        error
+    })
 }
 
 /// Returns the result of a NumPy function of the samples. Without arguments, it is the result of the crate, if there is one.

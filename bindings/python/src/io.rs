@@ -486,7 +486,7 @@ pub(crate) fn vti_write(
 #[pyo3(signature = (fields, *, grid=None))]
 pub(crate) fn vti_to_bytes<'py>(
     py: Python<'py>,
-    fields: &Bound<'py, PyDict>,
+    fields: &Bound<'py, PyAny>,
     grid: Option<&Grid>,
 ) -> PyResult<Bound<'py, PyBytes>> {
     let arrays = Arrays::of(py, fields, grid)?;

@@ -124,6 +124,8 @@ def test_field_arithmetic_is_cell_by_cell(scene):
         (field / (field + 1.0), values / (values + 1.0)), (field * values, values * values), (values[0] - 1.0, field[0] - 1.0),
     ]:  # fmt: skip
         assert np.array_equal(ours, plain)
+    with pytest.raises(ss.errors.GridMismatch, match="samples"):
+        ss.Field(ss.Grid.square(32, 1.0), field)
     assert isinstance(field / field, ss.Field) and np.isnan((field * 0.0 / 0.0)[0, 0])
     with pytest.raises(ss.errors.GridMismatch, match="other field"):
         field * ss.Field(ss.Grid.square(64, 1.0), 1.0)

@@ -106,7 +106,7 @@ def test_wrong_type_of_number_message_names_argument(scene, call, argument, mess
 @pytest.mark.parametrize(
     ("call", "message"),
     [
-        (lambda scene: ss.HalfSpace(scene.grid, STEEL, STEEL), r"pair must be .* a tuple of two Materials, .*, got Material$"),
+        (lambda scene: ss.HalfSpace(scene.grid, STEEL, STEEL), r"pair must be .* a tuple of two Materials, .*, got Material"),
         (lambda scene: scene.history().step(100.0), "load must be a LoadStep, got float: .* normal_force="),
         (lambda scene: ss.TangentialProblem(scene.bodies, scene.ball, 0.5, 20.0), "load must be a TangentialLoad, .* force_x="),
         (lambda scene: ss.CoupledProblem(scene.bodies, scene.ball, 0.5, 20.0), "load must be a TangentialLoad, .* force_x="),

@@ -1875,7 +1875,7 @@ class Field:
     ------
     ValueError
         If the unit is not a unit of length.
-    Shape
+    Shape, GridMismatch
 
     Examples
     --------

@@ -32,7 +32,7 @@ class _Argument(StickslipError):
         """Adds a note. The note with the name of the argument, which the conversion adds, becomes part of the message."""
         name = re.fullmatch(r"while processing '(\w+)'", note)
         if name is None:
-            super().add_note(note)
+            self.__dict__.setdefault("__notes__", []).append(note)
         else:
             self.argument = name[1]
             self.args = (f"{name[1]} {self}",)

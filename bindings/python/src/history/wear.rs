@@ -320,10 +320,7 @@ impl CycleJump {
     /// CycleNotClosed, NotPositive, NegativeOrNotFinite
     #[getter]
     fn is_unlimited(&self, py: Python<'_>) -> PyResult<bool> {
-        self.jump
-            .cycles()
-            .or_raise(py)
-            .map(|cycles| cycles.is_infinite())
+        self.jump.cycles().or_raise(py).map(f64::is_infinite)
     }
 
     fn __repr__(&self) -> String {
