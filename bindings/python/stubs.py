@@ -44,6 +44,8 @@ def hints(text: str) -> str:
     text = re.sub(r"(: (?:Sequence\[)+float\]+)", r"\1 | NDArray[Any]", text)
     text = re.sub(r"\bdict(?!\[)", "dict[str, Any]", text)
     text = re.sub(r"\btuple(?!\[)", "tuple[Any, ...]", text)
+    # Loads given by position are accepted only to be rejected with the names of their keywords.
+    text = text.replace("*positional", "*")
     text = re.sub(r"(\*\w+)(?=[,)])", r"\1: Any", text)
     text = re.sub(r"(?<!\w)ndarray", "NDArray[Any]", text)
     text = re.sub(r"^from (_typeshed|collections\.abc|numpy|numpy\.typing|typing) import .*\n", "", text, flags=re.M)

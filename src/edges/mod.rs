@@ -132,6 +132,8 @@ use crate::grid::cell_value::CellValue;
 use crate::grid::field::Field;
 use crate::normal::NormalSolution;
 use crate::support::debug::shown;
+#[cfg(feature = "serde")]
+use crate::support::serialise::checked;
 
 use search::{LARGEST_MISS, Search};
 pub use tangential::TangentialEdges;
@@ -140,6 +142,7 @@ pub use tangential::TangentialEdges;
 /// [`TangentialSolution::edges`](crate::TangentialSolution::edges) and [`History::edges`](crate::History::edges) return this
 /// type.
 #[derive(Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct Edges {
     cells: Vec<EdgeCell>,
     centres: Field,
@@ -149,11 +152,45 @@ pub struct Edges {
     area: f64,
 }
 
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(remote = "Edges", deny_unknown_fields)]
+struct RawEdges {
+    cells: Vec<EdgeCell>,
+    centres: Field,
+    means: Field,
+    outline: Vec<[[f64; 2]; 2]>,
+    repeats: [bool; 2],
+    area: f64,
+}
+
+#[cfg(feature = "serde")]
+impl<'de> serde::Deserialize<'de> for Edges {
+    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        checked(RawEdges::deserialize(deserializer)?, |read| {
+            let grid = read.grid();
+            read.centres.check("centres", grid)?;
+            read.means.check("means", grid)?;
+            let count = grid.cells();
+            match read.cells.iter().find(|cell| cell.index >= count) {
+                None => Ok(()),
+                Some(cell) => Err(Error::Range {
+                    quantity: "cells",
+                    start: cell.index,
+                    end: cell.index.saturating_add(1),
+                    count,
+                }),
+            }
+        })
+    }
+}
+
 shown!(Edges: grid(), area(), unfitted_fraction());
 
 /// Cell at the edge of the set. It is a cell of the set with a neighbour outside, or a cell outside that touches the set at a
 /// side or a corner.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct EdgeCell {
     /// Index of the cell in the grid, row-major.

@@ -21,6 +21,7 @@ const MODIFIED: f64 = 0.97;
 
 /// A surface without holes.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Filled {
     heights: Field,
     cells: usize,

@@ -16,7 +16,7 @@ use stickslip::influence::{Component, Rectangle};
 use stickslip::layers::Layer;
 use stickslip::normal::Hardness;
 use stickslip::rolling::{RollingProblem, RollingSolution};
-use stickslip::surface::{self, Amplitudes, PowerSpectrum, SelfAffine, Statistics};
+use stickslip::surface::{self, Amplitudes, GaussianFilter, PowerSpectrum, SelfAffine, Statistics};
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
     Axis, CoupledProblem, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep,
@@ -141,6 +141,11 @@ fn surfaces_survive_serialisation() {
     let heights = rough(Grid::square(16, 1.0).unwrap(), 3);
     assert_survives(&Statistics::of(&heights).unwrap());
     assert_survives(&PowerSpectrum::of(&heights).unwrap());
+    let recipe = SelfAffine::with_rms_height(0.1);
+    assert_survives(&recipe.generate(Grid::square(16, 1.0).unwrap()).unwrap());
+    assert_survives(&surface::level(&heights, surface::Form::Plane).unwrap());
+    assert_survives(&surface::fill_missing(&heights).unwrap());
+    assert_survives(&GaussianFilter::sl(0.2, 0.5).apply(&heights).unwrap());
     // A flat surface has no skewness (NaN), so the values are only written and read.
     read_back(&Statistics::of(&Field::zeros(grid())).unwrap());
     for form in [
@@ -187,6 +192,8 @@ fn solutions_and_reports_survive_serialisation() {
     for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
         let shear = sheared(&bodies, &normal, lateral).unwrap();
         assert_survives(&shear);
+        let friction = Friction::coulomb(0.4).unwrap();
+        assert_survives(&shear.edges(&normal, &friction).unwrap());
         // A pressure that was read can be used like a computed pressure.
         let again = sheared(&bodies, &read, lateral).unwrap();
         assert_eq!(shear.traction(), again.traction());
@@ -470,6 +477,15 @@ fn inconsistent_solutions_are_rejected() {
     let spectrum = PowerSpectrum::of(&ball).unwrap();
     let modes = error_after_change(&spectrum, "/modes", json!([]));
     is(modes, "modes has 0 entries");
+    let levelled = surface::level(&ball, surface::Form::Mean).unwrap();
+    let form = error_after_change(&levelled, "/form/grid/dx", json!(0.4));
+    is(
+        form,
+        "form is on a grid of [24, 20] cells of sides [0.4, 0.6]",
+    );
+    let edges = normal.edges().unwrap();
+    let cell = error_after_change(&edges, "/cells/0/index", json!(1_000_000));
+    is(cell, "1000000..1000001 of cells");
     let word = error_after_change(&ball, "/samples/0", json!("nothing"));
     is(word, "\"NaN\", \"Infinity\" or \"-Infinity\"");
 }

@@ -10,7 +10,7 @@ import tempfile
 import stickslip as ss
 from stickslip.history import FrettingLoop, LoadPath
 
-FORCE, CYCLES, COEFFICIENT = 100.0, 12000.0, 1e-13  # N, cycles, m^3/J
+FORCE, CYCLES, COEFFICIENT = 100.0, 12000, 1e-13  # N, cycles, m^3/J
 
 grid = ss.Grid.square(64, 0.3e-3)
 steel = ss.Material(213e9, 0.29)
@@ -28,7 +28,7 @@ loop = FrettingLoop(path, lambda shift: ss.LoadStep(normal_force=FORCE, shift=sh
 # A cycle represents the following cycles as long as the gap changes little. The length of a jump is limited by the
 # largest depth and by the stability of the worn gap.
 
-done, jumps, worn_volume = 0.0, 0, 0.0
+done, jumps, worn_volume = 0, 0, 0.0
 while done < CYCLES:
     cycle = loop.run(history, 10).last
     if jumps == 0:
@@ -45,7 +45,7 @@ while done < CYCLES:
     worn_volume += worn.integral()
     done, jumps = done + jump, jumps + 1
 
-print(f"{done:.0f} cycles in {jumps} jumps: {worn_volume * 1e18:.2f} um^3 worn, {cycle.regime}, {cycle.summary_as_csv()}")
+print(f"{done} cycles in {jumps} jumps: {worn_volume * 1e18:.2f} um^3 worn, {cycle.regime}, {cycle.summary_as_csv()}")
 assert worn_volume > 0.0 and cycle.regime == ss.history.Regime.PARTIAL_SLIP
 
 # %% Saved and restored

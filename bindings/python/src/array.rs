@@ -134,8 +134,17 @@ pub(crate) fn bytes(
 /// Returns the mask of the cells that carry pressure. The crate counts the same cells in the contact area.
 pub(crate) fn contact<'py>(py: Python<'py>, pressure: &stickslip::Field) -> Array<'py, bool> {
     let touching = pressure.as_slice().iter().map(|&pressure| pressure > 0.0);
-    let array = touching.collect::<Vec<_>>().into_pyarray(py);
-    shaped(&array, pressure.grid())
+    mask(py, pressure.grid(), touching)
+}
+
+/// Returns one boolean per cell as an array of shape (ny, nx).
+pub(crate) fn mask(
+    py: Python<'_>,
+    grid: stickslip::Grid,
+    of_cells: impl Iterator<Item = bool>,
+) -> Array<'_, bool> {
+    let array = of_cells.collect::<Vec<_>>().into_pyarray(py);
+    shaped(&array, grid)
 }
 
 /// Returns one label per cell as an array of shape (ny, nx).

@@ -17,7 +17,7 @@ use crate::error::with_iterate;
 use crate::operator::{LinearOperator, Shared, numbers, product_of};
 use crate::pickle::picklable;
 use crate::progress::Progress;
-use crate::real::Real;
+use crate::real::{Count, Real};
 use crate::report::Report;
 use crate::settings::{Settings, chosen};
 use crate::work::{solve, watch};
@@ -149,7 +149,7 @@ pub(crate) fn minimise<'py>(
     settings: Option<Settings>,
     tolerance: Option<Real>,
     method: Option<Choice<cgm::Method>>,
-    max_iterations: Option<usize>,
+    max_iterations: Option<Count>,
     time_limit: Option<Real>,
     progress: Option<Bound<'py, PyAny>>,
 ) -> PyResult<Minimum> {

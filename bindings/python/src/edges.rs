@@ -8,6 +8,7 @@ use crate::array::{Array, view};
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::grid::Grid;
+use crate::pickle::picklable;
 use crate::spots::ContactSpots;
 
 /// The edge of a contact or of its stick zone with sub-cell resolution, returned by :meth:`NormalSolution.edges`,
@@ -99,6 +100,8 @@ impl Edges {
     }
 }
 
+picklable!(Edges: stickslip::edges::Edges);
+
 /// The edges of a contact in partial slip and of its stick zone.
 #[pyclass(frozen, eq, module = "stickslip.edges")]
 #[derive(Clone, PartialEq)]
@@ -168,3 +171,5 @@ impl TangentialEdges {
         )
     }
 }
+
+picklable!(TangentialEdges: stickslip::edges::TangentialEdges);

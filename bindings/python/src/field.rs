@@ -4,25 +4,27 @@ use std::sync::Arc;
 
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple};
+use pyo3::pyclass::CompareOp;
+use pyo3::types::{PyBool, PyDict, PyFloat, PyTuple};
 use stickslip::Error;
 
 use crate::argument::argument;
-use crate::array::{Array, view};
+use crate::array::{Array, mask, view};
 use crate::conversion::kind_of;
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::grid::{Grid, size};
 use crate::pickle::{Reduced, Stored, reduced};
-use crate::real::{is_real, misshapen, plane};
-use crate::unit::{Unit, is_same, metres, one_of};
+use crate::real::{Count, is_real, misshapen, plane};
+use crate::unit::{Unit, factor, is_same, known, one_of};
 
 /// Samples at the cells of a grid, one number per cell, such as gaps, heights or pressures. A field is immutable.
 ///
 /// Every argument that accepts a field also accepts an array of shape (ny, nx), which is copied. A Field is created once
 /// and shared, so repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of a field, and
-/// ``field[iy, ix]`` is a sample. A sum, difference, product or quotient with a field, an array or a number, in either
-/// order, is computed cell by cell and is a field. Other NumPy functions treat a field as its array.
+/// ``field[iy, ix]`` is a sample. A sum, difference, product, quotient or power with a field, an array or a number, in
+/// either order, is computed cell by cell and is a field. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of
+/// booleans. Two fields are compared as a whole by ``==``. Other NumPy functions treat a field as its array.
 ///
 /// Parameters
 /// ----------
@@ -31,9 +33,21 @@ use crate::unit::{Unit, is_same, metres, one_of};
 /// samples : array_like of shape (ny, nx), or float
 ///     The values, row-major with x fastest, or one value for all cells.
 /// unit : str, optional
-///     The unit of the lengths of a surface, such as ``"um"``. Results computed from the surface keep the unit, and
-///     operations on surfaces of different units raise an error. The unit is optional; the package computes in any
-///     consistent units.
+///     The unit of the lengths of a surface, such as ``"um"``: heights and cell sides. Accepted units are those of
+///     :meth:`to_unit`. Results computed from the surface keep the unit, and operations on surfaces of different units raise
+///     an error. The unit is optional; the package computes in any consistent units.
+///
+/// Notes
+/// -----
+/// A number, an array or a field without a unit takes the unit of the other operand in sums, differences and comparisons.
+/// A product with it and a quotient by it keep the unit, so ``heights * 1e-6`` does not convert a unit; :meth:`to_unit`
+/// does. Products and ratios of two fields with units, inverse fields and powers have no unit.
+///
+/// Raises
+/// ------
+/// ValueError
+///     If the unit is not a unit of length.
+/// Shape, GridMismatch
 ///
 /// Examples
 /// --------
@@ -44,7 +58,7 @@ use crate::unit::{Unit, is_same, metres, one_of};
 /// Field(4 x 3 cells, 0 to 11)
 /// >>> (field + 1.0).array[0]
 /// array([1., 2., 3., 4.])
-#[pyclass(frozen, eq, module = "stickslip")]
+#[pyclass(frozen, module = "stickslip")]
 #[derive(Clone)]
 pub(crate) struct Field(pub(crate) Arc<stickslip::Field>, pub(crate) Option<Unit>);
 
@@ -78,8 +92,13 @@ impl Field {
         samples: Samples<'_>,
         unit: Option<&str>,
     ) -> PyResult<Self> {
-        let unit = unit.map(Unit::from).or(samples.unit()?);
-        Ok(Self(samples.on(py, "samples", grid.0)?, unit))
+        let unit = match unit {
+            Some(unit) => Some(known(unit)?),
+            None => samples.unit()?,
+        };
+        let field = samples.on(py, "samples", grid.0)?;
+        same_grid(grid.0, &field, "samples").or_raise(py)?;
+        Ok(Self(field, unit))
     }
 
     /// Unit of the lengths of a surface; ``None`` if it is not known.
@@ -90,7 +109,7 @@ impl Field {
 
     /// Converts the heights and the cell sides of a surface from its own unit to another unit.
     ///
-    /// Accepted units are m, dm, cm, mm, um, nm, pm and A; the micro sign may replace the letter u.
+    /// Accepted units are km, m, dm, cm, mm, um, nm, A and pm; the micro sign may replace the letter u.
     ///
     /// Raises
     /// ------
@@ -102,7 +121,7 @@ impl Field {
                 "the surface has no unit: give one by Field(grid, samples, unit=...)",
             )
         })?;
-        let factor = metres(own)? / metres(unit)?;
+        let factor = factor(own, unit)?;
         let (grid, samples) = (self.0.grid(), self.0.scaled(factor).into_vec());
         let grid =
             stickslip::Grid::new(grid.nx(), grid.ny(), grid.dx() * factor, grid.dy() * factor);
@@ -128,19 +147,72 @@ impl Field {
         view(slf, |field| &field.0)
     }
 
-    /// Returns the largest sample; NaN is ignored.
-    fn max(&self) -> f64 {
-        self.0.max()
+    /// Returns the largest sample; NaN is ignored. The arguments are those of :func:`numpy.nanmax`, such as the axis.
+    #[pyo3(signature = (*arguments, **options), text_signature = "($self, axis=None, **options)")]
+    fn max<'py>(
+        slf: &Bound<'py, Self>,
+        arguments: &Bound<'py, PyTuple>,
+        options: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        reduced_by(
+            slf,
+            "nanmax",
+            Some(stickslip::Field::max),
+            arguments,
+            options,
+        )
     }
 
-    /// Returns the smallest sample; NaN is ignored.
-    fn min(&self) -> f64 {
-        self.0.min()
+    /// Returns the smallest sample; NaN is ignored. The arguments are those of :func:`numpy.nanmin`, such as the axis.
+    #[pyo3(signature = (*arguments, **options), text_signature = "($self, axis=None, **options)")]
+    fn min<'py>(
+        slf: &Bound<'py, Self>,
+        arguments: &Bound<'py, PyTuple>,
+        options: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        reduced_by(
+            slf,
+            "nanmin",
+            Some(stickslip::Field::min),
+            arguments,
+            options,
+        )
     }
 
-    /// Returns the mean of the samples.
-    fn mean(&self) -> f64 {
-        self.0.mean()
+    /// Returns the mean of the samples. The arguments are those of :func:`numpy.mean`, such as the axis.
+    #[pyo3(signature = (*arguments, **options), text_signature = "($self, axis=None, **options)")]
+    fn mean<'py>(
+        slf: &Bound<'py, Self>,
+        arguments: &Bound<'py, PyTuple>,
+        options: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        reduced_by(
+            slf,
+            "mean",
+            Some(stickslip::Field::mean),
+            arguments,
+            options,
+        )
+    }
+
+    /// Returns the sum of the samples. The arguments are those of :func:`numpy.sum`, such as the axis.
+    #[pyo3(signature = (*arguments, **options), text_signature = "($self, axis=None, **options)")]
+    fn sum<'py>(
+        slf: &Bound<'py, Self>,
+        arguments: &Bound<'py, PyTuple>,
+        options: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        reduced_by(slf, "sum", None, arguments, options)
+    }
+
+    /// Returns the standard deviation of the samples. The arguments are those of :func:`numpy.std`, such as the axis.
+    #[pyo3(signature = (*arguments, **options), text_signature = "($self, axis=None, **options)")]
+    fn std<'py>(
+        slf: &Bound<'py, Self>,
+        arguments: &Bound<'py, PyTuple>,
+        options: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        reduced_by(slf, "std", None, arguments, options)
     }
 
     /// Returns the sum of the samples times the area of a cell.
@@ -157,8 +229,8 @@ impl Field {
     }
 
     /// Returns the sample of a cell, given by column and row, or ``None`` outside the grid.
-    fn get(&self, ix: usize, iy: usize) -> Option<f64> {
-        self.0.get(ix, iy)
+    fn get(&self, ix: Count, iy: Count) -> Option<f64> {
+        self.0.get(ix.0, iy.0)
     }
 
     #[pyo3(signature = (dtype=None, copy=None))]
@@ -167,17 +239,7 @@ impl Field {
         dtype: Option<Bound<'py, PyAny>>,
         copy: Option<bool>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let array = Self::array(slf).0;
-        if dtype.is_none() && copy != Some(true) {
-            return Ok(array);
-        }
-        let kwargs = PyDict::new(slf.py());
-        kwargs.set_item("copy", copy.unwrap_or(false))?;
-        let dtype = match dtype {
-            Some(dtype) => dtype,
-            None => array.getattr("dtype")?,
-        };
-        array.call_method("astype", (dtype,), Some(&kwargs))
+        as_numpy(Self::array(slf).0, dtype, copy)
     }
 
     /// Implements NumPy functions with a field among their operands.
@@ -196,6 +258,7 @@ impl Field {
                 "subtract" => Some("__rsub__"),
                 "multiply" => Some("__rmul__"),
                 "divide" | "true_divide" => Some("__rtruediv__"),
+                "power" => Some("__rpow__"),
                 _ => None,
             };
             if let Some(reflected) = reflected.filter(|_| right.is(slf)) {
@@ -227,19 +290,82 @@ impl Field {
     }
 
     fn __mul__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
-        self.by_cell(py, &other, |own, other| own * other)
+        self.times(py, &other)
     }
 
     fn __rmul__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
-        self.by_cell(py, &other, |own, other| own * other)
+        self.times(py, &other)
     }
 
     fn __truediv__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
-        self.by_cell(py, &other, |own, other| own / other)
+        let unit = match other.unit()? {
+            None => self.1.clone(),
+            Some(_) => None,
+        };
+        let quotient = self.by_cell(py, &other, |own, other| own / other)?;
+        Ok(Self(quotient.0, unit))
     }
 
     fn __rtruediv__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
         self.by_cell(py, &other, |own, other| other / own)
+    }
+
+    fn __pow__(
+        &self,
+        py: Python<'_>,
+        other: Samples<'_>,
+        modulo: Option<Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        without_modulo(modulo.as_ref())?;
+        self.by_cell(py, &other, f64::powf)
+    }
+
+    fn __rpow__(
+        &self,
+        py: Python<'_>,
+        other: Samples<'_>,
+        modulo: Option<Bound<'_, PyAny>>,
+    ) -> PyResult<Self> {
+        without_modulo(modulo.as_ref())?;
+        self.by_cell(py, &other, |own, other| other.powf(own))
+    }
+
+    fn __abs__(&self, py: Python<'_>) -> PyResult<Self> {
+        let samples = self.0.as_slice().iter().map(|sample| sample.abs());
+        let field = stickslip::Field::from_vec(self.0.grid(), samples.collect()).or_raise(py)?;
+        Ok(Self(Arc::new(field), self.1.clone()))
+    }
+
+    fn __pos__(&self) -> Self {
+        self.clone()
+    }
+
+    fn __richcmp__<'py>(
+        &self,
+        py: Python<'py>,
+        other: &Bound<'py, PyAny>,
+        comparison: CompareOp,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let compared: fn(f64, f64) -> bool = match comparison {
+            CompareOp::Eq | CompareOp::Ne => {
+                let Ok(other) = other.cast::<Self>() else {
+                    return Ok(py.NotImplemented().into_bound(py));
+                };
+                let is_equal = self == other.get();
+                let is_wanted = matches!(comparison, CompareOp::Eq);
+                return Ok(PyBool::new(py, is_equal == is_wanted).to_owned().into_any());
+            }
+            CompareOp::Lt => |own, other| own < other,
+            CompareOp::Le => |own, other| own <= other,
+            CompareOp::Gt => |own, other| own > other,
+            CompareOp::Ge => |own, other| own >= other,
+        };
+        let other: Samples<'_> = other.extract()?;
+        one_of([self.1.clone(), other.unit()?])?;
+        let other = self.beside(py, &other)?;
+        let pairs = self.0.as_slice().iter().zip(other.as_slice());
+        let cells = pairs.map(|(own, other)| compared(*own, *other));
+        Ok(mask(py, self.0.grid(), cells).0)
     }
 
     fn __neg__(&self) -> Self {
@@ -295,6 +421,16 @@ impl Field {
         Ok(Self(self.by_cell(py, other, operation)?.0, unit))
     }
 
+    /// Returns the product cell by cell, with a unit if exactly one factor has a unit.
+    fn times(&self, py: Python<'_>, other: &Samples<'_>) -> PyResult<Self> {
+        let unit = match (self.1.clone(), other.unit()?) {
+            (Some(unit), None) | (None, Some(unit)) => Some(unit),
+            _ => None,
+        };
+        let product = self.by_cell(py, other, |own, other| own * other)?;
+        Ok(Self(product.0, unit))
+    }
+
     /// Applies an operation cell by cell with a second field.
     fn by_cell(
         &self,
@@ -302,22 +438,88 @@ impl Field {
         other: &Samples<'_>,
         operation: fn(f64, f64) -> f64,
     ) -> PyResult<Self> {
+        let other = self.beside(py, other)?;
+        let pairs = self.0.as_slice().iter().zip(other.as_slice());
+        let samples = pairs.map(|(own, other)| operation(*own, *other)).collect();
+        let field = stickslip::Field::from_vec(self.0.grid(), samples).or_raise(py)?;
+        Ok(field.into())
+    }
+
+    /// Returns the second field of an operation, or an error if its grid differs.
+    fn beside(&self, py: Python<'_>, other: &Samples<'_>) -> PyResult<Arc<stickslip::Field>> {
         let grid = self.0.grid();
         let other = other.on(py, "other field", grid)?;
-        // The difference computed by the crate checks that both fields have the same grid; it is then overwritten.
-        let difference = self.0.minus(&other).map_err(|mut error| {
-            if let Error::GridMismatch { quantity, .. } = &mut error {
-                *quantity = "other field";
-            }
-            error
-        });
-        let mut result = difference.or_raise(py)?;
-        let pairs = self.0.as_slice().iter().zip(other.as_slice());
-        for (sample, (own, other)) in result.as_mut_slice().iter_mut().zip(pairs) {
-            *sample = operation(*own, *other);
-        }
-        Ok(result.into())
+        same_grid(grid, &other, "other field").or_raise(py)?;
+        Ok(other)
     }
+}
+
+/// Returns an error unless a field is on the given grid.
+fn same_grid(
+    grid: stickslip::Grid,
+    field: &stickslip::Field,
+    name: &'static str,
+) -> stickslip::Result<()> {
+    if field.grid() == grid {
+        return Ok(());
+    }
+    // The crate accepts grids whose sides differ by round-off. It compares the grids when it computes a difference.
+    let difference = stickslip::Field::zeros(grid).minus(field);
+    difference.map(|_| ()).map_err(|mut error| {
+        if let Error::GridMismatch { quantity, .. } = &mut error {
+            *quantity = name;
+        }
+        error
+    })
+}
+
+/// Returns the result of a NumPy function of the samples. Without arguments, it is the result of the crate, if there is one.
+fn reduced_by<'py>(
+    slf: &Bound<'py, Field>,
+    function: &str,
+    plain: Option<fn(&stickslip::Field) -> f64>,
+    arguments: &Bound<'py, PyTuple>,
+    options: Option<&Bound<'py, PyDict>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let py = slf.py();
+    let is_none = |(_, value): (_, Bound<'py, PyAny>)| value.is_none();
+    let is_plain =
+        arguments.is_empty() && options.is_none_or(|options| options.iter().all(is_none));
+    if let Some(plain) = plain.filter(|_| is_plain) {
+        return Ok(PyFloat::new(py, plain(&slf.get().0)).into_any());
+    }
+    let samples = std::iter::once(Field::array(slf).0);
+    let all: Vec<_> = samples.chain(arguments.iter()).collect();
+    let function = py.import("numpy")?.getattr(function)?;
+    function.call(PyTuple::new(py, all)?, options)
+}
+
+/// Returns an error if the third argument of ``pow`` is given.
+fn without_modulo(modulo: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
+    match modulo {
+        None => Ok(()),
+        Some(_) => Err(PyTypeError::new_err(
+            "the power of a field takes no modulus",
+        )),
+    }
+}
+
+/// Returns an array in the form that NumPy requests by the method ``__array__``.
+pub(crate) fn as_numpy<'py>(
+    array: Bound<'py, PyAny>,
+    dtype: Option<Bound<'py, PyAny>>,
+    copy: Option<bool>,
+) -> PyResult<Bound<'py, PyAny>> {
+    if dtype.is_none() && copy != Some(true) {
+        return Ok(array);
+    }
+    let options = PyDict::new(array.py());
+    options.set_item("copy", copy.unwrap_or(false))?;
+    let dtype = match dtype {
+        Some(dtype) => dtype,
+        None => array.getattr("dtype")?,
+    };
+    array.call_method("astype", (dtype,), Some(&options))
 }
 
 argument! {
@@ -421,7 +623,7 @@ impl Samples<'_> {
         if unit.is_none() {
             return Ok(None);
         }
-        Ok(Some(unit.str()?.to_str()?.into()))
+        known(unit.str()?.to_str()?).map(Some)
     }
 
     fn field(&self) -> Option<Arc<stickslip::Field>> {

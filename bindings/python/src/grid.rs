@@ -9,7 +9,7 @@ use crate::array::Array;
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::pickle::picklable;
-use crate::real::Real;
+use crate::real::{Count, Real};
 
 /// A rectangular grid of equal cells, centred on the origin.
 ///
@@ -37,8 +37,8 @@ pub(crate) struct Grid(pub(crate) stickslip::Grid);
 #[pymethods]
 impl Grid {
     #[new]
-    fn new(py: Python<'_>, nx: usize, ny: usize, dx: Real, dy: Real) -> PyResult<Self> {
-        stickslip::Grid::new(nx, ny, dx.0, dy.0)
+    fn new(py: Python<'_>, nx: Count, ny: Count, dx: Real, dy: Real) -> PyResult<Self> {
+        stickslip::Grid::new(nx.0, ny.0, dx.0, dy.0)
             .or_raise(py)
             .map(Self)
     }
@@ -46,15 +46,15 @@ impl Grid {
     /// Returns a grid of ``n`` x ``n`` square cells. The argument ``side`` (a length) is the side of the grid, not of a
     /// cell.
     #[staticmethod]
-    fn square(py: Python<'_>, n: usize, side: Real) -> PyResult<Self> {
-        stickslip::Grid::square(n, side.0).or_raise(py).map(Self)
+    fn square(py: Python<'_>, n: Count, side: Real) -> PyResult<Self> {
+        stickslip::Grid::square(n.0, side.0).or_raise(py).map(Self)
     }
 
     /// Returns a line of ``n`` cells along x, each ``dx`` long and one unit of length wide. Forces are then per unit
     /// length.
     #[staticmethod]
-    fn line(py: Python<'_>, n: usize, dx: Real) -> PyResult<Self> {
-        stickslip::Grid::line(n, dx.0).or_raise(py).map(Self)
+    fn line(py: Python<'_>, n: Count, dx: Real) -> PyResult<Self> {
+        stickslip::Grid::line(n.0, dx.0).or_raise(py).map(Self)
     }
 
     /// Number of cells along x.

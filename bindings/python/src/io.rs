@@ -13,8 +13,9 @@ use crate::digits::counted;
 use crate::error::OrRaise;
 use crate::field::{Field, Samples};
 use crate::grid::Grid;
-use crate::real::{Real, is_plane};
+use crate::real::{Count, Real, is_plane};
 use crate::solution_pool::lock;
+use crate::unit::{Unit, factor, known};
 
 /// Returns the sides of a cell or of the grid, for files that do not state them.
 fn sides(
@@ -30,8 +31,40 @@ fn sides(
     }
 }
 
+/// Units of a file that does not state them.
+struct Units {
+    lengths: Option<Unit>,
+    factor: Option<f64>,
+}
+
+impl Units {
+    /// Reads the unit of all lengths and the unit of the heights, if it differs.
+    fn of(unit: Option<&str>, height_unit: Option<&str>) -> PyResult<Self> {
+        let lengths = unit.map(known).transpose()?;
+        let factor = match (&lengths, height_unit) {
+            (_, None) => None,
+            (Some(unit), Some(height)) => Some(factor(height, unit)?),
+            (None, Some(_)) => {
+                return Err(PyTypeError::new_err(
+                    "height_unit= converts the heights to the unit of the lengths: give unit= too",
+                ));
+            }
+        };
+        Ok(Self { lengths, factor })
+    }
+
+    /// Returns the surface with its unit, and with its heights in this unit.
+    fn of_surface(self, field: stickslip::Field) -> Field {
+        let field = match self.factor {
+            None => field,
+            Some(factor) => field.scaled(factor),
+        };
+        Field::made(field, self.lengths)
+    }
+}
+
 /// Reads a surface from a file whose format is given by its extension: ASC, SDF, SUR, X3P or XYZ. Lengths are in metres,
-/// except for XYZ, where they are in the unit of the file.
+/// except for XYZ, where they are in the unit of the file; :func:`stickslip.io.xyz.read` accepts this unit.
 #[pyfunction]
 pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Field> {
     let field = py.detach(|| io::read(&path)).or_raise(py)?;
@@ -84,8 +117,8 @@ formats! {
     x3p: x3p_read, x3p_parse, "an X3P", "metres", Some(METRE.into());
 }
 
-fn points(missing: Option<Real>, skip_rows: usize) -> io::xyz::Options {
-    let options = io::xyz::Options::default().skip_rows(skip_rows);
+fn points(missing: Option<Real>, skip_rows: Count) -> io::xyz::Options {
+    let options = io::xyz::Options::default().skip_rows(skip_rows.0);
     match missing {
         None => options,
         Some(Real(value)) => options.missing(value),
@@ -102,37 +135,53 @@ fn points(missing: Option<Real>, skip_rows: usize) -> io::xyz::Options {
 ///     The height that marks a missing point (default: the value that a comment states, or none).
 /// skip_rows : int, default 0
 ///     Number of lines before the points.
+/// unit : str, optional
+///     The unit of the lengths of the file, which the surface keeps, such as ``"um"``.
+/// height_unit : str, optional
+///     The unit of the heights of the file, if it differs; the heights are converted to ``unit``.
 ///
 /// Raises
 /// ------
 /// File, Format
+/// ValueError
+///     If a name is not a unit of length.
+/// TypeError
+///     If ``height_unit`` is given without ``unit``.
 #[pyfunction]
-#[pyo3(signature = (path, *, missing=None, skip_rows=0))]
+#[pyo3(signature = (path, *, missing=None, skip_rows=Count(0), unit=None, height_unit=None),
+    text_signature = "(path, *, missing=None, skip_rows=0, unit=None, height_unit=None)")]
 pub(crate) fn xyz_read(
     py: Python<'_>,
     path: PathBuf,
     missing: Option<Real>,
-    skip_rows: usize,
+    skip_rows: Count,
+    unit: Option<&str>,
+    height_unit: Option<&str>,
 ) -> PyResult<Field> {
+    let units = Units::of(unit, height_unit)?;
     let options = points(missing, skip_rows);
     py.detach(|| options.read(&path))
         .or_raise(py)
-        .map(Into::into)
+        .map(|field| units.of_surface(field))
 }
 
 /// Reads a surface from the bytes of an XYZ file (lengths in the unit of the file); see :func:`read`.
 #[pyfunction]
-#[pyo3(signature = (bytes, *, missing=None, skip_rows=0))]
+#[pyo3(signature = (bytes, *, missing=None, skip_rows=Count(0), unit=None, height_unit=None),
+    text_signature = "(bytes, *, missing=None, skip_rows=0, unit=None, height_unit=None)")]
 pub(crate) fn xyz_parse(
     py: Python<'_>,
     bytes: &[u8],
     missing: Option<Real>,
-    skip_rows: usize,
+    skip_rows: Count,
+    unit: Option<&str>,
+    height_unit: Option<&str>,
 ) -> PyResult<Field> {
+    let units = Units::of(unit, height_unit)?;
     let options = points(missing, skip_rows);
     py.detach(|| options.parse(bytes))
         .or_raise(py)
-        .map(Into::into)
+        .map(|field| units.of_surface(field))
 }
 
 /// Writes a surface to an SDF file (lengths in metres).
@@ -155,13 +204,13 @@ pub(crate) fn sdf_to_bytes<'py>(
 
 fn options(
     missing: Option<Real>,
-    skip_rows: usize,
-    skip_columns: usize,
+    skip_rows: Count,
+    skip_columns: Count,
     without_labels: bool,
 ) -> io::csv::Options {
     let mut options = io::csv::Options::default()
-        .skip_rows(skip_rows)
-        .skip_columns(skip_columns);
+        .skip_rows(skip_rows.0)
+        .skip_columns(skip_columns.0);
     if without_labels {
         options = options.without_labels();
     }
@@ -187,47 +236,67 @@ fn options(
 ///     Number of columns to skip at the start of each row, such as names or row numbers.
 /// without_labels : bool, default False
 ///     Whether a first row or column 0, 1, 2, ... contains heights; if not, such a row or column is rejected.
+/// unit : str, optional
+///     The unit of the lengths of the file, which the surface keeps, such as ``"um"``.
+/// height_unit : str, optional
+///     The unit of the heights of the file, if it differs; the heights are converted to ``unit``.
 ///
 /// Raises
 /// ------
 /// File, Format, NotPositive
+/// ValueError
+///     If a name is not a unit of length.
+/// TypeError
+///     If ``height_unit`` is given without ``unit``.
 #[pyfunction]
-#[pyo3(signature = (path, *, cell=None, size=None, missing=None, skip_rows=0, skip_columns=0, without_labels=false))]
+#[pyo3(signature = (path, *, cell=None, size=None, missing=None, skip_rows=Count(0), skip_columns=Count(0),
+    without_labels=false, unit=None, height_unit=None),
+    text_signature = "(path, *, cell=None, size=None, missing=None, skip_rows=0, skip_columns=0, without_labels=False, \
+        unit=None, height_unit=None)")]
 pub(crate) fn csv_read(
     py: Python<'_>,
     path: PathBuf,
     cell: Option<conversion::CellSides>,
     size: Option<conversion::GridSides>,
     missing: Option<Real>,
-    skip_rows: usize,
-    skip_columns: usize,
+    skip_rows: Count,
+    skip_columns: Count,
     without_labels: bool,
+    unit: Option<&str>,
+    height_unit: Option<&str>,
 ) -> PyResult<Field> {
+    let units = Units::of(unit, height_unit)?;
     let sides = sides(cell, size)?;
     let options = options(missing, skip_rows, skip_columns, without_labels);
     py.detach(|| options.read(&path, sides))
         .or_raise(py)
-        .map(Into::into)
+        .map(|field| units.of_surface(field))
 }
 
 /// Reads a field from the bytes of a text file that contains a matrix; see :func:`read`.
 #[pyfunction]
-#[pyo3(signature = (bytes, *, cell=None, size=None, missing=None, skip_rows=0, skip_columns=0, without_labels=false))]
+#[pyo3(signature = (bytes, *, cell=None, size=None, missing=None, skip_rows=Count(0), skip_columns=Count(0),
+    without_labels=false, unit=None, height_unit=None),
+    text_signature = "(bytes, *, cell=None, size=None, missing=None, skip_rows=0, skip_columns=0, without_labels=False, \
+        unit=None, height_unit=None)")]
 pub(crate) fn csv_parse(
     py: Python<'_>,
     bytes: &[u8],
     cell: Option<conversion::CellSides>,
     size: Option<conversion::GridSides>,
     missing: Option<Real>,
-    skip_rows: usize,
-    skip_columns: usize,
+    skip_rows: Count,
+    skip_columns: Count,
     without_labels: bool,
+    unit: Option<&str>,
+    height_unit: Option<&str>,
 ) -> PyResult<Field> {
+    let units = Units::of(unit, height_unit)?;
     let sides = sides(cell, size)?;
     let options = options(missing, skip_rows, skip_columns, without_labels);
     py.detach(|| options.parse(bytes, sides))
         .or_raise(py)
-        .map(Into::into)
+        .map(|field| units.of_surface(field))
 }
 
 /// Writes a field to a text file as a matrix.
@@ -247,34 +316,61 @@ pub(crate) fn csv_to_bytes<'py>(
     Ok(PyBytes::new(py, &io::csv::to_bytes(&field)))
 }
 
-/// Reads a field from an NPY file, with either the cell sides ``cell`` or the grid sides ``size`` (pairs of lengths).
+/// Reads a field from an NPY file.
+///
+/// Parameters
+/// ----------
+/// path : path_like
+///     The file.
+/// cell, size : pair of float
+///     Side lengths of a cell or of the grid; exactly one of the two is required.
+/// unit : str, optional
+///     The unit of the lengths of the file, which the surface keeps, such as ``"um"``.
+/// height_unit : str, optional
+///     The unit of the heights of the file, if it differs; the heights are converted to ``unit``.
+///
+/// Raises
+/// ------
+/// File, Format, NotPositive
+/// ValueError
+///     If a name is not a unit of length.
+/// TypeError
+///     If ``height_unit`` is given without ``unit``.
 #[pyfunction]
-#[pyo3(signature = (path, *, cell=None, size=None))]
+#[pyo3(signature = (path, *, cell=None, size=None, unit=None, height_unit=None),
+    text_signature = "(path, *, cell=None, size=None, unit=None, height_unit=None)")]
 pub(crate) fn npy_read(
     py: Python<'_>,
     path: PathBuf,
     cell: Option<conversion::CellSides>,
     size: Option<conversion::GridSides>,
+    unit: Option<&str>,
+    height_unit: Option<&str>,
 ) -> PyResult<Field> {
+    let units = Units::of(unit, height_unit)?;
     let sides = sides(cell, size)?;
     py.detach(|| io::npy::read(&path, sides))
         .or_raise(py)
-        .map(Into::into)
+        .map(|field| units.of_surface(field))
 }
 
-/// Reads a field from the bytes of an NPY file.
+/// Reads a field from the bytes of an NPY file; see :func:`read`.
 #[pyfunction]
-#[pyo3(signature = (bytes, *, cell=None, size=None))]
+#[pyo3(signature = (bytes, *, cell=None, size=None, unit=None, height_unit=None),
+    text_signature = "(bytes, *, cell=None, size=None, unit=None, height_unit=None)")]
 pub(crate) fn npy_parse(
     py: Python<'_>,
     bytes: &[u8],
     cell: Option<conversion::CellSides>,
     size: Option<conversion::GridSides>,
+    unit: Option<&str>,
+    height_unit: Option<&str>,
 ) -> PyResult<Field> {
+    let units = Units::of(unit, height_unit)?;
     let sides = sides(cell, size)?;
     py.detach(|| io::npy::parse(bytes, sides))
         .or_raise(py)
-        .map(Into::into)
+        .map(|field| units.of_surface(field))
 }
 
 /// Returns the grid of an NPY file without reading its samples.
@@ -312,7 +408,18 @@ pub(crate) fn npy_to_bytes<'py>(
 struct Arrays(Vec<(String, Vec<Arc<stickslip::Field>>)>);
 
 impl Arrays {
-    fn of(py: Python<'_>, fields: &Bound<'_, PyDict>, grid: Option<&Grid>) -> PyResult<Self> {
+    /// Reads a dictionary of fields, or the fields of a solution or a surface.
+    fn of(py: Python<'_>, given: &Bound<'_, PyAny>, grid: Option<&Grid>) -> PyResult<Self> {
+        if let Ok(fields) = given.cast::<PyDict>() {
+            return Self::by_name(py, fields, grid);
+        }
+        let module = py.import("stickslip.io._datasets")?;
+        let found = module.call_method1("fields_of", (given,))?;
+        let (fields, grid): (Bound<'_, PyDict>, Bound<'_, Grid>) = found.extract()?;
+        Self::by_name(py, &fields, Some(grid.get()))
+    }
+
+    fn by_name(py: Python<'_>, fields: &Bound<'_, PyDict>, grid: Option<&Grid>) -> PyResult<Self> {
         let mut arrays = Vec::with_capacity(fields.len());
         let one = |object: &Bound<'_, PyAny>| {
             let samples: Samples<'_> = object.extract()?;
@@ -357,16 +464,16 @@ impl Arrays {
 /// ----------
 /// path : path_like
 ///     The file; an existing file is replaced.
-/// fields : dict
-///     Fields by name; a pair of fields is a vector.
+/// fields : dict, solution, State, History, Field or surface
+///     Fields by name; a pair of fields is a vector. For other objects, all their fields are written.
 /// grid : Grid, optional
-///     Grid of the fields; required if they are arrays.
+///     Grid of the fields of a dictionary; required if they are arrays.
 #[pyfunction]
 #[pyo3(signature = (path, fields, *, grid=None))]
 pub(crate) fn vti_write(
     py: Python<'_>,
     path: PathBuf,
-    fields: &Bound<'_, PyDict>,
+    fields: &Bound<'_, PyAny>,
     grid: Option<&Grid>,
 ) -> PyResult<()> {
     let arrays = Arrays::of(py, fields, grid)?;
@@ -379,7 +486,7 @@ pub(crate) fn vti_write(
 #[pyo3(signature = (fields, *, grid=None))]
 pub(crate) fn vti_to_bytes<'py>(
     py: Python<'py>,
-    fields: &Bound<'py, PyDict>,
+    fields: &Bound<'py, PyAny>,
     grid: Option<&Grid>,
 ) -> PyResult<Bound<'py, PyBytes>> {
     let arrays = Arrays::of(py, fields, grid)?;
@@ -410,7 +517,7 @@ impl PvdWriter {
         &self,
         py: Python<'_>,
         time: Real,
-        fields: &Bound<'_, PyDict>,
+        fields: &Bound<'_, PyAny>,
         grid: Option<&Grid>,
     ) -> PyResult<()> {
         let arrays = Arrays::of(py, fields, grid)?;

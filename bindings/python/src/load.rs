@@ -1,11 +1,14 @@
 //! Loads given by keywords: the control along each axis.
 
 use pyo3::exceptions::PyTypeError;
+#[cfg(feature = "stubs")]
+use pyo3::inspect::PyStaticExpr;
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 use stickslip::{Axis, LoadStep as Step, NormalControl, TangentialControl, TangentialLoad as Load};
 
 use crate::choice::Choice;
-use crate::conversion;
+use crate::conversion::{self, kind_of};
 use crate::digits::{short, tuple};
 use crate::history::{Rolling, as_keywords};
 use crate::pickle::{parts, picklable};
@@ -30,6 +33,49 @@ pub(crate) fn normal(
 pub(crate) fn needed(force: Option<Real>, approach: Option<Real>) -> PyResult<NormalControl> {
     normal(force, approach)?
         .ok_or_else(|| PyTypeError::new_err("give the normal load by force= or approach="))
+}
+
+/// Declares the argument of a load that is given as an object; the message for other objects names the keywords.
+macro_rules! loads {
+    ($($(#[$doc:meta])* $name:ident($class:ident): $keywords:literal;)+) => {$(
+        $(#[$doc])*
+        pub(crate) struct $name(pub(crate) $class);
+
+        impl FromPyObject<'_, '_> for $name {
+            type Error = PyErr;
+
+            #[cfg(feature = "stubs")]
+            const INPUT_TYPE: PyStaticExpr = <$class as FromPyObject<'_, '_>>::INPUT_TYPE;
+
+            fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+                object.extract().map(Self).map_err(|_| {
+                    PyTypeError::new_err(format!(
+                        concat!("load must be a ", stringify!($class), ", got {}: ", $keywords),
+                        kind_of(&object)
+                    ))
+                })
+            }
+        }
+    )+};
+}
+
+loads! {
+    /// Load of a step.
+    StepArgument(LoadStep): "give a normal force by normal_force=, a tangential force by force_x=";
+    /// Tangential load from rest.
+    TangentialArgument(TangentialLoad): "give a tangential force by force_x=, a shift by shift_x=";
+}
+
+/// Returns an error if a load is given by position, with the keywords of loads.
+pub(crate) fn by_keyword(class: &str, given: &Bound<'_, PyTuple>, keywords: &str) -> PyResult<()> {
+    if given.is_empty() {
+        return Ok(());
+    }
+    let found = given.get_item(0)?;
+    Err(PyTypeError::new_err(format!(
+        "{class} takes its load by keyword, got {} by position: give {keywords}",
+        found.repr()?
+    )))
 }
 
 /// Force, shift or spring along both axes.
@@ -137,8 +183,8 @@ impl Keywords {
     }
 
     /// Returns the load from rest given as an object or by these keywords.
-    pub(crate) fn load_or(&self, object: Option<TangentialLoad>) -> PyResult<Load> {
-        one_of(object.map(|load| load.0), self.is_empty(), self.load()?)
+    pub(crate) fn load_or(&self, object: Option<TangentialArgument>) -> PyResult<Load> {
+        one_of(object.map(|load| load.0.0), self.is_empty(), self.load()?)
     }
 
     /// Returns a step in which every quantity without a keyword is held constant.
@@ -169,7 +215,7 @@ impl Keywords {
     /// Returns the step given as an object, or by these keywords and three other arguments.
     pub(crate) fn step_or(
         &self,
-        object: Option<LoadStep>,
+        object: Option<StepArgument>,
         normal: Option<NormalControl>,
         relative_displacement: Option<Real>,
         roll: Option<Rolling>,
@@ -178,7 +224,7 @@ impl Keywords {
             normal.is_none() && relative_displacement.is_none() && roll.is_none();
         let is_empty = self.is_empty() && others_are_empty;
         let by_keywords = self.step(normal, relative_displacement, roll)?;
-        one_of(object.map(|load| load.0), is_empty, by_keywords)
+        one_of(object.map(|load| load.0.0), is_empty, by_keywords)
     }
 }
 
@@ -221,9 +267,12 @@ pub(crate) struct TangentialLoad(pub(crate) Load);
 #[pymethods]
 impl TangentialLoad {
     #[new]
-    #[pyo3(signature = (*, force=None, shift=None, spring=None, force_x=None, force_y=None, shift_x=None,
-        shift_y=None, spring_x=None, spring_y=None, twist=None))]
+    #[pyo3(signature = (*positional, force=None, shift=None, spring=None, force_x=None, force_y=None, shift_x=None,
+        shift_y=None, spring_x=None, spring_y=None, twist=None),
+        text_signature = "(*, force=None, shift=None, spring=None, force_x=None, force_y=None, shift_x=None, shift_y=None, \
+            spring_x=None, spring_y=None, twist=None)")]
     fn new(
+        positional: &Bound<'_, PyTuple>,
         force: Option<conversion::Force>,
         shift: Option<conversion::Shift>,
         spring: Option<conversion::Springs>,
@@ -235,6 +284,7 @@ impl TangentialLoad {
         spring_y: Option<conversion::Spring>,
         twist: Option<Real>,
     ) -> PyResult<Self> {
+        by_keyword("TangentialLoad", positional, "force_x= or shift_x=")?;
         let keywords = Keywords::new(
             (force, shift, spring),
             [force_x, force_y],
@@ -366,10 +416,14 @@ pub(crate) struct LoadStep(pub(crate) Step);
 #[pymethods]
 impl LoadStep {
     #[new]
-    #[pyo3(signature = (*, normal_force=None, approach=None, force=None, shift=None, spring=None, force_x=None,
+    #[pyo3(signature = (*positional, normal_force=None, approach=None, force=None, shift=None, spring=None, force_x=None,
         force_y=None, shift_x=None, shift_y=None, spring_x=None, spring_y=None, twist=None, relative_displacement=None,
-        roll=None))]
+        roll=None),
+        text_signature = "(*, normal_force=None, approach=None, force=None, shift=None, spring=None, force_x=None, \
+            force_y=None, shift_x=None, shift_y=None, spring_x=None, spring_y=None, twist=None, \
+            relative_displacement=None, roll=None)")]
     fn new(
+        positional: &Bound<'_, PyTuple>,
         normal_force: Option<Real>,
         approach: Option<Real>,
         force: Option<conversion::Force>,
@@ -385,6 +439,11 @@ impl LoadStep {
         relative_displacement: Option<Real>,
         roll: Option<Rolling>,
     ) -> PyResult<Self> {
+        by_keyword(
+            "LoadStep",
+            positional,
+            "normal_force=, force_x= or shift_x=",
+        )?;
         let keywords = Keywords::new(
             (force, shift, spring),
             [force_x, force_y],

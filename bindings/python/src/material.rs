@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 #[cfg(feature = "stubs")]
 use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_union};
 
-use crate::conversion::entries;
+use crate::conversion::{entries, kind_of};
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::kernel::Kernel;
@@ -328,8 +328,12 @@ impl FromPyObject<'_, '_> for Bodies {
             return Ok(Self(kernel.get().0.clone()));
         }
         let bodies = entries(&object).and_then(|bodies| bodies.extract().ok());
-        let (body_1, body_2): (Material, Material) = bodies
-            .ok_or_else(|| PyTypeError::new_err("pair must be an ElasticPair or two Materials"))?;
+        let (body_1, body_2): (Material, Material) = bodies.ok_or_else(|| {
+            PyTypeError::new_err(format!(
+                "pair must be an ElasticPair, a Kernel or a tuple of two Materials, (material_1, material_2), got {}",
+                kind_of(&object)
+            ))
+        })?;
         ElasticPair::new(object.py(), body_1, body_2).map(|pair| Self(pair.0.into()))
     }
 }

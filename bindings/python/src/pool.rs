@@ -7,6 +7,8 @@ use pyo3::exceptions::{PyRuntimeError, PyValueError};
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
+use crate::real::Count;
+
 /// Number of threads and their pool, with the process that owns it: the threads of a pool do not survive in a forked
 /// process.
 struct Owned {
@@ -129,7 +131,8 @@ pub(crate) fn alone<T>(work: impl FnOnce() -> T) -> T {
 /// >>> stickslip.num_threads()
 /// 2
 #[pyfunction]
-pub(crate) fn set_num_threads(_py: Python<'_>, threads: usize) -> PyResult<()> {
+pub(crate) fn set_num_threads(_py: Python<'_>, threads: Count) -> PyResult<()> {
+    let threads = threads.0;
     if threads == 0 {
         return Err(PyValueError::new_err(
             "the number of threads must be at least 1, got 0",

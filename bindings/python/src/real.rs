@@ -2,12 +2,13 @@
 //! so are arrays of the wrong shape.
 
 use numpy::{AllowTypeChange, PyArrayLike2};
-use pyo3::exceptions::PyTypeError;
+use pyo3::exceptions::{PyOverflowError, PyTypeError};
 #[cfg(feature = "stubs")]
 use pyo3::inspect::PyStaticExpr;
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyFloat, PyTuple};
 
+use crate::conversion::kind_of;
 use crate::error::named;
 use crate::field::Field;
 
@@ -64,12 +65,100 @@ impl FromPyObject<'_, '_> for Real {
             unreal(&object)?
         };
         match found {
-            None => object.extract().map(Self),
-            Some(found) => Err(PyTypeError::new_err(format!(
-                "must be a real number, got {found}"
-            ))),
+            None => {
+                let number: PyResult<f64> = object.extract();
+                number.map(Self).map_err(|error| {
+                    refused(
+                        &object,
+                        error,
+                        "a real number",
+                        "is too large for a real number",
+                    )
+                })
+            }
+            Some(found) => Err(unnamed(
+                object.py(),
+                "ArgumentType",
+                &format!("must be a real number, got {found}"),
+            )),
         }
     }
+}
+
+/// Declares whole numbers as arguments.
+macro_rules! whole {
+    ($($(#[$doc:meta])* $name:ident($type:ty);)+) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy)]
+        pub(crate) struct $name(pub(crate) $type);
+
+        impl FromPyObject<'_, '_> for $name {
+            type Error = PyErr;
+
+            #[cfg(feature = "stubs")]
+            const INPUT_TYPE: PyStaticExpr = <$type as FromPyObject<'_, '_>>::INPUT_TYPE;
+
+            fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+                let number: PyResult<$type> = object.extract();
+                number.map(Self).map_err(|error| {
+                    let is_negative = object.lt(0).unwrap_or(false);
+                    let range = if is_negative {
+                        "must not be negative"
+                    } else {
+                        "is too large for a whole number"
+                    };
+                    refused(&object, error, "a whole number", range)
+                })
+            }
+        }
+    )+};
+}
+
+whole! {
+    /// Number of items, or an index.
+    Count(usize);
+    /// Seed of random numbers.
+    Seed(u64);
+}
+
+/// Creates an exception of ``stickslip.errors`` about an argument. PyO3 adds a note with the name of the argument, and the
+/// exception moves the name from the note to its message.
+fn unnamed(py: Python<'_>, class: &str, message: &str) -> PyErr {
+    named(py, class, message, &PyDict::new(py)).unwrap_or_else(|failure| failure)
+}
+
+/// Returns the exception for an object that is not the expected number.
+fn refused(object: &Bound<'_, PyAny>, error: PyErr, expected: &str, range: &str) -> PyErr {
+    let py = object.py();
+    if error.is_instance_of::<PyOverflowError>(py) {
+        return unnamed(py, "ArgumentRange", &format!("{range}, got {object}"));
+    }
+    if !error.is_instance_of::<PyTypeError>(py) {
+        return error;
+    }
+    let found = found(object);
+    unnamed(
+        py,
+        "ArgumentType",
+        &format!("must be {expected}, got {found}"),
+    )
+}
+
+/// Describes an object of a wrong type: the shape of an array, the length of a sequence, or the name of the type.
+fn found(object: &Bound<'_, PyAny>) -> String {
+    if let Some(shape) = object
+        .getattr("shape")
+        .ok()
+        .filter(|shape| !shape.is_none())
+    {
+        return format!("an array of shape {shape}");
+    }
+    if object.is_none() || object.is_instance_of::<PyFloat>() {
+        return object.to_string();
+    }
+    let length = object.len();
+    let length = length.map_or_else(|_| String::new(), |length| format!(" of length {length}"));
+    format!("{}{length}", kind_of(object))
 }
 
 /// Returns whether an object is a field or a two-dimensional array.

@@ -9,7 +9,7 @@ use crate::choice::Choice;
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::pickle::picklable;
-use crate::real::Real;
+use crate::real::{Count, Real};
 
 /// Method, tolerance and limits of an iteration. Every problem, solver and history accepts them together as ``settings``,
 /// or individually by the same keywords.
@@ -40,7 +40,7 @@ impl Settings {
         py: Python<'_>,
         tolerance: Option<Real>,
         method: Option<Choice<stickslip::cgm::Method>>,
-        max_iterations: Option<usize>,
+        max_iterations: Option<Count>,
         time_limit: Option<Real>,
     ) -> PyResult<Self> {
         let settings = chosen(None, tolerance, method, max_iterations, time_limit)?;
@@ -90,7 +90,7 @@ pub(crate) fn chosen(
     settings: Option<Settings>,
     tolerance: Option<Real>,
     method: Option<Choice<stickslip::cgm::Method>>,
-    max_iterations: Option<usize>,
+    max_iterations: Option<Count>,
     time_limit: Option<Real>,
 ) -> PyResult<stickslip::cgm::Settings> {
     let mut chosen = settings.map(|settings| settings.0).unwrap_or_default();
@@ -100,7 +100,7 @@ pub(crate) fn chosen(
     if let Some(method) = method {
         chosen = chosen.method(method.0);
     }
-    if let Some(most) = max_iterations {
+    if let Some(Count(most)) = max_iterations {
         chosen = chosen.max_iterations(most);
     }
     if let Some(Real(seconds)) = time_limit {

@@ -8,6 +8,7 @@ use crate::error::OrRaise;
 use crate::friction::AnyFriction;
 use crate::half_space::HalfSpace;
 use crate::normal::NormalSolution;
+use crate::pickle::picklable;
 use crate::tangential::TangentialSolution;
 use crate::work::{observed_on, watch};
 
@@ -44,6 +45,8 @@ impl NormalStiffness {
         )
     }
 }
+
+picklable!(NormalStiffness: stickslip::stiffness::NormalStiffness);
 
 /// Derivatives of the tangential forces along x and y and of the moment (rows) with respect to the shifts along x
 /// and y and the twist (columns), for continued loading and at its reversal. The sets of stick and slip cells are
@@ -100,6 +103,8 @@ impl TangentialStiffness {
         )
     }
 }
+
+picklable!(TangentialStiffness: stickslip::stiffness::TangentialStiffness);
 
 /// Derivatives of all forces of a contact with respect to its motions.
 ///
@@ -191,6 +196,8 @@ impl ContactStiffness {
         )
     }
 }
+
+picklable!(ContactStiffness: stickslip::stiffness::ContactStiffness);
 
 /// Replaces components that a model does not have with NaN.
 fn present(slopes: [Option<f64>; 3]) -> [f64; 3] {

@@ -8,31 +8,45 @@ use pyo3::exceptions::PyValueError;
 /// Name of a unit as given by the user.
 pub(crate) type Unit = Arc<str>;
 
-/// Returns the length of a unit in metres.
-pub(crate) fn metres(unit: &str) -> PyResult<f64> {
+/// Returns the power of ten that converts a unit to metres.
+fn exponent(unit: &str) -> PyResult<i32> {
     Ok(match unit {
-        "m" => 1.0,
-        "dm" => 1e-1,
-        "cm" => 1e-2,
-        "mm" => 1e-3,
+        "km" => 3,
+        "m" => 0,
+        "dm" => -1,
+        "cm" => -2,
+        "mm" => -3,
         // The micro sign and the Greek letter mu are both accepted.
-        "um" | "\u{b5}m" | "\u{3bc}m" => 1e-6,
-        "nm" => 1e-9,
+        "um" | "\u{b5}m" | "\u{3bc}m" => -6,
+        "nm" => -9,
         // The letter with a ring and the angstrom sign are both accepted.
-        "A" | "\u{c5}" | "\u{212b}" => 1e-10,
-        "pm" => 1e-12,
+        "A" | "\u{c5}" | "\u{212b}" => -10,
+        "pm" => -12,
         other => {
             return Err(PyValueError::new_err(format!(
-                "{other} is not a unit of length from pm to m"
+                "{other} is not a unit of length: the units are km, m, dm, cm, mm, um, nm, A and pm"
             )));
         }
     })
 }
 
+/// Returns the factor that converts lengths from one unit to another.
+pub(crate) fn factor(from: &str, to: &str) -> PyResult<f64> {
+    let power = exponent(from)? - exponent(to)?;
+    // Powers with a positive exponent are exact.
+    let exact = 10.0_f64.powi(power.abs());
+    Ok(if power < 0 { 1.0 / exact } else { exact })
+}
+
+/// Returns the unit with a given name, or an error if the name is not a unit.
+pub(crate) fn known(unit: &str) -> PyResult<Unit> {
+    exponent(unit).map(|_| unit.into())
+}
+
 /// Returns whether two names denote the same unit, such as um and \u{b5}m.
 pub(crate) fn is_same(a: &str, b: &str) -> bool {
-    let sizes = metres(a).ok().zip(metres(b).ok());
-    a == b || sizes.is_some_and(|(a, b)| a.to_bits() == b.to_bits())
+    let powers = exponent(a).ok().zip(exponent(b).ok());
+    a == b || powers.is_some_and(|(a, b)| a == b)
 }
 
 /// Returns the stated unit, or an error if two units differ.

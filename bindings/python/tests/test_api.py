@@ -22,6 +22,7 @@ HERE = pathlib.Path(__file__).parent
 ELSEWHERE = {
     "enum Error": "errors.StickslipError",
     "enum io::Place": "errors.Format",
+    "struct SystemError": "errors.File",
     "enum normal::NormalControl": "NormalProblem",  # force= and approach=
     "enum tangential::TangentialControl": "TangentialLoad",  # force=, shift=, spring= of each axis
     "enum tangential::PressureSource": "TangentialProblem",  # a solution or a field
@@ -55,6 +56,7 @@ ELSEWHERE = {
 }
 # Items that are missing in Python, each with the reason.
 WITHOUT = {
+    "enum ErrorKind": "exceptions are grouped by their Python base classes",
     "struct history::HistoryBuilder": "keywords of History",
     "struct normal::NormalProblemBuilder": "keywords of NormalProblem",
     "struct tangential::TangentialProblemBuilder": "keywords of TangentialProblem",
@@ -94,6 +96,8 @@ ALIKE = {
 METHODS = {
     "ContactSpots": {"label": "labels"},
     "ElasticPair": {"stands_for_kernel": "Kernel.pair"},
+    "Error": {"kind": "the Python base class of an exception"},
+    "SystemError": {"code": "errno", "kind": "errno"},
     "kernel::CoefficientTable": dict.fromkeys(["get", "sides", "size", "with"], "arrays of NumPy"),
     "kernel::Kernel": {"orthotropic": "in Rust alone", "with_long_wave_limit": "in Rust alone"},
     "kernel::Operators": {"with": "a dictionary"},

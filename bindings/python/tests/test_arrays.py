@@ -124,6 +124,8 @@ def test_field_arithmetic_is_cell_by_cell(scene):
         (field / (field + 1.0), values / (values + 1.0)), (field * values, values * values), (values[0] - 1.0, field[0] - 1.0),
     ]:  # fmt: skip
         assert np.array_equal(ours, plain)
+    with pytest.raises(ss.errors.GridMismatch, match="samples"):
+        ss.Field(ss.Grid.square(32, 1.0), field)
     assert isinstance(field / field, ss.Field) and np.isnan((field * 0.0 / 0.0)[0, 0])
     with pytest.raises(ss.errors.GridMismatch, match="other field"):
         field * ss.Field(ss.Grid.square(64, 1.0), 1.0)
@@ -164,6 +166,64 @@ def test_numpy_functions_treat_field_as_array(scene):
     total = np.ones((64, 64))
     total += field
     assert type(total) is np.ndarray and np.array_equal(total, 1.0 + field.array)
+
+
+def test_numpy_reductions_accept_fields_with_keyword_arguments(scene):
+    field = scene.ball + 1.0
+    values = field.array
+    for name in ("max", "min", "mean", "sum", "std", "median", "ptp", "var"):
+        function = getattr(np, name)
+        assert function(field) == pytest.approx(function(values), rel=1e-14), name
+        assert np.array_equal(function(field, axis=0), function(values, axis=0)), name
+        assert function(field, axis=1, keepdims=True).shape == (64, 1), name
+    for name in ("max", "min", "mean", "sum", "std"):
+        method = getattr(field, name)
+        assert method() == pytest.approx(getattr(values, name)(), rel=1e-14)
+        assert np.array_equal(method(0), getattr(values, name)(axis=0)) and method(axis=(0, 1)) == pytest.approx(method())
+    assert np.sum(field, where=values > 2.0, initial=3.0) == 3.0
+    assert np.std(field, ddof=1) == pytest.approx(values.std(ddof=1), rel=1e-14)
+    holed = ss.Field(scene.grid, np.where(values == values.max(), np.nan, values))
+    assert holed.max(axis=0)[0] == holed.max() < values.max() and np.isnan(holed.mean())
+    with pytest.raises(TypeError):
+        field.max(colour="red")
+
+
+def test_field_powers_and_comparisons_are_cell_by_cell(scene):
+    field = scene.ball * 1e5 + 0.5
+    values = field.array
+    for ours, plain in [
+        (field**2, values**2), (field**0.5, values**0.5), (2 ** field, 2**values), (np.float64(2.0) ** field, 2.0**values),
+        (field**field, values**values), (abs(-field), values), (+field, values),
+    ]:  # fmt: skip
+        assert isinstance(ours, ss.Field) and np.allclose(ours, plain, rtol=1e-15, atol=0.0)
+    for other in (0.6, values[::-1], ss.Field(scene.grid, 0.6)):
+        plain = np.asarray(other)
+        for ours, expected in [
+            (field < other, values < plain), (field <= other, values <= plain), (field > other, values > plain),
+            (field >= other, values >= plain),
+        ]:  # fmt: skip
+            assert ours.dtype == bool and np.array_equal(ours, expected)
+    assert (field == field) is True and (field != field) is False and field != field + 1.0 and not field == 0
+    with pytest.raises(ss.errors.GridMismatch):
+        field < ss.Field(ss.Grid.square(64, 1.0), 1.0)
+    with pytest.raises(ValueError, match="units um and nm"):
+        ss.Field(scene.grid, field, "um") > ss.Field(scene.grid, field, "nm")
+    for wrong in (lambda: field < "1", lambda: field ** None, lambda: pow(field, 2, 3)):
+        with pytest.raises(TypeError):
+            wrong()
+
+
+def test_surfaces_convert_to_arrays_of_their_heights(scene):
+    rough = ss.surface.SelfAffine(rms_height=1e-6).generate(scene.grid)
+    field = rough.heights
+    made = [rough, ss.surface.level(field, "plane"), ss.surface.fill_missing(field), ss.surface.gaussian_filter(field, s=2e-5)]
+    for surface in made:
+        array = np.asarray(surface)
+        assert array.dtype == np.float64 and np.array_equal(array, surface.heights.array) and not array.flags.writeable
+        assert np.asarray(surface, dtype=np.float32).dtype == np.float32
+        copied = np.array(surface)
+        assert copied.flags.writeable and np.array_equal(copied, array)
+    assert address(np.asarray(rough)) == address(rough.array)
 
 
 def test_field_has_shape_and_samples_of_array(scene):
@@ -332,6 +392,19 @@ def test_solution_converts_to_xarray_dataset(scene):
         ss.io.to_xarray(1.0)
     with pytest.raises(ValueError, match="one body and one grid"):
         ss.io.to_xarray([planes[0], *ss.subsurface.Planes(scene.bodies, [0.0]).solve_all("one", contact)])
+
+
+def test_solutions_are_written_as_images(scene):
+    contact = scene.normal()
+    shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
+    names = {"pressure": contact.pressure, "gap": contact.gap, "contact": contact.contact}
+    assert ss.io.vti.to_bytes(contact) == ss.io.vti.to_bytes(names, grid=scene.grid)
+    names |= {"traction": shear.traction, "slip": shear.slip, "zones": shear.zones}
+    assert ss.io.vti.to_bytes((contact, shear)) == ss.io.vti.to_bytes(names, grid=scene.grid)
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    for loaded in (history, history.state()):
+        assert b'Name="accumulated_slip"' in ss.io.vti.to_bytes(loaded)
 
 
 def test_dataset_netcdf_round_trip_is_exact(scene, tmp_path):

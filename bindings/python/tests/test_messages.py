@@ -11,6 +11,9 @@ import pytest
 import stickslip as ss
 from conftest import FORCE
 
+STEEL = ss.Material(213e9, 0.29)
+LOOP = ss.history.FrettingLoop(ss.history.LoadPath.sine((1e-7, 0.0), 4), lambda shift: ss.LoadStep(shift=shift))
+
 
 @pytest.mark.parametrize(
     ("call", "message"),
@@ -53,6 +56,71 @@ def test_wrong_pair_or_sequence_message_names_argument_and_form(scene, call, mes
 )
 def test_pair_with_number_out_of_range_names_number(scene, call, message):
     with pytest.raises(ValueError, match=message):
+        call(scene)
+
+
+@pytest.mark.parametrize(
+    ("call", "argument", "message"),
+    [
+        (lambda scene: ss.Grid(-1, 3, 1.0, 1.0), "nx", "must not be negative, got -1"),
+        (lambda scene: ss.Grid.square(-4, 1.0), "n", "must not be negative, got -4"),
+        (lambda scene: ss.Grid.square(2**70, 1.0), "n", f"is too large for a whole number, got {2**70}"),
+        (lambda scene: ss.surface.SelfAffine(rms_slope=0.1, seed=-1), "seed", "must not be negative, got -1"),
+        (lambda scene: ss.Settings(max_iterations=-1), "max_iterations", "must not be negative, got -1"),
+        (lambda scene: ss.history.LoadPath.sine((1.0, 0.0), np.int64(-4)), "steps", "must not be negative, got -4"),
+        (lambda scene: ss.history.Rolling(-2), "cells", "must not be negative, got -2"),
+        (lambda scene: ss.set_num_threads(-1), "threads", "must not be negative, got -1"),
+        (lambda scene: ss.io.csv.read("x.csv", cell=(1.0, 1.0), skip_rows=-1), "skip_rows", "must not be negative, got -1"),
+        (lambda scene: scene.ball.get(-1, 0), "ix", "must not be negative, got -1"),
+        (lambda scene: ss.Material(10**400, 0.3), "youngs_modulus", "is too large for a real number, got 1000"),
+        (lambda scene: LOOP.run(scene.history(), -1), "cycles", "must not be negative, got -1"),
+    ],
+)
+def test_number_out_of_range_message_names_argument(scene, call, argument, message):
+    with pytest.raises(ss.errors.ArgumentRange, match=f"^{argument} {message}") as refused:
+        call(scene)
+    assert refused.value.argument == argument and isinstance(refused.value, ValueError)
+
+
+@pytest.mark.parametrize(
+    ("call", "argument", "message"),
+    [
+        (lambda scene: ss.Material(np.array([1.0, 2.0]), 0.3), "youngs_modulus", r"a real number, got an array of shape \(2,\)"),
+        (lambda scene: ss.surface.sphere(scene.grid, [1.0, 2.0]), "radius", "a real number, got list of length 2"),
+        (lambda scene: ss.surface.sinusoidal(scene.grid, 1.0, None), "wavelength", "a real number, got None"),
+        (lambda scene: ss.surface.gaussian_filter(scene.ball, s=(1.0,)), "s", "a real number, got tuple of length 1"),
+        (lambda scene: scene.history().step(normal_force=np.ones(3)), "normal_force", r"a real number, got an array of shape \(3,\)"),
+        (lambda scene: ss.LoadStep(twist=scene.ball), "twist", r"a real number, got an array of shape \(64, 64\)"),
+        (lambda scene: ss.Settings(tolerance="1e-8"), "tolerance", "a real number, got text"),
+        (lambda scene: ss.Grid.square(4.0, 1.0), "n", r"a whole number, got 4\.0"),
+        (lambda scene: ss.surface.SelfAffine(rms_slope=0.1, seed="one"), "seed", "a whole number, got str of length 3"),
+        (lambda scene: ss.Grid(np.array([2, 3]), 3, 1.0, 1.0), "nx", r"a whole number, got an array of shape \(2,\)"),
+    ],
+)
+def test_wrong_type_of_number_message_names_argument(scene, call, argument, message):
+    with pytest.raises(ss.errors.ArgumentType, match=f"^{argument} must be {message}") as refused:
+        call(scene)
+    assert refused.value.argument == argument and isinstance(refused.value, TypeError)
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda scene: ss.HalfSpace(scene.grid, STEEL, STEEL), r"pair must be .* a tuple of two Materials, .*, got Material"),
+        (lambda scene: scene.history().step(100.0), "load must be a LoadStep, got float: .* normal_force="),
+        (lambda scene: ss.TangentialProblem(scene.bodies, scene.ball, 0.5, 20.0), "load must be a TangentialLoad, .* force_x="),
+        (lambda scene: ss.CoupledProblem(scene.bodies, scene.ball, 0.5, 20.0), "load must be a TangentialLoad, .* force_x="),
+        (lambda scene: ss.history.AdaptiveSteps(scene.history(), 0.1).step(scene.history(), 1.0), "load must be a LoadStep"),
+        (lambda scene: ss.NormalProblem(scene.bodies, scene.ball, 100.0), r"NormalProblem .*, got 100\.0 by position: .* force="),
+        (lambda scene: ss.NormalSolver(scene.bodies, scene.ball, 100.0), r"NormalSolver .* force= or approach="),
+        (lambda scene: ss.rolling.RollingProblem(scene.bodies, scene.normal(), 0.5, 20.0), "RollingProblem .* force_x="),
+        (lambda scene: ss.rolling.CoupledRollingProblem(scene.bodies, scene.ball, 0.5, 20.0), "normal_force= or approach="),
+        (lambda scene: ss.LoadStep(100.0), "LoadStep takes its load by keyword, .* normal_force="),
+        (lambda scene: ss.TangentialLoad(100.0), "TangentialLoad takes its load by keyword, .* force_x="),
+    ],
+)
+def test_misplaced_load_or_body_message_names_keyword(scene, call, message):
+    with pytest.raises(TypeError, match=message):
         call(scene)
 
 

@@ -192,13 +192,40 @@ def test_fretting_loop_becomes_steady_and_wears(scene):
     worn = depth.sum() * scene.grid.cell_area
     assert worn == pytest.approx(1e-14 * outcome.last.energy.dissipated_energy)
     jump = ss.wear.CycleJump(scene.bodies, outcome.last, depth, cycles_left=1e6, max_residual=1e-2).cycles()
-    assert 0.0 < jump <= 1e6
+    assert type(jump) is int and 0 < jump <= 1e6
     history.set_gap(ss.Field(scene.grid, history.gap) + ss.Field(scene.grid, jump * depth))
     assert history.step(normal_force=FORCE).approach != 0.0
     stopped = loop.run(history, 5, observer=lambda history, cycle: cycle.steps < 3)
     assert stopped.ending == "stopped" and stopped.last.steps == 3
     with pytest.raises(ss.errors.Tolerance):
         ss.history.FrettingLoop(path, loop, until_steady=2.0)
+
+
+def test_cycle_jump_returns_whole_cycles_and_no_infinity(scene):
+    history = scene.history(tolerance=1e-6)
+    history.step(normal_force=FORCE)
+    jumps = {}
+    for amplitude in (1e-10, 1e-6):
+        path = ss.history.LoadPath.sine((amplitude, 0.0), 8)
+        cycle = ss.history.FrettingLoop(path, lambda shift: ss.LoadStep(shift=shift)).run(history, 2).last
+        depth = ss.wear.archard(1e-14, history.pressure, cycle.slip_distance)
+        jumps[cycle.regime] = lambda depth=depth, cycle=cycle, **limits: ss.wear.CycleJump(scene.bodies, cycle, depth, **limits)
+    stick, slip = jumps[ss.history.Regime.FULL_STICK], jumps[ss.history.Regime.PARTIAL_SLIP]
+
+    assert stick().is_unlimited and stick().cycles() is None and repr(stick()) == "CycleJump(cycles=None)"
+    with pytest.raises(TypeError):
+        np.zeros(scene.grid.shape) * stick().cycles()
+    assert stick(cycles_left=1500.7).cycles() == 1500 and not stick(cycles_left=1500.7).is_unlimited
+
+    limit = slip().cycles()
+    worn = float(ss.wear.archard(1e-14, history.pressure, cycle.slip_distance).max())
+    assert type(limit) is int and limit > 1 and repr(slip()) == f"CycleJump(cycles={limit})"
+    # The unrounded limit by the largest depth is 2.5 cycles.
+    assert slip(largest_depth=2.5 * worn).cycles() == 2
+    assert slip(cycles_left=0.5).cycles() == slip(cycles_left=0).cycles() == 0
+    with pytest.raises(ss.errors.NoWholeCycle, match="a cycle removes more than the limit, which is 0.5 cycles: reduce") as refused:
+        slip(largest_depth=0.5 * worn, cycles_left=10).cycles()
+    assert refused.value.cycles == pytest.approx(0.5)
 
 
 def test_adaptive_steps_meet_tolerance(scene):

@@ -1,6 +1,8 @@
 """Pickling of all values without changes, and of histories whose continuation is bitwise identical."""
 
+import concurrent.futures
 import copy
+import multiprocessing
 import pickle
 
 import numpy as np
@@ -121,6 +123,52 @@ def test_solutions_round_trip_bitwise(scene):
     assert same(contact) == contact and same(shear) == shear
     assert np.array_equal(same(contact).pressure, contact.pressure)
     assert same(contact).report == contact.report
+
+
+def test_surfaces_round_trip(scene):
+    rough = ss.surface.SelfAffine(rms_height=1e-6, seed=3).generate(scene.grid)
+    measured = rough.heights.array.copy()
+    measured[3, 4] = np.nan
+    field = ss.Field(scene.grid, measured, "um")
+    made = [
+        (rough, ["heights", "array", "rms_slope", "kurtosis", "iterations"]),
+        (ss.surface.PowerSpectrum(rough.heights), ["wave_numbers", "values", "modes", "moments"]),
+        (ss.surface.level(field, "plane"), ["heights", "form"]),
+        (ss.surface.fill_missing(field), ["heights", "filled_cells"]),
+        (ss.surface.gaussian_filter(field, s=2e-5), ["heights", "short_waves", "long_waves", "valid_range"]),
+    ]
+    for value, attributes in made:
+        for back in (same(value), copy.deepcopy(value)):
+            assert type(back) is type(value) and repr(back) == repr(value)
+            for name in attributes:
+                ours, theirs = getattr(back, name), getattr(value, name)
+                assert (ours is None) == (theirs is None)
+                if theirs is not None:
+                    assert np.array_equal(np.asarray(ours), np.asarray(theirs), equal_nan=True), name
+                    assert getattr(ours, "unit", None) == getattr(theirs, "unit", None)
+    assert same(rough) == rough and same(made[1][0]) == made[1][0]
+
+
+def test_edges_and_stiffnesses_round_trip(scene):
+    contact = scene.normal()
+    shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
+    edges = shear.edges(contact, 0.5)
+    stiffness = ss.stiffness.ContactStiffness(scene.bodies, contact, 0.5, shear)
+    for value in (contact.edges(), edges, edges.stick, stiffness.normal):
+        assert same(value) == value == copy.deepcopy(value) and repr(same(value)) == repr(value)
+    assert np.array_equal(same(edges).stick.outline, edges.stick.outline)
+    # The scalar model has no derivatives across its axis, which are NaN.
+    for value in (stiffness, stiffness.tangential):
+        assert repr(same(value)) == repr(value)
+    assert np.array_equal(same(stiffness).tangential.loading, stiffness.tangential.loading, equal_nan=True)
+
+
+def test_results_return_from_processes(scene):
+    contact = scene.normal()
+    rough = ss.surface.SelfAffine(rms_height=1e-6, seed=3)
+    with concurrent.futures.ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
+        assert pool.submit(rough.generate, scene.grid).result(timeout=120) == rough.generate(scene.grid)
+        assert pool.submit(contact.edges).result(timeout=120) == contact.edges()
 
 
 def test_coupled_solutions_round_trip():

@@ -28,6 +28,12 @@ def sheared(scene):
     return contact, ss.TangentialProblem(scene.bodies, contact, 0.5, force=(20.0, 10.0), model="vector").solve()
 
 
+def dissimilar():
+    bodies = ss.HalfSpace(ss.Grid.square(16, 0.3), (ss.Material(70e3, 0.33), ss.Material(210e3, 0.3)))
+    problem = ss.CoupledProblem(bodies, ss.surface.sphere(bodies.grid, 3.5), 0.3, normal_force=60.0, force_x=6.0)
+    return problem.solve(warn=False)
+
+
 @pytest.fixture(autouse=True)
 def closed():
     yield
@@ -224,6 +230,47 @@ def test_colours_start_at_zero_or_have_it_in_the_middle(scene):
     [image] = plot.field(scene.grid, scene.ball.array - 1e-6).images
     assert image.get_clim()[0] == -image.get_clim()[1] and image.get_cmap().name == "RdBu_r"
     assert plot.pressure_map(contact, vmin=1.0).images[0].get_clim()[0] == 1.0
+
+
+def test_spot_map_shows_stick_ratios(scene):
+    contact, shear = sheared(scene)
+    coupled = dissimilar()
+    for given, ratio in [((contact, shear), shear.stick_ratio), (coupled, coupled.tangential.stick_ratio)]:
+        [image] = plot.spot_map(given, by="stick_ratio").images
+        assert set(image.get_array().compressed()) == {ratio} and 0.0 < ratio < 1.0
+    with pytest.raises(TypeError, match=r"a tangential solution has no pressure: give \(normal, shear\)"):
+        plot.spot_map(shear, by="stick_ratio")
+    with pytest.raises(TypeError, match=r"must be \(normal, shear\)"):
+        plot.spot_map((shear, contact))
+
+
+def test_maps_show_halves_of_coupled_solution(scene):
+    coupled = dissimilar()
+    assert (plot.stick_map(coupled).images[0].get_array() == coupled.tangential.zones).all()
+    assert plot.pressure_map(coupled).images[0].get_array().max() == coupled.normal.pressure.max()
+    size = np.hypot(*coupled.tangential.traction)
+    assert plot.traction_map(coupled).images[0].get_array().max() == size.max()
+    bodies = ss.HalfSpace(ss.Grid.square(16, 3.0), (ss.Material(2.5, 0.25), ss.Material(2.5, 0.25)))
+    rolling = ss.rolling.CoupledRollingProblem(
+        bodies, ss.surface.sphere(bodies.grid, 1.0), 0.3, normal_force=1.0, creepage_x=1e-3
+    ).solve(warn=False)
+    assert (plot.stick_map(rolling).images[0].get_array() == rolling.rolling.zones).all()
+    assert plot.pressure_map(rolling).images and plot.traction_map(rolling.rolling).images
+
+
+def test_fields_and_surfaces_are_drawn_without_grid(scene):
+    rough = ss.surface.SelfAffine(rms_height=1e-6).generate(scene.grid)
+    for given, values in [(scene.ball, scene.ball), (rough, rough.heights)]:
+        [image] = plot.field(given, unit="m").images
+        assert (image.get_array() == values.array).all() and tuple(image.get_extent()) == scene.grid.extent
+    [line] = plot.section(scene.ball, along="y", at=0.1e-3).lines
+    row = plot.section(scene.grid, scene.ball, along="y", at=0.1e-3).lines[0]
+    assert (line.get_ydata() == row.get_ydata()).all()
+    with pytest.raises(TypeError, match="give the values as the second argument, or a Field"):
+        plot.field(scene.grid)
+    for wrong in [(scene.ball.array,), (scene.ball, scene.ball)]:
+        with pytest.raises(TypeError, match="must be a Grid, or a Field without further values, got"):
+            plot.field(*wrong)
 
 
 def test_stress_section_matches_planes(scene):

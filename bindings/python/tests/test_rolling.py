@@ -174,6 +174,22 @@ def test_rolling_problem_round_trips(ball):
     assert (again.traction[0] == solution.traction[0]).all() and again.spin == solution.spin != 0.0
 
 
+def test_rolling_solutions_round_trip(ball):
+    rolling = ball.problem(creepage=(1e-3, 2e-3), spin=0.1).solve(warn=False)
+    gap = ss.surface.sphere(ball.bodies.grid, 1.0)
+    problem = ss.rolling.CoupledRollingProblem(ball.bodies, gap, FRICTION, normal_force=1.0, creepage_x=1e-3)
+    coupled = problem.solve(warn=False)
+    both = pickle.loads(pickle.dumps(coupled))
+    assert both.report == coupled.report == pickle.loads(pickle.dumps(coupled.report)) and both.normal == coupled.normal
+    for back, value in [(pickle.loads(pickle.dumps(rolling)), rolling), (both.rolling, coupled.rolling)]:
+        assert repr(back) == repr(value) and back.report == value.report
+        assert (back.creepage, back.spin, back.force, back.moment, back.work) == (
+            value.creepage, value.spin, value.force, value.moment, value.work
+        )  # fmt: skip
+        for name in ("traction", "slip", "zones", "dissipation"):
+            assert np.array_equal(getattr(back, name), getattr(value, name))
+
+
 def test_rolling_rejected_input_leaves_solver_unchanged(ball):
     solver = ball.problem(creepage_x=0.05).solver()
     before = solver.solve()
@@ -280,6 +296,30 @@ def test_rolling_failed_step_leaves_history_unchanged(ball):
         Rolling(1, creepage=(0.1, 0.0), creepage_x=0.1)
     with pytest.raises(TypeError, match="a load or its keywords"):
         history.step(ss.LoadStep(force_x=0.1), roll=Rolling(1))
+
+
+def test_rolling_solutions_convert_to_datasets_and_images(ball):
+    pytest.importorskip("xarray")
+    bodies, normal = ball.bodies, ball.normal
+    rolling = ball.problem(creepage_x=1e-3, spin=0.1).solve(warn=False)
+    dataset = ss.io.to_xarray(rolling)
+    for name, values in [("traction_x", rolling.traction[0]), ("slip_y", rolling.slip[1]), ("dissipation", rolling.dissipation)]:
+        assert np.array_equal(dataset[name], values) and dataset[name].attrs["long_name"]
+    numbers = {"creepage_x": 1e-3, "creepage_y": 0.0, "spin": 0.1, "force_x": rolling.force[0], "work": rolling.work}
+    assert {name: dataset.attrs[name] for name in numbers} == numbers
+    both = ss.io.to_xarray((normal, rolling))
+    assert both.attrs["normal_force"] == normal.force and np.array_equal(both.pressure, normal.pressure)
+    assert both.attrs["force_x"] == rolling.force[0] and np.array_equal(both.zones, rolling.zones)
+    gap = ss.surface.sphere(bodies.grid, 1.0)
+    problem = ss.rolling.CoupledRollingProblem(bodies, gap, FRICTION, normal_force=1.0, creepage_x=1e-3)
+    coupled = problem.solve(warn=False)
+    both = ss.io.to_xarray(coupled)
+    assert np.array_equal(both.pressure, coupled.normal.pressure) and np.array_equal(both.traction_x, coupled.rolling.traction[0])
+
+    names = {"traction": rolling.traction, "slip": rolling.slip, "zones": rolling.zones, "dissipation": rolling.dissipation}
+    assert ss.io.vti.to_bytes(rolling) == ss.io.vti.to_bytes(names, grid=bodies.grid)
+    image = ss.io.vti.to_bytes(coupled)
+    assert all(f'Name="{name}"'.encode() in image for name in ("pressure", "traction", "dissipation"))
 
 
 def test_rolling_solver_accepts_new_loads(ball):

@@ -54,7 +54,12 @@ def test_surfaces_keep_unit(tmp_path):
         pickle.loads(pickle.dumps(rough)),
     ]  # fmt: skip
     assert [field.unit for field in made] == ["um"] * len(made) and repr(rough).endswith(" um)")
-    assert (2.0 * rough).unit is None and (rough / rough).unit is None
+    half = 0.5 * np.ones(grid.shape)
+    scaled = [2.0 * rough, rough * half, half * rough, rough * wave(grid, 8.0), wave(grid, 8.0) * rough, rough / 2.0, rough / (half + 1.0),
+              np.float64(2.0) * rough, rough - half, wave(grid, 8.0) + rough, abs(rough), +rough]  # fmt: skip
+    assert [field.unit for field in scaled] == ["um"] * len(scaled)
+    numbers = [rough * rough, rough / rough, 1.0 / (rough + 2.0), wave(grid, 8.0) / (rough + 2.0), rough**2, 2.0**rough]
+    assert [field.unit for field in numbers] == [None] * len(numbers)
 
     metres = rough.to_unit("m")
     assert metres.unit == "m" and metres.grid.dx == pytest.approx(1e-6) and metres.max() == pytest.approx(1e-6 * rough.max())
@@ -68,6 +73,55 @@ def test_surfaces_keep_unit(tmp_path):
         rough.to_unit("furlong")
 
 
+def test_unknown_units_are_rejected(tmp_path):
+    grid = ss.Grid.square(4, 4.0)
+
+    class Topography:
+        physical_sizes, unit = (4.0, 4.0), "furlong"
+
+        def heights(self):
+            return np.zeros((4, 4))
+
+    ss.io.npy.write(tmp_path / "a.npy", ss.Field(grid, 1.0))
+    for call in (
+        lambda: ss.Field(grid, 1.0, "furlong"),
+        lambda: ss.surface.from_topography(Topography()),
+        lambda: ss.surface.gap_from_heights(Topography()),
+        lambda: ss.io.npy.read(tmp_path / "a.npy", size=(1.0, 1.0), unit="furlong"),
+        lambda: ss.io.npy.read(tmp_path / "a.npy", size=(1.0, 1.0), unit="um", height_unit="furlong"),
+    ):
+        with pytest.raises(ValueError, match="furlong is not a unit of length: the units are km, m, .* and pm"):
+            call()
+    for unit, metres in [("km", 1e3), ("mm", 1e-3), ("\u03bcm", 1e-6), ("nm", 1e-9), ("\u00c5", 1e-10), ("pm", 1e-12)]:
+        assert ss.Field(grid, 1.0, unit).to_unit("m").max() == metres
+
+
+def test_readers_convert_heights_to_unit_of_lengths(tmp_path):
+    heights = np.array([[1.0, 2.0, 3.0], [4.0, 5.0, 6.0]])  # nanometres over cells of micrometres
+    grid = ss.Grid(3, 2, 0.5, 0.25)
+    rows = [f"{x} {y} {z}\n" for row, y in zip(heights, grid.y) for z, x in zip(row, grid.x)]
+    (tmp_path / "a.xyz").write_text("".join(rows))
+    ss.io.npy.write(tmp_path / "a.npy", ss.Field(grid, heights))
+    ss.io.csv.write(tmp_path / "a.csv", ss.Field(grid, heights))
+    for name, options in [("xyz", {}), ("npy", {"cell": (0.5, 0.25)}), ("csv", {"size": (1.5, 0.5)})]:
+        module = getattr(ss.io, name)
+        file = tmp_path / f"a.{name}"
+        for read, source in [(module.read, file), (module.parse, file.read_bytes())]:
+            surface = read(source, unit="um", height_unit="nm", **options)
+            assert surface.unit == "um" and np.array_equal(surface, heights / 1000.0), name
+            assert (surface.grid.dx, surface.grid.dy) == pytest.approx((0.5, 0.25), rel=1e-12)
+            assert np.array_equal(read(source, unit="nm", height_unit="um", **options), heights * 1000.0)
+            plain = read(source, unit="um", **options)
+            assert plain.unit == "um" and np.array_equal(plain, heights)
+            assert read(source, **options).unit is None
+            with pytest.raises(ValueError, match="units um and nm"):
+                surface + ss.Field(grid, 1.0, "nm")
+            with pytest.raises(TypeError, match="height_unit= .* give unit= too"):
+                read(source, height_unit="nm", **options)
+    marked = ss.io.csv.parse(b"1 -999\n3 4\n", cell=(1.0, 1.0), missing=-999.0, unit="um", height_unit="nm")
+    assert np.isnan(marked[0, 1]) and marked[1, 1] == 0.004
+
+
 def test_surfaces_with_different_units_are_rejected():
     grid = ss.Grid.square(16, 16.0)
     one, two, unknown = wave(grid, 8.0, "um"), wave(grid, 8.0, "nm"), wave(grid, 8.0)
@@ -77,6 +131,34 @@ def test_surfaces_with_different_units_are_rejected():
         assert call(one, unknown).unit == call(unknown, one).unit == "um"
         assert call(one, wave(grid, 8.0, "\u00b5m")).unit == "um"
     assert one != two and one == unknown
+
+
+def test_surfaces_convert_to_datasets_and_images(tmp_path):
+    pytest.importorskip("xarray")
+    grid = ss.Grid(6, 4, 0.5, 1.0)
+    rough = ss.surface.SelfAffine(rms_height=0.1, cut_off_wavelength=2.0).generate(grid)
+    dataset = ss.io.to_xarray(rough)
+    assert np.array_equal(dataset.heights, rough.heights) and np.array_equal(dataset.x, grid.x)
+    assert dataset.attrs["rms_slope"] == rough.rms_slope and "units" not in dataset.x.attrs
+    measured = ss.Field(grid, rough.heights.array, "um")
+    levelled, filtered = ss.surface.level(measured, "plane"), ss.surface.gaussian_filter(measured, l=2.5)
+    for surface, other in [(levelled, "form"), (filtered, "long_waves")]:
+        dataset = ss.io.to_xarray(surface)
+        assert dataset.heights.attrs["units"] == dataset.x.attrs["units"] == "um"
+        assert np.array_equal(dataset[other], getattr(surface, other))
+    filled = ss.io.to_xarray(ss.surface.fill_missing(measured))
+    assert filled.attrs["filled_cells"] == 0 and np.array_equal(filled.heights, measured)
+
+    assert ss.io.vti.to_bytes(rough) == ss.io.vti.to_bytes({"heights": rough.heights})
+    assert ss.io.vti.to_bytes(measured) == ss.io.vti.to_bytes({"values": measured})
+    ss.io.vti.write(tmp_path / "surface.vti", levelled)
+    assert (tmp_path / "surface.vti").read_bytes() == ss.io.vti.to_bytes({"heights": levelled.heights, "form": levelled.form})
+    series = ss.io.pvd.PvdWriter(tmp_path / "series.pvd")
+    series.write(0.0, rough)
+    assert len(series) == 1
+    for wrong in (1.0, [rough], None):
+        with pytest.raises(TypeError, match="expected a solution, a state, a history, a Field, a surface"):
+            ss.io.vti.to_bytes(wrong)
 
 
 def test_xarray_arrays_convert_to_surfaces():

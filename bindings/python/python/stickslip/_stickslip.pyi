@@ -849,6 +849,7 @@ class ContactStiffness:
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
     def __new__(cls, /, bodies: HalfSpace, normal: NormalSolution, friction: Friction | float | ArrayLike, shear: TangentialSolution) -> ContactStiffness: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
     def by_approach(self, /) -> tuple[float, float, float]:
@@ -1072,6 +1073,7 @@ class CoupledRollingReport:
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
     def coupling_residual(self, /) -> float:
@@ -1130,6 +1132,7 @@ class CoupledRollingSolution:
     """
     Normal and rolling solution of coupled steady rolling.
     """
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
     def normal(self, /) -> NormalSolution:
@@ -1516,7 +1519,7 @@ class CycleJump:
     max_residual : float, default 0.25
         The largest :attr:`Cycle.cyclic_residual` of a cycle that may represent the following cycles.
     cycles_left : float, optional
-        The largest number of cycles to jump over; no limit by default.
+        The largest number of cycles to jump over, such as the rest of a simulation; no limit by default.
 
     Raises
     ------
@@ -1524,9 +1527,21 @@ class CycleJump:
     """
     def __new__(cls, /, bodies: HalfSpace, cycle: Cycle, depth: Field | ArrayLike, *, largest_depth: float | None = None, max_residual: float | None = None, cycles_left: float | None = None) -> CycleJump: ...
     def __repr__(self, /) -> str: ...
-    def cycles(self, /) -> float:
+    def cycles(self, /) -> int | None:
         """
-        Returns the number of cycles to jump over, not rounded, or infinity without a limit.
+        Returns the number of whole cycles to jump over, or ``None`` if no limit applies, as in full stick without
+        ``cycles_left``. Without wear, multiplying by the number of cycles would have no meaning, so the number is not infinite.
+
+        Raises
+        ------
+        NoWholeCycle
+            If one cycle already removes more than the limit.
+        CycleNotClosed, NotPositive, NegativeOrNotFinite
+        """
+    @property
+    def is_unlimited(self, /) -> bool:
+        """
+        Whether no limit applies to the number of cycles: no cell wears, and ``cycles_left`` is not given.
 
         Raises
         ------
@@ -1609,6 +1624,7 @@ class Edges:
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
     def area(self, /) -> float:
@@ -1834,8 +1850,9 @@ class Field:
 
     Every argument that accepts a field also accepts an array of shape (ny, nx), which is copied. A Field is created once
     and shared, so repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of a field, and
-    ``field[iy, ix]`` is a sample. A sum, difference, product or quotient with a field, an array or a number, in either
-    order, is computed cell by cell and is a field. Other NumPy functions treat a field as its array.
+    ``field[iy, ix]`` is a sample. A sum, difference, product, quotient or power with a field, an array or a number, in
+    either order, is computed cell by cell and is a field. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of
+    booleans. Two fields are compared as a whole by ``==``. Other NumPy functions treat a field as its array.
 
     Parameters
     ----------
@@ -1844,9 +1861,21 @@ class Field:
     samples : array_like of shape (ny, nx), or float
         The values, row-major with x fastest, or one value for all cells.
     unit : str, optional
-        The unit of the lengths of a surface, such as ``"um"``. Results computed from the surface keep the unit, and
-        operations on surfaces of different units raise an error. The unit is optional; the package computes in any
-        consistent units.
+        The unit of the lengths of a surface, such as ``"um"``: heights and cell sides. Accepted units are those of
+        :meth:`to_unit`. Results computed from the surface keep the unit, and operations on surfaces of different units raise
+        an error. The unit is optional; the package computes in any consistent units.
+
+    Notes
+    -----
+    A number, an array or a field without a unit takes the unit of the other operand in sums, differences and comparisons.
+    A product with it and a quotient by it keep the unit, so ``heights * 1e-6`` does not convert a unit; :meth:`to_unit`
+    does. Products and ratios of two fields with units, inverse fields and powers have no unit.
+
+    Raises
+    ------
+    ValueError
+        If the unit is not a unit of length.
+    Shape, GridMismatch
 
     Examples
     --------
@@ -1858,6 +1887,7 @@ class Field:
     >>> (field + 1.0).array[0]
     array([1., 2., 3., 4.])
     """
+    def __abs__(self, /) -> Field: ...
     def __add__(self, other: object, /) -> Field: ...
     def __array__(self, /, dtype: Any | None = None, copy: bool | None = None) -> Any: ...
     def __array_ufunc__(self, /, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:
@@ -1865,18 +1895,25 @@ class Field:
         Implements NumPy functions with a field among their operands.
         """
     def __eq__(self, value: object, /) -> bool: ...
+    def __ge__(self, value: object, /) -> NDArray[bool_]: ...
     def __getitem__(self, index: Any, /) -> Any:
         """
         Indexes :attr:`array`: ``field[iy, ix]`` is a sample, and ``field[iy]`` is a row.
         """
+    def __gt__(self, value: object, /) -> NDArray[bool_]: ...
+    def __le__(self, value: object, /) -> NDArray[bool_]: ...
+    def __lt__(self, value: object, /) -> NDArray[bool_]: ...
     def __mul__(self, other: object, /) -> Field: ...
     def __ne__(self, value: object, /) -> bool: ...
     def __neg__(self, /) -> Field: ...
     def __new__(cls, /, grid: Grid, samples: Field | ArrayLike, unit: str | None = None) -> Field: ...
+    def __pos__(self, /) -> Field: ...
+    def __pow__(self, other: object, modulo: None = None, /) -> Field: ...
     def __radd__(self, other: object, /) -> Field: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     def __rmul__(self, other: object, /) -> Field: ...
+    def __rpow__(self, other: object, modulo: None = None, /) -> Field: ...
     def __rsub__(self, other: object, /) -> Field: ...
     def __rtruediv__(self, other: object, /) -> Field: ...
     def __sub__(self, other: object, /) -> Field: ...
@@ -1899,28 +1936,36 @@ class Field:
         """
         Returns the sum of the samples times the area of a cell.
         """
-    def max(self, /) -> float:
+    def max(self, /, axis: Any = None, **options: Any) -> Any:
         """
-        Returns the largest sample; NaN is ignored.
+        Returns the largest sample; NaN is ignored. The arguments are those of :func:`numpy.nanmax`, such as the axis.
         """
-    def mean(self, /) -> float:
+    def mean(self, /, axis: Any = None, **options: Any) -> Any:
         """
-        Returns the mean of the samples.
+        Returns the mean of the samples. The arguments are those of :func:`numpy.mean`, such as the axis.
         """
-    def min(self, /) -> float:
+    def min(self, /, axis: Any = None, **options: Any) -> Any:
         """
-        Returns the smallest sample; NaN is ignored.
+        Returns the smallest sample; NaN is ignored. The arguments are those of :func:`numpy.nanmin`, such as the axis.
         """
     @property
     def shape(self, /) -> tuple[int, int]:
         """
         Shape of the field as an array, (ny, nx).
         """
+    def std(self, /, axis: Any = None, **options: Any) -> Any:
+        """
+        Returns the standard deviation of the samples. The arguments are those of :func:`numpy.std`, such as the axis.
+        """
+    def sum(self, /, axis: Any = None, **options: Any) -> Any:
+        """
+        Returns the sum of the samples. The arguments are those of :func:`numpy.sum`, such as the axis.
+        """
     def to_unit(self, /, unit: str) -> Field:
         """
         Converts the heights and the cell sides of a surface from its own unit to another unit.
 
-        Accepted units are m, dm, cm, mm, um, nm, pm and A; the micro sign may replace the letter u.
+        Accepted units are km, m, dm, cm, mm, um, nm, A and pm; the micro sign may replace the letter u.
 
         Raises
         ------
@@ -1938,6 +1983,8 @@ class Filled:
     """
     A surface whose missing heights (NaN) are filled smoothly.
     """
+    def __array__(self, /, dtype: Any | None = None, copy: bool | None = None) -> Any: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
     def filled_cells(self, /) -> int:
@@ -1955,6 +2002,8 @@ class Filtered:
     """
     A filtered surface and the removed components: the three add up to the given surface.
     """
+    def __array__(self, /, dtype: Any | None = None, copy: bool | None = None) -> Any: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
     def heights(self, /) -> Field:
@@ -3244,6 +3293,8 @@ class Levelled:
     """
     A surface without its form.
     """
+    def __array__(self, /, dtype: Any | None = None, copy: bool | None = None) -> Any: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
     def form(self, /) -> Field:
@@ -4189,6 +4240,7 @@ class NormalStiffness:
     def __eq__(self, value: object, /) -> bool: ...
     def __float__(self, /) -> float: ...
     def __ne__(self, value: object, /) -> bool: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
     def bound(self, /) -> float:
@@ -4520,6 +4572,7 @@ class PowerSpectrum:
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
     def __new__(cls, /, heights: Field | ArrayLike) -> PowerSpectrum: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
     def modes(self, /) -> NDArray[uint64]:
@@ -4901,6 +4954,7 @@ class RollingSolution:
     Traction, slip, zones, creepage and dissipation of steady rolling. Vectors are (x, y). Arrays are read-only views of
     the memory of this object, except for the zones and the dissipation, which are copies.
     """
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
     def creepage(self, /) -> tuple[float, float]:
@@ -5168,8 +5222,10 @@ class RoughSurface:
     """
     A generated rough surface.
     """
+    def __array__(self, /, dtype: Any | None = None, copy: bool | None = None) -> Any: ...
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
     def array(self, /) -> NDArray[float64]:
@@ -5314,7 +5370,7 @@ class PvdWriter:
     def __len__(self, /) -> int: ...
     def __new__(cls, /, path: str | PathLike[str]) -> PvdWriter: ...
     def __repr__(self, /) -> str: ...
-    def write(self, /, time: float, fields: dict[str, Any], *, grid: Grid | None = None) -> None:
+    def write(self, /, time: float, fields: Any, *, grid: Grid | None = None) -> None:
         """
         Writes fields and vectors at a given time as :func:`stickslip.io.vti.write` does, and adds them to the list.
         """
@@ -5940,6 +5996,7 @@ class TangentialEdges:
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
     def contact(self, /) -> Edges:
@@ -6290,6 +6347,7 @@ class TangentialStiffness:
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
     def bound(self, /) -> float:
@@ -6760,12 +6818,12 @@ def crop(heights: Field | ArrayLike, columns: tuple[int, int], rows: tuple[int, 
     Range
     """
 
-def csv_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = 0, skip_columns: int = 0, without_labels: bool = False) -> Field:
+def csv_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = 0, skip_columns: int = 0, without_labels: bool = False, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a field from the bytes of a text file that contains a matrix; see :func:`read`.
     """
 
-def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = 0, skip_columns: int = 0, without_labels: bool = False) -> Field:
+def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = 0, skip_columns: int = 0, without_labels: bool = False, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a field from a text file that contains a matrix.
 
@@ -6783,10 +6841,18 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
         Number of columns to skip at the start of each row, such as names or row numbers.
     without_labels : bool, default False
         Whether a first row or column 0, 1, 2, ... contains heights; if not, such a row or column is rejected.
+    unit : str, optional
+        The unit of the lengths of the file, which the surface keeps, such as ``"um"``.
+    height_unit : str, optional
+        The unit of the heights of the file, if it differs; the heights are converted to ``unit``.
 
     Raises
     ------
     File, Format, NotPositive
+    ValueError
+        If a name is not a unit of length.
+    TypeError
+        If ``height_unit`` is given without ``unit``.
     """
 
 def csv_to_bytes(field: Field | ArrayLike) -> bytes:
@@ -6967,8 +7033,8 @@ def max_stable_cycles(bodies: HalfSpace, coefficient: Field | ArrayLike, slip_di
     Returns
     -------
     float
-        The number of cycles, not rounded; infinite without slip. For fewer than half of these cycles, no pattern of
-        pressure changes sign; :class:`CycleJump` remains below this limit.
+        The limit, not rounded; infinite without slip. For fewer than half of these cycles, no pattern of pressure changes
+        sign. To multiply a depth, use :meth:`CycleJump.cycles`, which remains below this limit and is never infinite.
 
     Raises
     ------
@@ -7044,14 +7110,33 @@ def npy_grid(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
     Returns the grid of an NPY file without reading its samples.
     """
 
-def npy_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None) -> Field:
+def npy_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
-    Reads a field from the bytes of an NPY file.
+    Reads a field from the bytes of an NPY file; see :func:`read`.
     """
 
-def npy_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None) -> Field:
+def npy_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
-    Reads a field from an NPY file, with either the cell sides ``cell`` or the grid sides ``size`` (pairs of lengths).
+    Reads a field from an NPY file.
+
+    Parameters
+    ----------
+    path : path_like
+        The file.
+    cell, size : pair of float
+        Side lengths of a cell or of the grid; exactly one of the two is required.
+    unit : str, optional
+        The unit of the lengths of the file, which the surface keeps, such as ``"um"``.
+    height_unit : str, optional
+        The unit of the heights of the file, if it differs; the heights are converted to ``unit``.
+
+    Raises
+    ------
+    File, Format, NotPositive
+    ValueError
+        If a name is not a unit of length.
+    TypeError
+        If ``height_unit`` is given without ``unit``.
     """
 
 def npy_to_bytes(field: Field | ArrayLike) -> bytes:
@@ -7078,7 +7163,7 @@ def paraboloid(grid: Grid, curvatures: Sequence[float] | NDArray[Any]) -> Field:
 def read(path: str | PathLike[str]) -> Field:
     """
     Reads a surface from a file whose format is given by its extension: ASC, SDF, SUR, X3P or XYZ. Lengths are in metres,
-    except for XYZ, where they are in the unit of the file.
+    except for XYZ, where they are in the unit of the file; :func:`stickslip.io.xyz.read` accepts this unit.
     """
 
 def resample(heights: Field | ArrayLike, grid: Grid) -> Field:
@@ -7188,12 +7273,12 @@ def threshold_energy(coefficient: Field | ArrayLike, threshold: float, accumulat
     NegativeOrNotFinite, Sample, GridMismatch, Shape, NotFinite
     """
 
-def vti_to_bytes(fields: dict[str, Any], *, grid: Grid | None = None) -> bytes:
+def vti_to_bytes(fields: Any, *, grid: Grid | None = None) -> bytes:
     """
     Returns fields as the bytes of a VTI file for ParaView; see :func:`write`.
     """
 
-def vti_write(path: str | PathLike[str], fields: dict[str, Any], *, grid: Grid | None = None) -> None:
+def vti_write(path: str | PathLike[str], fields: Any, *, grid: Grid | None = None) -> None:
     """
     Writes fields to a VTI file (image data) for ParaView.
 
@@ -7201,10 +7286,10 @@ def vti_write(path: str | PathLike[str], fields: dict[str, Any], *, grid: Grid |
     ----------
     path : path_like
         The file; an existing file is replaced.
-    fields : dict
-        Fields by name; a pair of fields is a vector.
+    fields : dict, solution, State, History, Field or surface
+        Fields by name; a pair of fields is a vector. For other objects, all their fields are written.
     grid : Grid, optional
-        Grid of the fields; required if they are arrays.
+        Grid of the fields of a dictionary; required if they are arrays.
     """
 
 def x3p_parse(bytes: bytes) -> Field:
@@ -7217,12 +7302,12 @@ def x3p_read(path: str | PathLike[str]) -> Field:
     Reads a surface from an X3P file (lengths in metres).
     """
 
-def xyz_parse(bytes: bytes, *, missing: float | None = None, skip_rows: int = 0) -> Field:
+def xyz_parse(bytes: bytes, *, missing: float | None = None, skip_rows: int = 0, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a surface from the bytes of an XYZ file (lengths in the unit of the file); see :func:`read`.
     """
 
-def xyz_read(path: str | PathLike[str], *, missing: float | None = None, skip_rows: int = 0) -> Field:
+def xyz_read(path: str | PathLike[str], *, missing: float | None = None, skip_rows: int = 0, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a surface from an XYZ file (lengths in the unit of the file).
 
@@ -7234,9 +7319,17 @@ def xyz_read(path: str | PathLike[str], *, missing: float | None = None, skip_ro
         The height that marks a missing point (default: the value that a comment states, or none).
     skip_rows : int, default 0
         Number of lines before the points.
+    unit : str, optional
+        The unit of the lengths of the file, which the surface keeps, such as ``"um"``.
+    height_unit : str, optional
+        The unit of the heights of the file, if it differs; the heights are converted to ``unit``.
 
     Raises
     ------
     File, Format
+    ValueError
+        If a name is not a unit of length.
+    TypeError
+        If ``height_unit`` is given without ``unit``.
     """
 

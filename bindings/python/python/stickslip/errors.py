@@ -6,6 +6,7 @@ Arguments are checked before any work, and a failed call leaves the state of sol
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
@@ -22,6 +23,33 @@ class ContactWarning(UserWarning):
     The argument ``warn=False`` of a solve or a step suppresses them; ``warnings.simplefilter("ignore", ContactWarning)``
     hides all of them.
     """
+
+
+class _Argument(StickslipError):
+    """An argument cannot be converted."""
+
+    def add_note(self, note: str, /) -> None:
+        """Adds a note. The note with the name of the argument, which the conversion adds, becomes part of the message."""
+        name = re.fullmatch(r"while processing '(\w+)'", note)
+        if name is None:
+            self.__dict__.setdefault("__notes__", []).append(note)
+        else:
+            self.argument = name[1]
+            self.args = (f"{name[1]} {self}",)
+
+
+class ArgumentType(_Argument, TypeError):
+    """An argument that must be a number is not a number."""
+
+    argument: str
+    """Name of the argument."""
+
+
+class ArgumentRange(_Argument, ValueError):
+    """A whole number is negative, or a number is too large."""
+
+    argument: str
+    """Name of the argument."""
 
 
 class Shape(StickslipError, ValueError):
@@ -545,6 +573,13 @@ class CycleNotClosed(StickslipError):
     """The largest residual allowed."""
 
 
+class NoWholeCycle(StickslipError):
+    """One cycle already removes more than the limit of :class:`~stickslip.wear.CycleJump`."""
+
+    cycles: float
+    """The limit, a fraction of a cycle."""
+
+
 class StepTooLong(StickslipError):
     """A load was divided into the shortest steps allowed, and the error of one step still exceeds its tolerance."""
 
@@ -574,4 +609,5 @@ class NotConverged(StickslipError):
 
 
 def __dir__() -> list[str]:
-    return [name for name, item in globals().items() if isinstance(item, type) and issubclass(item, Exception)]
+    public = (name for name in globals() if not name.startswith("_"))
+    return [name for name in public if isinstance(item := globals()[name], type) and issubclass(item, Exception)]

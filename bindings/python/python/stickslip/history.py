@@ -23,7 +23,7 @@ from ._stickslip import (
     StepErrorEstimate,
     StepResult,
 )
-from .errors import Tolerance
+from .errors import ArgumentRange, Tolerance
 
 # The alias makes `import stickslip.history.wear` work.
 sys.modules[f"{__name__}.wear"] = wear
@@ -122,7 +122,16 @@ class FrettingLoop:
         observer : callable, optional
             A function that is called after every step with the history and the current cycle. It may change the gap by
             wear, change the friction or write output; it stops the loop by returning ``False``.
+
+        Raises
+        ------
+        ArgumentRange
+            If the number of cycles is negative.
         """
+        if cycles < 0:
+            error = ArgumentRange(f"cycles must not be negative, got {cycles}")
+            error.argument = "cycles"
+            raise error
         last = Cycle(history)
         for done in range(cycles):
             if not self._pass(history, last, observer):

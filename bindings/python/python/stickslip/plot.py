@@ -20,12 +20,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._enums import Zone
+from ._stickslip import CoupledRollingSolution, CoupledSolution, Field, Grid, NormalSolution, TangentialSolution
 from .errors import Shape
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from . import Grid, Report
+    from . import Report
     from .history import Cycle
     from .subsurface import Plane
 
@@ -56,6 +57,38 @@ def _axes(axes: Axes | None) -> Axes:
 
 def _label(name: str, unit: str) -> str:
     return f"{name} ({unit})" if name and unit else name or unit
+
+
+def _with_grid(grid: Any, values: Any) -> tuple[Grid, Any]:
+    """Returns the grid and the values of a plot, whose first argument is a grid or a field."""
+    if isinstance(grid, Grid):
+        if values is None:
+            raise TypeError("give the values as the second argument, or a Field instead of the grid")
+        return grid, values
+    field = getattr(grid, "heights", grid)
+    if values is not None or not isinstance(field, Field):
+        raise TypeError(f"the first argument must be a Grid, or a Field without further values, got {type(grid).__name__}")
+    return field.grid, field
+
+
+def _half(solution: Any, *names: str) -> Any:
+    """Returns the half of a coupled solution that has the drawn fields; other objects are returned unchanged."""
+    if isinstance(solution, (CoupledSolution, CoupledRollingSolution)):
+        return next(getattr(solution, name) for name in names if hasattr(solution, name))
+    return solution
+
+
+def _spots_of(solution: Any) -> Any:
+    """Returns the contact spots of an object, with stick ratios if it has tractions."""
+    if isinstance(solution, CoupledSolution):
+        return solution.tangential.spots(solution.normal)
+    if isinstance(solution, (tuple, list)):
+        if [type(part) for part in solution] != [NormalSolution, TangentialSolution]:
+            raise TypeError("a pair for spots must be (normal, shear), a normal and a tangential solution")
+        return solution[1].spots(solution[0])
+    if isinstance(solution, TangentialSolution):
+        raise TypeError("a tangential solution has no pressure: give (normal, shear)")
+    return getattr(_half(solution, "normal"), "spots", solution)
 
 
 def _samples(grid: Grid, values: Any) -> Any:
@@ -127,8 +160,8 @@ def _named_above(axes: Axes) -> Axes:
 
 
 def field(
-    grid: Grid,
-    values: Any,
+    grid: Grid | Field,
+    values: Any = None,
     axes: Axes | None = None,
     *,
     label: str = "",
@@ -143,10 +176,10 @@ def field(
 
     Parameters
     ----------
-    grid : Grid
-        The cells.
-    values : Field or array_like of shape (ny, nx)
-        The values to draw; masked cells remain white.
+    grid : Grid or Field
+        The cells, or a field (or a surface with ``heights``), which contains its cells and its values.
+    values : Field or array_like of shape (ny, nx), optional
+        The values to draw; masked cells remain white. Not given together with a field.
     axes : matplotlib Axes, optional
         Axes to draw into; new axes by default.
     label, unit : str, default ""
@@ -163,7 +196,10 @@ def field(
     Raises
     ------
     Shape
+    TypeError
+        If the first argument is a grid without values, or neither a grid nor a field.
     """
+    grid, values = _with_grid(grid, values)
     samples = _samples(grid, values)
     along = _profile_axis(grid)
     if along is not None:
@@ -179,8 +215,8 @@ def field(
 
 
 def section(
-    grid: Grid,
-    values: Any,
+    grid: Grid | Field,
+    values: Any = None,
     axes: Axes | None = None,
     *,
     along: str = "x",
@@ -196,10 +232,10 @@ def section(
 
     Parameters
     ----------
-    grid : Grid
-        The cells.
-    values : Field or array_like of shape (ny, nx)
-        The values to draw.
+    grid : Grid or Field
+        The cells, or a field; see :func:`field`.
+    values : Field or array_like of shape (ny, nx), optional
+        The values to draw. Not given together with a field.
     axes : matplotlib Axes, optional
         Axes to draw into, to which a line is added; new axes by default.
     along : Axis or str, default "x"
@@ -214,9 +250,12 @@ def section(
     Raises
     ------
     Shape
+    TypeError
+        If the first argument is a grid without values, or neither a grid nor a field.
     ValueError
         If ``along`` is not an axis, or ``at`` is outside the grid.
     """
+    grid, values = _with_grid(grid, values)
     samples = value_scale * _samples(grid, values)
     direction, place = _place(grid, along, at)
     axes = _axes(axes)
@@ -239,10 +278,11 @@ def pressure_map(
     length_unit: str = "",
     **options: Any,
 ) -> Axes:
-    """Draws the pressure of a normal solution, a state or a history; cells outside the contact are white.
+    """Draws the pressure of a normal or coupled solution, a state or a history; cells outside the contact are white.
 
     ``unit`` and ``value_scale`` refer to the pressure; for the other arguments see :func:`field`.
     """
+    solution = _half(solution, "normal")
     pressure = np.asarray(solution.pressure)
     if _profile_axis(solution.grid) is None:
         options = _limits(value_scale * pressure, options, from_zero=True)
@@ -263,10 +303,11 @@ def pressure_map(
 def stick_map(
     solution: Any, axes: Axes | None = None, *, scale: float = 1.0, length_unit: str = ""
 ) -> Axes:
-    """Draws the stick zone and the slip zone of a tangential solution, a state or a history.
+    """Draws the stick zone and the slip zone of a tangential, coupled or rolling solution, a state or a history.
 
     For ``scale`` and ``length_unit`` see :func:`field`.
     """
+    solution = _half(solution, "tangential", "rolling")
     grid, names = solution.grid, [zone.name.lower() for zone in Zone]
     along = _profile_axis(grid)
     if along is not None:
@@ -293,14 +334,14 @@ def traction_map(
     length_unit: str = "",
     **options: Any,
 ) -> Axes:
-    """Draws the shear traction on body 1 of a tangential solution, a state or a history: its magnitude in colours, and
-    its direction by arrows whose length is proportional to the magnitude. On a single row or column of cells, both
+    """Draws the shear traction on body 1 of a tangential, coupled or rolling solution, a state or a history: its magnitude
+    in colours, and its direction by arrows whose length is proportional to the magnitude. On a single row or column of cells, both
     components are drawn as profiles.
 
     Parameters
     ----------
-    solution : TangentialSolution, State or History
-        An object with ``grid`` and ``traction``.
+    solution : TangentialSolution, CoupledSolution, RollingSolution, CoupledRollingSolution, State or History
+        The object whose traction is drawn.
     axes : matplotlib Axes, optional
         Axes to draw into; new axes by default.
     arrows : int, default 16
@@ -310,6 +351,7 @@ def traction_map(
     **options
         Options of ``imshow``, or of ``plot`` for a profile.
     """
+    solution = _half(solution, "tangential", "rolling")
     grid = solution.grid
     x, y = (np.asarray(component) for component in solution.traction)
     names: dict[str, Any] = {"unit": unit, "value_scale": value_scale, "scale": scale, "length_unit": length_unit}
@@ -354,8 +396,8 @@ def spot_map(
 
     Parameters
     ----------
-    spots : ContactSpots, NormalSolution or History
-        The spots, or an object that has spots.
+    spots : ContactSpots, NormalSolution, pair of NormalSolution and TangentialSolution, CoupledSolution or History
+        The spots, or an object that has spots. A normal solution alone has no stick ratios.
     axes : matplotlib Axes, optional
         Axes to draw into; new axes by default.
     by : str, default "mean_pressure"
@@ -368,16 +410,18 @@ def spot_map(
     ------
     ValueError
         If spots do not have this property.
+    TypeError
+        If a tangential solution is given without the normal solution.
     """
     known = ("number", "cells", "area", "load", "mean_pressure", "max_pressure", "perimeter", "stick_ratio")
     if by not in known:
         raise ValueError(f"by must be one of {', '.join(known)}, got {by!r}")
-    spots = getattr(spots, "spots", spots)
+    spots = _spots_of(spots)
     if by == "number":
         return _numbered(spots, axes, scale, length_unit, options)
     numbers = [getattr(spot, by) for spot in spots]
     if None in numbers:
-        raise ValueError("spots of a contact without shear have no stick_ratio: choose a different property")
+        raise ValueError("spots of a normal contact alone have no stick_ratio: give (normal, shear)")
     labels = spots.labels
     values = np.concatenate([[0.0], numbers])[labels]
     if _profile_axis(spots.grid) is None:

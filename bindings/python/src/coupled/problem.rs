@@ -13,10 +13,10 @@ use crate::field::{Field, Samples};
 use crate::friction::{AnyFriction, Friction};
 use crate::grid::size;
 use crate::half_space::HalfSpace;
-use crate::load::{self, Keywords, TangentialLoad};
+use crate::load::{self, Keywords, TangentialArgument, TangentialLoad};
 use crate::normal::{AnyHardness, Hardness};
 use crate::pickle::Recipe;
-use crate::real::Real;
+use crate::real::{Count, Real};
 use crate::settings::{Settings, chosen};
 use crate::solver::solve_once;
 use crate::tangential::RelativeDisplacement;
@@ -80,7 +80,7 @@ impl CoupledProblem {
         bodies: &HalfSpace,
         gap: Samples<'_>,
         friction: AnyFriction<'_>,
-        load: Option<TangentialLoad>,
+        load: Option<TangentialArgument>,
         normal_force: Option<Real>,
         approach: Option<Real>,
         force: Option<conversion::Force>,
@@ -98,7 +98,7 @@ impl CoupledProblem {
         settings: Option<Settings>,
         tolerance: Option<Real>,
         method: Option<Choice<cgm::Method>>,
-        max_iterations: Option<usize>,
+        max_iterations: Option<Count>,
         time_limit: Option<Real>,
     ) -> PyResult<Self> {
         let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;

@@ -6,7 +6,7 @@ use crate::coupled::CoupledSolution;
 use crate::error::OrRaise;
 use crate::field::Samples;
 use crate::friction::AnyFriction;
-use crate::load::{self, TangentialLoad};
+use crate::load::{self, TangentialArgument};
 use crate::real::Real;
 use crate::solver::{Reused, solver};
 
@@ -45,13 +45,13 @@ impl CoupledSolver {
     fn set_load(
         &self,
         py: Python<'_>,
-        load: TangentialLoad,
+        load: TangentialArgument,
         normal_force: Option<Real>,
         approach: Option<Real>,
     ) -> PyResult<()> {
         let normal = load::needed(normal_force, approach)?;
         self.0
-            .with(|solver| solver.set_load(normal, load.0))?
+            .with(|solver| solver.set_load(normal, load.0.0))?
             .or_raise(py)
     }
 

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::history::{Cycle, History, builder};
-use crate::load::LoadStep;
+use crate::load::StepArgument;
 use crate::pickle::picklable;
 use crate::progress::Progress;
 use crate::real::Real;
@@ -92,12 +92,12 @@ impl AdaptiveSteps {
         &self,
         py: Python<'_>,
         history: &History,
-        load: LoadStep,
+        load: StepArgument,
     ) -> PyResult<StepErrorEstimate> {
         let (mut steps, mut work) = (lock(&self.0, NAME)?, lock(&history.work, builder::NAME)?);
         let (steps, work) = (&mut *steps, &mut *work);
         unobserved(py, history.cells(), || {
-            work.tried(|history| steps.error(history, &load.0))
+            work.tried(|history| steps.error(history, &load.0.0))
         })
         .map(StepErrorEstimate)
     }
@@ -126,7 +126,7 @@ impl AdaptiveSteps {
         &self,
         py: Python<'_>,
         history: &History,
-        load: LoadStep,
+        load: StepArgument,
         cycle: Option<&Cycle>,
         warn: bool,
     ) -> PyResult<usize> {
@@ -141,7 +141,7 @@ impl AdaptiveSteps {
                 }
                 unless_broken_off(observer)
             };
-            work.tried(|history| steps.step_observed(history, &load.0, seen))
+            work.tried(|history| steps.step_observed(history, &load.0.0, seen))
         })?;
         let count = outcome.or_raise(py)?;
         report::warn(py, warn, || work.history.last_step().warnings())?;

@@ -12,7 +12,7 @@ use crate::friction::AnyFriction;
 use crate::half_space::HalfSpace;
 use crate::history::step::Numbers;
 use crate::normal::AnyHardness;
-use crate::real::Real;
+use crate::real::{Count, Real};
 use crate::settings::{Settings, chosen};
 use crate::solution_pool::lock;
 use crate::tangential::RelativeDisplacement;
@@ -161,7 +161,7 @@ impl History {
         settings: Option<Settings>,
         tolerance: Option<Real>,
         method: Option<Choice<cgm::Method>>,
-        max_iterations: Option<usize>,
+        max_iterations: Option<Count>,
         time_limit: Option<Real>,
     ) -> PyResult<Self> {
         let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;

@@ -8,7 +8,7 @@ use crate::conversion;
 use crate::digits::{counted, tuple};
 use crate::error::OrRaise;
 use crate::pickle::picklable;
-use crate::real::Real;
+use crate::real::{Count, Real};
 use crate::sequence::{entry, pair};
 
 /// A cycle of a tangential load in the plane, given by the values (x, y) at the ends of its steps. The caller uses these
@@ -46,14 +46,14 @@ impl LoadPath {
     /// amplitude, to its negative, and back to zero. The number of steps must be a multiple of four. A path along x has
     /// the amplitude (a, 0).
     #[staticmethod]
-    fn sine(py: Python<'_>, amplitude: conversion::Amplitude, steps: usize) -> PyResult<Self> {
-        Path::sine(amplitude.0, steps).or_raise(py).map(Self)
+    fn sine(py: Python<'_>, amplitude: conversion::Amplitude, steps: Count) -> PyResult<Self> {
+        Path::sine(amplitude.0, steps.0).or_raise(py).map(Self)
     }
 
     /// Returns a path back and forth along a line at a constant rate. The number of steps must be a multiple of four.
     #[staticmethod]
-    fn triangle(py: Python<'_>, amplitude: conversion::Amplitude, steps: usize) -> PyResult<Self> {
-        Path::triangle(amplitude.0, steps).or_raise(py).map(Self)
+    fn triangle(py: Python<'_>, amplitude: conversion::Amplitude, steps: Count) -> PyResult<Self> {
+        Path::triangle(amplitude.0, steps.0).or_raise(py).map(Self)
     }
 
     /// Returns a path around an ellipse with the amplitudes (A_x, A_y): A_x sin(2 pi t) along x and A_y sin(2 pi t +
@@ -63,9 +63,9 @@ impl LoadPath {
         py: Python<'_>,
         amplitudes: conversion::EllipseAmplitudes,
         phase: Real,
-        steps: usize,
+        steps: Count,
     ) -> PyResult<Self> {
-        Path::ellipse(amplitudes.0, phase.0, steps)
+        Path::ellipse(amplitudes.0, phase.0, steps.0)
             .or_raise(py)
             .map(Self)
     }
@@ -84,8 +84,8 @@ impl LoadPath {
     }
 
     /// Returns the values of the given number of consecutive cycles.
-    fn cycles(&self, count: usize) -> Vec<(f64, f64)> {
-        self.0.cycles(count).map(pair).collect()
+    fn cycles(&self, count: Count) -> Vec<(f64, f64)> {
+        self.0.cycles(count.0).map(pair).collect()
     }
 
     fn __len__(&self) -> usize {

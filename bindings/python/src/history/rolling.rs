@@ -9,7 +9,7 @@ use crate::conversion;
 use crate::digits::{short, tuple};
 use crate::load::one_along;
 use crate::pickle::{parts, picklable};
-use crate::real::Real;
+use crate::real::{Count, Real};
 
 /// Rolling of the bodies in a step of a history: the number of cells, the edge where particles enter the contact, and the
 /// creepage of body 2 over body 1. Without creepage and spin, the bodies roll freely.
@@ -54,7 +54,7 @@ impl Rolling {
     #[new]
     #[pyo3(signature = (cells, *, creepage=None, creepage_x=None, creepage_y=None, spin=None, leading_edge=None))]
     fn new(
-        cells: usize,
+        cells: Count,
         creepage: Option<conversion::Creepages>,
         creepage_x: Option<Real>,
         creepage_y: Option<Real>,
@@ -68,7 +68,7 @@ impl Rolling {
             one_along(axis.index(), given, kinds).map(Option::unwrap_or_default)
         };
         let creepage = [along(Axis::X, creepage_x)?, along(Axis::Y, creepage_y)?];
-        let mut rolling = Rolled::new(cells).creepage(creepage);
+        let mut rolling = Rolled::new(cells.0).creepage(creepage);
         if let Some(Real(spin)) = spin {
             rolling = rolling.spin(spin);
         }

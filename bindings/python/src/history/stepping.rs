@@ -11,7 +11,7 @@ use crate::conversion;
 use crate::error::{OrRaise, raised};
 use crate::history::builder::{NAME, Work};
 use crate::history::{History, Rolling, StepResult};
-use crate::load::{self, Keywords, LoadStep};
+use crate::load::{self, Keywords, LoadStep, StepArgument};
 use crate::progress::Progress;
 use crate::real::Real;
 use crate::report::warn;
@@ -52,7 +52,7 @@ impl History {
         relative_displacement=None, roll=None, progress=None, warn=true))]
     fn step<'py>(
         slf: &Bound<'py, Self>,
-        load: Option<LoadStep>,
+        load: Option<StepArgument>,
         normal_force: Option<Real>,
         approach: Option<Real>,
         force: Option<conversion::Force>,
@@ -133,7 +133,7 @@ impl History {
     #[pyo3(signature = (load=None, *, tolerance, normal_force=None, approach=None, progress=None, warn=true))]
     fn press<'py>(
         slf: &Bound<'py, Self>,
-        load: Option<LoadStep>,
+        load: Option<StepArgument>,
         tolerance: Real,
         normal_force: Option<Real>,
         approach: Option<Real>,

@@ -3,12 +3,13 @@
 use std::sync::Arc;
 
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 use stickslip::Field;
 use stickslip::history::wear::{self, Coefficient};
 
 use crate::array::{Array, copy};
 use crate::digits::short;
-use crate::error::OrRaise;
+use crate::error::{OrRaise, named};
 use crate::field::{Samples, Spread, grid_of};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
@@ -201,8 +202,8 @@ pub(crate) fn threshold_energy<'py>(
 /// Returns
 /// -------
 /// float
-///     The number of cycles, not rounded; infinite without slip. For fewer than half of these cycles, no pattern of
-///     pressure changes sign; :class:`CycleJump` remains below this limit.
+///     The limit, not rounded; infinite without slip. For fewer than half of these cycles, no pattern of pressure changes
+///     sign. To multiply a depth, use :meth:`CycleJump.cycles`, which remains below this limit and is never infinite.
 ///
 /// Raises
 /// ------
@@ -247,13 +248,16 @@ pub(crate) fn max_stable_cycles(
 /// max_residual : float, default 0.25
 ///     The largest :attr:`Cycle.cyclic_residual` of a cycle that may represent the following cycles.
 /// cycles_left : float, optional
-///     The largest number of cycles to jump over; no limit by default.
+///     The largest number of cycles to jump over, such as the rest of a simulation; no limit by default.
 ///
 /// Raises
 /// ------
 /// GridMismatch, Shape, Sample
 #[pyclass(frozen, module = "stickslip.wear")]
-pub(crate) struct CycleJump(wear::CycleJump);
+pub(crate) struct CycleJump {
+    jump: wear::CycleJump,
+    cycles_left: Option<f64>,
+}
 
 #[pymethods]
 impl CycleJump {
@@ -278,25 +282,62 @@ impl CycleJump {
         if let Some(Real(residual)) = max_residual {
             jump = jump.max_residual(residual);
         }
-        if let Some(Real(cycles)) = cycles_left {
+        let cycles_left = cycles_left.map(f64::from);
+        if let Some(cycles) = cycles_left {
             jump = jump.cycles_left(cycles);
         }
-        Ok(Self(jump))
+        Ok(Self { jump, cycles_left })
     }
 
-    /// Returns the number of cycles to jump over, not rounded, or infinity without a limit.
+    /// Returns the number of whole cycles to jump over, or ``None`` if no limit applies, as in full stick without
+    /// ``cycles_left``. Without wear, multiplying by the number of cycles would have no meaning, so the number is not infinite.
+    ///
+    /// Raises
+    /// ------
+    /// NoWholeCycle
+    ///     If one cycle already removes more than the limit.
+    /// CycleNotClosed, NotPositive, NegativeOrNotFinite
+    fn cycles(&self, py: Python<'_>) -> PyResult<Option<u64>> {
+        let cycles = self.jump.cycles().or_raise(py)?;
+        let is_last = self.cycles_left.is_some_and(|left| left < 1.0);
+        if cycles < 1.0 && !is_last {
+            let numbers = PyDict::new(py);
+            numbers.set_item("cycles", cycles)?;
+            let message = format!(
+                "a cycle removes more than the limit, which is {} cycles: \
+                 reduce the wear coefficient, or wear the gap after each step of the cycle",
+                short(cycles)
+            );
+            return Err(named(py, "NoWholeCycle", &message, &numbers)?);
+        }
+        Ok(whole(cycles))
+    }
+
+    /// Whether no limit applies to the number of cycles: no cell wears, and ``cycles_left`` is not given.
     ///
     /// Raises
     /// ------
     /// CycleNotClosed, NotPositive, NegativeOrNotFinite
-    fn cycles(&self, py: Python<'_>) -> PyResult<f64> {
-        self.0.cycles().or_raise(py)
+    #[getter]
+    fn is_unlimited(&self, py: Python<'_>) -> PyResult<bool> {
+        self.jump.cycles().or_raise(py).map(f64::is_infinite)
     }
 
     fn __repr__(&self) -> String {
-        match self.0.cycles() {
-            Ok(cycles) => format!("CycleJump(cycles={})", short(cycles)),
+        match self.jump.cycles().map(whole) {
+            Ok(Some(cycles)) => format!("CycleJump(cycles={cycles})"),
+            Ok(None) => "CycleJump(cycles=None)".into(),
             Err(error) => format!("CycleJump({error})"),
         }
     }
+}
+
+/// Returns the whole cycles of a limit; `None` for a limit that is infinite.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a limit is not negative, and its fraction is no whole cycle"
+)]
+fn whole(cycles: f64) -> Option<u64> {
+    cycles.is_finite().then_some(cycles as u64)
 }

@@ -13,7 +13,7 @@ use crate::half_space::HalfSpace;
 use crate::load;
 use crate::normal::{AnyHardness, Hardness, NormalSolution, NormalSolver};
 use crate::pickle::Recipe;
-use crate::real::Real;
+use crate::real::{Count, Real};
 use crate::settings::{Settings, chosen};
 use crate::solver::solve_once;
 use crate::work::unobserved_on;
@@ -63,21 +63,25 @@ pub(crate) struct NormalProblem {
 #[pymethods]
 impl NormalProblem {
     #[new]
-    #[pyo3(signature = (bodies, gap, *, force=None, approach=None, hardness=None, settings=None, tolerance=None,
-        method=None, max_iterations=None, time_limit=None))]
+    #[pyo3(signature = (bodies, gap, *positional, force=None, approach=None, hardness=None, settings=None, tolerance=None,
+        method=None, max_iterations=None, time_limit=None),
+        text_signature = "(bodies, gap, *, force=None, approach=None, hardness=None, settings=None, tolerance=None, \
+            method=None, max_iterations=None, time_limit=None)")]
     pub(super) fn new(
         py: Python<'_>,
         bodies: &HalfSpace,
         gap: Samples<'_>,
+        positional: &Bound<'_, PyTuple>,
         force: Option<Real>,
         approach: Option<Real>,
         hardness: Option<AnyHardness<'_>>,
         settings: Option<Settings>,
         tolerance: Option<Real>,
         method: Option<Choice<cgm::Method>>,
-        max_iterations: Option<usize>,
+        max_iterations: Option<Count>,
         time_limit: Option<Real>,
     ) -> PyResult<Self> {
+        load::by_keyword("NormalProblem", positional, "force= or approach=")?;
         let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
         let grid = bodies.0.grid();
         let gap = gap.on(py, "gap", grid)?;

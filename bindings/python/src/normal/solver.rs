@@ -3,6 +3,7 @@
 use std::sync::{Arc, Mutex};
 
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 use stickslip::{NormalControl, cgm};
 
 use crate::choice::Choice;
@@ -10,7 +11,7 @@ use crate::field::Samples;
 use crate::half_space::HalfSpace;
 use crate::load;
 use crate::normal::{AnyHardness, NormalProblem, NormalSolution};
-use crate::real::Real;
+use crate::real::{Count, Real};
 use crate::settings::Settings;
 use crate::solution_pool::lock;
 use crate::solver::{Reused, solver};
@@ -119,25 +120,30 @@ solver!(NormalSolver: NormalSolution);
 #[pymethods]
 impl NormalSolver {
     #[new]
-    #[pyo3(signature = (bodies, gap, *, force=None, approach=None, hardness=None, settings=None, tolerance=None,
-        method=None, max_iterations=None, time_limit=None))]
+    #[pyo3(signature = (bodies, gap, *positional, force=None, approach=None, hardness=None, settings=None, tolerance=None,
+        method=None, max_iterations=None, time_limit=None),
+        text_signature = "(bodies, gap, *, force=None, approach=None, hardness=None, settings=None, tolerance=None, \
+            method=None, max_iterations=None, time_limit=None)")]
     fn new(
         py: Python<'_>,
         bodies: &HalfSpace,
         gap: Samples<'_>,
+        positional: &Bound<'_, PyTuple>,
         force: Option<Real>,
         approach: Option<Real>,
         hardness: Option<AnyHardness<'_>>,
         settings: Option<Settings>,
         tolerance: Option<Real>,
         method: Option<Choice<cgm::Method>>,
-        max_iterations: Option<usize>,
+        max_iterations: Option<Count>,
         time_limit: Option<Real>,
     ) -> PyResult<Self> {
+        load::by_keyword("NormalSolver", positional, "force= or approach=")?;
         let problem = NormalProblem::new(
             py,
             bodies,
             gap,
+            positional,
             force,
             approach,
             hardness,

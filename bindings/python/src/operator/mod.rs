@@ -17,6 +17,7 @@ use crate::array::Array;
 use crate::choice::Choice;
 use crate::digits::counted;
 use crate::function::Function;
+use crate::real::Count;
 use crate::real::is_real;
 use crate::work::unobserved;
 
@@ -291,7 +292,8 @@ impl LinearOperator {
 
 /// Returns the identity operator.
 #[pyfunction]
-pub(crate) fn identity(cells: usize) -> PyResult<LinearOperator> {
+pub(crate) fn identity(cells: Count) -> PyResult<LinearOperator> {
+    let cells = cells.0;
     if cells == 0 {
         return Err(PyRuntimeError::new_err(
             "the number of cells must be at least 1, got 0",

@@ -18,8 +18,8 @@ use crate::grid::size;
 use crate::half_space::HalfSpace;
 use crate::load;
 use crate::normal::NormalSolution;
-use crate::pickle::Recipe;
-use crate::real::Real;
+use crate::pickle::{Recipe, picklable};
+use crate::real::{Count, Real};
 use crate::report::{Report, Warning, ending};
 use crate::rolling::RollingSolution;
 use crate::rolling::control::Keywords;
@@ -73,14 +73,19 @@ pub(crate) struct CoupledRollingProblem(rolling::CoupledRollingProblem, sticksli
 #[pymethods]
 impl CoupledRollingProblem {
     #[new]
-    #[pyo3(signature = (bodies, gap, friction, *, normal_force=None, approach=None, creepage=None, creepage_x=None,
+    #[pyo3(signature = (bodies, gap, friction, *positional, normal_force=None, approach=None, creepage=None, creepage_x=None,
         creepage_y=None, force=None, force_x=None, force_y=None, spin=None, moment=None, leading_edge=None, step=None,
-        entry_rule=None, slip_corrections=None, settings=None, tolerance=None, method=None, max_iterations=None, time_limit=None))]
+        entry_rule=None, slip_corrections=None, settings=None, tolerance=None, method=None, max_iterations=None, time_limit=None),
+        text_signature = "(bodies, gap, friction, *, normal_force=None, approach=None, creepage=None, creepage_x=None, \
+            creepage_y=None, force=None, force_x=None, force_y=None, spin=None, moment=None, leading_edge=None, \
+            step=None, entry_rule=None, slip_corrections=None, settings=None, tolerance=None, method=None, \
+            max_iterations=None, time_limit=None)")]
     fn new(
         py: Python<'_>,
         bodies: &HalfSpace,
         gap: Samples<'_>,
         friction: AnyFriction<'_>,
+        positional: &Bound<'_, PyTuple>,
         normal_force: Option<Real>,
         approach: Option<Real>,
         creepage: Option<conversion::Creepages>,
@@ -92,15 +97,20 @@ impl CoupledRollingProblem {
         spin: Option<Real>,
         moment: Option<Real>,
         leading_edge: Option<Choice<LeadingEdge>>,
-        step: Option<usize>,
+        step: Option<Count>,
         entry_rule: Option<Choice<EntryRule>>,
-        slip_corrections: Option<usize>,
+        slip_corrections: Option<Count>,
         settings: Option<Settings>,
         tolerance: Option<Real>,
         method: Option<Choice<cgm::Method>>,
-        max_iterations: Option<usize>,
+        max_iterations: Option<Count>,
         time_limit: Option<Real>,
     ) -> PyResult<Self> {
+        load::by_keyword(
+            "CoupledRollingProblem",
+            positional,
+            "normal_force= or approach=",
+        )?;
         let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
         let keywords = Keywords::new(
             (creepage, force),
@@ -120,9 +130,13 @@ impl CoupledRollingProblem {
         let recipe = Recipe::new(py, given)?
             .with_normal(py, normal, "normal_force")?
             .with(py, "leading_edge", leading_edge)?
-            .with(py, "step", step)?
+            .with(py, "step", step.map(|Count(cells)| cells))?
             .with(py, "entry_rule", entry_rule)?
-            .with(py, "slip_corrections", slip_corrections)?
+            .with(
+                py,
+                "slip_corrections",
+                slip_corrections.map(|Count(count)| count),
+            )?
             .with(py, "settings", Some(Settings(settings)))?;
         let recipe = keywords.recorded(py, recipe)?;
         let built = unobserved_on(py, grid, || {
@@ -136,13 +150,13 @@ impl CoupledRollingProblem {
             if let Some(edge) = leading_edge {
                 builder = builder.leading_edge(edge.0);
             }
-            if let Some(cells) = step {
+            if let Some(Count(cells)) = step {
                 builder = builder.step(cells);
             }
             if let Some(rule) = entry_rule {
                 builder = builder.entry_rule(rule.0);
             }
-            if let Some(corrections) = slip_corrections {
+            if let Some(Count(corrections)) = slip_corrections {
                 builder = builder.slip_corrections(corrections);
             }
             builder.build()
@@ -335,6 +349,8 @@ impl CoupledRollingSolution {
     }
 }
 
+picklable!(CoupledRollingSolution: rolling::CoupledRollingSolution);
+
 /// Report of coupled rolling: termination, cost, number of passes and certified error bounds.
 #[pyclass(frozen, eq, module = "stickslip.rolling")]
 #[derive(Clone, PartialEq)]
@@ -412,3 +428,5 @@ impl CoupledRollingReport {
         ))
     }
 }
+
+picklable!(CoupledRollingReport: rolling::CoupledRollingReport);

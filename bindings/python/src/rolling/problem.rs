@@ -11,9 +11,10 @@ use crate::conversion;
 use crate::friction::{AnyFriction, Friction};
 use crate::grid::size;
 use crate::half_space::HalfSpace;
+use crate::load;
 use crate::normal::NormalSolution;
 use crate::pickle::Recipe;
-use crate::real::Real;
+use crate::real::{Count, Real};
 use crate::rolling::control::Keywords;
 use crate::rolling::{RollingSolution, RollingSolver};
 use crate::settings::{Settings, chosen};
@@ -84,14 +85,19 @@ pub(crate) struct RollingProblem(rolling::RollingProblem, stickslip::Grid, Recip
 #[pymethods]
 impl RollingProblem {
     #[new]
-    #[pyo3(signature = (bodies, normal, friction, *, creepage=None, creepage_x=None, creepage_y=None, force=None,
+    #[pyo3(signature = (bodies, normal, friction, *positional, creepage=None, creepage_x=None, creepage_y=None, force=None,
         force_x=None, force_y=None, spin=None, moment=None, leading_edge=None, step=None, entry_rule=None, slip_corrections=None, settings=None,
-        tolerance=None, method=None, max_iterations=None, time_limit=None))]
+        tolerance=None, method=None, max_iterations=None, time_limit=None),
+        text_signature = "(bodies, normal, friction, *, creepage=None, creepage_x=None, creepage_y=None, force=None, \
+            force_x=None, force_y=None, spin=None, moment=None, leading_edge=None, step=None, entry_rule=None, \
+            slip_corrections=None, settings=None, tolerance=None, method=None, max_iterations=None, \
+            time_limit=None)")]
     fn new(
         py: Python<'_>,
         bodies: &HalfSpace,
         normal: Bound<'_, NormalSolution>,
         friction: AnyFriction<'_>,
+        positional: &Bound<'_, PyTuple>,
         creepage: Option<conversion::Creepages>,
         creepage_x: Option<Real>,
         creepage_y: Option<Real>,
@@ -101,15 +107,16 @@ impl RollingProblem {
         spin: Option<Real>,
         moment: Option<Real>,
         leading_edge: Option<Choice<LeadingEdge>>,
-        step: Option<usize>,
+        step: Option<Count>,
         entry_rule: Option<Choice<EntryRule>>,
-        slip_corrections: Option<usize>,
+        slip_corrections: Option<Count>,
         settings: Option<Settings>,
         tolerance: Option<Real>,
         method: Option<Choice<cgm::Method>>,
-        max_iterations: Option<usize>,
+        max_iterations: Option<Count>,
         time_limit: Option<Real>,
     ) -> PyResult<Self> {
+        load::by_keyword("RollingProblem", positional, "creepage_x= or force_x=")?;
         let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
         let keywords = Keywords::new(
             (creepage, force),
@@ -122,9 +129,13 @@ impl RollingProblem {
         let given = (bodies.clone(), normal.clone(), Friction(friction.clone()));
         let recipe = Recipe::new(py, given)?
             .with(py, "leading_edge", leading_edge)?
-            .with(py, "step", step)?
+            .with(py, "step", step.map(|Count(cells)| cells))?
             .with(py, "entry_rule", entry_rule)?
-            .with(py, "slip_corrections", slip_corrections)?
+            .with(
+                py,
+                "slip_corrections",
+                slip_corrections.map(|Count(count)| count),
+            )?
             .with(py, "settings", Some(Settings(settings)))?;
         let recipe = keywords.recorded(py, recipe)?;
         let normal = normal.get().get();
@@ -138,13 +149,13 @@ impl RollingProblem {
             if let Some(edge) = leading_edge {
                 builder = builder.leading_edge(edge.0);
             }
-            if let Some(cells) = step {
+            if let Some(Count(cells)) = step {
                 builder = builder.step(cells);
             }
             if let Some(rule) = entry_rule {
                 builder = builder.entry_rule(rule.0);
             }
-            if let Some(corrections) = slip_corrections {
+            if let Some(Count(corrections)) = slip_corrections {
                 builder = builder.slip_corrections(corrections);
             }
             builder.build()

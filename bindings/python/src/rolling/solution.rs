@@ -9,6 +9,7 @@ use crate::array::{Array, copy, view, zones};
 use crate::digits::{short, tuple};
 use crate::error::OrRaise;
 use crate::grid::Grid;
+use crate::pickle::picklable;
 use crate::report::{Report, Warning, ending};
 use crate::sequence::pair;
 
@@ -128,3 +129,5 @@ impl RollingSolution {
         )
     }
 }
+
+picklable!(RollingSolution: rolling::RollingSolution);

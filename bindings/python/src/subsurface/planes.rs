@@ -13,6 +13,7 @@ use crate::digits::{counted, short};
 use crate::error::OrRaise;
 use crate::grid::{Grid, size};
 use crate::half_space::HalfSpace;
+use crate::real::Count;
 use crate::report::{Warning, warn};
 use crate::sequence::place;
 use crate::solution_pool::lock;
@@ -96,8 +97,8 @@ impl Plane {
     }
 
     /// Returns the stress of a cell, given by column and row, or ``None`` outside the grid.
-    fn get(&self, ix: usize, iy: usize) -> Option<Stress> {
-        self.0.get(ix, iy).map(Stress)
+    fn get(&self, ix: Count, iy: Count) -> Option<Stress> {
+        self.0.get(ix.0, iy.0).map(Stress)
     }
 
     /// Von Mises' equivalent stress (pressures), of shape (ny, nx).

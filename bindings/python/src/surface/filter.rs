@@ -4,8 +4,11 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use stickslip::surface::{self, GaussianFilter};
 
+use crate::array::view;
 use crate::digits::short;
-use crate::field::{Field, Samples};
+use crate::field::{Field, Samples, as_numpy};
+use crate::pickle::{Reduced, Stored, reduced};
+use crate::real::Real;
 use crate::unit::Unit;
 use crate::work::unobserved_on;
 
@@ -31,6 +34,15 @@ impl Filtered {
         self.field(self.parts.heights())
     }
 
+    #[pyo3(signature = (dtype=None, copy=None))]
+    fn __array__<'py>(
+        slf: &Bound<'py, Self>,
+        dtype: Option<Bound<'py, PyAny>>,
+        copy: Option<bool>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        as_numpy(view(slf, |surface| surface.parts.heights()).0, dtype, copy)
+    }
+
     /// Short waves removed by the S filter (lengths), such as noise; ``None`` without an S filter.
     #[getter]
     fn short_waves(&self) -> Option<Field> {
@@ -50,10 +62,37 @@ impl Filtered {
         self.valid_range
     }
 
+    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
+        let ((first, end), (low, high)) = self.valid_range;
+        reduced::<Self>(
+            py,
+            &(
+                self.parts.clone(),
+                self.unit.as_deref().map(String::from),
+                [first, end, low, high],
+            ),
+        )
+    }
+
     fn __repr__(&self) -> String {
         let heights = self.parts.heights();
         let (low, high) = (short(heights.min()), short(heights.max()));
         format!("Filtered(heights from {low} to {high})")
+    }
+}
+
+impl Stored for Filtered {
+    type Content = (surface::Filtered, Option<String>, [usize; 4]);
+
+    const KIND: &'static str = "Filtered";
+
+    fn of_content((parts, unit, range): Self::Content) -> Self {
+        let [first, end, low, high] = range;
+        Self {
+            parts,
+            unit: unit.map(Unit::from),
+            valid_range: ((first, end), (low, high)),
+        }
     }
 }
 
@@ -96,16 +135,16 @@ impl Filtered {
 pub(crate) fn gaussian_filter(
     py: Python<'_>,
     heights: Samples<'_>,
-    s: Option<f64>,
-    l: Option<f64>,
+    s: Option<Real>,
+    l: Option<Real>,
     periodic: bool,
     along: &str,
 ) -> PyResult<Filtered> {
     let (unit, heights) = (heights.unit()?, heights.alone("heights")?);
     let filter = match (s, l) {
-        (Some(s), Some(l)) => GaussianFilter::sl(s, l),
-        (Some(s), None) => GaussianFilter::s(s),
-        (None, Some(l)) => GaussianFilter::l(l),
+        (Some(Real(s)), Some(Real(l))) => GaussianFilter::sl(s, l),
+        (Some(Real(s)), None) => GaussianFilter::s(s),
+        (None, Some(Real(l))) => GaussianFilter::l(l),
         (None, None) => {
             return Err(PyTypeError::new_err(
                 "give the nesting index of the S filter (s=), of the L filter (l=), or both",

@@ -6,6 +6,7 @@ use stickslip::surface;
 use crate::array::{Array, view_slice};
 use crate::digits::short;
 use crate::field::Samples;
+use crate::pickle::picklable;
 use crate::surface::numbers;
 use crate::work::unobserved_on;
 
@@ -67,3 +68,5 @@ impl PowerSpectrum {
         )
     }
 }
+
+picklable!(PowerSpectrum: surface::PowerSpectrum);

@@ -7,11 +7,11 @@ use stickslip::surface;
 use crate::array::{Array, view};
 use crate::choice::Choice;
 use crate::digits::short;
-use crate::field::Field;
+use crate::field::{Field, as_numpy};
 use crate::grid::{Grid, size};
 use crate::half_space::HalfSpace;
 use crate::pickle::{parts, picklable};
-use crate::real::Real;
+use crate::real::{Real, Seed};
 use crate::surface::numbers;
 use crate::work::{observed_on, watch};
 
@@ -69,7 +69,7 @@ impl SelfAffine {
         cropped: bool,
         skewness: Option<Real>,
         kurtosis: Option<Real>,
-        seed: Option<u64>,
+        seed: Option<Seed>,
     ) -> PyResult<Self> {
         use surface::SelfAffine as Recipe;
         type Setting = (Option<Real>, fn(Recipe, f64) -> Recipe);
@@ -99,7 +99,7 @@ impl SelfAffine {
         if cropped {
             recipe = recipe.cropped();
         }
-        if let Some(seed) = seed {
+        if let Some(Seed(seed)) = seed {
             recipe = recipe.seed(seed);
         }
         Ok(Self(recipe))
@@ -201,6 +201,15 @@ impl RoughSurface {
         view(slf, |rough| rough.0.heights())
     }
 
+    #[pyo3(signature = (dtype=None, copy=None))]
+    fn __array__<'py>(
+        slf: &Bound<'py, Self>,
+        dtype: Option<Bound<'py, PyAny>>,
+        copy: Option<bool>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        as_numpy(Self::array(slf).0, dtype, copy)
+    }
+
     /// Number of iterations for a prescribed skewness or kurtosis.
     #[getter]
     fn iterations(&self) -> usize {
@@ -216,3 +225,5 @@ impl RoughSurface {
         )
     }
 }
+
+picklable!(RoughSurface: surface::RoughSurface);

@@ -10,9 +10,9 @@ use crate::digits::short;
 use crate::friction::{AnyFriction, Friction};
 use crate::grid::size;
 use crate::half_space::HalfSpace;
-use crate::load::{Keywords, TangentialLoad};
+use crate::load::{Keywords, TangentialArgument, TangentialLoad};
 use crate::pickle::Recipe;
-use crate::real::Real;
+use crate::real::{Count, Real};
 use crate::settings::{Settings, chosen};
 use crate::solver::solve_once;
 use crate::tangential::pressure::Pressure;
@@ -78,7 +78,7 @@ impl TangentialProblem {
         bodies: &HalfSpace,
         pressure: Pressure<'_>,
         friction: AnyFriction<'_>,
-        load: Option<TangentialLoad>,
+        load: Option<TangentialArgument>,
         force: Option<conversion::Force>,
         shift: Option<conversion::Shift>,
         spring: Option<conversion::Springs>,
@@ -95,7 +95,7 @@ impl TangentialProblem {
         settings: Option<Settings>,
         tolerance: Option<Real>,
         method: Option<Choice<cgm::Method>>,
-        max_iterations: Option<usize>,
+        max_iterations: Option<Count>,
         time_limit: Option<Real>,
     ) -> PyResult<Self> {
         let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;

@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use crate::conversion;
 use crate::error::OrRaise;
 use crate::friction::AnyFriction;
-use crate::load::{Keywords, TangentialLoad};
+use crate::load::{Keywords, TangentialArgument};
 use crate::real::Real;
 use crate::solver::{Reused, solver};
 use crate::tangential::pressure::Pressure;
@@ -55,7 +55,7 @@ impl TangentialSolver {
     fn solve<'py>(
         &self,
         py: Python<'py>,
-        load: Option<TangentialLoad>,
+        load: Option<TangentialArgument>,
         force: Option<conversion::Force>,
         shift: Option<conversion::Shift>,
         spring: Option<conversion::Springs>,

@@ -8,12 +8,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from .._stickslip import (
+    CoupledRollingSolution,
     CoupledSolution,
     Field,
+    Filled,
+    Filtered,
     Grid,
     History,
+    Levelled,
     NormalSolution,
     Plane,
+    RollingSolution,
+    RoughSurface,
     State,
     TangentialSolution,
 )
@@ -24,12 +30,14 @@ if TYPE_CHECKING:
 # Names of the fields, which have one number or one vector per cell, and of the scalar results.
 _FIELDS = (
     "pressure", "gap", "contact", "traction", "slip", "zones", "displacement", "accumulated_slip", "dissipated_energy",
-    "normal_stress", "shear_stress", "von_mises",
+    "dissipation", "normal_stress", "shear_stress", "von_mises", "heights", "form", "short_waves", "long_waves",
 )  # fmt: skip
 _NUMBERS = (
-    "force", "tangential_force", "approach", "moment", "shift", "twist", "stick_ratio", "is_gross_slip", "contact_area", "contact_area_corrected",
-    "yielded_cells", "dissipated_energy", "elastic_energy", "steps",
+    "force", "tangential_force", "approach", "moment", "shift", "twist", "creepage", "spin", "work", "stick_ratio", "is_gross_slip",
+    "contact_area", "contact_area_corrected", "yielded_cells", "dissipated_energy", "elastic_energy", "steps", "rms_height",
+    "rms_slope", "skewness", "kurtosis", "filled_cells",
 )  # fmt: skip
+_SURFACES = (RoughSurface, Levelled, Filled, Filtered)
 _PARTS = {"normal_stress": ("xx", "yy", "zz"), "shear_stress": ("xy", "xz", "yz")}
 
 
@@ -38,13 +46,14 @@ def to_xarray(solution: Any) -> xarray.Dataset:
 
     Fields have the dimensions (y, x), with the centres of the cells as coordinates. Components of vectors are named by
     their axis, such as ``traction_x``, and components of stresses by both axes, such as ``xz``. Numbers are attributes of
-    the dataset. The docstring of each field is its attribute ``long_name``. The unit of a Field is kept; for other
-    objects set ``dataset.x.attrs["units"]``.
+    the dataset. The docstring of each field is its attribute ``long_name``. The unit of a Field or a surface is kept; for
+    other objects set ``dataset.x.attrs["units"]``.
 
     Parameters
     ----------
-    solution : NormalSolution, TangentialSolution, tuple of both, CoupledSolution, State, History, Field, or sequence of Plane
-        The object to convert. For a pair of a normal and a tangential solution, the normal force is named
+    solution : solution, State, History, Field, surface, or sequence of Plane
+        The object to convert: a normal, tangential, coupled, rolling or coupled rolling solution, a pair of a normal and a
+        tangential or rolling solution, or a rough, levelled, filled or filtered surface. In a pair, the normal force is named
         ``normal_force``. Planes, such as those of :meth:`Planes.solve_all`, have the additional dimension ``depth``.
 
     Raises
@@ -74,25 +83,53 @@ def to_xarray(solution: Any) -> xarray.Dataset:
     except ImportError as error:
         raise ImportError("to_xarray requires xarray: pip install xarray") from error
     if isinstance(solution, Field):
-        dataset = _dataset(solution.grid, {"values": (solution.array, "Samples of the field.")}, {})
-        for variable in dataset.variables.values():
-            if solution.unit is not None:
-                variable.attrs["units"] = solution.unit
-        return dataset
-    if isinstance(solution, (NormalSolution, TangentialSolution, State, History)):
-        numbers = _numbers(solution)
-        if isinstance(solution, (State, History)):
-            numbers["normal_force"] = solution.normal.force
-        return _dataset(solution.grid, dict(_fields(solution)), numbers)
+        return _with_units(_dataset(solution.grid, {"values": (solution.array, "Samples of the field.")}, {}), solution.unit)
+    if isinstance(solution, _SURFACES):
+        heights = solution.heights
+        return _with_units(_dataset(heights.grid, dict(_fields(solution)), _numbers(solution)), heights.unit)
+    if isinstance(solution, Sequence) and solution and all(type(part) is Plane for part in solution):
+        return _volume(solution)
+    halves = _halves_of(solution)
+    if len(halves) == 2:
+        return _halves(*halves, solution if isinstance(solution, CoupledSolution) else None)
+    numbers = _numbers(solution)
+    if isinstance(solution, (State, History)):
+        numbers["normal_force"] = solution.normal.force
+    return _dataset(solution.grid, dict(_fields(solution)), numbers)
+
+
+def fields_of(solution: Any) -> tuple[dict[str, Any], Grid]:
+    """Returns the fields of a solution or a surface by name, with vectors of two components as pairs, and their grid. Called
+    by the writers of images."""
+    if isinstance(solution, Field):
+        return {"values": solution}, solution.grid
+    if isinstance(solution, _SURFACES):
+        return {name: values for name, values, _ in _values(solution)}, solution.heights.grid
+    found: dict[str, Any] = {}
+    halves = _halves_of(solution)
+    for part in (*halves, solution) if isinstance(solution, CoupledSolution) else halves:
+        for name, values, _ in _values(part):
+            if isinstance(values, tuple) and len(values) != 2:
+                found |= {f"{name}_{axis}": component for axis, component in zip("xyz", values)}
+            else:
+                found[name] = values
+    return found, halves[0].grid
+
+
+def _halves_of(solution: Any) -> tuple[Any, ...]:
+    """Returns the normal and the tangential part of a solution, or the solution itself if it has one part."""
     if isinstance(solution, CoupledSolution):
-        return _halves(solution.normal, solution.tangential, solution)
+        return solution.normal, solution.tangential
+    if isinstance(solution, CoupledRollingSolution):
+        return solution.normal, solution.rolling
+    if isinstance(solution, (NormalSolution, TangentialSolution, RollingSolution, State, History)):
+        return (solution,)
     if isinstance(solution, Sequence):
         kinds = [type(part) for part in solution]
-        if kinds == [NormalSolution, TangentialSolution]:
-            return _halves(solution[0], solution[1], None)
-        if kinds and all(kind is Plane for kind in kinds):
-            return _volume(solution)
-    raise TypeError(f"expected a solution, a state, a history, a Field or planes, got {type(solution).__name__}")
+        if kinds in ([NormalSolution, TangentialSolution], [NormalSolution, RollingSolution]):
+            return tuple(solution)
+    name = type(solution).__name__
+    raise TypeError(f"expected a solution, a state, a history, a Field, a surface or planes, got {name}")
 
 
 def from_xarray(array: xarray.DataArray) -> Field:
@@ -122,13 +159,18 @@ def from_xarray(array: xarray.DataArray) -> Field:
     return Field(grid, samples, array.attrs.get("units"))
 
 
-def _fields(solution: Any) -> Iterator[tuple[str, tuple[Any, str]]]:
-    """Yields the fields of a solution with their descriptions, except fields that require a product."""
+def _values(solution: Any) -> Iterator[tuple[str, Any, str]]:
+    """Yields the fields of a solution by name with their descriptions, except fields that require a product."""
     for name in _FIELDS:
         value = getattr(solution, name, None)
         if value is None or callable(value) or np.isscalar(value):
             continue
-        doc = str(getattr(type(solution), name).__doc__).split("\n\n")[0].replace("\n", " ")
+        yield name, value, str(getattr(type(solution), name).__doc__).split("\n\n")[0].replace("\n", " ")
+
+
+def _fields(solution: Any) -> Iterator[tuple[str, tuple[Any, str]]]:
+    """Yields the fields of a solution and the components of its vectors with their descriptions."""
+    for name, value, doc in _values(solution):
         if isinstance(value, tuple):
             parts = _PARTS.get(name, tuple(f"{name}_{axis}" for axis in "xyz"))
             yield from ((part, (component, doc)) for part, component in zip(parts, value))
@@ -155,6 +197,14 @@ def _dataset(grid: Any, fields: dict[str, tuple[Any, str]], numbers: dict[str, A
         name: (("y", "x"), np.array(values), {"long_name": doc}) for name, (values, doc) in fields.items()
     }
     return xarray.Dataset(variables, {"y": grid.y, "x": grid.x}, numbers)
+
+
+def _with_units(dataset: xarray.Dataset, unit: str | None) -> xarray.Dataset:
+    """Returns the dataset of a surface with the unit of its lengths."""
+    if unit is not None:
+        for variable in dataset.variables.values():
+            variable.attrs["units"] = unit
+    return dataset
 
 
 def _halves(normal: Any, shear: Any, both: Any) -> xarray.Dataset:
