@@ -152,12 +152,12 @@ pub fn at_points_observed<'a>(
             return refused(far, TOO_FAR);
         }
     }
-    let loaded = Loaded::new(bodies, fields);
     let mut responses = fallible::filled(PointResult::default(), points.len())?;
     let cells = bodies.grid().cells();
     let watch = &mut WorkObserver::new(&mut observer);
     parallel::enter_with(cells.max(points.len()), || {
-        let portion = (PORTION / cells).max(parallel::lanes());
+        let loaded = Loaded::new(bodies, fields, watch)?;
+        let portion = (PORTION / loaded.cells_per_point()).max(parallel::lanes());
         for (first, items) in (0..).step_by(portion).zip(responses.chunks_mut(portion)) {
             watch.notify_observer()?;
             let work = |point: usize, response: Blocks<'_, PointResult>| {

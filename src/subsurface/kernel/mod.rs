@@ -124,6 +124,7 @@ mod rectangle;
 mod tests;
 mod weights;
 
+pub(crate) use far::add_integrands;
 pub(crate) use integral::PotentialIntegral;
 pub(crate) use rectangle::LoadedRectangle;
 pub(crate) use weights::{FieldComponent, Load, Weights};
