@@ -16,7 +16,7 @@
 //!
 //! The error of interpolation at `n` nodes decreases like `rho^-n` (Trefethen, Approximation Theory and Approximation Practice,
 //! 2013, theorem 8.2). For the derivatives of the potentials in the stresses the largest error is about `0.6 n^2 rho^-n`, relative
-//! to the stress `1/(2 pi r^2)` of a unit force at the distance `r`. Both axes together with `rho >= 5` and 20 nodes give 2.3e-12.
+//! to the stress `1/(2 pi r^2)` of a unit force at the distance `r`. With `rho >= 4` along both axes and 24 nodes it is 1.0e-12.
 
 use std::ops::Range;
 
@@ -26,19 +26,19 @@ use crate::memory::fallible;
 use crate::observer::WorkObserver;
 use crate::parallel::{self, Blocks};
 use crate::subsurface::cardinal::{self, NODES, PerNode};
-use crate::subsurface::direct_sum::{Row, Sums, row};
-use crate::subsurface::kernel::{PotentialIntegral, add_integrands};
+use crate::subsurface::direct_sum::{Row, row};
+use crate::subsurface::kernel::{PointForceSums, add_point_forces};
 
 /// Number of cells in the smallest blocks.
 const CELLS: usize = 64;
 /// Number of cells up to which a sum over the cells costs no more than a sum over the nodes of their block.
 const FEW: usize = 12;
-/// Smallest sum of the distances from a point to both ends of a side, in sides. It belongs to `rho = 5`.
-const FAR: f64 = 2.6;
+/// Smallest sum of the distances from a point to both ends of a side, in sides. It belongs to `rho = 4`.
+const FAR: f64 = 2.125;
 /// Number of blocks whose forces are computed between two calls of an observer.
 const PORTION: usize = 256;
 /// Number of nodes that are evaluated together in vector registers.
-const LANES: usize = 4;
+pub(super) const LANES: usize = 4;
 const SQUARE: usize = NODES * NODES;
 
 /// Block of cells.
@@ -52,7 +52,7 @@ struct Block {
     next: usize,
     /// Rows of loaded cells, in a block without parts.
     rows: Range<usize>,
-    /// Number of cells in the rows of the block.
+    /// Number of cells in the rows of the block and its parts.
     cells: usize,
     /// Index of the forces, unless the block has few cells.
     forces: Option<usize>,
@@ -97,10 +97,11 @@ impl<'a> BlockTree<'a> {
             first = [first[0].min(columns.start), first[1].min(*iy)];
             end = [end[0].max(columns.end), end[1].max(iy + 1)];
         }
-        let is_covered = |level: usize| {
-            (0..2).all(|axis| tree.sides[axis] << level >= end[axis] - first[axis])
-        };
-        let top = (0..).find(|&level| is_covered(level)).unwrap_or(0);
+        let extent = [0, 1].map(|axis| end[axis] - first[axis]);
+        let mut top = 0;
+        while (0..2).any(|axis| tree.sides[axis] << top < extent[axis]) {
+            top += 1;
+        }
         tree.add(top, first)?;
         tree.set_forces(top, watch)?;
         Ok(tree)
@@ -108,7 +109,7 @@ impl<'a> BlockTree<'a> {
 
     /// Adds a block and its parts, unless they have no loaded cells.
     fn add(&mut self, level: usize, first: [usize; 2]) -> Result<()> {
-        let [nx, ny] = [self.grid.nx(), self.grid.ny()];
+        let [nx, ny] = self.grid.size();
         if first[0] >= nx || first[1] >= ny {
             return Ok(());
         }
@@ -175,7 +176,10 @@ impl<'a> BlockTree<'a> {
         let width = self.width();
         let mut forces = fallible::zeros(width * large.len())?;
         let tree = &*self;
-        for (large, items) in large.chunks(PORTION).zip(forces.chunks_mut(PORTION * width)) {
+        for (large, items) in large
+            .chunks(PORTION)
+            .zip(forces.chunks_mut(PORTION * width))
+        {
             watch.notify_observer()?;
             let work = |task: usize, forces: Blocks<'_, f64>| {
                 let block = &tree.blocks[large[task]];
@@ -224,55 +228,63 @@ impl<'a> BlockTree<'a> {
         self.sides[0]
     }
 
-    /// Adds the sums of all distant blocks, and returns the rows of each near block to a function.
+    /// Adds the effects of all distant blocks, and passes the rows of each near block to a function. The tractions along x and y
+    /// are multiplied by `sign`.
     pub(super) fn add_to(
         &self,
-        sums: &mut Sums,
+        sums: &mut PointForceSums<LANES>,
         [x, y, z]: [f64; 3],
-        mut add_rows: impl FnMut(&mut Sums, &[Row]),
+        [e, sign]: [f64; 2],
+        mut add_rows: impl FnMut(&[Row]),
     ) {
+        let half_cell = [0.5 * self.grid.dx(), 0.5 * self.grid.dy()];
         let mut index = 0;
         while let Some(block) = self.blocks.get(index) {
             let sides = self.sides.map(|side| side << block.level);
-            let half = [self.grid.dx(), self.grid.dy()];
-            let half = [0, 1].map(|axis| 0.5 * half[axis] * sides[axis] as f64);
-            let [nx, ny] = [self.grid.nx(), self.grid.ny()];
-            let middle = [
-                0.5 * self.grid.dx() * ((2 * block.first[0] + sides[0]) as f64 - nx as f64),
-                0.5 * self.grid.dy() * ((2 * block.first[1] + sides[1]) as f64 - ny as f64),
-            ];
+            let half = [0, 1].map(|axis| half_cell[axis] * sides[axis] as f64);
+            // Twice the distance from the middle of the grid to the middle of the block, in cells.
+            let doubled = [0, 1].map(|axis| 2 * block.first[axis] + sides[axis]);
+            let middle = [0, 1].map(|axis| {
+                half_cell[axis] * (doubled[axis] as f64 - self.grid.size()[axis] as f64)
+            });
             let point = [x - middle[0], y - middle[1], z];
             index = match block.forces {
                 Some(forces) if is_far(point, half) => {
                     let width = self.width();
                     let forces = &self.forces[forces * width..(forces + 1) * width];
-                    self.add_block(sums, point, half, forces);
+                    self.add_block(sums, point, half, [e, sign], forces);
                     block.next
                 }
                 _ => {
-                    add_rows(sums, &self.rows[block.rows.clone()]);
+                    add_rows(&self.rows[block.rows.clone()]);
                     index + 1
                 }
             };
         }
     }
 
-    fn add_block(&self, sums: &mut Sums, [x, y, z]: [f64; 3], half: [f64; 2], forces: &[f64]) {
+    fn add_block(
+        &self,
+        sums: &mut PointForceSums<LANES>,
+        [x, y, z]: [f64; 3],
+        half: [f64; 2],
+        [e, sign]: [f64; 2],
+        forces: &[f64],
+    ) {
         let xs = self.nodes.map(|node| x - half[0] * node);
-        let loaded = sums.iter_mut().zip(self.fields);
-        let loaded = loaded.filter_map(|(sums, field)| field.map(|_| sums));
-        for (sums, forces) in loaded.zip(forces.chunks(SQUARE)) {
-            let mut lanes = [[0.0; LANES]; PotentialIntegral::COUNT];
-            for (node, forces) in self.nodes.iter().zip(forces.chunks(NODES)) {
-                let y = y - half[1] * node;
-                for (xs, forces) in xs.chunks(LANES).zip(forces.chunks(LANES)) {
-                    if let (Some(xs), Some(forces)) = (xs.first_chunk(), forces.first_chunk()) {
-                        add_integrands(&mut lanes, [xs, forces], [y, z]);
-                    }
-                }
-            }
-            for (sum, [a, b, c, d]) in sums.iter_mut().zip(lanes) {
-                *sum += (a + b) + (c + d);
+        let (pressing, shearing) = forces.split_at(SQUARE);
+        for (iy, node) in self.nodes.iter().enumerate() {
+            let y = y - half[1] * node;
+            for (ix, xs) in (0..NODES).step_by(LANES).zip(xs.chunks(LANES)) {
+                let at = iy * NODES + ix;
+                let lanes = |forces: &[f64]| match forces.get(at..) {
+                    Some(forces) => forces.first_chunk().copied().unwrap_or_default(),
+                    None => [0.0; LANES],
+                };
+                let [qx, qy] = [0, SQUARE].map(|start| shearing.get(start..));
+                let [qx, qy] = [qx, qy].map(|q| lanes(q.unwrap_or_default()).map(|q| sign * q));
+                let Some(xs) = xs.first_chunk() else { continue };
+                add_point_forces(sums, [&lanes(pressing), &qx, &qy], xs, [y, z], e);
             }
         }
     }

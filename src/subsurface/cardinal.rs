@@ -8,7 +8,7 @@ use crate::memory::fallible;
 use crate::numerics::gauss::GAUSS_12;
 
 /// Number of nodes along each axis of a block.
-pub(super) const NODES: usize = 20;
+pub(super) const NODES: usize = 24;
 
 /// Value per node.
 pub(super) type PerNode = [f64; NODES];

@@ -8,11 +8,11 @@ use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible;
 use crate::observer::WorkObserver;
-use crate::subsurface::blocks::BlockTree;
+use crate::subsurface::blocks::{BlockTree, LANES};
 use crate::subsurface::body::Constants;
 use crate::subsurface::distances::{Distances, depth_in};
 use crate::subsurface::kernel::{
-    FieldComponent, Load, LoadedRectangle, PotentialIntegral, Weights,
+    FieldComponent, Load, LoadedRectangle, PotentialIntegral, Weights, totals,
 };
 use crate::subsurface::points::PointResult;
 use crate::subsurface::stress::Stress;
@@ -20,7 +20,9 @@ use crate::subsurface::strip::Strips;
 
 /// Number of loaded cells up to which the cells are summed one by one. In larger contacts a point costs about as much as
 /// this number of cells.
-const ONE_BY_ONE: usize = 2048;
+const FEW_CELLS: usize = 2048;
+/// Number of points up to which the cells are summed one by one. The forces of the blocks cost as much as one or two points.
+const FEW_POINTS: usize = 3;
 
 /// Row and columns of consecutive cells.
 pub(super) type Row = (usize, Range<usize>);
@@ -38,8 +40,9 @@ pub(super) struct Loaded<'a> {
     cells: Cells<'a>,
 }
 
+/// Cells that are summed one by one or in blocks.
 enum Cells<'a> {
-    /// Few loaded cells; rows without loaded cells are omitted.
+    /// All loaded cells; rows without loaded cells are omitted.
     Rows(Vec<Row>),
     Blocks(BlockTree<'a>),
 }
@@ -61,9 +64,11 @@ pub(super) fn row(
 }
 
 impl<'a> Loaded<'a> {
+    /// Prepares the sum at the given number of points.
     pub(super) fn new(
         bodies: &HalfSpace,
         fields: [Option<&'a [f64]>; 3],
+        points: usize,
         watch: &mut WorkObserver<'_>,
     ) -> Result<Self> {
         let grid = bodies.grid();
@@ -72,7 +77,7 @@ impl<'a> Loaded<'a> {
         let rows = fallible::collected(ny, rows)?;
         let strips = Strips::new(grid, bodies.boundary());
         let cells: usize = rows.iter().map(|(_, columns)| columns.len()).sum();
-        let cells = if cells > ONE_BY_ONE && strips.is_none() {
+        let cells = if cells > FEW_CELLS && points > FEW_POINTS && strips.is_none() {
             Cells::Blocks(BlockTree::new(grid, fields, &rows, watch)?)
         } else {
             Cells::Rows(rows)
@@ -90,7 +95,7 @@ impl<'a> Loaded<'a> {
     pub(super) fn cells_per_point(&self) -> usize {
         match self.cells {
             Cells::Rows(_) => self.grid.cells(),
-            Cells::Blocks(_) => ONE_BY_ONE,
+            Cells::Blocks(_) => FEW_CELLS,
         }
     }
 
@@ -100,10 +105,10 @@ impl<'a> Loaded<'a> {
         constants: &Constants,
     ) -> Result<PointResult> {
         let z = depth_in(self.grid, depth);
-        let sums = self.sums([x, y, z])?;
+        let (sums, distant) = self.sums([x, y, z], constants)?;
         let weights = Weights::new(constants.poisson_ratio, z);
         let of = |component| {
-            let mut sum = 0.0;
+            let mut sum = distant[component as usize];
             for (load, sums) in Load::ALL.into_iter().zip(&sums) {
                 let mut part = 0.0;
                 for (weight, value) in weights.of(load, component).iter().zip(sums) {
@@ -126,17 +131,26 @@ impl<'a> Loaded<'a> {
         })
     }
 
-    /// Returns the sums of the integrals of all cells times their tractions.
-    fn sums(&self, point: [f64; 3]) -> Result<Sums> {
+    /// Returns the sums of the integrals of the cells times their tractions, and the components of the cells that are summed in
+    /// blocks.
+    fn sums(
+        &self,
+        point: [f64; 3],
+        constants: &Constants,
+    ) -> Result<(Sums, [f64; FieldComponent::COUNT])> {
         let mut sums = [[0.0; PotentialIntegral::COUNT]; 3];
+        let mut distant = [[0.0; LANES]; FieldComponent::COUNT];
         match &self.cells {
             Cells::Rows(rows) => RowSum::new(self, point, self.grid.nx())?.add(&mut sums, rows),
             Cells::Blocks(tree) => {
                 let mut near = RowSum::new(self, point, tree.longest_row())?;
-                tree.add_to(&mut sums, point, |sums, rows| near.add(sums, rows));
+                let e = 1.0 - 2.0 * constants.poisson_ratio;
+                let factors = [e, constants.factor_in(Load::Qx)];
+                let add_rows = |rows: &[Row]| near.add(&mut sums, rows);
+                tree.add_to(&mut distant, point, factors, add_rows);
             }
         }
-        Ok(sums)
+        Ok((sums, totals(&distant)))
     }
 }
 

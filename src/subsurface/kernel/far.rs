@@ -47,28 +47,25 @@ fn product_rule<const N: usize>(
         let y = y + b * node_y;
         for &[node_x, weight_x] in rule {
             let weight = weight_x * (b * weight_y);
-            let (mut at, mut weights) = (*xs, *a);
-            for (x, a) in at.iter_mut().zip(&mut weights) {
-                *x += *a * node_x;
-                *a *= weight;
-            }
-            add_integrands(&mut sums, [&at, &weights], [y, z]);
+            add_integrands(&mut sums, [xs, a], [node_x, weight], [y, z]);
         }
     }
     sums
 }
 
-/// Adds weights times the functions under the integrals. These are derivatives of `1/r`, `ln(r + z)` and
+/// Adds `a` times a weight times the functions under the integrals. These are derivatives of `1/r`, `ln(r + z)` and
 /// `z ln(r + z) - r`, and products of three coordinates over `r^5/3`.
 #[inline]
-pub(crate) fn add_integrands<const N: usize>(
+fn add_integrands<const N: usize>(
     sums: &mut [[f64; N]; PotentialIntegral::COUNT],
-    [xs, weights]: [&[f64; N]; 2],
+    [xs, a]: [&[f64; N]; 2],
+    [node, weight]: [f64; 2],
     [y, z]: [f64; 2],
 ) {
     let (y2, z2) = (y * y, z * z);
-    for (lane, (&x, &weight)) in xs.iter().zip(weights).enumerate() {
+    for (lane, (x, a)) in xs.iter().zip(a).enumerate() {
         let mut add = |integral: PotentialIntegral, value| sums[integral.index()][lane] += value;
+        let (x, weight) = (x + a * node, a * weight);
         let x2 = x * x;
         let r = ((x2 + y2) + z2).sqrt();
         // One division gives i = 1/r and s = 1/(r + z); t = r/(r + z).
