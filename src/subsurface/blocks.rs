@@ -75,7 +75,7 @@ pub(super) struct BlockTree<'a> {
 }
 
 impl<'a> BlockTree<'a> {
-    /// Divides the cells of the given rows, of which there is at least one.
+    /// Divides the cells of the given rows into blocks. The list of rows must not be empty.
     pub(super) fn new(
         grid: Grid,
         fields: [Option<&'a [f64]>; 3],

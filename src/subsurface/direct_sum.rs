@@ -1,4 +1,4 @@
-//! The sum over the loaded cells, one by one or in [blocks](BlockTree).
+//! The sum over the loaded cells. Distant cells are summed in [blocks](BlockTree) if this is faster.
 
 use std::array::from_fn;
 use std::ops::Range;
@@ -18,10 +18,10 @@ use crate::subsurface::points::PointResult;
 use crate::subsurface::stress::Stress;
 use crate::subsurface::strip::Strips;
 
-/// Number of loaded cells up to which the cells are summed one by one. In larger contacts a point costs about as much as
+/// Number of loaded cells up to which no blocks are used. In larger contacts a point costs about as much as
 /// this number of cells.
 const FEW_CELLS: usize = 2048;
-/// Number of points up to which the cells are summed one by one. The forces of the blocks cost as much as one or two points.
+/// Number of points up to which no blocks are used. The forces of the blocks cost as much as one or two points.
 const FEW_POINTS: usize = 3;
 
 /// Row and columns of consecutive cells.
@@ -40,7 +40,7 @@ pub(super) struct Loaded<'a> {
     cells: Cells<'a>,
 }
 
-/// Cells that are summed one by one or in blocks.
+/// Loaded cells, in rows or in blocks.
 enum Cells<'a> {
     /// All loaded cells; rows without loaded cells are omitted.
     Rows(Vec<Row>),

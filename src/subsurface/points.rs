@@ -46,9 +46,9 @@ pub struct PointResult {
     pub stress: Stress,
 }
 
-/// Returns the displacement and stress of a body at any points `[x, y, depth]` (lengths), by summation over the loaded cells. Each
-/// cell carries a uniform traction, and there is no traction outside the cells. A depth of less than 1e-150 of the longer side of
-/// a cell counts as the surface.
+/// Returns the displacement and stress of a body at any points `[x, y, depth]` (lengths), by summation over the loaded cells.
+/// Each cell carries a uniform traction, and there is no traction outside the cells. A depth of less than 1e-150 of the longer
+/// side of a cell counts as the surface.
 ///
 /// The coordinates x and y are coordinates of the grid, and the depth is measured from the surface into the [`Body`].
 /// The values at depth zero are the limits from inside the body. There sxx, syy and sxy are logarithmically infinite or

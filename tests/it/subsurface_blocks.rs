@@ -1,4 +1,4 @@
-//! Stresses at many points below many loaded cells, which are summed in blocks, equal the sum over the cells one by one.
+//! Stresses at many points below many loaded cells, which are summed in blocks, equal the sum cell by cell.
 
 use kit::Random;
 use stickslip::subsurface::{Body, PointResult, Tractions, at_points};
