@@ -44,7 +44,7 @@ pub(super) struct Loaded<'a> {
 enum Cells<'a> {
     /// All loaded cells; rows without loaded cells are omitted.
     Rows(Vec<Row>),
-    Blocks(BlockTree<'a>),
+    Blocks(Box<BlockTree<'a>>),
 }
 
 /// Returns the columns from the first to the last loaded cell of a part of a row; `None` if it has no loaded cell.
@@ -78,7 +78,7 @@ impl<'a> Loaded<'a> {
         let strips = Strips::new(grid, bodies.boundary());
         let cells: usize = rows.iter().map(|(_, columns)| columns.len()).sum();
         let cells = if cells > FEW_CELLS && points > FEW_POINTS && strips.is_none() {
-            Cells::Blocks(BlockTree::new(grid, fields, &rows, watch)?)
+            Cells::Blocks(Box::new(BlockTree::new(grid, fields, &rows, watch)?))
         } else {
             Cells::Rows(rows)
         };
