@@ -65,7 +65,7 @@ pub struct PointResult {
 ///
 /// If there are more cells and points, and the grid is not periodic along y, distant cells are summed in blocks. Interpolation at
 /// 24 x 24 nodes of a block adds an error of at most 1e-12 of the stress that each cell causes alone. The sum over tractions of a
-/// contact is accurate to 1e-14 of its largest stress. If tractions of opposite signs cancel at a point, its error is larger
+/// contact is accurate to 1e-13 of its largest stress. If tractions of opposite signs cancel at a point, its error is larger
 /// relative to the remaining stress. A point takes about 0.6 milliseconds below 65 536 loaded cells.
 ///
 /// The forces of the blocks need about 100 bytes per cell under a pressure, and 300 bytes with tractions along x and y. Their
