@@ -55,7 +55,9 @@
 //! The example `fretting_rig` plots:
 #![cfg_attr(doc, doc = include_str!("../pictures/fretting_rig.html"))]
 
+mod blocks;
 mod body;
+mod cardinal;
 mod direct_sum;
 mod distances;
 mod kernel;

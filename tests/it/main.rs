@@ -123,6 +123,7 @@ mod statistics_reference;
 mod steady_rolling;
 mod stepwise_pressing;
 mod study_restart;
+mod subsurface_blocks;
 mod subsurface_planes;
 mod subsurface_points;
 mod surface_preparation;

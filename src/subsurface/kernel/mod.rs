@@ -119,11 +119,13 @@ mod far;
 mod integral;
 mod near;
 mod piece;
+mod point_force;
 mod rectangle;
 #[cfg(test)]
 mod tests;
 mod weights;
 
 pub(crate) use integral::PotentialIntegral;
+pub(crate) use point_force::{PointForceSums, add_point_forces, totals};
 pub(crate) use rectangle::LoadedRectangle;
 pub(crate) use weights::{FieldComponent, Load, Weights};
