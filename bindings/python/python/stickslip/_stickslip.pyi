@@ -6763,8 +6763,9 @@ def asc_read(path: str | PathLike[str]) -> Field:
 
 def at_points(bodies: HalfSpace, body: Body | str, tractions: Any, points: ArrayLike, *, uniform_stress: Stress | None = None) -> PointResults:
     """
-    Computes stress and displacement at points of a body without a coating, by summing over all cells. For coated
-    bodies, and on grids that are periodic along x and y, use :class:`Planes`.
+    Computes stress and displacement at points of a body without a coating, by summing over all cells. If there are more
+    than 2048 loaded cells and more than three points, distant cells are summed in blocks. For coated bodies, and on grids
+    that are periodic along x and y, use :class:`Planes`.
 
     The tractions are uniform on each cell. Values at depth zero are the limits from inside the body.
 

@@ -134,8 +134,8 @@ impl PointResults {
 
 picklable!(PointResults: Vec<subsurface::PointResult>);
 
-/// Computes stress and displacement at points of a body without a coating, by summing over all cells. Under more than
-/// 2048 loaded cells, more than three points are computed with distant cells in blocks. For coated bodies, and on grids
+/// Computes stress and displacement at points of a body without a coating, by summing over all cells. If there are more
+/// than 2048 loaded cells and more than three points, distant cells are summed in blocks. For coated bodies, and on grids
 /// that are periodic along x and y, use :class:`Planes`.
 ///
 /// The tractions are uniform on each cell. Values at depth zero are the limits from inside the body.
