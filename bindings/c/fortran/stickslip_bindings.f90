@@ -976,27 +976,6 @@ module stickslip_bindings
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_coupled_report
 
-    ! Report of a coupled rolling solve: status, cost, passes and certified errors.
-    type, bind(c), public :: stickslip_coupled_rolling_report
-        ! Report of all passes together; its duality gap is infinite for coupled bodies.
-        type(stickslip_report) :: work
-        ! Number of passes: solves of the pressure, each followed by a solve of the tractions.
-        integer(c_size_t) :: passes = 0
-        ! Residual of the coupling: the lift within the contact that the last pass added, relative to the largest normal
-        ! displacement.
-        real(c_double) :: coupling_residual = 0
-        ! Change of the pressure in the last pass relative to the pressure (root mean squares).
-        real(c_double) :: pressure_change = 0
-        ! Bound on the relative error of the pressure in the energy norm, for the tractions of the solution.
-        real(c_double) :: pressure_error_bound = 0
-        ! Bound on the relative error of the tractions, for the pressure of the solution.
-        real(c_double) :: traction_error_bound = 0
-        ! Estimate of the total relative error of the pressure; NaN if no estimate exists.
-        real(c_double) :: error_estimate = 0
-        ! Reserved for future members: zero.
-        integer(c_int64_t) :: reserved(8) = 0
-    end type stickslip_coupled_rolling_report
-
     ! Warning about a converged solution that may be misleading.
     type, bind(c), public :: stickslip_warning
         ! Kind of warning: STICKSLIP_WARNING_NO_CONTACT or another constant of this group.
@@ -1069,6 +1048,95 @@ module stickslip_bindings
         ! Reserved for future members: zero.
         integer(c_int64_t) :: reserved(5) = 0
     end type stickslip_stiffness
+
+    ! Prescribed load of rolling bodies along an axis, or of their rotation.
+    type, bind(c), public :: stickslip_rolling_control
+        ! Kind of load: STICKSLIP_CREEPAGE or STICKSLIP_FORCE along an axis, STICKSLIP_SPIN or STICKSLIP_MOMENT for the
+        ! rotation.
+        integer(c_int32_t) :: kind = 0
+        ! Value along an axis: the creepage, or the force that body 2 exerts on body 1, which must be less than friction can
+        ! carry. Value for the rotation: the spin or the moment.
+        real(c_double) :: value = 0
+    end type stickslip_rolling_control
+
+    ! Prescribed loads of rolling bodies. A load whose members are all zero has no creepage and no spin.
+    type, bind(c), public :: stickslip_rolling_load
+        ! Load along x.
+        type(stickslip_rolling_control) :: x
+        ! Load along y.
+        type(stickslip_rolling_control) :: y
+        ! Spin or moment.
+        type(stickslip_rolling_control) :: spin
+        ! Reserved for future members: zero.
+        integer(c_int64_t) :: reserved(8) = 0
+    end type stickslip_rolling_load
+
+    ! Options of a rolling solver; stickslip_rolling_options_default() returns the defaults.
+    type, bind(c), public :: stickslip_rolling_options
+        ! Leading edge: STICKSLIP_PLUS_X (default), STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or STICKSLIP_MINUS_Y.
+        integer(c_int32_t) :: leading_edge = 0
+        ! Entry rule of cells that come into contact: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
+        integer(c_int32_t) :: entry_rule = 0
+        ! Number of cells that a particle passes in a step (default 1). Longer steps cost less and are less accurate.
+        integer(c_size_t) :: step = 1
+        ! Number of corrections of the direction of slip (default 0). Two corrections raise the order of convergence of the
+        ! forces under spin from 1 to between 1.5 and 2.
+        integer(c_size_t) :: slip_corrections = 0
+        ! Method, tolerance and limits of the solves.
+        type(stickslip_settings) :: settings
+        ! Reserved for future members: zero.
+        integer(c_int64_t) :: reserved(7) = 0
+    end type stickslip_rolling_options
+
+    ! Derivatives of the forces and the moment with respect to the creepages and the spin.
+    type, bind(c), public :: stickslip_rolling_stiffness
+        ! Derivatives of the forces along x and y and of the moment (rows) with respect to the creepages along x and y and the
+        ! spin (columns). In C, the order of the indices is slopes[row][column]. The entries are forces. Entries for the spin
+        ! have an additional factor of a length, and so do entries for the moment.
+        real(c_double) :: slopes(3, 3) = 0
+        ! Reserved for future members: zero.
+        integer(c_int64_t) :: reserved(8) = 0
+    end type stickslip_rolling_stiffness
+
+    ! Scalar results of a rolling contact.
+    type, bind(c), public :: stickslip_rolling_result
+        ! Creepages along x and y, prescribed or caused by the forces (dimensionless).
+        real(c_double) :: creepage(2) = 0
+        ! Spin, prescribed or caused by the moment (one over a length).
+        real(c_double) :: spin = 0
+        ! Tangential force that body 2 exerts on body 1.
+        real(c_double) :: force(2) = 0
+        ! Moment about z at the origin of the grid that the tractions exert on body 1 (a force times a length).
+        real(c_double) :: moment = 0
+        ! Work of creepages and spin per unit length rolled (a force). Between bodies of the same material all work is
+        ! dissipated. Between different materials the pressure also does work, which is not included.
+        real(c_double) :: work = 0
+        ! Ratio of stick cells to contact cells.
+        real(c_double) :: stick_ratio = 0
+        ! Reserved for future members: zero.
+        integer(c_int64_t) :: reserved(8) = 0
+    end type stickslip_rolling_result
+
+    ! Report of a coupled rolling solve: status, cost, passes and certified errors.
+    type, bind(c), public :: stickslip_coupled_rolling_report
+        ! Report of all passes together; its duality gap is infinite for coupled bodies.
+        type(stickslip_report) :: work
+        ! Number of passes: solves of the pressure, each followed by a solve of the tractions.
+        integer(c_size_t) :: passes = 0
+        ! Residual of the coupling: the lift within the contact that the last pass added, relative to the largest normal
+        ! displacement.
+        real(c_double) :: coupling_residual = 0
+        ! Change of the pressure in the last pass relative to the pressure (root mean squares).
+        real(c_double) :: pressure_change = 0
+        ! Bound on the relative error of the pressure in the energy norm, for the tractions of the solution.
+        real(c_double) :: pressure_error_bound = 0
+        ! Bound on the relative error of the tractions, for the pressure of the solution.
+        real(c_double) :: traction_error_bound = 0
+        ! Estimate of the total relative error of the pressure; NaN if no estimate exists.
+        real(c_double) :: error_estimate = 0
+        ! Reserved for future members: zero.
+        integer(c_int64_t) :: reserved(8) = 0
+    end type stickslip_coupled_rolling_report
 
     ! Work, elastic energy and dissipation of a step or a cycle.
     type, bind(c), public :: stickslip_energy
@@ -1314,55 +1382,6 @@ module stickslip_bindings
         integer(c_size_t) :: count = 0
     end type stickslip_tractions
 
-    ! Options of a rolling solver; stickslip_rolling_options_default() returns the defaults.
-    type, bind(c), public :: stickslip_rolling_options
-        ! Leading edge: STICKSLIP_PLUS_X (default), STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or STICKSLIP_MINUS_Y.
-        integer(c_int32_t) :: leading_edge = 0
-        ! Entry rule of cells that come into contact: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
-        integer(c_int32_t) :: entry_rule = 0
-        ! Number of cells that a particle passes in a step (default 1). Longer steps cost less and are less accurate.
-        integer(c_size_t) :: step = 1
-        ! Number of corrections of the direction of slip (default 0). Two corrections raise the order of convergence of the
-        ! forces under spin from 1 to between 1.5 and 2.
-        integer(c_size_t) :: slip_corrections = 0
-        ! Method, tolerance and limits of the solves.
-        type(stickslip_settings) :: settings
-        ! Reserved for future members: zero.
-        integer(c_int64_t) :: reserved(7) = 0
-    end type stickslip_rolling_options
-
-    ! Prescribed load of rolling bodies along an axis, or of their rotation.
-    type, bind(c), public :: stickslip_rolling_control
-        ! Kind of load: STICKSLIP_CREEPAGE or STICKSLIP_FORCE along an axis, STICKSLIP_SPIN or STICKSLIP_MOMENT for the
-        ! rotation.
-        integer(c_int32_t) :: kind = 0
-        ! Value along an axis: the creepage, or the force that body 2 exerts on body 1, which must be less than friction can
-        ! carry. Value for the rotation: the spin or the moment.
-        real(c_double) :: value = 0
-    end type stickslip_rolling_control
-
-    ! Prescribed loads of rolling bodies. A load whose members are all zero has no creepage and no spin.
-    type, bind(c), public :: stickslip_rolling_load
-        ! Load along x.
-        type(stickslip_rolling_control) :: x
-        ! Load along y.
-        type(stickslip_rolling_control) :: y
-        ! Spin or moment.
-        type(stickslip_rolling_control) :: spin
-        ! Reserved for future members: zero.
-        integer(c_int64_t) :: reserved(8) = 0
-    end type stickslip_rolling_load
-
-    ! Derivatives of the forces and the moment with respect to the creepages and the spin.
-    type, bind(c), public :: stickslip_rolling_stiffness
-        ! Derivatives of the forces along x and y and of the moment (rows) with respect to the creepages along x and y and the
-        ! spin (columns). In C, the order of the indices is slopes[row][column]. The entries are forces. Entries for the spin
-        ! have an additional factor of a length, and so do entries for the moment.
-        real(c_double) :: slopes(3, 3) = 0
-        ! Reserved for future members: zero.
-        integer(c_int64_t) :: reserved(8) = 0
-    end type stickslip_rolling_stiffness
-
     ! Creepages and spin: a point of a creep curve or a creep surface.
     type, bind(c), public :: stickslip_creep_point
         ! Creepages along x and y (dimensionless).
@@ -1380,25 +1399,6 @@ module stickslip_bindings
         ! Ratio of stick cells to contact cells.
         real(c_double) :: stick_ratio = 0
     end type stickslip_creep_force
-
-    ! Scalar results of a rolling contact.
-    type, bind(c), public :: stickslip_rolling_result
-        ! Creepages along x and y, prescribed or caused by the forces (dimensionless).
-        real(c_double) :: creepage(2) = 0
-        ! Spin, prescribed or caused by the moment (one over a length).
-        real(c_double) :: spin = 0
-        ! Tangential force that body 2 exerts on body 1.
-        real(c_double) :: force(2) = 0
-        ! Moment about z at the origin of the grid that the tractions exert on body 1 (a force times a length).
-        real(c_double) :: moment = 0
-        ! Work of creepages and spin per unit length rolled (a force). Between bodies of the same material all work is
-        ! dissipated. Between different materials the pressure also does work, which is not included.
-        real(c_double) :: work = 0
-        ! Ratio of stick cells to contact cells.
-        real(c_double) :: stick_ratio = 0
-        ! Reserved for future members: zero.
-        integer(c_int64_t) :: reserved(8) = 0
-    end type stickslip_rolling_result
 
     ! Random surface with a self-affine power spectrum; stickslip_self_affine_default() returns the defaults. Wavelengths are
     ! lengths. The spectrum is constant from the longest wavelength to the roll-off. From there to the cut-off it decreases

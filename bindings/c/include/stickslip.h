@@ -947,27 +947,6 @@ typedef struct {
     uint64_t reserved[8];
 } stickslip_coupled_report;
 
-// Report of a coupled rolling solve: status, cost, passes and certified errors.
-typedef struct {
-    // Report of all passes together; its duality gap is infinite for coupled bodies.
-    stickslip_report work;
-    // Number of passes: solves of the pressure, each followed by a solve of the tractions.
-    size_t passes;
-    // Residual of the coupling: the lift within the contact that the last pass added, relative to the largest normal
-    // displacement.
-    double coupling_residual;
-    // Change of the pressure in the last pass relative to the pressure (root mean squares).
-    double pressure_change;
-    // Bound on the relative error of the pressure in the energy norm, for the tractions of the solution.
-    double pressure_error_bound;
-    // Bound on the relative error of the tractions, for the pressure of the solution.
-    double traction_error_bound;
-    // Estimate of the total relative error of the pressure; NaN if no estimate exists.
-    double error_estimate;
-    // Reserved for future members: zero.
-    uint64_t reserved[8];
-} stickslip_coupled_rolling_report;
-
 // Warning about a converged solution that may be misleading.
 typedef struct {
     // Kind of warning: STICKSLIP_WARNING_NO_CONTACT or another constant of this group.
@@ -1040,6 +1019,95 @@ typedef struct {
     // Reserved for future members: zero.
     uint64_t reserved[5];
 } stickslip_stiffness;
+
+// Prescribed load of rolling bodies along an axis, or of their rotation.
+typedef struct {
+    // Kind of load: STICKSLIP_CREEPAGE or STICKSLIP_FORCE along an axis, STICKSLIP_SPIN or STICKSLIP_MOMENT for the
+    // rotation.
+    int32_t kind;
+    // Value along an axis: the creepage, or the force that body 2 exerts on body 1, which must be less than friction can
+    // carry. Value for the rotation: the spin or the moment.
+    double value;
+} stickslip_rolling_control;
+
+// Prescribed loads of rolling bodies. A load whose members are all zero has no creepage and no spin.
+typedef struct {
+    // Load along x.
+    stickslip_rolling_control x;
+    // Load along y.
+    stickslip_rolling_control y;
+    // Spin or moment.
+    stickslip_rolling_control spin;
+    // Reserved for future members: zero.
+    uint64_t reserved[8];
+} stickslip_rolling_load;
+
+// Options of a rolling solver; stickslip_rolling_options_default() returns the defaults.
+typedef struct {
+    // Leading edge: STICKSLIP_PLUS_X (default), STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or STICKSLIP_MINUS_Y.
+    int32_t leading_edge;
+    // Entry rule of cells that come into contact: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
+    int32_t entry_rule;
+    // Number of cells that a particle passes in a step (default 1). Longer steps cost less and are less accurate.
+    size_t step;
+    // Number of corrections of the direction of slip (default 0). Two corrections raise the order of convergence of the
+    // forces under spin from 1 to between 1.5 and 2.
+    size_t slip_corrections;
+    // Method, tolerance and limits of the solves.
+    stickslip_settings settings;
+    // Reserved for future members: zero.
+    uint64_t reserved[7];
+} stickslip_rolling_options;
+
+// Derivatives of the forces and the moment with respect to the creepages and the spin.
+typedef struct {
+    // Derivatives of the forces along x and y and of the moment (rows) with respect to the creepages along x and y and the
+    // spin (columns). In C, the order of the indices is slopes[row][column]. The entries are forces. Entries for the spin
+    // have an additional factor of a length, and so do entries for the moment.
+    double slopes[3][3];
+    // Reserved for future members: zero.
+    uint64_t reserved[8];
+} stickslip_rolling_stiffness;
+
+// Scalar results of a rolling contact.
+typedef struct {
+    // Creepages along x and y, prescribed or caused by the forces (dimensionless).
+    double creepage[2];
+    // Spin, prescribed or caused by the moment (one over a length).
+    double spin;
+    // Tangential force that body 2 exerts on body 1.
+    double force[2];
+    // Moment about z at the origin of the grid that the tractions exert on body 1 (a force times a length).
+    double moment;
+    // Work of creepages and spin per unit length rolled (a force). Between bodies of the same material all work is
+    // dissipated. Between different materials the pressure also does work, which is not included.
+    double work;
+    // Ratio of stick cells to contact cells.
+    double stick_ratio;
+    // Reserved for future members: zero.
+    uint64_t reserved[8];
+} stickslip_rolling_result;
+
+// Report of a coupled rolling solve: status, cost, passes and certified errors.
+typedef struct {
+    // Report of all passes together; its duality gap is infinite for coupled bodies.
+    stickslip_report work;
+    // Number of passes: solves of the pressure, each followed by a solve of the tractions.
+    size_t passes;
+    // Residual of the coupling: the lift within the contact that the last pass added, relative to the largest normal
+    // displacement.
+    double coupling_residual;
+    // Change of the pressure in the last pass relative to the pressure (root mean squares).
+    double pressure_change;
+    // Bound on the relative error of the pressure in the energy norm, for the tractions of the solution.
+    double pressure_error_bound;
+    // Bound on the relative error of the tractions, for the pressure of the solution.
+    double traction_error_bound;
+    // Estimate of the total relative error of the pressure; NaN if no estimate exists.
+    double error_estimate;
+    // Reserved for future members: zero.
+    uint64_t reserved[8];
+} stickslip_coupled_rolling_report;
 
 // Work, elastic energy and dissipation of a step or a cycle.
 typedef struct {
@@ -1298,55 +1366,6 @@ typedef struct {
     size_t count;
 } stickslip_tractions;
 
-// Options of a rolling solver; stickslip_rolling_options_default() returns the defaults.
-typedef struct {
-    // Leading edge: STICKSLIP_PLUS_X (default), STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or STICKSLIP_MINUS_Y.
-    int32_t leading_edge;
-    // Entry rule of cells that come into contact: STICKSLIP_SINCE_TOUCH (default) or STICKSLIP_WHOLE_STEP.
-    int32_t entry_rule;
-    // Number of cells that a particle passes in a step (default 1). Longer steps cost less and are less accurate.
-    size_t step;
-    // Number of corrections of the direction of slip (default 0). Two corrections raise the order of convergence of the
-    // forces under spin from 1 to between 1.5 and 2.
-    size_t slip_corrections;
-    // Method, tolerance and limits of the solves.
-    stickslip_settings settings;
-    // Reserved for future members: zero.
-    uint64_t reserved[7];
-} stickslip_rolling_options;
-
-// Prescribed load of rolling bodies along an axis, or of their rotation.
-typedef struct {
-    // Kind of load: STICKSLIP_CREEPAGE or STICKSLIP_FORCE along an axis, STICKSLIP_SPIN or STICKSLIP_MOMENT for the
-    // rotation.
-    int32_t kind;
-    // Value along an axis: the creepage, or the force that body 2 exerts on body 1, which must be less than friction can
-    // carry. Value for the rotation: the spin or the moment.
-    double value;
-} stickslip_rolling_control;
-
-// Prescribed loads of rolling bodies. A load whose members are all zero has no creepage and no spin.
-typedef struct {
-    // Load along x.
-    stickslip_rolling_control x;
-    // Load along y.
-    stickslip_rolling_control y;
-    // Spin or moment.
-    stickslip_rolling_control spin;
-    // Reserved for future members: zero.
-    uint64_t reserved[8];
-} stickslip_rolling_load;
-
-// Derivatives of the forces and the moment with respect to the creepages and the spin.
-typedef struct {
-    // Derivatives of the forces along x and y and of the moment (rows) with respect to the creepages along x and y and the
-    // spin (columns). In C, the order of the indices is slopes[row][column]. The entries are forces. Entries for the spin
-    // have an additional factor of a length, and so do entries for the moment.
-    double slopes[3][3];
-    // Reserved for future members: zero.
-    uint64_t reserved[8];
-} stickslip_rolling_stiffness;
-
 // Creepages and spin: a point of a creep curve or a creep surface.
 typedef struct {
     // Creepages along x and y (dimensionless).
@@ -1364,25 +1383,6 @@ typedef struct {
     // Ratio of stick cells to contact cells.
     double stick_ratio;
 } stickslip_creep_force;
-
-// Scalar results of a rolling contact.
-typedef struct {
-    // Creepages along x and y, prescribed or caused by the forces (dimensionless).
-    double creepage[2];
-    // Spin, prescribed or caused by the moment (one over a length).
-    double spin;
-    // Tangential force that body 2 exerts on body 1.
-    double force[2];
-    // Moment about z at the origin of the grid that the tractions exert on body 1 (a force times a length).
-    double moment;
-    // Work of creepages and spin per unit length rolled (a force). Between bodies of the same material all work is
-    // dissipated. Between different materials the pressure also does work, which is not included.
-    double work;
-    // Ratio of stick cells to contact cells.
-    double stick_ratio;
-    // Reserved for future members: zero.
-    uint64_t reserved[8];
-} stickslip_rolling_result;
 
 // Random surface with a self-affine power spectrum; stickslip_self_affine_default() returns the defaults. Wavelengths are
 // lengths. The spectrum is constant from the longest wavelength to the roll-off. From there to the cut-off it decreases
@@ -1899,8 +1899,7 @@ stickslip_status stickslip_half_space_first_row(const stickslip_half_space *half
 
 // Sets the meaning of the pressure and the traction of a cell, STICKSLIP_UNIFORM (default) or STICKSLIP_CENTRE, for
 // objects that are created afterwards. On a grid with STICKSLIP_PERIODIC the values are always those at the centres.
-stickslip_status stickslip_half_space_set_cell_value(stickslip_half_space *half_space,
-                                                     int32_t value);
+stickslip_status stickslip_half_space_set_cell_value(stickslip_half_space *half_space, int32_t value);
 
 // Writes the meaning of the pressure and the traction of a cell: STICKSLIP_UNIFORM or STICKSLIP_CENTRE.
 stickslip_status stickslip_half_space_cell_value(const stickslip_half_space *half_space, int32_t *value);
@@ -1952,7 +1951,9 @@ stickslip_status stickslip_history_press(stickslip_history *history,
 
 // Sets the gap before loading (lengths, count entries, copied), for example after wear. The pressure does not change until
 // a step prescribes a normal load.
-stickslip_status stickslip_history_set_gap(stickslip_history *history, const double *gap, size_t count);
+stickslip_status stickslip_history_set_gap(stickslip_history *history,
+                                           const double *gap,
+                                           size_t count);
 
 // Sets the friction of the following steps.
 stickslip_status stickslip_history_set_friction(stickslip_history *history, const stickslip_friction *friction);
@@ -1983,8 +1984,7 @@ stickslip_status stickslip_history_next_stiffness(const stickslip_history *histo
 
 // Writes the scalar results. Stick ratio, gross slip, energies and creepages describe the last step. They are zero
 // before the first step of a history, including a history created from bytes.
-stickslip_status stickslip_history_result(const stickslip_history *history,
-                                          stickslip_step_result *result);
+stickslip_status stickslip_history_result(const stickslip_history *history, stickslip_step_result *result);
 
 // Writes the scalar results of the normal contact.
 stickslip_status stickslip_history_normal_result(const stickslip_history *history, stickslip_normal_result *result);
@@ -2156,7 +2156,9 @@ stickslip_status stickslip_planes_solve_observed(stickslip_planes *planes,
 // Returns a field of the last solved plane and writes its number of cells to count (may be NULL); returns NULL on failure.
 // The field is STICKSLIP_STRESS_XX to STICKSLIP_STRESS_YZ or, for planes with displacements, STICKSLIP_DISPLACEMENT_X to
 // STICKSLIP_DISPLACEMENT_Z.
-const double *stickslip_planes_field(const stickslip_planes *planes, int32_t which, size_t *count);
+const double *stickslip_planes_field(const stickslip_planes *planes,
+                                     int32_t which,
+                                     size_t *count);
 
 // Writes STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC of each cell of the last solved plane to
 // values, which has count entries.
