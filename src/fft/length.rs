@@ -17,16 +17,24 @@ pub(crate) fn smooth_length(least: usize) -> usize {
         return 1;
     }
     let most = 2 * least;
-    let multiples = |first: Option<usize>, factor: usize| {
-        let multiples = std::iter::successors(first, move |n| n.checked_mul(factor));
-        multiples.take_while(move |n| *n <= most)
-    };
-    let odd = multiples(Some(1), 5).flat_map(|fives| multiples(Some(fives), 3));
-    let even = odd.flat_map(|odd| multiples(odd.checked_mul(2), 2));
-    let candidates = even.filter(|n| *n >= least).map(|n| (cost(n), n));
-    let cheapest = candidates.min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
     // Every octave contains a power of two.
-    cheapest.map_or(most, |(_, n)| n)
+    let mut cheapest = (f64::INFINITY, most);
+    let mut fives = 1_usize;
+    while fives <= most {
+        let mut odd = fives;
+        while odd <= most {
+            let mut even = odd;
+            while even <= most / 2 {
+                even *= 2;
+                if even >= least && (cost(even), even) < cheapest {
+                    cheapest = (cost(even), even);
+                }
+            }
+            odd = odd.saturating_mul(3);
+        }
+        fives = fives.saturating_mul(5);
+    }
+    cheapest.1
 }
 
 /// Returns `n log n`, multiplied by measured penalties for factors of five and for a lack of factors of two. The length
