@@ -172,8 +172,8 @@ impl LongCellContact {
         (residual > 1.01 * TOLERANCE).then(|| format!("the residual is {residual:e}"))
     }
 
-    /// Returns the largest slip across the tractions, or the largest slip in stick cells, relative to the largest
-    /// displacement or to its bound by the smallest eigenvalue.
+    /// Returns the largest slip that is not opposite to the traction, or the largest slip in stick cells, relative to the
+    /// largest displacement or to its bound by the smallest eigenvalue.
     fn relative_residual(&self, solution: &TangentialSolution) -> f64 {
         let operator = self.bodies.tensor_operator([X, Y]).unwrap();
         let [x, y] = solution.traction().map(Field::as_slice);
@@ -191,7 +191,10 @@ impl LongCellContact {
             let forbidden = if *zone == Zone::Stick {
                 slip[0].hypot(slip[1])
             } else {
-                (slip[0] * y[i] - slip[1] * x[i]).abs() / x[i].hypot(y[i])
+                let size = x[i].hypot(y[i]);
+                let across = (slip[0] * y[i] - slip[1] * x[i]) / size;
+                let along = (slip[0] * x[i] + slip[1] * y[i]) / size;
+                across.hypot(along.max(0.0))
             };
             let least = operator.lower_bound() * x[i].hypot(y[i]);
             largest = largest.max(u[i].hypot(v[i])).max(least);
