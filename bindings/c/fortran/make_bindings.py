@@ -30,6 +30,8 @@ DEFAULTS = {
     ("stickslip_settings", "time_limit"): INFINITE,
     ("stickslip_tangential_options", "coupling"): "STICKSLIP_ONE_WAY",
     ("stickslip_rolling_options", "step"): "1",
+    ("stickslip_stiffness_options", "tolerance"): "1e-11_c_double",
+    ("stickslip_stiffness_options", "reversal"): "1",
     ("stickslip_friction", "max_shear_stress"): INFINITE,
     ("stickslip_jump_limits", "largest_depth"): INFINITE,
     ("stickslip_jump_limits", "cycles_left"): INFINITE,

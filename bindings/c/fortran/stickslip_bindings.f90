@@ -163,6 +163,12 @@ module stickslip_bindings
     public :: stickslip_history_set_state
     public :: stickslip_history_to_bytes
     public :: stickslip_history_from_bytes
+    public :: stickslip_stiffness_options_default
+    public :: stickslip_stiffness_workspace_new
+    public :: stickslip_stiffness_workspace_free
+    public :: stickslip_stiffness_workspace_set_options
+    public :: stickslip_stiffness_workspace_report
+    public :: stickslip_history_stiffness_with
     public :: stickslip_stress_at_points
     public :: stickslip_stress_at_points_observed
     public :: stickslip_surface_sphere
@@ -603,6 +609,13 @@ module stickslip_bindings
     type, bind(c), public :: stickslip_state
         type(c_ptr) :: address = c_null_ptr
     end type stickslip_state
+
+    ! Buffers, options and report of stiffnesses that are computed repeatedly, for example in a Newton iteration. The first
+    ! stiffness allocates. Later stiffnesses allocate only for other bodies, another size of the window, or more cells or steps
+    ! than before.
+    type, bind(c), public :: stickslip_stiffness_workspace
+        type(c_ptr) :: address = c_null_ptr
+    end type stickslip_stiffness_workspace
 
     ! Traction, slip and shift of a tangential contact. Fields are read without a copy and remain valid until the next solve
     ! into the solution or until it is freed.
@@ -1480,6 +1493,19 @@ module stickslip_bindings
         ! Reserved for future members: zero.
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_spot
+
+    ! Options of a stiffness; stickslip_stiffness_options_default() returns the defaults.
+    type, bind(c), public :: stickslip_stiffness_options
+        ! Relative residual at which the linear problems count as solved (default 1e-11). The error of a stiffness is of the
+        ! order of the square of this residual.
+        real(c_double) :: tolerance = 1e-11_c_double
+        ! Nonzero (default 1) to compute the stiffness at reversal. Zero halves the cost, and the entries at reversal are NaN.
+        integer(c_int32_t) :: reversal = 1
+        ! Nonzero for the stiffness of the next step, like stickslip_history_next_stiffness; zero (default) for the last step.
+        integer(c_int32_t) :: next_step = 0
+        ! Reserved for future members: zero.
+        integer(c_int64_t) :: reserved(8) = 0
+    end type stickslip_stiffness_options
 
     ! Point in a body.
     type, bind(c), public :: stickslip_point
@@ -3090,6 +3116,55 @@ module stickslip_bindings
             type(stickslip_history), intent(out) :: history
             integer(c_int32_t) :: answer
         end function stickslip_history_from_bytes
+
+        ! Returns the default options of a stiffness.
+        function stickslip_stiffness_options_default() result(answer) bind(c)
+            import
+            type(stickslip_stiffness_options) :: answer
+        end function stickslip_stiffness_options_default
+
+        ! Creates a workspace without buffers, for histories on any grid. options may be NULL (the defaults).
+        function stickslip_stiffness_workspace_new(options, workspace) result(answer) bind(c)
+            import
+            type(stickslip_stiffness_options), intent(in), optional :: options
+            type(stickslip_stiffness_workspace), intent(out) :: workspace
+            integer(c_int32_t) :: answer
+        end function stickslip_stiffness_workspace_new
+
+        ! Frees a workspace; does nothing if it is NULL.
+        function stickslip_stiffness_workspace_free(workspace) result(answer) bind(c)
+            import
+            type(stickslip_stiffness_workspace), value :: workspace
+            integer(c_int32_t) :: answer
+        end function stickslip_stiffness_workspace_free
+
+        ! Sets the options of the next stiffness. The workspace keeps its buffers.
+        function stickslip_stiffness_workspace_set_options(workspace, options) result(answer) bind(c)
+            import
+            type(stickslip_stiffness_workspace), value :: workspace
+            type(stickslip_stiffness_options), intent(in), optional :: options
+            integer(c_int32_t) :: answer
+        end function stickslip_stiffness_workspace_set_options
+
+        ! Writes the report of the last stiffness. Iterations and products are the sums over all linear problems. Residual and
+        ! status belong to the last problem. The time is not measured.
+        function stickslip_stiffness_workspace_report(workspace, report) result(answer) bind(c)
+            import
+            type(stickslip_stiffness_workspace), value :: workspace
+            type(stickslip_report), intent(out), optional :: report
+            integer(c_int32_t) :: answer
+        end function stickslip_stiffness_workspace_report
+
+        ! Computes the stiffness like stickslip_history_stiffness_observed, with the options and the buffers of a workspace. A call
+        ! that needs no larger buffers than the last one allocates nothing. observer may be NULL.
+        function stickslip_history_stiffness_with(history, workspace, observer, stiffness) result(answer) bind(c)
+            import
+            type(stickslip_history), value :: history
+            type(stickslip_stiffness_workspace), value :: workspace
+            type(stickslip_observer), intent(in), optional :: observer
+            type(stickslip_stiffness), intent(out), optional :: stiffness
+            integer(c_int32_t) :: answer
+        end function stickslip_history_stiffness_with
 
         ! Computes displacement and stress of body STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at count points and writes them to
         ! responses. The body must not be coated. The sums over all loaded cells are exact for a uniform traction on each cell.

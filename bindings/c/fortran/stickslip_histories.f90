@@ -6,7 +6,7 @@ module stickslip_histories
     implicit none
     private
 
-    public :: contact_history, contact_state
+    public :: contact_history, contact_state, stiffness_workspace
 
     ! Contact that is loaded step by step, with memory of slip.
     type, extends(stickslip_object) :: contact_history
@@ -29,6 +29,7 @@ module stickslip_histories
         procedure :: warnings => history_warnings
         procedure :: stiffness => history_stiffness
         procedure :: next_stiffness => history_next_stiffness
+        procedure :: stiffness_with => history_stiffness_with
         procedure :: field => history_field
         procedure :: zones => history_zones
         procedure :: spots => history_spots
@@ -51,6 +52,19 @@ module stickslip_histories
         procedure :: free => state_free
         final :: state_final
     end type contact_state
+
+    ! Buffers, options and report of stiffnesses that are computed repeatedly. Later stiffnesses allocate only for larger
+    ! contacts.
+    type, extends(stickslip_object) :: stiffness_workspace
+        type(stickslip_stiffness_workspace) :: handle
+    contains
+        procedure :: new => workspace_new
+        procedure :: set_options => workspace_set_options
+        procedure :: report => workspace_report
+        procedure :: address => workspace_address
+        procedure :: free => workspace_free
+        final :: workspace_final
+    end type stiffness_workspace
 
 contains
 
@@ -203,6 +217,16 @@ contains
         type(stickslip_stiffness) :: stiffness
         call report_status(stickslip_history_next_stiffness(this%handle, observer, stiffness), status)
     end function history_next_stiffness
+
+    ! Returns the stiffness with the options and the buffers of a workspace.
+    function history_stiffness_with(this, workspace, observer, status) result(stiffness)
+        class(contact_history), intent(in) :: this
+        class(stiffness_workspace), intent(in) :: workspace
+        type(stickslip_observer), intent(in), optional :: observer
+        integer(c_int32_t), intent(out), optional :: status
+        type(stickslip_stiffness) :: stiffness
+        call report_status(stickslip_history_stiffness_with(this%handle, workspace%handle, observer, stiffness), status)
+    end function history_stiffness_with
 
     ! Returns a field, STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH except displacements.
     function history_field(this, which, status) result(samples)
@@ -386,4 +410,53 @@ contains
         type(contact_state), intent(inout) :: this
         call this%free()
     end subroutine state_final
+
+    subroutine workspace_new(this, options, status)
+        class(stiffness_workspace), intent(inout) :: this
+        type(stickslip_stiffness_options), intent(in), optional :: options
+        integer(c_int32_t), intent(out), optional :: status
+        type(stickslip_stiffness_workspace) :: made
+        integer(c_int32_t) :: code, given_up
+        code = stickslip_stiffness_workspace_new(options, made)
+        if (code == STICKSLIP_OK) code = stickslip_stiffness_workspace_free(this%handle)
+        if (code == STICKSLIP_OK) then
+            this%handle = made
+        else
+            given_up = stickslip_stiffness_workspace_free(made)
+        end if
+        call report_status(code, status)
+    end subroutine workspace_new
+
+    ! Sets the options of the next stiffness. The workspace keeps its buffers.
+    subroutine workspace_set_options(this, options, status)
+        class(stiffness_workspace), intent(in) :: this
+        type(stickslip_stiffness_options), intent(in) :: options
+        integer(c_int32_t), intent(out), optional :: status
+        call report_status(stickslip_stiffness_workspace_set_options(this%handle, options), status)
+    end subroutine workspace_set_options
+
+    ! Returns the report of the last stiffness.
+    function workspace_report(this, status) result(report)
+        class(stiffness_workspace), intent(in) :: this
+        integer(c_int32_t), intent(out), optional :: status
+        type(stickslip_report) :: report
+        call report_status(stickslip_stiffness_workspace_report(this%handle, report), status)
+    end function workspace_report
+
+    function workspace_address(this) result(address)
+        class(stiffness_workspace), intent(in) :: this
+        type(c_ptr) :: address
+        address = this%handle%address
+    end function workspace_address
+
+    ! Frees the object unless another thread is using it.
+    subroutine workspace_free(this)
+        class(stiffness_workspace), intent(inout) :: this
+        if (stickslip_stiffness_workspace_free(this%handle) == STICKSLIP_OK) this%handle = stickslip_stiffness_workspace()
+    end subroutine workspace_free
+
+    subroutine workspace_final(this)
+        type(stiffness_workspace), intent(inout) :: this
+        call this%free()
+    end subroutine workspace_final
 end module stickslip_histories

@@ -570,6 +570,11 @@ typedef struct stickslip_rolling_solver stickslip_rolling_solver;
 // Saved state of a history, including gap, friction and settings. A history can return to this state.
 typedef struct stickslip_state stickslip_state;
 
+// Buffers, options and report of stiffnesses that are computed repeatedly, for example in a Newton iteration. The first
+// stiffness allocates. Later stiffnesses allocate only for other bodies, another size of the window, or more cells or steps
+// than before.
+typedef struct stickslip_stiffness_workspace stickslip_stiffness_workspace;
+
 // Traction, slip and shift of a tangential contact. Fields are read without a copy and remain valid until the next solve
 // into the solution or until it is freed.
 typedef struct stickslip_tangential_solution stickslip_tangential_solution;
@@ -1464,6 +1469,19 @@ typedef struct {
     // Reserved for future members: zero.
     uint64_t reserved[8];
 } stickslip_spot;
+
+// Options of a stiffness; stickslip_stiffness_options_default() returns the defaults.
+typedef struct {
+    // Relative residual at which the linear problems count as solved (default 1e-11). The error of a stiffness is of the
+    // order of the square of this residual.
+    double tolerance;
+    // Nonzero (default 1) to compute the stiffness at reversal. Zero halves the cost, and the entries at reversal are NaN.
+    int32_t reversal;
+    // Nonzero for the stiffness of the next step, like stickslip_history_next_stiffness; zero (default) for the last step.
+    int32_t next_step;
+    // Reserved for future members: zero.
+    uint64_t reserved[8];
+} stickslip_stiffness_options;
 
 // Point in a body.
 typedef struct {
@@ -2403,6 +2421,32 @@ stickslip_status stickslip_history_from_bytes(const stickslip_half_space *half_s
                                               const uint8_t *bytes,
                                               size_t length,
                                               stickslip_history **history);
+
+// Returns the default options of a stiffness.
+stickslip_stiffness_options stickslip_stiffness_options_default(void);
+
+// Creates a workspace without buffers, for histories on any grid. options may be NULL (the defaults).
+stickslip_status stickslip_stiffness_workspace_new(const stickslip_stiffness_options *options,
+                                                   stickslip_stiffness_workspace **workspace);
+
+// Frees a workspace; does nothing if it is NULL.
+stickslip_status stickslip_stiffness_workspace_free(stickslip_stiffness_workspace *workspace);
+
+// Sets the options of the next stiffness. The workspace keeps its buffers.
+stickslip_status stickslip_stiffness_workspace_set_options(stickslip_stiffness_workspace *workspace,
+                                                           const stickslip_stiffness_options *options);
+
+// Writes the report of the last stiffness. Iterations and products are the sums over all linear problems. Residual and
+// status belong to the last problem. The time is not measured.
+stickslip_status stickslip_stiffness_workspace_report(const stickslip_stiffness_workspace *workspace,
+                                                      stickslip_report *report);
+
+// Computes the stiffness like stickslip_history_stiffness_observed, with the options and the buffers of a workspace. A call
+// that needs no larger buffers than the last one allocates nothing. observer may be NULL.
+stickslip_status stickslip_history_stiffness_with(const stickslip_history *history,
+                                                  stickslip_stiffness_workspace *workspace,
+                                                  const stickslip_observer *observer,
+                                                  stickslip_stiffness *stiffness);
 
 // Computes displacement and stress of body STICKSLIP_BODY_1 or STICKSLIP_BODY_2 at count points and writes them to
 // responses. The body must not be coated. The sums over all loaded cells are exact for a uniform traction on each cell.

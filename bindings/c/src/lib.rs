@@ -40,6 +40,7 @@ pub mod spots;
 pub mod state;
 pub mod status;
 pub mod stiffness;
+pub mod stiffness_workspace;
 pub mod stress;
 pub mod surface;
 pub mod tangential;

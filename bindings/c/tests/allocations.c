@@ -1,5 +1,6 @@
-/* Repeated calls allocate no more than in Rust. Steps, solves into a solution, gaps, pressures, friction, wear and planes
- * below the surface allocate nothing. The test counts the allocations that pass through the allocator of glibc. */
+/* Repeated calls allocate no more than in Rust. Steps, solves into a solution, gaps, pressures, friction, wear, planes below
+ * the surface, and stiffnesses with a workspace allocate nothing. The test counts the allocations that pass through the
+ * allocator of glibc. */
 
 #define _GNU_SOURCE
 
@@ -97,6 +98,13 @@ static void histories(const stickslip_half_space *bodies) {
     EXPECT(0, stickslip_wear_threshold_energy(history, &alpha, 0.0, ball, CELLS));
     stickslip_step_result result;
     EXPECT(0, stickslip_history_result(history, &result));
+    stickslip_stiffness stiffness;
+    stickslip_stiffness_options options = stickslip_stiffness_options_default();
+    stickslip_stiffness_workspace *workspace = NULL;
+    OK(stickslip_stiffness_workspace_new(&options, &workspace));
+    EXPECT(0, stickslip_history_stiffness_with(history, workspace, NULL, &stiffness));
+    EXPECT(0, stickslip_stiffness_workspace_set_options(workspace, &options));
+    OK(stickslip_stiffness_workspace_free(workspace));
     OK(stickslip_history_free(history));
 }
 

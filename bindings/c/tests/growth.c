@@ -40,6 +40,7 @@ static void sizes_stay(void) {
     SIZE(stickslip_normal_stiffness, 80);
     SIZE(stickslip_tangential_stiffness, 216);
     SIZE(stickslip_stiffness, 384);
+    SIZE(stickslip_stiffness_options, 80);
     SIZE(stickslip_step_result, 280);
     SIZE(stickslip_tractions, 32);
     SIZE(stickslip_self_affine, 144);

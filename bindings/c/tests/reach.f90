@@ -53,11 +53,13 @@ contains
         type(stickslip_rolling_options) :: rolling
         type(stickslip_self_affine) :: surface
         type(stickslip_jump_limits) :: limits
+        type(stickslip_stiffness_options) :: stiffness
         integer(c_int8_t), parameter :: mold(1) = 0
         associate (other => stickslip_settings_default())
             call check(settings%method == other%method .and. settings%tolerance == other%tolerance .and. &
                 settings%max_iterations == other%max_iterations .and. settings%time_limit == other%time_limit, 'settings')
         end associate
+        call check(all(transfer(stiffness, mold) == transfer(stickslip_stiffness_options_default(), mold)), 'stiffness')
         call check(all(transfer(limits, mold) == transfer(stickslip_jump_limits_default(), mold)), 'limits of jumps')
         associate (other => stickslip_history_options_default())
             call check(all([history%axis, history%model, history%coupling, history%entry_rule, history%permanent_set] == &
@@ -329,6 +331,8 @@ contains
         type(coupled_solution) :: solution, other
         type(contact_history) :: history
         type(stickslip_stiffness) :: slope, same
+        type(stiffness_workspace) :: workspace
+        type(stickslip_report) :: work
         type(stickslip_coupled_report) :: report
         type(stickslip_normal_result) :: normal
         type(stickslip_tangential_result) :: shear
@@ -390,6 +394,20 @@ contains
         same = history%stiffness()
         call check(abs(slope%normal%value / same%normal%value - 1) < 1d-6, 'a coupled stiffness')
         call check(abs(slope%tangential%loading(1, 1) / same%tangential%loading(1, 1) - 1) < 1d-6, 'coupled stiffness along x')
+
+        ! A workspace gives the same stiffness, also after a change of its options.
+        call workspace%new()
+        slope = history%stiffness_with(workspace)
+        call check(slope%normal%value == same%normal%value, 'stiffness with a workspace')
+        work = workspace%report()
+        call check(work%status == STICKSLIP_CONVERGED, 'report of the stiffness')
+        call workspace%set_options(stickslip_stiffness_options(reversal=0, next_step=1))
+        slope = history%stiffness_with(workspace)
+        same = history%next_stiffness()
+        call check(slope%tangential%loading(1, 1) == same%tangential%loading(1, 1), 'stiffness of the next step')
+        call check(slope%tangential%reversal(1, 1) /= slope%tangential%reversal(1, 1), 'no stiffness at reversal')
+        call workspace%new(stickslip_stiffness_options(tolerance=0), status)
+        call check(status == STICKSLIP_NOT_POSITIVE .and. c_associated(workspace%address()), 'workspace is kept')
 
         ! Setters of the coupled solver.
         call solver%set_load(stickslip_normal_load(STICKSLIP_FORCE, 150), drag)

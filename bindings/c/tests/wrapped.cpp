@@ -121,6 +121,21 @@ int main() {
     check(std::fabs(found.tangential.loading[0][0] / expected.tangential.loading[0][0] - 1.0) < 1e-6, "stiffness along x");
     check(std::fabs(found.normal_by_motion[0] / expected.normal_by_motion[0] - 1.0) < 1e-4, "change of normal force");
 
+    // A workspace gives the same stiffness, also after a change of its options.
+    ss::StiffnessWorkspace workspace;
+    check(same.stiffness(workspace).normal.value == expected.normal.value, "stiffness with a workspace");
+    check(workspace.report().status == STICKSLIP_CONVERGED, "report of the stiffness");
+    ss::StiffnessOptions options = stickslip_stiffness_options_default();
+    options.reversal = 0;
+    options.next_step = 1;
+    workspace.set_options(options);
+    const ss::Stiffness ahead = same.stiffness(workspace);
+    check(ahead.tangential.loading[0][0] == same.next_stiffness().tangential.loading[0][0], "stiffness of the next step");
+    check(std::isnan(ahead.tangential.reversal[0][0]), "no stiffness at reversal");
+    options.tolerance = 0.0;
+    fails(STICKSLIP_NOT_POSITIVE, [&] { workspace.set_options(options); });
+    fails(STICKSLIP_NOT_CONVERGED, [&] { same.stiffness(workspace, [](const ss::Iteration &) { return false; }); });
+
     // Rolling: Carter's force, and a creep curve of a ball from zero force to sliding.
     const stickslip_carter carter = ss::carter_cylinder(bodies, 10.0, 100.0, 0.3, 1e-4);
     const double sticks = 1.0 - 1e-4 / carter.sliding_creepage;

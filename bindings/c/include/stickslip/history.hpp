@@ -14,6 +14,29 @@ namespace stickslip {
 
 class History;
 
+using StiffnessOptions = stickslip_stiffness_options;
+
+/// Buffers, options and report of stiffnesses that are computed repeatedly. Later stiffnesses allocate only for larger contacts.
+class StiffnessWorkspace {
+  public:
+    explicit StiffnessWorkspace(const StiffnessOptions &options = stickslip_stiffness_options_default())
+        : own_(detail::made<Own>([&](auto **out) { return stickslip_stiffness_workspace_new(&options, out); })) {}
+
+    /// Sets the options of the next stiffness. The workspace keeps its buffers.
+    void set_options(const StiffnessOptions &options) {
+        check(stickslip_stiffness_workspace_set_options(get(), &options));
+    }
+    /// Returns the report of the last stiffness.
+    Report report() const {
+        return detail::asked<Report>([&](auto *out) { return stickslip_stiffness_workspace_report(get(), out); });
+    }
+    stickslip_stiffness_workspace *get() const { return own_.get(); }
+
+  private:
+    using Own = detail::Owned<stickslip_stiffness_workspace, stickslip_stiffness_workspace_free>;
+    Own own_;
+};
+
 /// Saved state of a history; a history can return to it.
 class State {
   public:
@@ -89,6 +112,14 @@ class History {
     /// into contact in the last step, and cells at their friction limit continue to slip.
     Stiffness next_stiffness() const {
         return detail::asked<Stiffness>([&](auto *out) { return stickslip_history_next_stiffness(get(), nullptr, out); });
+    }
+    /// Returns the stiffness with the options and the buffers of a workspace.
+    Stiffness stiffness(StiffnessWorkspace &workspace, const Observe &observe = nullptr) const {
+        Stiffness found{};
+        detail::Watch(observe).run([&](const stickslip_observer *observer) {
+            return stickslip_history_stiffness_with(get(), workspace.get(), observer, &found);
+        });
+        return found;
     }
     double friction_capacity() const {
         return detail::asked<double>([&](double *out) { return stickslip_history_friction_capacity(get(), out); });

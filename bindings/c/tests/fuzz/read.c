@@ -82,7 +82,7 @@ void read_numbers(struct run *run) {
     stickslip_error error;
     double value;
     size_t count, capacity = below(run, 3);
-    switch (below(run, 28)) {
+    switch (below(run, 29)) {
     case 0:
         SEEN(stickslip_normal_solution_result(pressed, maybe_out(run, &normal)));
         break;
@@ -184,6 +184,17 @@ void read_numbers(struct run *run) {
         SEEN(stickslip_coupled_solution_discretisation_estimates(both, maybe_out(run, &value),
                                                                  maybe_out(run, centres)));
         break;
+    case 27: {
+        stickslip_stiffness_options options = stickslip_stiffness_options_default();
+        options.tolerance = below(run, 4) == 0 ? number(run, 1e-6) : 1e-6;
+        options.next_step = (int32_t)below(run, 2), options.reversal = (int32_t)below(run, 2);
+        stickslip_stiffness_workspace *workspace = NULL;
+        SEEN(stickslip_stiffness_workspace_new(maybe(run, &options), &workspace));
+        SEEN(stickslip_history_stiffness_with(history, workspace, NULL, maybe_out(run, &stiffness)));
+        SEEN(stickslip_stiffness_workspace_report(workspace, maybe_out(run, &report)));
+        SEEN(stickslip_stiffness_workspace_free(workspace));
+        break;
+    }
     default:
         SEEN(stickslip_tangential_solver_friction_capacity(GET(stickslip_tangential_solver, pick(run, TANGENTIAL)),
                                                            maybe_out(run, &value)));
