@@ -66,6 +66,7 @@ module stickslip_bindings
     public :: stickslip_tangential_solution_discretisation_estimate
     public :: stickslip_coupled_solution_discretisation_estimates
     public :: stickslip_last_error_message
+    public :: stickslip_last_error_copy
     public :: stickslip_last_error
     public :: stickslip_last_error_report
     public :: stickslip_half_space_new
@@ -2135,11 +2136,23 @@ module stickslip_bindings
         end function stickslip_coupled_solution_discretisation_estimates
 
         ! Returns the message of the last failure on this thread, in English and UTF-8; the message is empty before any failure.
-        ! The pointer is the same for all failures of a thread and valid until the thread ends.
+        ! The pointer is the same for all failures of a thread and valid until the thread ends. The text remains until the next
+        ! failing call of the same thread overwrites it. Successful calls and the calls of other threads do not change it.
         function stickslip_last_error_message() result(answer) bind(c)
             import
             type(c_ptr) :: answer
         end function stickslip_last_error_message
+
+        ! Copies the message of the last failure on this thread to buffer, which has room for capacity bytes, and returns the length
+        ! of the message without the zero at its end. A message that does not fit is truncated to whole characters. The copy ends
+        ! with a zero unless the capacity is 0. With a NULL buffer or a capacity of 0 only the length is returned. The call does not
+        ! fail and does not change the last failure.
+        function stickslip_last_error_copy(buffer, capacity) result(answer) bind(c)
+            import
+            character(kind=c_char), intent(inout), optional :: buffer(*)
+            integer(c_size_t), value :: capacity
+            integer(c_size_t) :: answer
+        end function stickslip_last_error_copy
 
         ! Writes the numbers that describe the last failure on this thread.
         function stickslip_last_error(error) result(answer) bind(c)

@@ -1864,8 +1864,16 @@ stickslip_status stickslip_coupled_solution_discretisation_estimates(const stick
                                                                      double *of_traction);
 
 // Returns the message of the last failure on this thread, in English and UTF-8; the message is empty before any failure.
-// The pointer is the same for all failures of a thread and valid until the thread ends.
+// The pointer is the same for all failures of a thread and valid until the thread ends. The text remains until the next
+// failing call of the same thread overwrites it. Successful calls and the calls of other threads do not change it.
 const char *stickslip_last_error_message(void);
+
+// Copies the message of the last failure on this thread to buffer, which has room for capacity bytes, and returns the length
+// of the message without the zero at its end. A message that does not fit is truncated to whole characters. The copy ends
+// with a zero unless the capacity is 0. With a NULL buffer or a capacity of 0 only the length is returned. The call does not
+// fail and does not change the last failure.
+size_t stickslip_last_error_copy(char *buffer,
+                                 size_t capacity);
 
 // Writes the numbers that describe the last failure on this thread.
 stickslip_status stickslip_last_error(stickslip_error *error);

@@ -298,12 +298,40 @@ pub(crate) fn remember(failure: Failure) {
 }
 
 /// Returns the message of the last failure on this thread, in English and UTF-8; the message is empty before any failure.
-/// The pointer is the same for all failures of a thread and valid until the thread ends.
+/// The pointer is the same for all failures of a thread and valid until the thread ends. The text remains until the next
+/// failing call of the same thread overwrites it. Successful calls and the calls of other threads do not change it.
 #[unsafe(no_mangle)]
 pub extern "C" fn stickslip_last_error_message() -> *const c_char {
     MESSAGE
         .try_with(|message| message.as_ptr().cast())
         .unwrap_or(c"".as_ptr())
+}
+
+/// Copies the message of the last failure on this thread to buffer, which has room for capacity bytes, and returns the length
+/// of the message without the zero at its end. A message that does not fit is truncated to whole characters. The copy ends
+/// with a zero unless the capacity is 0. With a NULL buffer or a capacity of 0 only the length is returned. The call does not
+/// fail and does not change the last failure.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_last_error_copy(buffer: *mut c_char, capacity: usize) -> usize {
+    MESSAGE
+        .try_with(|message| {
+            let bytes = || message.iter().map(Cell::get).take_while(|&byte| byte != 0);
+            let length = bytes().count();
+            if buffer.is_null() || capacity == 0 {
+                return length;
+            }
+            let mut end = length.min(capacity - 1);
+            // The bytes after the first byte of a character have the form 10xxxxxx.
+            while end < length && end > 0 && message[end].get() & 0b1100_0000 == 0b1000_0000 {
+                end -= 1;
+            }
+            for (offset, byte) in bytes().take(end).chain([0]).enumerate() {
+                // SAFETY: the buffer has room for `capacity` bytes by the rule for pointers, and `end < capacity`.
+                unsafe { buffer.cast::<u8>().add(offset).write(byte) };
+            }
+            length
+        })
+        .unwrap_or(0)
 }
 
 /// Writes the numbers that describe the last failure on this thread.
