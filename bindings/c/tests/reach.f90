@@ -322,6 +322,13 @@ contains
         call check(abs(again%force(1) / once%force(1) - 1) < 1d-8 .and. again%creepage(1) < 1d-4, 'creepage due to a force')
         call history%step(stickslip_load_step(roll=stickslip_roll(0, spin=1d0)), status=status)
         call check(status == STICKSLIP_NOT_POSITIVE, 'spin without cells')
+        once = history%result()
+        call history%step(stickslip_load_step(y=stickslip_control(STICKSLIP_FORCE, 2), &
+            roll=stickslip_roll(2, STICKSLIP_MINUS_Y, [1d-4, 0d0], 1d-3)))
+        again = history%result()
+        call check(abs(again%force(2) / 2 - 1) < 1d-8 .and. abs(again%creepage(1) - 1d-4) <= 0, 'force and creepage')
+        call check(abs((again%twist - once%twist) / (2 * side * 1d-3) - 1) < 1d-12, 'spin over two cells')
+        call check(abs((again%shift(1) - once%shift(1)) / (2 * side * 1d-4) - 1) < 1d-9, 'travel of two cells')
     end subroutine rolled_steps
 
     ! Coupled pressure and traction.

@@ -325,6 +325,50 @@ static void histories_that_roll_on_end_in_the_steady_state(const stickslip_half_
     OK(stickslip_history_free(history));
 }
 
+/* A ball rolls alike in all directions. */
+static void histories_roll_to_each_side(const stickslip_half_space *bodies) {
+    const int32_t edges[] = {STICKSLIP_PLUS_X, STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y, STICKSLIP_MINUS_Y};
+    const double length = 2.0 * 3.0 / N, spin = 0.01;
+    stickslip_step_result first = {0};
+    for (int i = 0; i < 4; i++) {
+        stickslip_history *history = pressed_history(bodies);
+        stickslip_load_step load = {0};
+        stickslip_step_result step;
+        int axis = i / 2;
+        load.roll = (stickslip_roll){2, edges[i], {0.0, 0.0}, spin};
+        load.roll.creepage[axis] = 0.05;
+        OK(stickslip_history_step(history, &load, NULL));
+        OK(stickslip_history_result(history, &step));
+        CLOSE(step.shift[axis], length * 0.05, 1e-12);
+        CLOSE(step.twist, length * spin, 1e-12);
+        CHECK(step.creepage[axis] == 0.05 && step.creepage[1 - axis] == 0.0);
+        if (i == 0) {
+            first = step;
+            CHECK(step.force[0] > 0.0 && step.force[0] < FRICTION && step.moment > 0.0);
+        }
+        CLOSE(step.force[axis], first.force[0], 1e-6);
+        CLOSE(step.moment, first.moment, 1e-6);
+
+        /* The normal load, the force along one axis, and the creepage along the other axis in one step. */
+        load.normal.kind = STICKSLIP_FORCE, load.normal.value = 1.1;
+        load.roll = (stickslip_roll){1, edges[i], {0.0, 0.0}, 0.0};
+        load.roll.creepage[1 - axis] = 0.02;
+        stickslip_control *control = axis == 0 ? &load.x : &load.y;
+        control->kind = STICKSLIP_FORCE, control->value = 0.5 * first.force[0];
+        OK(stickslip_history_step(history, &load, NULL));
+        OK(stickslip_history_result(history, &step));
+        CLOSE(step.normal_force, 1.1, 1e-7);
+        CLOSE(step.force[axis], 0.5 * first.force[0], 1e-8);
+        CLOSE(step.twist, length * spin, 1e-12);
+        CHECK(step.creepage[axis] < 0.05 && step.creepage[1 - axis] == 0.02);
+
+        /* A force and a creepage along the same axis. */
+        load.roll.creepage[axis] = 0.01;
+        CHECK(stickslip_history_step(history, &load, NULL) == STICKSLIP_UNSUPPORTED_BY_MODEL);
+        OK(stickslip_history_free(history));
+    }
+}
+
 static void steps_that_cannot_roll_leave_the_history(const stickslip_half_space *bodies) {
     stickslip_history *history = pressed_history(bodies);
     stickslip_load_step load = {0};
@@ -407,6 +451,7 @@ int main(void) {
     a_solver_takes_new_loads(bodies, pressed);
     closed_forms_are_met(bodies, solver);
     histories_that_roll_on_end_in_the_steady_state(bodies, solver, solution);
+    histories_roll_to_each_side(bodies);
     steps_that_cannot_roll_leave_the_history(bodies);
     OK(stickslip_rolling_solution_free(solution));
     OK(stickslip_rolling_solver_free(solver));

@@ -178,6 +178,11 @@ int main() {
     const double once = rolls.step(roll).force[0];
     const stickslip_step_result twice = rolls.step(roll);
     check(once > 0.0 && twice.force[0] > once && twice.creepage[0] == 1e-4, "history with rolling");
+    const stickslip_step_result sideways = rolls.step(ss::rolled(
+        ss::step(ss::held_pressure(), ss::force(0.5 * once)), 2, 0.0, 1e-4, 1e-3, STICKSLIP_MINUS_X));
+    check(std::fabs(sideways.force[0] / (0.5 * once) - 1.0) < 1e-8 && sideways.creepage[1] == 1e-4, "force and creepage");
+    check(std::fabs(sideways.twist / (2.0 * grid.dx * 1e-3) - 1.0) < 1e-12, "spin over two cells");
+    check(std::fabs((sideways.shift[1] - twice.shift[1]) / (2.0 * grid.dx * 1e-4) - 1.0) < 1e-12, "travel of two cells");
     fails(STICKSLIP_UNSUPPORTED_BY_MODEL, [&] { rolls.step(ss::rolled(ss::step(ss::held_pressure(), ss::shift(1e-3)), 1)); });
 
     ss::SelfAffine recipe = stickslip_self_affine_default();
