@@ -120,6 +120,21 @@ class Header:
         return lines + [f"            {result} :: answer", f"        end function {name}"]
 
 
+def declarations(text):
+    """Returns the functions of the header, each with the lines of its documentation."""
+    found, notes, lines = [], [], iter(text.splitlines())
+    for line in lines:
+        if line.startswith("//"):
+            notes.append(line[2:].strip())
+            continue
+        if re.match(r"(const )?\w+ \*?stickslip_\w+\(", line):
+            while not line.endswith(";"):
+                line += " " + next(lines).strip()
+            found.append((notes, line))
+        notes = []
+    return found
+
+
 def main():
     with open(sys.argv[1], encoding="utf-8") as file:
         text = file.read()
@@ -131,8 +146,7 @@ def main():
         if line.startswith("//"):
             comment.append(line[2:].strip())
             continue
-        note, here = comment, line
-        comment = []
+        note, comment = comment, []
         if found := re.fullmatch(r"#define (STICKSLIP_\w+) (\d+)", line):
             name = RENAMED.get(found[1], found[1])
             kind = "c_int8_t" if name in ("STICKSLIP_SEPARATED", "STICKSLIP_STICK", "STICKSLIP_SLIP") else "c_int32_t"
@@ -158,14 +172,9 @@ def main():
             for notes, declared in members:
                 types[name] += notes + wrapped(header.defaulted(name, declared), 8)
             types[name] += [f"    end type {name}"]
-        elif re.match(r"(const )?\w+ \*?stickslip_\w+\(", line):
-            while not here.endswith(";"):
-                here += " " + next(lines).strip()
-            functions += [f"        ! {row}".rstrip() for row in note] + header.function(here) + [""]
-            name = re.search(r"(stickslip_\w+)\(", here)[1]
-            constants += []
-            types.setdefault("public", []).append(f"    public :: {name}")
-    public = types.pop("public")
+    for note, declared in declarations(body):
+        functions += [f"        ! {row}".rstrip() for row in note] + header.function(declared) + [""]
+    public = [f"    public :: {name}" for name in re.findall(r"function (stickslip_\w+)\(", "\n".join(functions))]
     print("! Fortran interface of stickslip.h, generated from it by make_bindings.py: do not edit. The rules at the head of")
     print("! stickslip.h apply here too. Each kind of object has a type that contains the C pointer. An omitted optional")
     print("! argument is passed as NULL. A matrix has its column index first. Members of structs have default values. The module")

@@ -24,6 +24,7 @@ using Boundary = stickslip_boundary;
 using Settings = stickslip_settings;
 using Report = stickslip_report;
 using Stiffness = stickslip_stiffness;
+using StiffnessOptions = stickslip_stiffness_options;
 using Iteration = stickslip_iteration;
 
 /// View of the samples of an array of the caller or of a field of an object, row by row with x fastest.
@@ -117,13 +118,6 @@ template <class Owner, class Make> Owner made(Make make) {
     return Owner(object);
 }
 
-/// Returns the result of a C function.
-template <class T, class Ask> T asked(Ask ask) {
-    T answer{};
-    check(ask(&answer));
-    return answer;
-}
-
 /// Returns a view of the field that a C function returns.
 template <class T, class Ask> View<T> viewed(Ask ask) {
     std::size_t size = 0;
@@ -134,12 +128,13 @@ template <class T, class Ask> View<T> viewed(Ask ask) {
     return View<T>(data, size);
 }
 
-template <class Ask> std::vector<stickslip_warning> listed(Ask ask) {
+/// Returns all entries from a C function that writes them to a buffer.
+template <class T, class Ask> std::vector<T> listed(Ask ask) {
     std::size_t count = 0;
     check(ask(nullptr, 0, &count));
-    std::vector<stickslip_warning> warnings(count);
-    check(ask(warnings.data(), count, &count));
-    return warnings;
+    std::vector<T> entries(count);
+    check(ask(entries.data(), count, &count));
+    return entries;
 }
 
 /// Returns the spots from a C function, with labels for the given number of cells.

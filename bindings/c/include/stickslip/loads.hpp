@@ -1,11 +1,12 @@
-// Friction and loads.
+// Friction, loads and tractions.
 
 #ifndef STICKSLIP_LOADS_HPP
 #define STICKSLIP_LOADS_HPP
 
 #include <cstdint>
+#include <stdexcept>
 
-#include "../stickslip.h"
+#include "core.hpp"
 
 namespace stickslip {
 
@@ -40,6 +41,36 @@ inline LoadStep rolled(LoadStep step, std::uint32_t cells, double creepage_x = 0
                        double spin = 0.0, std::int32_t leading_edge = STICKSLIP_PLUS_X) {
     step.roll = {cells, leading_edge, {creepage_x, creepage_y}, spin};
     return step;
+}
+
+using RollingControl = stickslip_rolling_control;
+using CreepPoint = stickslip_creep_point;
+using CreepForce = stickslip_creep_force;
+
+inline RollingControl creepage(double value) { return {STICKSLIP_CREEPAGE, value}; }
+inline RollingControl rolling_force(double value) { return {STICKSLIP_FORCE, value}; }
+inline RollingControl spin(double value) { return {STICKSLIP_SPIN, value}; }
+inline RollingControl moment(double value) { return {STICKSLIP_MOMENT, value}; }
+
+/// Returns a load of rolling bodies: a creepage or a force along x and y, and a spin or a moment.
+inline stickslip_rolling_load rolling(RollingControl x, RollingControl y = creepage(0.0),
+                                      RollingControl about = spin(0.0)) {
+    return {x, y, about, {}};
+}
+
+using Tractions = stickslip_tractions;
+using Point = stickslip_point;
+using Response = stickslip_response;
+
+/// Returns tractions without shear; the samples are not copied.
+inline Tractions tractions(Field pressure) { return {pressure.data(), nullptr, nullptr, pressure.size()}; }
+
+/// Returns a pressure with tractions along x and y; the samples are not copied.
+inline Tractions tractions(Field pressure, Field x, Field y) {
+    if (x.size() != pressure.size() || y.size() != pressure.size()) {
+        throw std::invalid_argument("pressure and tractions must have the same length");
+    }
+    return {pressure.data(), x.data(), y.data(), pressure.size()};
 }
 
 } // namespace stickslip

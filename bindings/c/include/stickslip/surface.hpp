@@ -28,8 +28,9 @@ inline std::vector<double> self_affine(const Grid &grid, const SelfAffine &surfa
 
 /// Returns the statistics of heights.
 inline Statistics statistics(const Grid &grid, Field heights) {
-    return detail::asked<Statistics>(
-        [&](auto *out) { return stickslip_surface_statistics(&grid, heights.data(), heights.size(), out); });
+    Statistics found{};
+    check(stickslip_surface_statistics(&grid, heights.data(), heights.size(), &found));
+    return found;
 }
 
 } // namespace stickslip
