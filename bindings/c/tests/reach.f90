@@ -137,6 +137,9 @@ contains
 
         gap = ball()
         call bodies%new(grid, steel, steel)
+        call bodies%set_cell_value(STICKSLIP_CENTRE)
+        call check(bodies%cell_value() == STICKSLIP_CENTRE .and. bodies%first_row() == 0, 'value of a cell and first row')
+        call bodies%set_cell_value(STICKSLIP_UNIFORM)
         call presser%new(bodies, gap, stickslip_normal_load(STICKSLIP_FORCE, 100), settings=stickslip_settings(tolerance=1d-6))
         call presser%solve(pressed)
         report = pressed%report()
@@ -339,6 +342,10 @@ contains
         type(contact_history) :: history
         type(stickslip_stiffness) :: slope, same
         type(stiffness_workspace) :: workspace
+        type(coupled_rolling_solver) :: roller
+        type(coupled_rolling_solution) :: rolled
+        type(stickslip_rolling_result) :: first, second
+        type(stickslip_rolling_stiffness) :: slopes
         type(stickslip_report) :: work
         type(stickslip_coupled_report) :: report
         type(stickslip_normal_result) :: normal
@@ -445,6 +452,23 @@ contains
         call other%results(tangential=shear)
         call check(abs(shear%force(1) / 20 - 1) < 1d-6 .and. shear%stick_ratio < 1, 'bulk strain of coupled bodies')
 
+        ! Rolling: the stiffness predicts the force at a slightly larger creepage.
+        call roller%new(bodies, heights, stickslip_coulomb(0.3d0), press, &
+            stickslip_rolling_load(x=stickslip_rolling_control(value=1d-3)))
+        call roller%solve(rolled)
+        call rolled%results(normal, first)
+        call rolled%warnings(warnings)
+        call check(abs(normal%force / 100 - 1) < 1d-6 .and. all(warnings%kind /= STICKSLIP_WARNING_NO_CONTACT), &
+            'coupled rolling')
+        zones => rolled%zones()
+        call check(all(shape(zones) == [nx, ny]), 'zones of coupled rolling')
+        slopes = roller%stiffness()
+        call roller%set_load(stickslip_rolling_load(x=stickslip_rolling_control(value=1.001d-3)))
+        call roller%solve(rolled)
+        call rolled%results(rolling=second)
+        call check(abs((second%force(1) - first%force(1)) / (1d-6 * slopes%slopes(1, 1)) - 1) < 0.02d0, &
+            'stiffness of coupled rolling')
+
         ! An object remains if its replacement cannot be created.
         before = solver%address()
         call solver%new(bodies, heights(:, 2:), stickslip_coulomb(0.3d0), press, drag, status=status)
@@ -522,6 +546,13 @@ contains
         worn = depth
         call history%wear_energy(1d-6, worn)
         call check(all(worn >= depth), 'energy law')
+        depth = 0
+        call history%wear_threshold_energy(1d-6, 0d0, depth)
+        worn = 0
+        call history%wear_energy(1d-6, worn)
+        call check(maxval(abs(depth - worn)) <= 1d-12 * maxval(worn) .and. maxval(worn) > 0, 'energy law without a threshold')
+        call history%wear_threshold_energy(k, 1d9, depth)
+        call check(maxval(abs(depth - worn)) <= 1d-12 * maxval(worn), 'energy below the threshold')
 
         ! A closed cycle may be skipped by a jump, but the first cycle may not.
         do turn = 1, 2

@@ -70,6 +70,12 @@ int main() {
     check(std::fabs(on.shear_stress[1] / pressed.pressure()[middle] + 1.0) < 1e-9, "sxz");
     check(std::fabs(on.shear_stress[2] / half[middle] + 1.0) < 1e-9, "syz");
 
+    // Stiffnesses and planes accept an observer, which may end them.
+    const ss::Observe stop = [](const ss::Iteration &) { return false; };
+    fails(STICKSLIP_NOT_CONVERGED, [&] { pressed.stiffness(bodies, stop); });
+    fails(STICKSLIP_NOT_CONVERGED, [&] { planes.solve(0, STICKSLIP_BODY_1, load, stop); });
+    check(bodies.first_row() == 0 && bodies.grid().nx == n, "grid of the bodies");
+
     const ss::Spots one = pressed.spots();
     check(one.spots.size() == 1 && one.labels[middle] == 1 && one.labels[0] == 0, "one spot");
     check(one.spots[0].cells == pressed.result().contact_cells, "cells of the spot");
@@ -168,6 +174,20 @@ int main() {
     const stickslip_vermeulen_johnson slight = ss::vermeulen_johnson_ellipse(bodies, 5.0, 5.0, 100.0, 0.3, 1e-7, 0.0);
     check(std::fabs(slight.force[0] / (1e-7 * kalker.c11 * unit) - 1.0) < 1e-3, "Vermeulen and Johnson");
     check(ss::bentall_johnson_cylinder(bodies, 10.0, 100.0, 0.01).creepage == 0.0, "Bentall and Johnson");
+
+    // Steady rolling of dissimilar bodies: the stiffness predicts the force at a slightly larger creepage.
+    ss::CoupledRollingSolver slider(dissimilar, ss::sphere(grid, 5.0), law, press, ss::rolling(ss::creepage(1e-3)));
+    const ss::CoupledRollingSolution before = slider.solve();
+    check(before.report().work.status == STICKSLIP_CONVERGED, "coupled rolling");
+    check(std::fabs(before.normal_result().force / 100.0 - 1.0) < 1e-6, "normal force of coupled rolling");
+    check(before.pressure().size() == n * n && before.zones().size() == n * n, "fields of coupled rolling");
+    for (const stickslip_warning &warning : before.warnings()) {
+        check(warning.kind != STICKSLIP_WARNING_NO_CONTACT, warning.message);
+    }
+    const double slope = slider.stiffness().slopes[0][0];
+    slider.set_load(ss::rolling(ss::creepage(1.001e-3)));
+    const double change = slider.solve().rolling_result().force[0] - before.rolling_result().force[0];
+    check(std::fabs(change / (1e-6 * slope) - 1.0) < 0.02, "stiffness of coupled rolling");
 
     // Stepwise rolling.
     stickslip_history_options in_the_plane = stickslip_history_options_default();
