@@ -242,8 +242,8 @@ contains
         call report_status(stickslip_coupled_solver_reset(this%handle), status)
     end subroutine coupled_solver_reset
 
-    ! Solves into a solution; the first solve into it creates it. If the solve does not converge, the solution contains the
-    ! last iterate.
+    ! Solves into a solution; the first solve into it creates it. If the solve does not converge, the solution
+    ! contains the last iterate.
     subroutine coupled_solver_solve(this, solution, observer, status)
         class(coupled_solver), intent(in) :: this
         class(coupled_solution), intent(inout) :: solution

@@ -219,8 +219,8 @@ contains
         call report_status(stickslip_normal_solver_reset(this%handle), status)
     end subroutine normal_solver_reset
 
-    ! Solves into a solution; the first solve into it creates it. If the solve does not converge, the solution contains the
-    ! last iterate.
+    ! Solves into a solution; the first solve into it creates it. If the solve does not converge, the solution
+    ! contains the last iterate.
     subroutine normal_solver_solve(this, solution, observer, status)
         class(normal_solver), intent(in) :: this
         class(normal_solution), intent(inout) :: solution

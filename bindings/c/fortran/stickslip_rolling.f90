@@ -273,8 +273,8 @@ contains
         call report_status(stickslip_rolling_solver_reset(this%handle), status)
     end subroutine rolling_solver_reset
 
-    ! Solves into a solution; the first solve into it creates it. If the solve does not converge, the solution contains the
-    ! last iterate.
+    ! Solves into a solution; the first solve into it creates it. If the solve does not converge, the solution
+    ! contains the last iterate.
     subroutine rolling_solver_solve(this, solution, observer, status)
         class(rolling_solver), intent(in) :: this
         class(rolling_solution), intent(inout) :: solution
@@ -303,7 +303,7 @@ contains
 
     ! Computes the loads at points. Each solve starts from the solution of the previous point, so consecutive points
     ! should be close to each other. All points are checked before the first solve. Afterwards the last point is the
-    ! prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load, and forces is unchanged.
+    ! prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load.
     subroutine rolling_solver_creep_forces(this, points, forces, observer, status)
         class(rolling_solver), intent(in) :: this
         type(stickslip_creep_point), intent(in), contiguous :: points(:)
@@ -497,8 +497,8 @@ contains
         call report_status(stickslip_coupled_rolling_solver_reset(this%handle), status)
     end subroutine coupled_rolling_solver_reset
 
-    ! Solves into a solution; the first solve into it creates it. If the solve does not converge, the solution contains the
-    ! last iterate.
+    ! Solves into a solution; the first solve into it creates it. If the solve does not converge, the solution
+    ! contains the last iterate.
     subroutine coupled_rolling_solver_solve(this, solution, observer, status)
         class(coupled_rolling_solver), intent(in) :: this
         class(coupled_rolling_solution), intent(inout) :: solution

@@ -293,8 +293,8 @@ contains
         call report_status(stickslip_tangential_solver_friction_capacity(this%handle, found), status)
     end function tangential_solver_friction_capacity
 
-    ! Solves into a solution; the first solve into it creates it. If the solve does not converge, the solution contains the
-    ! last iterate.
+    ! Solves into a solution; the first solve into it creates it. If the solve does not converge, the solution
+    ! contains the last iterate.
     subroutine tangential_solver_solve(this, solution, observer, status)
         class(tangential_solver), intent(in) :: this
         class(tangential_solution), intent(inout) :: solution

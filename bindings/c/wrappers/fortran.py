@@ -57,13 +57,13 @@ class Procedure:
         if one.kind == "observer":
             return [name], [OBSERVER]
         if one.kind in ("displacement", "tractions"):
-            first = ["pressure"] if one.kind == "tractions" else []
             declared = "real(c_double), intent(in), target, contiguous"
             if one.kind == "tractions":
                 self.checks.append(f"all_fit({self.grid}, pressure, x, y, status)")
-                return ["pressure", "x", "y"], [f"{declared} :: pressure(:, :)", f"{declared}, optional :: x(:, :), y(:, :)"]
+                return ["pressure", "x", "y"], [f"{declared} :: pressure(:, :)",
+                                                f"{declared}, optional :: x(:, :), y(:, :)"]
             self.checks += [f"fits('{axis}', shape({axis}), {self.grid}, status)" for axis in "xy"]
-            return first + ["x", "y"], [f"{declared} :: x(:, :), y(:, :)"]
+            return ["x", "y"], [f"{declared} :: x(:, :), y(:, :)"]
         if one.kind in RANK:
             if RANK[one.kind] == ":, :":
                 self.checks.append(f"fits('{name}', shape({name}), {self.grid}, status)")
@@ -213,8 +213,8 @@ def for_each_cell(procedure):
 
 def solve(owner, solution):
     c = owner.c
-    return f"""    ! Solves into a solution; the first solve into it creates it. If the solve does not converge, the solution contains the
-    ! last iterate.
+    return f"""    ! Solves into a solution; the first solve into it creates it. If the solve does not converge, the solution
+    ! contains the last iterate.
     subroutine {c}_solve(this, solution, observer, status)
         class({owner.f}), intent(in) :: this
         class({solution.f}), intent(inout) :: solution

@@ -169,7 +169,7 @@ CHANGED = [
     (r"^Writes to \w+ the|^Writes (the|STICKSLIP)", lambda found: "Returns " + (found[1] or "the")),
     (r"Displacements are also computed if with_displacements is nonzero\.", "with_displacements adds displacements."),
     (r"\b([Aa]) NULL (\w+) means", r"\1n omitted \2 means"), (r"\bNULL (\w+) mean\b", r"omitted \1 mean"),
-    (r",? like stickslip_\w+_warnings", ""),
+    (r",? like stickslip_\w+_warnings|, and (forces|responses) is unchanged", ""),
 ]
 
 

@@ -138,7 +138,8 @@ class CoupledSolver {
         return CoupledSolution(detail::made<CoupledSolution::Own>(
             [&](auto **out) { return stickslip_coupled_solution_new(get(), out); }));
     }
-    /// Solves into a solution of the same bodies. If the solve does not converge, the solution contains the last iterate.
+    /// Solves into a solution of the same bodies. If the solve does not converge, the solution contains the last
+    /// iterate.
     void solve_into(CoupledSolution &solution, const Observe &observe = nullptr) {
         detail::Watch(observe).run([&](const stickslip_observer *observer) {
             return stickslip_coupled_solver_solve(get(), solution.get(), observer);

@@ -73,8 +73,8 @@ class History {
     History clone() const {
         return History(detail::made<Own>([&](auto **out) { return stickslip_history_clone(get(), out); }));
     }
-    /// Takes a step. A failure leaves the history unchanged; after STICKSLIP_NOT_CONVERGED, stickslip_last_error_report
-    /// writes the report.
+    /// Takes a step. A failure leaves the history unchanged; after STICKSLIP_NOT_CONVERGED, Error::report returns the
+    /// report.
     stickslip_step_result step(const stickslip_load_step &load, const Observe &observe = nullptr) {
         detail::Watch(observe).run([&](const stickslip_observer *observer) {
             return stickslip_history_step(get(), &load, observer);

@@ -28,8 +28,8 @@ inline stickslip_tangential_load tangential(stickslip_control x, stickslip_contr
     return {x, y, twist, {}};
 }
 
-/// Returns a step of a history, which holds pressure, shift and twist if it does not prescribe them. A held shift does not hold
-/// the tangential force (see stickslip_load_step).
+/// Returns a step of a history, which holds pressure, shift and twist if it does not prescribe them. A held shift does not
+/// hold the tangential force (see stickslip_load_step).
 inline LoadStep step(stickslip_normal_load normal, stickslip_control x = held(), stickslip_control y = held()) {
     return {normal, x, y, 0, 0.0, 0, 0.0, {}, {}};
 }

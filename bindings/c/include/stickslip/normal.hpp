@@ -116,7 +116,8 @@ class NormalSolver {
         return NormalSolution(detail::made<NormalSolution::Own>(
             [&](auto **out) { return stickslip_normal_solution_new(get(), out); }));
     }
-    /// Solves into a solution of the same bodies. If the solve does not converge, the solution contains the last iterate.
+    /// Solves into a solution of the same bodies. If the solve does not converge, the solution contains the last
+    /// iterate.
     void solve_into(NormalSolution &solution, const Observe &observe = nullptr) {
         detail::Watch(observe).run([&](const stickslip_observer *observer) {
             return stickslip_normal_solver_solve(get(), solution.get(), observer);

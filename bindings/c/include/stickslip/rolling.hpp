@@ -65,10 +65,9 @@ class RollingSolution {
     Field traction_x() const { return field(STICKSLIP_TRACTION_X); }
     /// Shear traction along y.
     Field traction_y() const { return field(STICKSLIP_TRACTION_Y); }
-    /// Slip along x (lengths): the motion of the surface of body 1 relative to body 2. The slip of a history is the sum
-    /// over all steps.
+    /// Slip along x per unit length rolled (dimensionless).
     Field slip_x() const { return field(STICKSLIP_SLIP_X); }
-    /// Slip along y.
+    /// Slip along y per unit length rolled (dimensionless).
     Field slip_y() const { return field(STICKSLIP_SLIP_Y); }
     stickslip_rolling_solution *get() const { return own_.get(); }
 
@@ -144,7 +143,8 @@ class RollingSolver {
         return RollingSolution(detail::made<RollingSolution::Own>(
             [&](auto **out) { return stickslip_rolling_solution_new(get(), out); }));
     }
-    /// Solves into a solution of the same bodies. If the solve does not converge, the solution contains the last iterate.
+    /// Solves into a solution of the same bodies. If the solve does not converge, the solution contains the last
+    /// iterate.
     void solve_into(RollingSolution &solution, const Observe &observe = nullptr) {
         detail::Watch(observe).run([&](const stickslip_observer *observer) {
             return stickslip_rolling_solver_solve(get(), solution.get(), observer);
@@ -162,7 +162,7 @@ class RollingSolver {
     }
     /// Computes the loads at points. Each solve starts from the solution of the previous point, so consecutive points
     /// should be close to each other. All points are checked before the first solve. Afterwards the last point is the
-    /// prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load, and forces is unchanged.
+    /// prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load.
     std::vector<stickslip_creep_force> creep_forces(const std::vector<stickslip_creep_point> &points,
         const Observe &observe = nullptr) {
         std::vector<stickslip_creep_force> forces(points.size());
@@ -229,10 +229,9 @@ class CoupledRollingSolution {
     Field traction_x() const { return field(STICKSLIP_TRACTION_X); }
     /// Shear traction along y.
     Field traction_y() const { return field(STICKSLIP_TRACTION_Y); }
-    /// Slip along x (lengths): the motion of the surface of body 1 relative to body 2. The slip of a history is the sum
-    /// over all steps.
+    /// Slip along x per unit length rolled (dimensionless).
     Field slip_x() const { return field(STICKSLIP_SLIP_X); }
-    /// Slip along y.
+    /// Slip along y per unit length rolled (dimensionless).
     Field slip_y() const { return field(STICKSLIP_SLIP_Y); }
     stickslip_coupled_rolling_solution *get() const { return own_.get(); }
 
@@ -288,7 +287,8 @@ class CoupledRollingSolver {
         return CoupledRollingSolution(detail::made<CoupledRollingSolution::Own>(
             [&](auto **out) { return stickslip_coupled_rolling_solution_new(get(), out); }));
     }
-    /// Solves into a solution of the same bodies. If the solve does not converge, the solution contains the last iterate.
+    /// Solves into a solution of the same bodies. If the solve does not converge, the solution contains the last
+    /// iterate.
     void solve_into(CoupledRollingSolution &solution, const Observe &observe = nullptr) {
         detail::Watch(observe).run([&](const stickslip_observer *observer) {
             return stickslip_coupled_rolling_solver_solve(get(), solution.get(), observer);

@@ -84,8 +84,7 @@ class TangentialSolution {
     Field traction_x() const { return field(STICKSLIP_TRACTION_X); }
     /// Shear traction along y.
     Field traction_y() const { return field(STICKSLIP_TRACTION_Y); }
-    /// Slip along x (lengths): the motion of the surface of body 1 relative to body 2. The slip of a history is the sum
-    /// over all steps.
+    /// Slip along x (lengths): the motion of the surface of body 1 relative to body 2.
     Field slip_x() const { return field(STICKSLIP_SLIP_X); }
     /// Slip along y.
     Field slip_y() const { return field(STICKSLIP_SLIP_Y); }
@@ -156,7 +155,8 @@ class TangentialSolver {
         return TangentialSolution(detail::made<TangentialSolution::Own>(
             [&](auto **out) { return stickslip_tangential_solution_new(get(), out); }));
     }
-    /// Solves into a solution of the same bodies. If the solve does not converge, the solution contains the last iterate.
+    /// Solves into a solution of the same bodies. If the solve does not converge, the solution contains the last
+    /// iterate.
     void solve_into(TangentialSolution &solution, const Observe &observe = nullptr) {
         detail::Watch(observe).run([&](const stickslip_observer *observer) {
             return stickslip_tangential_solver_solve(get(), solution.get(), observer);
