@@ -122,15 +122,14 @@ class Header:
         self.declared = {re.search(r"(stickslip_\w+)\(", one)[1]: (notes, one) for notes, one in declarations(text)}
         self.defaults = {name for name in self.declared if name.endswith("_default")}
         self.notes = {}
-        for notes, name in re.findall(r"((?:^//.*\n)+)(?:typedef struct (?:stickslip_(\w+)) .*|#define .*)", text, re.M):
-            self.notes[name] = " ".join(line[2:].strip() for line in notes.splitlines())
-        for notes, name in re.findall(r"((?:^//.*\n)+)#define (STICKSLIP_\w+) ", text, re.M):
+        for notes, name in re.findall(r"((?:^//.*\n)+)(?:typedef struct stickslip_|#define )(\w+) ", text, re.M):
             self.notes[name] = " ".join(line[2:].strip() for line in notes.splitlines())
         self.wrapped = set()
 
     def function(self, owner, method):
         """Returns the function of a method: the variant with an observer if it exists, with the plain documentation."""
-        name = f"stickslip_{owner.c}_{method.c}" if owner and method.c[0] != "/" else f"stickslip_{method.c.lstrip('/')}"
+        prefix = f"{owner.c}_" if owner and not method.is_apart else ""
+        name = f"stickslip_{prefix}{method.c}"
         notes = self.declared[name][0]
         observed = name + "_observed" if name + "_observed" in self.declared else name
         self.wrapped |= {name, observed}
@@ -159,7 +158,7 @@ def ordered(arguments, order):
 # Parts of the documentation that concern only C.
 DROPPED = r"NULL|With a capacity of 0|If the buffer is too small|A call without a buffer|length receives the number"
 CHANGED = [
-    (r", and writes its number of\s+cells to count \(may be NULL\)| and writes its number of cells to count \(may be NULL\)", ""),
+    (r",? and writes its number of cells to count \(may be NULL\)", ""),
     (r"[;,] (returns|or) NULL on failure|; either pointer may be NULL| \(may be NULL\)", ""),
     (r", and writes their number to taken", ", and returns their number"),
     (r" to a buffer of capacity entries, and their number to count|, to buffer, and their number to count", ""),
@@ -178,7 +177,10 @@ def documentation(notes, language, changes=()):
     for pattern, by in [*CHANGED, *changes]:
         notes = re.sub(pattern, by, notes)
     kept = [one for one in re.split(r"(?<=\.)\s+", notes.strip()) if not re.search(DROPPED, one)]
-    name = lambda found: (NAMES.get(found[0].removesuffix("_observed")) or {}).get(language) or found[0]  # noqa: E731
+
+    def name(found):
+        return NAMES.get(found[0].removesuffix("_observed"), {}).get(language) or found[0]
+
     return re.sub(r"\bstickslip_\w+", name, " ".join(kept))
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 
 @dataclass
 class Method:
-    """Method with the name of its C function without the prefix of the object, unless `c` is another C function."""
+    """Method. `c` is the name of its C function without the prefix of the object, by default the name of the method."""
 
     name: str
     c: str = ""
@@ -26,6 +26,8 @@ class Method:
     then: str = ""
     # Whether the procedure in Fortran also creates the object.
     creates: bool = False
+    # Whether the C function has no prefix of the object.
+    is_apart: bool = False
 
     def __post_init__(self):
         self.c = self.c or self.name
@@ -128,9 +130,10 @@ FILES = [
         Object("history", "History", "contact_history", [
             "new from_bytes to_bytes clone", Method("step", then="result"),
             "press set_gap set_friction set_settings set_relative_displacement set_state result",
-            Method("normal_result", cpp="normal"), "stiffness next_stiffness", Method("stiffness_with", cpp="stiffness"),
+            Method("normal_result", cpp="normal"), "stiffness next_stiffness",
+            Method("stiffness_with", cpp="stiffness"),
             "friction_capacity reports warnings field zones spots", cpp_only("grid"),
-            *(Method(name, c="/" + name) for name in ("wear_archard", "wear_energy", "wear_threshold_energy"))],
+            *(Method(name, is_apart=True) for name in ("wear_archard", "wear_energy", "wear_threshold_energy"))],
             "pressure traction_x traction_y"),
         Object("state", "State", "contact_state", [cpp_only("new"), Method("keep", creates=True)], has_grid=False),
     ]),
@@ -142,7 +145,8 @@ FILES = [
     ], [cpp_only("max_stable_cycles")]),
     File("stress", "stresses", "Stress and displacement below the surface, and closed-form solutions.", "bodies loads",
          "objects", [
-        Object("planes", "Planes", "stress_planes", ["new", Method("solve", renamed=BODY), "field measure"], "stress_xx"),
+        Object("planes", "Planes", "stress_planes", ["new", Method("solve", renamed=BODY), "field measure"],
+               "stress_xx"),
     ], [Method("stress_at_points", cpp="stress_at", renamed=BODY,
                f_order="bodies body points responses tractions observer"),
         cpp_only("hertz_sphere"), cpp_only("cattaneo_mindlin_sphere")]),
