@@ -92,8 +92,7 @@ fn moderate_strain_shifts_the_stick_zone() {
     }
     // Larger strains reverse slip at one end.
     let exact = CattaneoMindlinLine::new(hertz(), FRICTION, 0.6 * limit).unwrap();
-    let beyond = exact.with_strain(steel().plane_strain_under(600.0));
-    assert!(matches!(beyond, Err(Error::BelowMinimum { .. })));
+    kit::assert_refused! { exact.with_strain(steel().plane_strain_under(600.0)) => Error::BelowMinimum { .. } }
     let found = shear_roller(1024, 0.6 * limit, 600.0);
     let slips = |i: usize| found.zones()[i] == Zone::Slip;
     let slipping = (0..1024).filter(|&i| slips(i));
@@ -400,11 +399,9 @@ fn relative_displacement_on_wrong_grid_or_axis_is_rejected() {
     let gap = surface::sphere(grid, 10.0).unwrap();
     let across = RelativeDisplacement::bulk_strain(grid, [[0.0, 0.0], [0.0, 0.25]]).unwrap();
     let builder = || History::builder(&bodies, &gap, friction());
-    let refused = builder().relative_displacement(across.clone()).build();
-    assert!(matches!(
-        refused,
-        Err(Error::UnsupportedByModel { value: -0.4375, .. })
-    ));
+    kit::assert_refused! {
+        builder().relative_displacement(across.clone()).build() => Error::UnsupportedByModel { value: -0.4375, .. },
+    }
     let other = Grid::square(9, 4.0).unwrap();
     let elsewhere = RelativeDisplacement::bulk_strain(other, [[0.0; 2]; 2]).unwrap();
     let mut history = builder().build().unwrap();
@@ -415,27 +412,20 @@ fn relative_displacement_on_wrong_grid_or_axis_is_rejected() {
     }
     let bytes = history.to_bytes();
     let press = LoadStep::hold().normal(NormalControl::Force(0.1));
-    let refused = history.step(&press.relative_displacement(2.0));
-    assert!(matches!(
-        refused,
-        Err(Error::UnsupportedByModel { value: 2.0, .. })
-    ));
-    let refused = history.step(&press.relative_displacement(f64::NAN));
-    assert!(matches!(refused, Err(Error::NotFinite { .. })));
+    kit::assert_refused! {
+        history.step(&press.relative_displacement(2.0)) => Error::UnsupportedByModel { value: 2.0, .. },
+        history.step(&press.relative_displacement(f64::NAN)) => Error::NotFinite { .. },
+    }
     assert_eq!(history.to_bytes(), bytes);
     let stretch = RelativeDisplacement::bulk_strain(grid, [[2.0, 0.0], [0.0; 2]]).unwrap();
     history.set_relative_displacement(&stretch).unwrap();
     let bytes = history.to_bytes();
-    let refused = history.step(&LoadStep::hold().relative_displacement(f64::MAX));
-    assert!(matches!(refused, Err(Error::NotFinite { .. })));
+    kit::assert_refused! { history.step(&LoadStep::hold().relative_displacement(f64::MAX)) => Error::NotFinite { .. } }
     assert_eq!(history.to_bytes(), bytes);
     let refused = RelativeDisplacement::bulk_strain(grid, [[f64::INFINITY, 0.0], [0.0; 2]]);
     assert!(matches!(refused, Err(Error::Sample { .. })));
     let fields = [Field::zeros(grid), Field::zeros(other)];
-    assert!(matches!(
-        RelativeDisplacement::new(fields),
-        Err(Error::GridMismatch { .. })
-    ));
+    kit::assert_refused! { RelativeDisplacement::new(fields) => Error::GridMismatch { .. } }
 }
 
 /// On a periodic axis, a strain along the axis would make the displacement discontinuous between periods.

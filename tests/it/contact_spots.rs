@@ -51,8 +51,7 @@ fn spot_areas_from_fitted_edges_match_hertz() {
 
     let other = HalfSpace::new(Grid::square(40, 4.0).unwrap(), pair).unwrap();
     let gap = surface::sphere(other.grid(), 1.0).unwrap();
-    let refused = edges.areas_of(&press(&other, &gap, 0.5).spots());
-    assert!(matches!(refused, Err(Error::GridMismatch { .. })));
+    kit::assert_refused! { edges.areas_of(&press(&other, &gap, 0.5).spots()) => Error::GridMismatch { .. } }
 }
 
 #[test]

@@ -437,56 +437,33 @@ fn coupled_rolling_not_converged_is_error_with_last_iterate() {
             std::ops::ControlFlow::Continue(())
         }
     });
-    assert!(
-        matches!(outcome, Err(Error::NotConverged(report)) if report.status == Status::Cancelled)
-    );
+    kit::assert_refused! { outcome => Error::NotConverged(report) if report.status == Status::Cancelled }
 }
 
 #[test]
 fn coupled_rolling_with_invalid_input_is_rejected() {
     let pressed = ball_problem(16, 0.2);
     let builder = || coupled_builder(&pressed, 0.3);
-    let refused = builder().creepage([f64::NAN, 0.0]).build();
-    assert!(
-        matches!(refused, Err(Error::NotFinite { .. })),
-        "{refused:?}"
-    );
-    let refused = builder().step(0).build();
-    assert!(
-        matches!(refused, Err(Error::NotPositive { .. })),
-        "{refused:?}"
-    );
-    let refused = builder().tolerance(0.0).build();
-    assert!(matches!(refused, Err(Error::Tolerance(_))), "{refused:?}");
+    kit::assert_refused! {
+        builder().creepage([f64::NAN, 0.0]).build() => Error::NotFinite { .. },
+        builder().step(0).build() => Error::NotPositive { .. },
+        builder().tolerance(0.0).build() => Error::Tolerance(_),
+    }
     let hold = (pressed.0.clone(), pressed.1.clone(), NormalControl::Hold);
-    let refused = coupled_builder(&hold, 0.3).build();
-    assert!(
-        matches!(refused, Err(Error::NoPressureToHold)),
-        "{refused:?}"
-    );
-    let refused = builder()
-        .control(Axis::X, RollingControl::Force(2.0))
-        .build()
-        .unwrap()
-        .solve();
-    assert!(
-        matches!(refused, Err(Error::BeyondFrictionCapacity { .. })),
-        "{refused:?}"
-    );
+    kit::assert_refused! {
+        coupled_builder(&hold, 0.3).build() => Error::NoPressureToHold,
+        builder().control(Axis::X, RollingControl::Force(2.0)).build().unwrap().solve()
+            => Error::BeyondFrictionCapacity { .. },
+    }
     let apart = (
         pressed.0.clone(),
         pressed.1.clone(),
         NormalControl::Approach(-1.0),
     );
-    let refused = coupled_builder(&apart, 0.3).build().unwrap().solve();
-    assert!(matches!(refused, Err(Error::EmptyContact)), "{refused:?}");
+    kit::assert_refused! { coupled_builder(&apart, 0.3).build().unwrap().solve() => Error::EmptyContact }
     let waves = HalfSpace::with_boundary(pressed.0.grid(), *pressed.0.pair(), Boundary::Periodic);
     let waves = (waves.unwrap(), pressed.1.clone(), pressed.2);
-    let refused = coupled_builder(&waves, 0.3).build();
-    assert!(
-        matches!(refused, Err(Error::UnsupportedByModel { .. })),
-        "{refused:?}"
-    );
+    kit::assert_refused! { coupled_builder(&waves, 0.3).build() => Error::UnsupportedByModel { .. } }
 }
 
 #[test]

@@ -113,10 +113,7 @@ fn mismatched_contacts_are_rejected() {
 
     let repeated = HalfSpace::with_boundary(grid, *bodies.pair(), Boundary::Periodic).unwrap();
     let repeated = press(&repeated, &gap, 1.0);
-    assert!(matches!(
-        refused(&full, &repeated),
-        Error::BoundaryMismatch { .. }
-    ));
+    kit::assert_refused! { refused(&full, &repeated) => Error::BoundaryMismatch { .. } }
 
     let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0));
     let unsolved = problem

@@ -93,12 +93,10 @@ fn different_bodies_are_rejected() {
     let smaller = kit::unit_bodies(Grid::square(15, 12.0).unwrap(), 0.3);
     let softer = kit::unit_bodies(grid, 0.2);
     let repeating = HalfSpace::with_boundary(grid, *bodies.pair(), Boundary::Periodic).unwrap();
-    let refused = contact.displacement(&smaller);
-    assert!(matches!(refused, Err(Error::GridMismatch { .. })));
-    let refused = contact.elastic_energy(&softer);
-    assert!(matches!(refused, Err(Error::MaterialMismatch { .. })));
-    let refused = shear.displacement(&repeating);
-    assert!(matches!(refused, Err(Error::BoundaryMismatch { .. })));
-    let refused = shear.spots(&press(&smaller, [0.0; 2], 1.0));
-    assert!(matches!(refused, Err(Error::GridMismatch { .. })));
+    kit::assert_refused! {
+        contact.displacement(&smaller) => Error::GridMismatch { .. },
+        contact.elastic_energy(&softer) => Error::MaterialMismatch { .. },
+        shear.displacement(&repeating) => Error::BoundaryMismatch { .. },
+        shear.spots(&press(&smaller, [0.0; 2], 1.0)) => Error::GridMismatch { .. },
+    }
 }

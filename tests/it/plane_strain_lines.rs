@@ -284,11 +284,10 @@ fn datum_only_changes_approach_and_shift() {
     assert!((far.0.approach() - near.0.approach() - moved(0.06)).abs() < 1e-10);
     assert!((far.1.shift()[0] - near.1.shift()[0] - moved(0.012)).abs() < 1e-10);
 
-    let refused = HalfSpace::with_boundary(grid, pair, Boundary::PeriodicAlongY { datum: 3.0 });
-    assert!(matches!(
-        refused,
-        Err(Error::BelowMinimum { value: 3.0, .. })
-    ));
+    kit::assert_refused! {
+        HalfSpace::with_boundary(grid, pair, Boundary::PeriodicAlongY { datum: 3.0 })
+            => Error::BelowMinimum { value: 3.0, .. },
+    }
     for datum in [f64::NAN, f64::INFINITY] {
         let refused = HalfSpace::with_boundary(grid, pair, Boundary::PeriodicAlongY { datum });
         assert!(matches!(refused, Err(Error::NotFinite { .. })));

@@ -252,10 +252,7 @@ fn lost_rank_ends_solve_of_all() {
     });
     for outcome in &outcomes[..2] {
         let lost = RankFailure::Disconnected { rank: 2 };
-        assert!(
-            matches!(outcome, Err(Error::Ranks(failure)) if *failure == lost),
-            "{outcome:?}"
-        );
+        kit::assert_refused! { outcome => Error::Ranks(failure) if *failure == lost }
     }
 }
 

@@ -106,14 +106,10 @@ fn ranks_reject_together() {
         }
         let outcome = planes.solve(0, Body::One, own);
         assert_eq!(outcome.err(), different("tractions"));
-        let refused = planes.through(Body::One, Tractions::new(&p), |_| {
-            if is_first {
-                Err(Error::EmptyPath)
-            } else {
-                Ok(())
-            }
-        });
-        assert!(refused.is_err());
+        kit::assert_refused! {
+            planes.through(Body::One, Tractions::new(&p), |_| { if is_first { Err(Error::EmptyPath) } else { Ok(()) } })
+                => _,
+        }
         for asked in [0, 2] {
             let mut asked_so_far = 0;
             let outcome = planes.solve_observed(1, Body::One, Tractions::new(&p), |_| {
@@ -124,10 +120,7 @@ fn ranks_reject_together() {
                     ControlFlow::Continue(())
                 }
             });
-            assert!(
-                matches!(outcome, Err(Error::NotConverged(_))),
-                "{outcome:?}"
-            );
+            kit::assert_refused! { outcome => Error::NotConverged(_) }
         }
         planes.solve(1, Body::One, Tractions::new(&p)).unwrap();
         let not_shared = |outcome: Result<()>| {

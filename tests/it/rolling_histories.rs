@@ -614,15 +614,12 @@ fn failed_rolling_step_leaves_state_unchanged() {
         assert_eq!(history.state().to_bytes(), before);
     }
     let too_much = press(load).tangential(Axis::X, TangentialControl::Force(load));
-    let refused = history.step(&too_much.roll(Rolling::new(1)));
-    assert!(matches!(refused, Err(Error::BeyondFrictionCapacity { .. })));
+    kit::assert_refused! { history.step(&too_much.roll(Rolling::new(1))) => Error::BeyondFrictionCapacity { .. } }
     assert_eq!(history.state().to_bytes(), before);
     // The contact would grow beyond the room that the grid leaves ahead of it.
-    let refused = history.step(&press(1.35 * load).roll(Rolling::new(2)));
-    assert!(
-        matches!(refused, Err(Error::GridTooShort { needed: 2, .. })),
-        "{refused:?}"
-    );
+    kit::assert_refused! {
+        history.step(&press(1.35 * load).roll(Rolling::new(2))) => Error::GridTooShort { needed: 2, .. },
+    }
     assert_eq!(history.state().to_bytes(), before);
     history.step(&rolled).unwrap();
 }
@@ -644,20 +641,14 @@ fn invalid_rolling_is_rejected() {
         LoadStep::hold().roll(one.creepage([f64::NAN, 0.0])),
         LoadStep::hold().roll(one.spin(f64::INFINITY)),
     ] {
-        let refused = rolled.step(&load);
-        assert!(
-            matches!(refused, Err(Error::NotFinite { .. })),
-            "{refused:?}"
-        );
+        kit::assert_refused! { rolled.step(&load) => Error::NotFinite { .. } }
     }
-    let refused = rolled.step(&LoadStep::hold().roll(Rolling::new(0)));
-    assert!(matches!(refused, Err(Error::NotPositive { .. })));
+    kit::assert_refused! { rolled.step(&LoadStep::hold().roll(Rolling::new(0))) => Error::NotPositive { .. } }
     for cells in [9, usize::MAX] {
-        let refused = rolled.step(&LoadStep::hold().roll(Rolling::new(cells)));
-        assert!(
-            matches!(refused, Err(Error::GridTooShort { needed, found, .. }) if needed == cells && found < 5),
-            "{refused:?}"
-        );
+        kit::assert_refused! {
+            rolled.step(&LoadStep::hold().roll(Rolling::new(cells)))
+                => Error::GridTooShort { needed, found, .. } if needed == cells && found < 5,
+        }
     }
     for load in [
         along(force).roll(one.creepage([0.1, 0.0])),
@@ -665,11 +656,7 @@ fn invalid_rolling_is_rejected() {
         along(spring).roll(one),
         LoadStep::hold().twist(0.1).roll(one),
     ] {
-        let refused = rolled.step(&load);
-        assert!(
-            matches!(refused, Err(Error::UnsupportedByModel { .. })),
-            "{refused:?}"
-        );
+        kit::assert_refused! { rolled.step(&load) => Error::UnsupportedByModel { .. } }
     }
     let mut adaptive = AdaptiveSteps::new(&rolled, 1e-3).unwrap();
     let refused = adaptive.step(&mut rolled, &LoadStep::hold().roll(one));
@@ -678,11 +665,7 @@ fn invalid_rolling_is_rejected() {
 
     let is_refused = |history: Result<History, Error>, rolling: Rolling| {
         let mut history = history.unwrap();
-        let refused = history.step(&press(1e-3).roll(rolling));
-        assert!(
-            matches!(refused, Err(Error::UnsupportedByModel { .. })),
-            "{refused:?}"
-        );
+        kit::assert_refused! { history.step(&press(1e-3).roll(rolling)) => Error::UnsupportedByModel { .. } }
     };
     let builder = |bodies| History::builder(bodies, &ball, Friction::coulomb(0.3).unwrap());
     // The scalar model supports neither creepage across its axis nor spin.

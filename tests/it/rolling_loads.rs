@@ -152,8 +152,7 @@ fn moment_beyond_friction_is_rejected() {
     // The integral of the distance weighted by a Hertzian pressure is 3 pi/16 times the load and the radius.
     let capacity = 3.0 * std::f64::consts::PI / 16.0 * scene.limit;
     let of = |moment: f64| scene.rolling().spin(SpinControl::Moment(moment)).build();
-    let beyond = of(1.02 * capacity);
-    assert!(matches!(beyond, Err(Error::BeyondFrictionMoment { .. })));
+    kit::assert_refused! { of(1.02 * capacity) => Error::BeyondFrictionMoment { .. } }
     // A negative moment is reported with its sign, and with the end of the range that it exceeds.
     let Err(Error::BeyondFrictionMoment {
         moment,
@@ -188,8 +187,7 @@ fn moment_beyond_friction_is_rejected() {
         assert!((sum / (0.6 * scene.limit) - 1.0).abs() < 1e-6);
     }
     let beyond = SpinControl::Moment(-1.01 * limit);
-    let refused = solver.set_control([force; 2], beyond);
-    assert!(matches!(refused, Err(Error::BeyondFrictionMoment { .. })));
+    kit::assert_refused! { solver.set_control([force; 2], beyond) => Error::BeyondFrictionMoment { .. } }
     solver.solve_into(&mut rolling).unwrap();
     let (force, moment) = (RollingControl::Force(0.1 * scene.limit), 0.1 * capacity);
     solver
@@ -304,11 +302,9 @@ fn friction_can_change_between_solves() {
     }
     let stiffness = solver.stiffness().unwrap();
     let wet = Friction::coulomb(0.01).unwrap();
-    let refused = solver.set_friction(&wet);
-    assert!(matches!(refused, Err(Error::BeyondFrictionCapacity { .. })));
+    kit::assert_refused! { solver.set_friction(&wet) => Error::BeyondFrictionCapacity { .. } }
     let small = Friction::per_cell(Field::constant(Grid::square(3, 1.0).unwrap(), 0.3)).unwrap();
-    let refused = solver.set_friction(&small);
-    assert!(matches!(refused, Err(Error::GridMismatch { .. })));
+    kit::assert_refused! { solver.set_friction(&small) => Error::GridMismatch { .. } }
     // The stiffness belongs to the last solution until the next solve.
     solver.set_friction(&half).unwrap();
     assert_eq!(solver.stiffness().unwrap(), stiffness);
@@ -413,8 +409,7 @@ fn cancelled_work_leaves_solver_usable() {
         assert_eq!(report.status, Status::Cancelled);
         assert!(solver.stiffness().unwrap()[0][0] > 0.0);
     }
-    let cut = solver.stiffness_observed(|_| ControlFlow::Break(()));
-    assert!(matches!(cut, Err(Error::NotConverged(_))));
+    kit::assert_refused! { solver.stiffness_observed(|_| ControlFlow::Break(())) => Error::NotConverged(_) }
     solver.solve_into(&mut rolling).unwrap();
     assert!((rolling.spin() / expected.spin() - 1.0).abs() < 1e-6);
     let mut steps = 0;

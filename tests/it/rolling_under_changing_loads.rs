@@ -161,11 +161,9 @@ fn rolling_solver_accepts_pressure_field_without_entry_law() {
     by_solution.set_pressure(&normal).unwrap();
     let found = solved(&mut by_field);
     assert_eq!(found.traction(), solved(&mut by_solution).traction());
-    let refused = of(EntryRule::SinceTouch).set_pressure(normal.pressure());
-    assert!(
-        matches!(refused, Err(Error::UnsupportedByModel { .. })),
-        "{refused:?}"
-    );
+    kit::assert_refused! {
+        of(EntryRule::SinceTouch).set_pressure(normal.pressure()) => Error::UnsupportedByModel { .. },
+    }
 }
 
 #[test]

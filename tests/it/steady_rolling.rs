@@ -432,13 +432,10 @@ fn prescribed_force_gives_creepage_that_causes_it() {
     }
     // A force that slides the contact does not determine the creepage.
     for force in [0.3, 0.31, f64::NAN] {
-        let refused = builder()
-            .control(Axis::X, RollingControl::Force(force))
-            .build();
-        assert!(matches!(
-            refused,
-            Err(Error::BeyondFrictionCapacity { .. } | Error::NotFinite { .. })
-        ));
+        kit::assert_refused! {
+            builder().control(Axis::X, RollingControl::Force(force)).build()
+                => Error::BeyondFrictionCapacity { .. } | Error::NotFinite { .. },
+        }
     }
 }
 
@@ -480,38 +477,15 @@ fn invalid_rolling_is_rejected() {
     let ball = surface::sphere(grid, 1.0).unwrap();
     let normal = pressed(&bodies, &ball, 1.0);
     let builder = || RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap());
-    assert!(matches!(
-        builder().creepage([f64::NAN, 0.0]).build(),
-        Err(Error::NotFinite { .. })
-    ));
-    assert!(matches!(
-        builder().spin(f64::INFINITY).build(),
-        Err(Error::NotFinite { .. })
-    ));
-    assert!(matches!(
-        builder().step(0).build(),
-        Err(Error::NotPositive { .. })
-    ));
-    assert!(matches!(
-        builder().step(9).build(),
-        Err(Error::GridTooShort { .. })
-    ));
-    assert!(matches!(
-        builder().step(usize::MAX).build(),
-        Err(Error::GridTooShort { .. })
-    ));
-    assert!(matches!(
-        builder().leading_edge(LeadingEdge::MinusY).step(9).build(),
-        Err(Error::GridTooShort { .. })
-    ));
-    assert!(matches!(
-        builder()
-            .creepage([f64::MAX, 0.0])
-            .step(1)
-            .spin(f64::MAX)
-            .build(),
-        Err(Error::NotFinite { .. })
-    ));
+    kit::assert_refused! {
+        builder().creepage([f64::NAN, 0.0]).build() => Error::NotFinite { .. },
+        builder().spin(f64::INFINITY).build() => Error::NotFinite { .. },
+        builder().step(0).build() => Error::NotPositive { .. },
+        builder().step(9).build() => Error::GridTooShort { .. },
+        builder().step(usize::MAX).build() => Error::GridTooShort { .. },
+        builder().leading_edge(LeadingEdge::MinusY).step(9).build() => Error::GridTooShort { .. },
+        builder().creepage([f64::MAX, 0.0]).step(1).spin(f64::MAX).build() => Error::NotFinite { .. },
+    }
     let mut solver = builder().build().unwrap().into_solver().unwrap();
     let elsewhere = HalfSpace::new(Grid::square(8, 2.4).unwrap(), *bodies.pair()).unwrap();
     let small = surface::sphere(elsewhere.grid(), 1.0).unwrap();
@@ -519,8 +493,7 @@ fn invalid_rolling_is_rejected() {
     let refused = RollingProblem::builder(&bodies, &other, Friction::coulomb(0.3).unwrap()).build();
     assert!(matches!(refused, Err(Error::GridMismatch { .. })));
     let force = RollingControl::Force(1.0);
-    let refused = solver.set_control([force; 2], 0.0);
-    assert!(matches!(refused, Err(Error::BeyondFrictionCapacity { .. })));
+    kit::assert_refused! { solver.set_control([force; 2], 0.0) => Error::BeyondFrictionCapacity { .. } }
     let mut rolling = solver.new_solution();
     solver.solve_into(&mut rolling).unwrap();
     assert_eq!(rolling.force(), [0.0; 2]);

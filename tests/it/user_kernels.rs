@@ -301,8 +301,7 @@ fn history_continues_only_with_same_kernel() {
         HalfSpace::new(grid, coated).unwrap(),
         HalfSpace::new(grid, table(true, grid, size(grid))).unwrap(),
     ] {
-        let refused = History::from_bytes(&other, &bytes);
-        assert!(matches!(refused, Err(Error::MaterialMismatch { .. })));
+        kit::assert_refused! { History::from_bytes(&other, &bytes) => Error::MaterialMismatch { .. } }
     }
     assert!(softer.pair() != bodies.pair());
 }
@@ -407,8 +406,7 @@ fn response_failing_after_first_check_is_rejected() {
         Response { along, ..found }
     };
     let bodies = HalfSpace::new(grid, Kernel::isotropic(near, 0.4, hole).unwrap()).unwrap();
-    let refused = bodies.operator(Component::XX).unwrap_err();
-    assert!(matches!(refused, Error::Sample { .. }));
+    kit::assert_refused! { bodies.operator(Component::XX) => Error::Sample { .. } }
 
     let kernel = Kernel::isotropic(near, 0.4, move |k| coated.response(k).unwrap()).unwrap();
     let softer = Response {
@@ -417,8 +415,7 @@ fn response_failing_after_first_check_is_rejected() {
         across: 1.0,
         coupling: 0.0,
     };
-    let refused = kernel.with_long_wave_limit(softer).unwrap_err();
-    assert!(matches!(refused, Error::BelowMinimum { .. }));
+    kit::assert_refused! { kernel.with_long_wave_limit(softer) => Error::BelowMinimum { .. } }
 }
 
 #[test]
@@ -428,27 +425,17 @@ fn invalid_kernels_are_rejected() {
     let grid = Grid::square(16, 4.0).unwrap();
 
     // A near field that is not a half-space is rejected, and so is a response that does not tend to the near field.
-    assert!(matches!(
-        Kernel::isotropic(coated, 0.4, response),
-        Err(Error::UnsupportedForCoatings { .. })
-    ));
-    assert!(matches!(
-        Kernel::isotropic(near, 0.0, response),
-        Err(Error::NotPositive { value: 0.0, .. })
-    ));
+    kit::assert_refused! {
+        Kernel::isotropic(coated, 0.4, response) => Error::UnsupportedForCoatings { .. },
+        Kernel::isotropic(near, 0.0, response) => Error::NotPositive { value: 0.0, .. },
+    }
     let other = ElasticPair::new(Material::new(3.9, 0.2).unwrap(), Material::rigid()).unwrap();
     let astray = Kernel::isotropic(other, 0.4, response).unwrap();
-    assert!(matches!(
-        HalfSpace::new(grid, &astray),
-        Err(Error::BelowMinimum { .. })
-    ));
+    kit::assert_refused! { HalfSpace::new(grid, &astray) => Error::BelowMinimum { .. } }
     assert!(HalfSpace::with_boundary(grid, &astray, Boundary::Periodic).is_ok());
     // A thickness greater than the thickness of the layer is rejected for the same reason.
     let thick = Kernel::isotropic(near, 0.9, response).unwrap();
-    assert!(matches!(
-        HalfSpace::new(grid, &thick),
-        Err(Error::BelowMinimum { .. })
-    ));
+    kit::assert_refused! { HalfSpace::new(grid, &thick) => Error::BelowMinimum { .. } }
 
     // Reject responses that are indefinite, NaN or infinite.
     let with = |change: fn(&mut Response, f64)| {
@@ -458,22 +445,12 @@ fn invalid_kernels_are_rejected() {
             of
         })
     };
-    assert!(matches!(
-        with(|of, _| of.normal = -1.0),
-        Err(Error::NotPositive { value: -1.0, .. })
-    ));
-    assert!(matches!(
-        with(|of, _| of.along = f64::NAN),
-        Err(Error::NotPositive { .. })
-    ));
-    assert!(matches!(
-        with(|of, _| of.coupling = 2.0 * of.normal),
-        Err(Error::NotPositive { .. })
-    ));
-    assert!(matches!(
-        with(|of, _| of.coupling = f64::INFINITY),
-        Err(Error::NotFinite { .. })
-    ));
+    kit::assert_refused! {
+        with(|of, _| of.normal = -1.0) => Error::NotPositive { value: -1.0, .. },
+        with(|of, _| of.along = f64::NAN) => Error::NotPositive { .. },
+        with(|of, _| of.coupling = 2.0 * of.normal) => Error::NotPositive { .. },
+        with(|of, _| of.coupling = f64::INFINITY) => Error::NotFinite { .. },
+    }
     // The wave number is beyond the first check, but among the waves of this grid.
     let late = with(|of, k| {
         if k > 200.0 {
@@ -482,8 +459,7 @@ fn invalid_kernels_are_rejected() {
     })
     .unwrap();
     let fine = Grid::square(16, 0.1).unwrap();
-    let refused = HalfSpace::with_boundary(fine, &late, Boundary::Periodic);
-    assert!(matches!(refused, Err(Error::NotPositive { .. })));
+    kit::assert_refused! { HalfSpace::with_boundary(fine, &late, Boundary::Periodic) => Error::NotPositive { .. } }
 
     // Reject axes that are not aligned with the grid, and free grids.
     let oblique = |[x, y]: [f64; 2]| {
@@ -497,10 +473,7 @@ fn invalid_kernels_are_rejected() {
             zy: 0.0,
         }
     };
-    assert!(matches!(
-        Kernel::orthotropic(near, 1.0, oblique),
-        Err(Error::BelowMinimum { .. })
-    ));
+    kit::assert_refused! { Kernel::orthotropic(near, 1.0, oblique) => Error::BelowMinimum { .. } }
     let straight = |[x, y]: [f64; 2]| {
         let c = 1.0 / x.hypot(y);
         ResponseTensor {
@@ -513,10 +486,7 @@ fn invalid_kernels_are_rejected() {
         }
     };
     let straight = Kernel::orthotropic(near, 1.0, straight).unwrap();
-    assert!(matches!(
-        HalfSpace::new(grid, &straight),
-        Err(Error::UnsupportedForCoatings { .. })
-    ));
+    kit::assert_refused! { HalfSpace::new(grid, &straight) => Error::UnsupportedForCoatings { .. } }
 }
 
 #[test]
@@ -528,33 +498,18 @@ fn invalid_tables_are_rejected() {
         Grid::square(17, 4.25).unwrap(),
         Grid::square(16, 4.1).unwrap(),
     ] {
-        let refused = HalfSpace::new(other, &tabulated);
-        assert!(matches!(refused, Err(Error::GridMismatch { .. })));
+        kit::assert_refused! { HalfSpace::new(other, &tabulated) => Error::GridMismatch { .. } }
     }
     let refused = HalfSpace::with_boundary(grid, &tabulated, Boundary::Periodic);
     assert!(matches!(refused, Err(Error::UnsupportedForCoatings { .. })));
     let empty = || CoefficientTable::new([1.0; 2], [2, 1]).unwrap();
     let not_odd = empty().with(Component::ZX, vec![1.0, 0.0]).unwrap();
-    assert!(matches!(
-        Kernel::tabulated(near, not_odd),
-        Err(Error::Sample {
-            index: 0,
-            value: 1.0,
-            ..
-        })
-    ));
-    assert!(matches!(
-        empty().with(Component::ZZ, vec![1.0]),
-        Err(Error::Length { .. })
-    ));
-    assert!(matches!(
-        CoefficientTable::new([1.0; 2], [0, 1]),
-        Err(Error::Length { .. })
-    ));
-    assert!(matches!(
-        CoefficientTable::new([1.0, -1.0], [1, 1]),
-        Err(Error::NotPositive { value: -1.0, .. })
-    ));
+    kit::assert_refused! {
+        Kernel::tabulated(near, not_odd) => Error::Sample { index: 0, value: 1.0, .. },
+        empty().with(Component::ZZ, vec![1.0]) => Error::Length { .. },
+        CoefficientTable::new([1.0; 2], [0, 1]) => Error::Length { .. },
+        CoefficientTable::new([1.0, -1.0], [1, 1]) => Error::NotPositive { value: -1.0, .. },
+    }
 }
 
 /// The pair of a kernel does not define bodies. Functions that require a single modulus reject it.
@@ -563,22 +518,12 @@ fn pair_of_kernel_is_rejected_without_kernel() {
     let kernel = closure(false);
     let pair = *kernel.pair();
     let grid = Grid::square(16, 4.0).unwrap();
-    assert!(matches!(
-        HalfSpace::new(grid, pair),
-        Err(Error::IncompleteKernel(_))
-    ));
-    assert!(matches!(
-        pair.response(1.0),
-        Err(Error::IncompleteKernel(_))
-    ));
-    assert!(matches!(
-        Table::sample(grid, &pair, Component::ZZ),
-        Err(Error::IncompleteKernel(_))
-    ));
-    assert!(matches!(
-        analytical::HertzSphere::new(&pair, 1.0, 1.0),
-        Err(Error::UnsupportedForCoatings { .. })
-    ));
+    kit::assert_refused! {
+        HalfSpace::new(grid, pair) => Error::IncompleteKernel(_),
+        pair.response(1.0) => Error::IncompleteKernel(_),
+        Table::sample(grid, &pair, Component::ZZ) => Error::IncompleteKernel(_),
+        analytical::HertzSphere::new(&pair, 1.0, 1.0) => Error::UnsupportedForCoatings { .. },
+    }
     let bodies = HalfSpace::new(grid, &kernel).unwrap();
     let pressure = Field::constant(grid, 0.1);
     let tractions = Tractions::new(&pressure);
@@ -594,8 +539,5 @@ fn pair_of_kernel_is_rejected_without_kernel() {
         1e-6,
         Method::ActiveSet,
     );
-    assert!(matches!(
-        contact.edges(),
-        Err(Error::UnsupportedForCoatings { .. })
-    ));
+    kit::assert_refused! { contact.edges() => Error::UnsupportedForCoatings { .. } }
 }

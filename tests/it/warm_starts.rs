@@ -181,10 +181,7 @@ fn failed_step_does_not_move_start() {
             straight.step(load).unwrap();
             let before = stopped.to_bytes();
             let beyond = step(1.3 * force, force);
-            assert!(matches!(
-                stopped.step(&beyond),
-                Err(Error::BeyondFrictionCapacity { .. })
-            ));
+            kit::assert_refused! { stopped.step(&beyond) => Error::BeyondFrictionCapacity { .. } }
             assert_eq!(stopped.to_bytes(), before);
             stopped.step(load).unwrap();
             assert_eq!(stopped.to_bytes(), straight.to_bytes());
