@@ -5,18 +5,14 @@ mod grids;
 #[cfg(feature = "dense")]
 mod lines;
 
-use std::sync::Arc;
-use std::time::Duration;
-
 use kit::{Random, energy_difference, l2_difference, press, rough, shear};
 use stickslip::cgm::Method;
 use stickslip::influence::{Component, Rectangle, Table};
 use stickslip::layers::{LIMIT, Layer};
-use stickslip::ranks::Threads;
 use stickslip::subsurface::{Body, Tractions, at_points};
 use stickslip::{
-    Axis, Boundary, CellValue, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
-    LoadStep, Material, NormalControl, TangentialControl, TangentialLoad, analytical, surface,
+    Boundary, CellValue, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material,
+    NormalControl, TangentialLoad, analytical, surface,
 };
 
 /// Reference values from mpmath with 60 digits, computed from Papkovich-Neuber potentials. The factor of a cell and the
@@ -387,42 +383,6 @@ fn shear_stiffness_matches_mindlin_in_both_limits() {
 }
 
 #[test]
-fn coated_history_balances_energy_and_restarts() {
-    let body = parse_body("4/0.3/0.4;0.5/0.45/0.2", "1/0.2");
-    let grid = Grid::square(40, 12.0).unwrap();
-    for pair in [ElasticPair::new(body, body).unwrap(), against_rigid(body)] {
-        let bodies = HalfSpace::new(grid, pair).unwrap();
-        let gap = surface::sphere(grid, 20.0).unwrap();
-        let friction = Friction::coulomb(0.4).unwrap();
-        let tolerance = 1e-11;
-        let mut history = History::builder(&bodies, &gap, friction)
-            .tolerance(tolerance)
-            .build()
-            .unwrap();
-        let step = |history: &mut History, normal: f64, force: f64| {
-            let step = LoadStep::hold()
-                .normal(NormalControl::Force(normal))
-                .tangential(Axis::X, TangentialControl::Force(force));
-            history.step(&step).unwrap();
-            let energy = history.last_step().energy();
-            let size = energy.work.abs() + energy.elastic_before + energy.elastic_after;
-            assert!(energy.imbalance().abs() <= 1e-12 * size);
-        };
-        step(&mut history, 4.0, 0.0);
-        step(&mut history, 4.0, 0.8);
-        let bytes = history.to_bytes();
-        let mut again = History::from_bytes(&bodies, &bytes).unwrap();
-        for force in [-0.8, 0.5] {
-            step(&mut history, 4.0, force);
-            step(&mut again, 4.0, force);
-        }
-        assert_eq!(history.to_bytes(), again.to_bytes());
-        let plain = HalfSpace::new(grid, against_rigid(parse_material("1/0.2"))).unwrap();
-        kit::assert_refused! { History::from_bytes(&plain, &bytes) => Error::MaterialMismatch { .. } }
-    }
-}
-
-#[test]
 fn layers_that_are_invalid_are_rejected() {
     kit::assert_refused! {
         Layer::new(0.0, 0.3, 1.0) => Error::NotPositive { value: 0.0, .. },
@@ -471,31 +431,6 @@ fn coating_on_one_body_couples_pair() {
     let one = ElasticPair::new(coated, top).unwrap();
     assert!(one.is_coupled() && one.dundurs_beta() == 0.0);
     assert!(!ElasticPair::new(coated, coated).unwrap().is_coupled());
-}
-
-/// Results on several ranks are bitwise identical to the results of one process.
-#[test]
-fn coated_contact_on_ranks_is_bitwise_identical() {
-    let pair = against_rigid(
-        parse_material("1/0.3")
-            .coated(&[layer(4.0, 0.3, 0.2)])
-            .unwrap(),
-    );
-    let grid = Grid::new(48, 40, 0.05, 0.05).unwrap();
-    let find = |bodies: &HalfSpace| {
-        let gap = surface::sphere(bodies.grid(), 5.0).unwrap();
-        let load = NormalControl::Force(0.02);
-        let contact = press(bodies, &gap, load, 1e-8, Method::default());
-        contact.pressure().as_slice().to_vec()
-    };
-    let alone = find(&HalfSpace::new(grid, pair).unwrap());
-    for size in [2, 3] {
-        let parts = Threads::run(size, Duration::from_secs(120), |rank| {
-            let boundary = Boundary::NonPeriodic;
-            find(&HalfSpace::distributed(grid, pair, boundary, Arc::new(rank)).unwrap())
-        });
-        assert_eq!(parts.concat(), alone);
-    }
 }
 
 /// Functions that require a single modulus return an error for coated bodies.

@@ -3,6 +3,7 @@
 use kit::unit_bodies;
 use stickslip::history::State;
 use stickslip::io::Place;
+use stickslip::layers::Layer;
 use stickslip::{
     Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
     NormalControl, TangentialControl, TangentialModel, Warning, surface,
@@ -156,6 +157,10 @@ fn restart_on_different_bodies_is_rejected() {
         kit::assert_refused! { History::from_bytes(&unit_bodies(other, 0.3), &bytes) => Error::GridMismatch { .. } }
     }
     kit::assert_refused! { History::from_bytes(&unit_bodies(grid, 0.31), &bytes) => Error::MaterialMismatch { .. } }
+    let layer = Layer::new(2.0, 0.3, 0.5).unwrap();
+    let coated = Material::new(1.82, 0.3).unwrap().coated(&[layer]).unwrap();
+    let coated = HalfSpace::new(grid, ElasticPair::new(coated, coated).unwrap()).unwrap();
+    kit::assert_refused! { History::from_bytes(&coated, &bytes) => Error::MaterialMismatch { .. } }
     let periodic = HalfSpace::with_boundary(grid, *bodies.pair(), Boundary::Periodic).unwrap();
     kit::assert_refused! { History::from_bytes(&periodic, &bytes) => Error::BoundaryMismatch { .. } }
 }

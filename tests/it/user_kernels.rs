@@ -1,9 +1,6 @@
 //! A closure or a table with the response of a coating gives the results of the built-in coating in every problem.
 //! Invalid kernels are rejected.
 
-use std::sync::Arc;
-use std::time::Duration;
-
 use kit::{max_abs, max_difference, press, shear};
 use stickslip::cgm::Method;
 use stickslip::history::{Rolling, wear};
@@ -11,7 +8,6 @@ use stickslip::influence::Direction::{X, Y, Z};
 use stickslip::influence::{Component, Table};
 use stickslip::kernel::{CoefficientTable, ResponseTensor};
 use stickslip::layers::{Layer, Response};
-use stickslip::ranks::Threads;
 use stickslip::rolling::RollingProblem;
 use stickslip::subsurface::{Body, Planes, Tractions, at_points};
 use stickslip::{
@@ -276,13 +272,6 @@ fn history_continues_only_with_same_kernel() {
     };
     history.step(&step(0.1)).unwrap();
     let bytes = history.to_bytes();
-    // This closure is equal but is created separately.
-    let same = HalfSpace::new(grid, closure(true)).unwrap();
-    let mut again = History::from_bytes(&same, &bytes).unwrap();
-    for history in [&mut history, &mut again] {
-        history.step(&step(-0.1)).unwrap();
-    }
-    assert_eq!(history.to_bytes(), again.to_bytes());
     let [coated, near] = coating(true);
     let softer = move |k| {
         let Response { normal, .. } = coated.response(k).unwrap();
@@ -304,28 +293,6 @@ fn history_continues_only_with_same_kernel() {
         kit::assert_refused! { History::from_bytes(&other, &bytes) => Error::MaterialMismatch { .. } }
     }
     assert!(softer.pair() != bodies.pair());
-}
-
-#[test]
-fn ranks_with_user_kernel_match_one_process() {
-    // The grid has more than one chunk of cells, so that two ranks have local cells.
-    let grid = Grid::new(64, 66, 0.1, 0.1).unwrap();
-    let find = |bodies: &HalfSpace| {
-        let gap = surface::sphere(bodies.grid(), 5.0).unwrap();
-        let load = NormalControl::Force(0.1);
-        press(bodies, &gap, load, 1e-8, Method::default())
-            .pressure()
-            .as_slice()
-            .to_vec()
-    };
-    for kernel in [closure(false), table(false, grid, size(grid))] {
-        let alone = find(&HalfSpace::new(grid, &kernel).unwrap());
-        let parts = Threads::run(3, Duration::from_secs(120), |rank| {
-            let boundary = Boundary::NonPeriodic;
-            find(&HalfSpace::distributed(grid, &kernel, boundary, Arc::new(rank)).unwrap())
-        });
-        assert_eq!(parts.concat(), alone);
-    }
 }
 
 /// An isotropic response equals the same response given as orthotropic. Different axes follow a rotation of the grid.
