@@ -80,7 +80,7 @@ fn solve_after_contact_growth_allocates_nothing() {
     let ball = surface::sphere(grid, 300.0).unwrap();
     let [light, heavy] = [5.0, 20.0].map(|force| {
         let press = NormalProblem::builder(&bodies, &ball, NormalControl::Force(force));
-        press.build().unwrap().solve().unwrap()
+        kit::solve(press)
     });
     let (friction, load) = (
         Friction::coulomb(0.4).unwrap(),
@@ -163,7 +163,7 @@ fn repeated_rolling_solves_allocate_nothing() {
     let bodies = unit_bodies(grid, 0.3);
     let ball = surface::sphere(grid, 1.0).unwrap();
     let press = NormalProblem::builder(&bodies, &ball, NormalControl::Force(1.0));
-    let normal = press.build().unwrap().solve().unwrap();
+    let normal = kit::solve(press);
     let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap());
     let mut solver = problem.build().unwrap().into_solver().unwrap();
     let mut rolling = solver.new_solution();

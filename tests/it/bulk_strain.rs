@@ -37,7 +37,7 @@ fn press_roller(n: usize) -> (HalfSpace, NormalSolution) {
     let bodies = HalfSpace::with_boundary(grid, *hertz().pair(), boundary).unwrap();
     let gap = surface::cylinder(grid, RADIUS).unwrap();
     let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(LOAD));
-    let normal = press.tolerance(1e-11).build().unwrap().solve().unwrap();
+    let normal = kit::solve(press.tolerance(1e-11));
     (bodies, normal)
 }
 
@@ -49,7 +49,7 @@ fn shear_roller(n: usize, force: f64, bulk_stress: f64) -> TangentialSolution {
     let bulk = RelativeDisplacement::bulk_strain(bodies.grid(), strain).unwrap();
     let shear = TangentialProblem::builder(&bodies, &normal, friction(), load);
     let shear = shear.relative_displacement(bulk).tolerance(1e-11);
-    shear.build().unwrap().solve().unwrap()
+    kit::solve(shear)
 }
 
 /// Returns the centre and half-width of the stick zone.
@@ -194,7 +194,7 @@ fn uniform_displacement_is_equivalent_to_a_shift() {
     for boundary in boundaries(grid) {
         let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), boundary).unwrap();
         let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(0.08));
-        let normal = press.tolerance(1e-12).build().unwrap().solve().unwrap();
+        let normal = kit::solve(press.tolerance(1e-12));
         let shear = |shift: [f64; 2], relative: Option<&RelativeDisplacement>| {
             let load = TangentialLoad::shift(shift);
             let problem = TangentialProblem::builder(&bodies, &normal, friction(), load);
@@ -203,7 +203,7 @@ fn uniform_displacement_is_equivalent_to_a_shift() {
                 Some(relative) => problem.relative_displacement(relative.clone()),
                 None => problem,
             };
-            problem.build().unwrap().solve().unwrap()
+            kit::solve(problem)
         };
         let moved = shear([0.001, 0.001], Some(&uniform));
         let shifted = shear([-0.003, 0.003], None);
@@ -224,7 +224,7 @@ fn uniform_displacement_is_equivalent_to_a_shift() {
                 Some(relative) => problem.relative_displacement(relative.clone()),
                 None => problem,
             };
-            problem.build().unwrap().solve().unwrap()
+            kit::solve(problem)
         };
         let moved = coupled([0.001, 0.001], Some(&uniform));
         let shifted = coupled([-0.003, 0.003], None);

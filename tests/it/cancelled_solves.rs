@@ -192,7 +192,7 @@ fn solver_cancelled_reports_cancellation() {
         assert_cancelled(stride, solve);
     }
     let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(0.2));
-    let normal = problem.build().unwrap().solve().unwrap();
+    let normal = kit::solve(problem);
     for (load, model) in [
         (TangentialLoad::force([0.03, 0.0]), TangentialModel::Scalar),
         (TangentialLoad::force([0.06, 0.0]), TangentialModel::Vector),

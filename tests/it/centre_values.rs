@@ -244,7 +244,7 @@ fn centre_pressures_are_closer_to_closed_forms() {
             let is_inside = |i: usize| holds_around(&exact, i, |p| p > 0.0);
             for (bodies, errors) in [&bodies, &centres].into_iter().zip(&mut errors) {
                 let problem = NormalProblem::builder(bodies, &gap, shape.load());
-                let found = problem.tolerance(1e-7).build().unwrap().solve().unwrap();
+                let found = kit::solve(problem.tolerance(1e-7));
                 errors[0] += l1_difference(found.pressure(), &exact, is_inside) / 3.0;
                 errors[1] += l1_difference(found.pressure(), &exact, |_| true) / 3.0;
             }
@@ -275,11 +275,11 @@ fn centre_tractions_are_closer_to_closed_forms() {
             let bodies = bodies.with_cell_value(value).unwrap();
             let gap = shape.gap(grid, offset);
             let problem = NormalProblem::builder(&bodies, &gap, shape.load());
-            let normal = problem.tolerance(1e-7).build().unwrap().solve().unwrap();
+            let normal = kit::solve(problem.tolerance(1e-7));
             let load = TangentialLoad::force([exact.force(), 0.0]);
             let friction = Friction::coulomb(0.5).unwrap();
             let problem = TangentialProblem::builder(&bodies, &normal, friction, load);
-            let shear = problem.tolerance(1e-7).build().unwrap().solve().unwrap();
+            let shear = kit::solve(problem.tolerance(1e-7));
             assert_eq!(shear.cell_value(), value);
             let is_inside = |i: usize| {
                 holds_around(&radii, i, |r| r < exact.stick_radius())
@@ -343,7 +343,7 @@ fn mismatched_cell_values_are_rejected() {
     let gap = Smooth::sphere().gap(grid, [0.0; 2]);
     let press = |bodies: &HalfSpace| {
         let problem = NormalProblem::builder(bodies, &gap, NormalControl::Force(0.5));
-        problem.build().unwrap().solve().unwrap()
+        kit::solve(problem)
     };
     let contact = press(&centres);
     assert_eq!(contact.cell_value(), CellValue::Centre);

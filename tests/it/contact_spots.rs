@@ -17,7 +17,7 @@ use crate::rank_contacts::{PATIENCE, ranks};
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(force));
-    problem.build().unwrap().solve().unwrap()
+    kit::solve(problem)
 }
 
 /// Two balls are so far apart that each ball displaces the surface under the other ball nearly uniformly. Under the
@@ -63,7 +63,7 @@ fn spots_of_rough_contact_partition_area_and_load() {
         let friction = Friction::coulomb(0.4).unwrap();
         let load = TangentialLoad::force([12.0, 0.0]);
         let shear = TangentialProblem::builder(&bodies, &contact, friction.clone(), load);
-        let shear = shear.build().unwrap().solve().unwrap();
+        let shear = kit::solve(shear);
         let spots = shear.spots(&contact).unwrap();
         let all = spots.as_slice();
         assert!(all.len() > 5);
@@ -162,7 +162,7 @@ fn spots_on_ranks_are_bitwise_identical() {
             let friction = Friction::coulomb(0.4).unwrap();
             let load = TangentialLoad::force([12.0, 0.0]);
             let shear = TangentialProblem::builder(bodies, &contact, friction.clone(), load);
-            let shear = shear.build().unwrap().solve().unwrap();
+            let shear = kit::solve(shear);
             let mut history = History::builder(bodies, &gap, friction).build().unwrap();
             let step = LoadStep::force([8.0, 0.0]).normal(NormalControl::Force(40.0));
             history.step(&step).unwrap();

@@ -53,12 +53,7 @@ fn solve(
 ) -> CoupledSolution {
     let friction = Friction::coulomb(coefficient).unwrap();
     let problem = CoupledProblem::builder(bodies, gap, friction, normal, load);
-    problem
-        .tolerance(tolerance)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap()
+    kit::solve(problem.tolerance(tolerance))
 }
 
 /// Returns the gap of a flat punch of radius one.
@@ -216,12 +211,12 @@ fn uncoupled_bodies_match_separate_solves() {
         let load = TangentialLoad::force([0.8 * force, 0.6 * force]);
         let found = solve(&bodies, &gap, coefficient, press, load, tolerance);
         let normal = NormalProblem::builder(&bodies, &gap, press).tolerance(tolerance);
-        let normal = normal.build().unwrap().solve().unwrap();
+        let normal = kit::solve(normal);
         let friction = Friction::coulomb(coefficient).unwrap();
         let shear = TangentialProblem::builder(&bodies, &normal, friction, load)
             .model(TangentialModel::Vector)
             .tolerance(tolerance);
-        let shear = shear.build().unwrap().solve().unwrap();
+        let shear = kit::solve(shear);
         assert!(
             l2_difference(
                 found.normal().pressure().as_slice(),
@@ -512,7 +507,7 @@ fn zero_load_and_zero_friction_are_solved() {
     let press = NormalControl::Force(0.05);
     let smooth = solve(&bodies, &gap, 0.0, press, zero_shift(), 1e-10);
     let normal = NormalProblem::builder(&bodies, &gap, press).tolerance(1e-10);
-    let normal = normal.build().unwrap().solve().unwrap();
+    let normal = kit::solve(normal);
     assert!(
         max_difference(
             smooth.normal().pressure().as_slice(),

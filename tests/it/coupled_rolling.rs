@@ -40,7 +40,7 @@ fn coupled_builder(
 }
 
 fn solve(builder: CoupledRollingProblemBuilder) -> CoupledRollingSolution {
-    builder.build().unwrap().solve().unwrap()
+    kit::solve(builder)
 }
 
 fn zone_cells(rolling: &CoupledRollingSolution) -> [usize; 2] {
@@ -226,18 +226,12 @@ fn uncoupled_bodies_match_separate_solves_bitwise() {
         NormalControl::Force(0.9),
     );
     let friction = Friction::coulomb(0.3).unwrap();
-    let normal = NormalProblem::builder(&bodies, &gap, load)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap();
-    let alone = RollingProblem::builder(&bodies, &normal, friction)
-        .creepage([0.1, 0.03])
-        .spin(0.05)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap();
+    let normal = kit::solve(NormalProblem::builder(&bodies, &gap, load));
+    let alone = kit::solve(
+        RollingProblem::builder(&bodies, &normal, friction)
+            .creepage([0.1, 0.03])
+            .spin(0.05),
+    );
     let both = solve(
         coupled_builder(&(bodies, gap, load), 0.3)
             .creepage([0.1, 0.03])
@@ -330,7 +324,7 @@ fn weak_coupling_and_weak_friction_tend_to_one_way_coupling() {
         let pressed = ball_problem(20, poisson_ratio);
         let both = solve(coupled_builder(&pressed, coefficient).creepage([0.6, 0.0]));
         let smooth = NormalProblem::builder(&pressed.0, &pressed.1, pressed.2);
-        let smooth = smooth.build().unwrap().solve().unwrap();
+        let smooth = kit::solve(smooth);
         pressure_error(&pressed.0, both.normal().pressure(), smooth.pressure())
     };
     let [strong, weak, weakest] = [0.0, 0.45, 0.495].map(|nu| differences(nu, 0.3));
@@ -469,19 +463,13 @@ fn coupled_rolling_with_invalid_input_is_rejected() {
 #[test]
 fn one_way_rolling_of_dissimilar_bodies_warns_of_neglected_lift() {
     let (bodies, gap, load) = ball_problem(20, 0.2);
-    let normal = NormalProblem::builder(&bodies, &gap, load)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap();
+    let normal = kit::solve(NormalProblem::builder(&bodies, &gap, load));
     let one_way = |coefficient: f64, tolerance: f64| {
-        RollingProblem::builder(&bodies, &normal, Friction::coulomb(coefficient).unwrap())
-            .creepage([0.05, 0.0])
-            .tolerance(tolerance)
-            .build()
-            .unwrap()
-            .solve()
-            .unwrap()
+        kit::solve(
+            RollingProblem::builder(&bodies, &normal, Friction::coulomb(coefficient).unwrap())
+                .creepage([0.05, 0.0])
+                .tolerance(tolerance),
+        )
     };
     let warned = one_way(0.3, 1e-8).warnings();
     let [Warning::NeglectedLift { per_million }] = warned[..] else {

@@ -37,7 +37,7 @@ fn single_periodic_cell_slides() {
             let load_case = TangentialLoad::shift([shift, 0.0]);
             let problem =
                 TangentialProblem::builder(&bodies, &pressed, friction.clone(), load_case);
-            let sheared = problem.model(model).build().unwrap().solve().unwrap();
+            let sheared = kit::solve(problem.model(model));
             let mut history = History::builder(&bodies, &gap, friction.clone())
                 .model(model)
                 .build()
@@ -148,13 +148,13 @@ fn tractions_of_any_size_scale() {
     let grid = Grid::square(24, 8.0).unwrap();
     let (bodies, ball) = (unit_bodies(grid, 0.3), surface::sphere(grid, 20.0).unwrap());
     let pressed = NormalProblem::builder(&bodies, &ball, NormalControl::Force(1.0));
-    let pressed = pressed.build().unwrap().solve().unwrap();
+    let pressed = kit::solve(pressed);
     for model in MODELS {
         let solve = |coefficient: f64| {
             let load = TangentialLoad::force([0.5 * coefficient, 0.0]);
             let friction = Friction::coulomb(coefficient).unwrap();
             let problem = TangentialProblem::builder(&bodies, &pressed, friction, load);
-            problem.model(model).build().unwrap().solve().unwrap()
+            kit::solve(problem.model(model))
         };
         let ordinary = solve(0.5);
         for coefficient in [1e-290, 1e-160, 1e-90, 1e120, 1e155, 1e290] {
@@ -257,7 +257,7 @@ fn dissipation_close_to_sliding_is_not_negative() {
         let bodies = periodic_bodies(grid);
         let gap = Field::from_fn(grid, |_, _| random.uniform(0.0, 1.0));
         let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(20.0));
-        let normal = normal.build().unwrap().solve().unwrap();
+        let normal = kit::solve(normal);
         for model in MODELS {
             // Closer to sliding the vector model may stall, as documented.
             let missing = match model {
@@ -269,7 +269,7 @@ fn dissipation_close_to_sliding_is_not_negative() {
                 let friction = Friction::coulomb(0.4).unwrap();
                 let load = TangentialLoad::force([force, 0.0]);
                 let shear = TangentialProblem::builder(&bodies, &normal, friction, load);
-                let shear = shear.model(model).build().unwrap().solve().unwrap();
+                let shear = kit::solve(shear.model(model));
                 assert!(shear.dissipated_energy() >= 0.0);
                 let [slip, traction] = [shear.slip(), shear.traction()].map(|v| v[0].as_slice());
                 assert!(

@@ -361,7 +361,7 @@ fn filter_removes_noise_from_a_contact() {
         let gap = surface::gap_between(&surfaces[0], &surfaces[1]).unwrap();
         let force = 0.002 * pair.contact_modulus() * grid.area();
         let problem = NormalProblem::builder(bodies, &gap, NormalControl::Force(force));
-        contact_quantities(&problem.tolerance(1e-6).build().unwrap().solve().unwrap())
+        contact_quantities(&kit::solve(problem.tolerance(1e-6)))
     };
     // The index is less than a third of the shortest wavelength, so 93 % of the amplitude of this wave is transmitted.
     let filter = GaussianFilter::s(5.0).periodic();

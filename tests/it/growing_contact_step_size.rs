@@ -237,16 +237,14 @@ fn straight_path_in_one_step_is_exact_on_any_grid_and_friction() {
 fn growing_contact_matches_jaeger_superposition() {
     let scene = GrowingCase::new(0.0, 0.15, TangentialModel::Scalar);
     let contact = |force: f64| {
-        NormalProblem::builder(
-            &scene.bodies,
-            &scene.gap,
-            NormalControl::Force(force * scene.load),
+        kit::solve(
+            NormalProblem::builder(
+                &scene.bodies,
+                &scene.gap,
+                NormalControl::Force(force * scene.load),
+            )
+            .tolerance(1e-11),
         )
-        .tolerance(1e-11)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap()
     };
     let (before, after) = (contact(0.5), contact(0.9));
     let (force, stick) = (0.15, contact(0.5 - 0.15 / FRICTION));

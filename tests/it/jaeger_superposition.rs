@@ -2,7 +2,6 @@
 //! contacts. This is true for any surface and for every cell.
 
 use kit::{max_abs, max_difference, rough, unit_bodies};
-use stickslip::cgm::Method;
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
     Boundary, Error, Field, Friction, Grid, HalfSpace, NormalControl, NormalProblem,
@@ -13,13 +12,7 @@ const FRICTION: f64 = 0.4;
 const TOLERANCE: f64 = 1e-13;
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
-    kit::press(
-        bodies,
-        gap,
-        NormalControl::Force(force),
-        TOLERANCE,
-        Method::ActiveSet,
-    )
+    kit::press(bodies, gap, NormalControl::Force(force), TOLERANCE)
 }
 
 fn shear(bodies: &HalfSpace, normal: &NormalSolution, force: [f64; 2]) -> TangentialSolution {
@@ -27,14 +20,7 @@ fn shear(bodies: &HalfSpace, normal: &NormalSolution, force: [f64; 2]) -> Tangen
         Friction::coulomb(FRICTION).unwrap(),
         TangentialLoad::force(force),
     );
-    kit::shear(
-        bodies,
-        normal,
-        &friction,
-        load,
-        TOLERANCE,
-        Method::ActiveSet,
-    )
+    kit::shear(bodies, normal, &friction, load, TOLERANCE)
 }
 
 #[test]

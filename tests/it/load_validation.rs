@@ -28,11 +28,11 @@ fn ball_gap(bodies: &HalfSpace) -> Field {
 }
 
 fn press_ball(bodies: &HalfSpace) -> NormalSolution {
-    NormalProblem::builder(bodies, ball_gap(bodies), NormalControl::Force(1.0))
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap()
+    kit::solve(NormalProblem::builder(
+        bodies,
+        ball_gap(bodies),
+        NormalControl::Force(1.0),
+    ))
 }
 
 #[test]
@@ -87,15 +87,11 @@ fn normal_solver_rejected_change_leaves_it_unchanged() {
     }
     let other = Grid::new(6, 8, 1.0, 1.0).unwrap();
     assert!(solver.set_gap(&Field::zeros(other)).is_err());
-    let mut foreign = NormalProblem::builder(
+    let mut foreign = kit::solve(NormalProblem::builder(
         &unit_bodies(other, 0.3),
         Field::zeros(other),
         NormalControl::Force(1.0),
-    )
-    .build()
-    .unwrap()
-    .solve()
-    .unwrap();
+    ));
     let before = foreign.clone();
     kit::assert_refused! {
         solver.solve_into(&mut foreign) => error if error == mismatch("solution", bodies.grid(), other),
@@ -179,11 +175,11 @@ fn tangential_problem_with_unsuitable_pressure_is_rejected() {
         Some(mismatch("normal solution", other.grid(), bodies.grid()))
     );
 
-    let apart = NormalProblem::builder(&bodies, ball_gap(&bodies), NormalControl::Force(0.0))
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap();
+    let apart = kit::solve(NormalProblem::builder(
+        &bodies,
+        ball_gap(&bodies),
+        NormalControl::Force(0.0),
+    ));
     kit::assert_refused! {
         TangentialProblem::builder(&bodies, &apart, friction.clone(), TangentialLoad::force([0.0, 0.0])).build()
             => Error::EmptyContact,
@@ -214,15 +210,9 @@ fn tangential_problem_with_unsuitable_pressure_is_rejected() {
     assert!((beta - pair.dundurs_beta()).abs() < 1e-15 && beta.abs() > 0.2);
     // Without coupling, the pressure causes no tangential displacement. With coupling, different tractions carry the
     // force.
-    let [one_way, neglected] = [Coupling::OneWay, Coupling::Neglected].map(|coupling| {
-        builder()
-            .coupling(coupling)
-            .build()
-            .unwrap()
-            .solve()
-            .unwrap()
-    });
-    let by_default = builder().build().unwrap().solve().unwrap();
+    let [one_way, neglected] = [Coupling::OneWay, Coupling::Neglected]
+        .map(|coupling| kit::solve(builder().coupling(coupling)));
+    let by_default = kit::solve(builder());
     assert_eq!(by_default.traction(), one_way.traction());
     assert!(one_way.shift() != neglected.shift());
 }
@@ -339,7 +329,7 @@ fn tangential_solver_rejected_pressure_leaves_it_unchanged() {
     let gap = ball_gap(&bodies);
     let light = |force| {
         let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(force));
-        problem.build().unwrap().solve().unwrap()
+        kit::solve(problem)
     };
     for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
         let friction = Friction::coulomb(0.5).unwrap();
@@ -447,7 +437,7 @@ fn unsupported_method_is_rejected() {
     let bodies = unit_bodies(Grid::square(24, 12.0).unwrap(), 0.3);
     let gap = surface::sphere(bodies.grid(), 20.0).unwrap();
     let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(4.0));
-    let normal = press.build().unwrap().solve().unwrap();
+    let normal = kit::solve(press);
     let friction = Friction::coulomb(0.5).unwrap();
     let is_refused = |error: Option<Error>| matches!(error, Some(Error::Method { .. }));
     let load = TangentialLoad::force([0.5, 0.0]);

@@ -41,7 +41,7 @@ fn friction() -> Friction {
 
 fn pressed(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(force));
-    problem.build().unwrap().solve().unwrap()
+    kit::solve(problem)
 }
 
 fn history(bodies: &HalfSpace) -> History {

@@ -12,17 +12,15 @@ fn press(bodies: &HalfSpace, [x0, y0]: [f64; 2], force: f64) -> NormalSolution {
     let ball = |x: f64, y: f64| ((x - x0).powi(2) + (y - y0).powi(2)) / (2.0 * RADIUS);
     let gap = Field::from_fn(bodies.grid(), ball);
     let problem = NormalProblem::builder(bodies, &gap, NormalControl::Force(force));
-    problem.tolerance(1e-9).build().unwrap().solve().unwrap()
+    kit::solve(problem.tolerance(1e-9))
 }
 
 fn shear(bodies: &HalfSpace, normal: &NormalSolution, load: TangentialLoad) -> TangentialSolution {
-    TangentialProblem::builder(bodies, normal, Friction::coulomb(0.4).unwrap(), load)
-        .model(TangentialModel::Vector)
-        .tolerance(1e-9)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap()
+    kit::solve(
+        TangentialProblem::builder(bodies, normal, Friction::coulomb(0.4).unwrap(), load)
+            .model(TangentialModel::Vector)
+            .tolerance(1e-9),
+    )
 }
 
 #[test]

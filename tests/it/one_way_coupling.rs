@@ -21,18 +21,12 @@ fn punch(cells: usize, beta: f64, coefficient: f64) -> TangentialSolution {
     let bodies = HalfSpace::new(grid, on_rigid(beta)).unwrap();
     let gap = Field::from_fn(grid, |x, y| if x.hypot(y) < 1.0 { 0.0 } else { 1e3 });
     let press = NormalControl::Force(1.0);
-    let normal = NormalProblem::builder(&bodies, &gap, press)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap();
+    let normal = kit::solve(NormalProblem::builder(&bodies, &gap, press));
     let friction = Friction::coulomb(coefficient).unwrap();
-    TangentialProblem::builder(&bodies, &normal, friction, TangentialLoad::shift([0.0; 2]))
-        .model(TangentialModel::Vector)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap()
+    kit::solve(
+        TangentialProblem::builder(&bodies, &normal, friction, TangentialLoad::shift([0.0; 2]))
+            .model(TangentialModel::Vector),
+    )
 }
 
 /// The stick zone of a punch agrees with Spence's solution for any beta, because both solutions neglect the change of
@@ -74,18 +68,16 @@ fn pressed_flat_surface_slides_in_both_halves() {
                 .unwrap();
             let normal = normal.solve().unwrap();
             let friction = Friction::coulomb(coefficient).unwrap();
-            let shear = TangentialProblem::builder(
-                &bodies,
-                &normal,
-                friction,
-                TangentialLoad::force([0.0; 2]),
-            )
-            .model(TangentialModel::Vector)
-            .coupling(Coupling::OneWay)
-            .build()
-            .unwrap()
-            .solve()
-            .unwrap();
+            let shear = kit::solve(
+                TangentialProblem::builder(
+                    &bodies,
+                    &normal,
+                    friction,
+                    TangentialLoad::force([0.0; 2]),
+                )
+                .model(TangentialModel::Vector)
+                .coupling(Coupling::OneWay),
+            );
             // Only one or two cells, which compensate the round-off between the halves, may stick.
             sliding += usize::from(shear.stick_ratio() < 0.13);
             let [x, _] = shear.traction();
@@ -153,7 +145,7 @@ fn tractions_match_full_coupling_under_its_pressure() {
             TangentialLoad::force([0.01, 0.0]).along(Axis::Y, TangentialControl::Shift(0.002));
         let press = NormalControl::Force(0.08);
         let full = CoupledProblem::builder(&bodies, &gap, friction(), press, load);
-        let full = full.tolerance(1e-12).build().unwrap().solve().unwrap();
+        let full = kit::solve(full.tolerance(1e-12));
         let given = TangentialProblem::builder(&bodies, full.normal().pressure(), friction(), load);
         let found = given
             .model(TangentialModel::Vector)

@@ -434,7 +434,7 @@ fn error_bound_with_spring_matches_one_process() {
         let ball = Field::from_fn(bodies.grid(), |x, y| 0.25 * (x * x + y * y));
         let force = NormalControl::Force(0.4);
         let problem = NormalProblem::builder(bodies, &ball, force);
-        let normal = problem.build().unwrap().solve().unwrap();
+        let normal = kit::solve(problem);
         let mut common = Vec::new();
         for (stiffness, tolerance) in [(1e-3, 0.5), (0.3, 0.5), (30.0, 0.1)] {
             let load = TangentialLoad::spring([0.05 + 0.01 / stiffness, 0.0], stiffness);

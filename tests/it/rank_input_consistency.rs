@@ -166,7 +166,7 @@ fn ranks_continue_after_reported_inconsistency() {
     let alone = {
         let bodies = HalfSpace::new(grid(), pair()).unwrap();
         let problem = NormalProblem::builder(&bodies, ball(&bodies), NormalControl::Force(2.0));
-        problem.build().unwrap().solve().unwrap().approach()
+        kit::solve(problem).approach()
     };
     let found = outcomes(|ranks, is_odd| {
         let bodies = bodies(ranks);

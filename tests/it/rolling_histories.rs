@@ -251,7 +251,7 @@ fn rough_form_converges_to_steady_rolling() {
     let problem =
         RollingProblem::builder(&bodies, history.normal(), Friction::coulomb(0.3).unwrap());
     let problem = problem.creepage([0.08, 0.03]).spin(0.05).tolerance(1e-10);
-    let steady = problem.build().unwrap().solve().unwrap();
+    let steady = kit::solve(problem);
     for (found, expected) in history.tangential_force().into_iter().zip(steady.force()) {
         assert!((found - expected).abs() < 1e-5 * 0.3, "{found} {expected}");
     }
@@ -421,13 +421,7 @@ fn one_way_rolling_converges_to_steady_rolling() {
     }
     let friction = Friction::coulomb(0.3).unwrap();
     let problem = RollingProblem::builder(&bodies, history.normal(), friction);
-    let steady = problem
-        .creepage([0.02, 0.0])
-        .tolerance(1e-10)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap();
+    let steady = kit::solve(problem.creepage([0.02, 0.0]).tolerance(1e-10));
     let (found, expected) = (history.tangential_force()[0], steady.force()[0]);
     assert!((found - expected).abs() < 1e-6 * 0.51, "{found} {expected}");
 }

@@ -34,7 +34,7 @@ impl RollingSphere {
         let load = 4.0 / 3.0 * bodies.pair().contact_modulus();
         let ball = surface::sphere(grid, 1.0).unwrap();
         let normal = NormalProblem::builder(&bodies, &ball, NormalControl::Force(load));
-        let normal = normal.tolerance(1e-11).build().unwrap().solve().unwrap();
+        let normal = kit::solve(normal.tolerance(1e-11));
         let limit = FRICTION * load;
         Self {
             bodies,
@@ -61,7 +61,7 @@ impl RollingSphere {
 
 /// Returns the forces along x and y, and the moment.
 fn loads(rolling: RollingProblemBuilder<'_>) -> [f64; 3] {
-    let rolling = rolling.build().unwrap().solve().unwrap();
+    let rolling = kit::solve(rolling);
     [rolling.force()[0], rolling.force()[1], rolling.moment()]
 }
 
@@ -133,7 +133,7 @@ fn prescribed_moment_gives_spin_that_causes_it() {
         let loads = motions.clone().control(Axis::X, RollingControl::Force(x));
         let loads = loads.control(Axis::Y, RollingControl::Force(y));
         for problem in [motions, loads] {
-            let found = problem.tolerance(1e-10).build().unwrap().solve().unwrap();
+            let found = kit::solve(problem.tolerance(1e-10));
             assert!(found.report().is_converged() && found.report().load_error < 1e-10);
             let motion = [found.creepage()[0], found.creepage()[1], found.spin()];
             for (found, expected) in motion.into_iter().zip([xi, eta, spin]) {
@@ -390,7 +390,7 @@ fn cancelled_work_leaves_solver_usable() {
     let scene = RollingSphere::across(16);
     let moment = SpinControl::Moment(0.3 * scene.limit);
     let problem = scene.rolling().spin(moment).tolerance(1e-9);
-    let expected = problem.clone().build().unwrap().solve().unwrap();
+    let expected = kit::solve(problem.clone());
     let mut solver = problem.build().unwrap().into_solver().unwrap();
     let mut rolling = solver.new_solution();
     for allowed in [0, 5, 40] {
@@ -449,7 +449,7 @@ fn row_has_least_bound_of_moment() {
     let bodies = HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap();
     let ball = surface::sphere(grid, 1.0).unwrap();
     let normal = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.05));
-    let normal = normal.build().unwrap().solve().unwrap();
+    let normal = kit::solve(normal);
     let (cell, total) = (length / cells as f64, FRICTION * normal.force());
     let limits: Vec<_> = normal.pressure().as_slice().to_vec();
     let limits = limits.iter().map(|p| FRICTION * p * grid.cell_area());

@@ -315,7 +315,7 @@ fn rolling_solution_warns_of_contact_at_edge() {
     // The contact is an ellipse that is long across the rolling direction, so that it leaves the grid at the sides.
     let gap = surface::ellipsoid(bodies.grid(), 1.0, 10.0).unwrap();
     let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0));
-    let normal = press.build().unwrap().solve().unwrap();
+    let normal = kit::solve(press);
     let wide = solved(&mut rolling(&bodies, &normal, by_default)).warnings();
     assert!(
         wide.iter()

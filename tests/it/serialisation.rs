@@ -163,7 +163,7 @@ fn pressed() -> (HalfSpace, NormalSolution) {
     let bodies = unit_bodies(grid, 0.3);
     let ball = surface::sphere(grid, 10.0).unwrap();
     let problem = NormalProblem::builder(&bodies, &ball, NormalControl::Force(3.0));
-    let normal = problem.build().unwrap().solve().unwrap();
+    let normal = kit::solve(problem);
     (bodies, normal)
 }
 
@@ -270,7 +270,7 @@ fn coupled_solutions_survive_serialisation() {
         TangentialLoad::force([0.01, 0.0]),
     );
     let problem = CoupledProblem::builder(&bodies, &gap, friction, press, load);
-    assert_survives(&problem.build().unwrap().solve().unwrap());
+    assert_survives(&kit::solve(problem));
 }
 
 #[test]

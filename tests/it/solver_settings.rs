@@ -29,7 +29,7 @@ fn builder_accepts_all_settings() {
     let builder = || NormalProblem::builder(&bodies, &gap, load);
     let at_once = builder().settings(settings).build().unwrap();
     let one_by_one = builder().tolerance(1e-5).method(Method::PolonskyKeer);
-    let one_by_one = one_by_one.build().unwrap().solve().unwrap();
+    let one_by_one = kit::solve(one_by_one);
     assert_eq!(at_once.solve().unwrap().pressure(), one_by_one.pressure());
     assert_eq!(*at_once.into_solver().unwrap().settings(), settings);
 

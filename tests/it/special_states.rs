@@ -68,11 +68,12 @@ fn few_cells_stick_close_to_sliding() {
     let mut last = usize::MAX;
     for f in [0.99, 0.999, 0.9999, 0.999999] {
         let load = TangentialLoad::force([f * 50.0, 0.0]);
-        let shear = TangentialProblem::builder(&bodies, &normal, friction.clone(), load)
-            .build()
-            .unwrap()
-            .solve()
-            .unwrap();
+        let shear = kit::solve(TangentialProblem::builder(
+            &bodies,
+            &normal,
+            friction.clone(),
+            load,
+        ));
         let stick = shear
             .zones()
             .iter()
@@ -93,11 +94,7 @@ fn zero_load_sticks_without_traction() {
         TangentialLoad::shift([0.0, 0.0]),
     ] {
         let friction = Friction::coulomb(0.5).unwrap();
-        let shear = TangentialProblem::builder(&bodies, &normal, friction, load)
-            .build()
-            .unwrap()
-            .solve()
-            .unwrap();
+        let shear = kit::solve(TangentialProblem::builder(&bodies, &normal, friction, load));
         assert_eq!(max_abs(shear.traction()[0].as_slice()), 0.0);
         assert_eq!((shear.shift(), shear.force()), ([0.0; 2], [0.0; 2]));
         assert_eq!(shear.stick_ratio(), 1.0);
@@ -113,11 +110,7 @@ fn friction_can_vary_vanish_and_be_limited() {
     let coefficients = Field::from_fn(grid, |x, _| if x < 0.0 { 0.0 } else { 0.8 });
     let friction = Friction::per_cell(coefficients).unwrap();
     let load = TangentialLoad::force([-14.0, 0.0]);
-    let shear = TangentialProblem::builder(&bodies, &normal, friction, load)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap();
+    let shear = kit::solve(TangentialProblem::builder(&bodies, &normal, friction, load));
     for (i, zone) in shear.zones().iter().enumerate() {
         let (p, q) = (
             normal.pressure().as_slice()[i],
@@ -148,16 +141,12 @@ fn friction_can_vary_vanish_and_be_limited() {
         .unwrap()
         .max_shear_stress(cap)
         .unwrap();
-    let shear = TangentialProblem::builder(
+    let shear = kit::solve(TangentialProblem::builder(
         &bodies,
         &normal,
         friction,
         TangentialLoad::force([15.0, 0.0]),
-    )
-    .build()
-    .unwrap()
-    .solve()
-    .unwrap();
+    ));
     assert!((shear.traction()[0].max() / cap - 1.0).abs() < 1e-15);
 }
 
@@ -174,11 +163,7 @@ fn first_touch_and_separation_are_solved() {
         NormalControl::Approach(0.4),
         NormalControl::Approach(-3.0),
     ] {
-        let apart = NormalProblem::builder(&bodies, &ball, load)
-            .build()
-            .unwrap()
-            .solve()
-            .unwrap();
+        let apart = kit::solve(NormalProblem::builder(&bodies, &ball, load));
         assert_eq!(
             (apart.force(), apart.contact_cells(), apart.mean_pressure()),
             (0.0, 0, 0.0)
@@ -196,11 +181,11 @@ fn warnings_can_be_compared() {
     let grid = Grid::square(32, 1.0).unwrap();
     let bodies = unit_bodies(grid, 0.3);
     let press = |gap: &Field, force| {
-        NormalProblem::builder(&bodies, gap, NormalControl::Force(force))
-            .build()
-            .unwrap()
-            .solve()
-            .unwrap()
+        kit::solve(NormalProblem::builder(
+            &bodies,
+            gap,
+            NormalControl::Force(force),
+        ))
     };
     let flat = press(&Field::zeros(grid), 1.0);
     let across = Warning::ContactSpansGrid {
@@ -224,11 +209,12 @@ fn warnings_can_be_compared() {
         ]
     ));
     let load = TangentialLoad::force([1e-8, 0.0]);
-    let shear = TangentialProblem::builder(&bodies, &point, Friction::coulomb(0.5).unwrap(), load)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap();
+    let shear = kit::solve(TangentialProblem::builder(
+        &bodies,
+        &point,
+        Friction::coulomb(0.5).unwrap(),
+        load,
+    ));
     assert_eq!(shear.warnings(), point.warnings());
     assert!(
         press(&surface::sphere(grid, 1.0).unwrap(), 0.01)
@@ -249,7 +235,7 @@ fn single_contact_cell_is_solved() {
         for method in [Method::ActiveSet, Method::PolonskyKeer] {
             let builder =
                 NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.2)).method(method);
-            let normal = builder.build().unwrap().solve().unwrap();
+            let normal = kit::solve(builder);
             assert_eq!(normal.contact_cells(), 1);
             assert!(
                 (normal.pressure().max() - 0.2).abs() < 1e-13,
@@ -262,7 +248,7 @@ fn single_contact_cell_is_solved() {
                 Friction::coulomb(0.5).unwrap(),
                 TangentialLoad::force([0.3, 0.0]),
             );
-            let shear = builder.method(method).build().unwrap().solve().unwrap();
+            let shear = kit::solve(builder.method(method));
             assert!((shear.traction()[0].max() - 0.05).abs() < 1e-13);
             assert_eq!(shear.stick_ratio(), 1.0);
         }

@@ -315,16 +315,12 @@ fn solutions_are_accepted_as_tractions() {
     let points = [[0.1, 0.2, 0.0], [-0.3, 0.1, 0.4], [2.0, 3.0, 1.0]];
     let at = |tractions: Tractions<'_>| at_points(&bodies, Body::Two, tractions, &points);
 
-    let normal = NormalProblem::builder(&bodies, &gap, press)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap();
+    let normal = kit::solve(NormalProblem::builder(&bodies, &gap, press));
     let pressed = Tractions::new(normal.pressure());
     assert_eq!(at(Tractions::from(&normal)), at(pressed));
 
     let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), press, pull);
-    let coupled = problem.build().unwrap().solve().unwrap();
+    let coupled = kit::solve(problem);
     let (normal, shear) = (coupled.normal(), coupled.tangential());
     let expected = at(Tractions::new(normal.pressure()).with_traction(shear.traction()));
     assert_eq!(at(Tractions::from(&coupled)), expected);

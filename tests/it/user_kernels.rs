@@ -2,7 +2,6 @@
 //! Invalid kernels are rejected.
 
 use kit::{max_abs, max_difference, press, shear};
-use stickslip::cgm::Method;
 use stickslip::history::{Rolling, wear};
 use stickslip::influence::Direction::{X, Y, Z};
 use stickslip::influence::{Component, Table};
@@ -131,13 +130,13 @@ fn user_kernel_solves_match_coating() {
     // Both bodies are equal, so pressure and shear are uncoupled.
     let solved = coated_half_spaces(grid, true).map(|bodies| {
         let gap = surface::sphere(grid, 4.0).unwrap();
-        let normal = press(&bodies, &gap, load, 1e-13, Method::ActiveSet);
+        let normal = press(&bodies, &gap, load, 1e-13);
         let sheared = TangentialLoad::force([0.1, 0.05]);
         let problem =
             stickslip::TangentialProblem::builder(&bodies, &normal, friction.clone(), sheared)
                 .model(TangentialModel::Vector)
                 .tolerance(1e-13);
-        let sheared = problem.build().unwrap().solve().unwrap();
+        let sheared = kit::solve(problem);
         let mut history = History::builder(&bodies, &gap, friction.clone())
             .tolerance(1e-13)
             .build()
@@ -165,7 +164,7 @@ fn user_kernel_solves_match_coating() {
         let gap = surface::sphere(grid, 4.0).unwrap();
         let still = TangentialLoad::force([0.05, 0.0]);
         let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), load, still);
-        problem.tolerance(1e-12).build().unwrap().solve().unwrap()
+        kit::solve(problem.tolerance(1e-12))
     });
     let [expected, others @ ..] = &solved;
     for other in others {
@@ -188,14 +187,12 @@ fn user_kernel_stiffness_rolling_wear_and_lines_match_coating() {
     let solved = coated_half_spaces(grid, true).map(|bodies| {
         let mut gap = surface::sphere(grid, 4.0).unwrap();
         let load = NormalControl::Force(0.4);
-        let normal = press(&bodies, &gap, load, 1e-13, Method::ActiveSet);
-        let rolling = RollingProblem::builder(&bodies, &normal, friction.clone())
-            .creepage([0.01, 0.005])
-            .tolerance(1e-13)
-            .build()
-            .unwrap()
-            .solve()
-            .unwrap();
+        let normal = press(&bodies, &gap, load, 1e-13);
+        let rolling = kit::solve(
+            RollingProblem::builder(&bodies, &normal, friction.clone())
+                .creepage([0.01, 0.005])
+                .tolerance(1e-13),
+        );
         let mut history = History::builder(&bodies, &gap, friction.clone())
             .model(TangentialModel::Vector)
             .tolerance(1e-13)
@@ -244,9 +241,9 @@ fn user_kernel_stiffness_rolling_wear_and_lines_match_coating() {
         let bodies = HalfSpace::with_boundary(grid, bodies, boundary).unwrap();
         let gap = Field::from_fn(grid, |x, _| 0.1 * x * x);
         let load = NormalControl::Force(0.2);
-        let normal = press(&bodies, &gap, load, 1e-13, Method::ActiveSet);
+        let normal = press(&bodies, &gap, load, 1e-13);
         let along = TangentialLoad::force([0.05, 0.0]);
-        let traction = shear(&bodies, &normal, &friction, along, 1e-13, Method::ActiveSet);
+        let traction = shear(&bodies, &normal, &friction, along, 1e-13);
         (normal, traction)
     });
     let difference = |found: &Field, expected: &Field| {
@@ -326,15 +323,9 @@ fn orthotropic_response_follows_axes() {
     let gap = surface::sphere(grid, 4.0).unwrap();
     let friction = Friction::coulomb(1.0).unwrap();
     let shift = |bodies: &HalfSpace, force: [f64; 2]| {
-        let normal = press(
-            bodies,
-            &gap,
-            NormalControl::Force(0.2),
-            1e-8,
-            Method::ActiveSet,
-        );
+        let normal = press(bodies, &gap, NormalControl::Force(0.2), 1e-8);
         let load = TangentialLoad::force(force);
-        shear(bodies, &normal, &friction, load, 1e-8, Method::ActiveSet).shift()
+        shear(bodies, &normal, &friction, load, 1e-8).shift()
     };
     assert!(shift(&softer, [0.05, 0.0])[0] > 1.2 * shift(&same, [0.05, 0.0])[0]);
 }
@@ -499,12 +490,6 @@ fn pair_of_kernel_is_rejected_without_kernel() {
     let asked = Planes::new(&bodies, &[0.1]);
     assert!(matches!(asked, Err(Error::UnsupportedForCoatings { .. })));
     let gap = surface::sphere(grid, 5.0).unwrap();
-    let contact = press(
-        &bodies,
-        &gap,
-        NormalControl::Force(0.3),
-        1e-6,
-        Method::ActiveSet,
-    );
+    let contact = press(&bodies, &gap, NormalControl::Force(0.3), 1e-6);
     kit::assert_refused! { contact.edges() => Error::UnsupportedForCoatings { .. } }
 }

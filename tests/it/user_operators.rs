@@ -168,16 +168,14 @@ fn user_operator_contacts_match_bodies() {
         let bodies = HalfSpace::with_boundary(grid, pair(false), boundary).unwrap();
         let solved = |bodies: &HalfSpace| {
             let load = NormalControl::Force(0.05);
-            let normal = press(bodies, &gap(bodies), load, 1e-12, Method::ActiveSet);
+            let normal = press(bodies, &gap(bodies), load, 1e-12);
             let friction = Friction::coulomb(0.3).unwrap();
             let problem = |load: TangentialLoad, model| {
-                TangentialProblem::builder(bodies, &normal, friction.clone(), load)
-                    .model(model)
-                    .tolerance(1e-12)
-                    .build()
-                    .unwrap()
-                    .solve()
-                    .unwrap()
+                kit::solve(
+                    TangentialProblem::builder(bodies, &normal, friction.clone(), load)
+                        .model(model)
+                        .tolerance(1e-12),
+                )
             };
             let along = problem(
                 TangentialLoad::force([0.01, 0.0]),
@@ -222,7 +220,7 @@ fn user_operator_coupled_contacts_match_bodies() {
         );
         let friction = Friction::coulomb(0.4).unwrap();
         let problem = CoupledProblem::builder(bodies, gap(bodies), friction, load, still);
-        problem.tolerance(1e-11).build().unwrap().solve().unwrap()
+        kit::solve(problem.tolerance(1e-11))
     };
     let (expected, found) = (solved(&bodies), solved(&with_joint_operator(&bodies)));
     assert_eq!(
@@ -332,7 +330,7 @@ fn heterogeneous_bodies_match_dense_matrix() {
         operator.is_bounded = is_bounded;
         let soft = with_operators(&bodies, Operators::new().with([Z], operator));
         for method in [Method::ActiveSet, Method::PolonskyKeer] {
-            let found = press(&soft, &gap, NormalControl::Force(load), 1e-11, method);
+            let found = kit::press_by(&soft, &gap, NormalControl::Force(load), 1e-11, method);
             let error = l2_difference(found.pressure().as_slice(), &exact);
             assert!(error < 1e-9, "{error:e}");
             let report = found.report();
@@ -367,7 +365,7 @@ fn heterogeneous_bodies_match_dense_matrix() {
 
 fn solved(bodies: &HalfSpace) -> NormalSolution {
     let load = NormalControl::Force(0.05);
-    press(bodies, &gap(bodies), load, 1e-8, Method::ActiveSet)
+    press(bodies, &gap(bodies), load, 1e-8)
 }
 
 /// The errors name the requirement before any work is done.
