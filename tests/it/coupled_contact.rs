@@ -1,14 +1,14 @@
 //! Tests of the coupled pressure and traction of dissimilar bodies: comparisons with closed forms and with a different
 //! code, and error bounds.
 
-use kit::contact::{Case, Normal};
+use kit::contact::Case;
 use kit::{Random, l2_difference, max_difference, rough, unit_bodies};
 use stickslip::influence::Component;
 use stickslip::influence::Direction::{X, Y, Z};
 use stickslip::{
     Axis, Boundary, CoupledProblem, CoupledSolution, ElasticPair, Error, Field, Friction, Grid,
     HalfSpace, Material, NormalControl, NormalProblem, Operator, Status, TangentialControl,
-    TangentialLoad, TangentialModel, TangentialProblem, Zone, cgm, surface,
+    TangentialLoad, TangentialModel, TangentialProblem, cgm, surface,
 };
 
 /// Stick ratios (ratios of the radii) to which the coefficients of [`FRICTION`] lead.
@@ -146,15 +146,10 @@ fn punch_in_full_stick_matches_mossakovskii() {
 /// of long cells.
 #[test]
 fn flat_punch_matches_contact_code() {
-    let case = Case::parse(include_str!(
-        "../data/contact/tb25_tb26_flat_2d_dissimilar.txt"
-    ));
+    let case = Case::read("tb25_tb26_flat_2d_dissimilar", 2);
     let step = &case.steps[0];
-    let Normal::Force(force) = step.normal else {
-        panic!("the file does not prescribe a force");
-    };
     let bodies = HalfSpace::new(case.grid, case.pair).unwrap();
-    let press = NormalControl::Force(force);
+    let press = step.normal_control().unwrap();
     let found = solve(
         &bodies,
         &case.gap(step),
@@ -163,22 +158,9 @@ fn flat_punch_matches_contact_code() {
         zero_shift(),
         1e-11,
     );
-    let largest = found.normal().pressure().max();
-    let expected = case.field(step, |cell| cell.pressure);
-    let error = max_difference(found.normal().pressure().as_slice(), expected.as_slice());
-    assert!(error < 5e-9 * largest, "{:e}", error / largest);
-    for axis in 0..2 {
-        let expected = case.field(step, |cell| cell.traction[axis]);
-        let error = max_difference(
-            found.tangential().traction()[axis].as_slice(),
-            expected.as_slice(),
-        );
-        assert!(error < 5e-9 * largest, "{axis}: {:e}", error / largest);
-    }
-    for cell in &step.cells {
-        let expected = if cell.sticks { Zone::Stick } else { Zone::Slip };
-        assert_eq!(found.tangential().zones()[cell.ix], expected, "{cell:?}");
-    }
+    let shear = found.tangential();
+    let fields = (found.normal().pressure(), shear.traction(), shear.zones());
+    case.assert_fields_agree(step, fields, 5e-9, false);
     assert!((found.normal().approach() / step.approach - 1.0).abs() < 1e-9);
     let energy = step.elastic_energy.unwrap();
     assert!((found.elastic_energy() / energy - 1.0).abs() < 1e-8);
