@@ -6,9 +6,8 @@ use stickslip::normal::Hardness;
 use stickslip::rolling::{CoupledRollingProblem, LeadingEdge, RollingControl, RollingProblem};
 use stickslip::subsurface::{Body, Tractions, at_points};
 use stickslip::{
-    Axis, ElasticPair, Field, Friction, Grid, HalfSpace, History, Material,
-    NormalControl, NormalProblem, Result, TangentialModel,
-    TangentialProblem,
+    Axis, ElasticPair, Field, Friction, Grid, HalfSpace, History, Material, NormalControl,
+    NormalProblem, Result, TangentialModel, TangentialProblem,
 };
 
 use crate::Group;
