@@ -149,12 +149,7 @@ fn spots_on_ranks_are_bitwise_identical() {
             let gap = heights.map(|z| highest - z);
             let contact = press(bodies, &gap, 60.0);
             let problem = NormalProblem::builder(bodies, &gap, NormalControl::Force(60.0));
-            let unsolved = problem
-                .build()
-                .unwrap()
-                .into_solver()
-                .unwrap()
-                .new_solution();
+            let unsolved = kit::solver(problem).new_solution();
             assert_eq!(
                 (unsolved.contact_cells(), unsolved.spots().largest()),
                 (0, None)

@@ -304,14 +304,12 @@ fn stiffness_at_fixed_pressure(
     entry_rule: EntryRule,
 ) -> [[f64; 3]; 3] {
     let friction = Friction::coulomb(0.4).unwrap();
-    let mut solver = RollingProblem::builder(bodies, rolling.normal(), friction)
-        .creepage([motion[0], motion[1]])
-        .spin(motion[2])
-        .entry_rule(entry_rule)
-        .build()
-        .unwrap()
-        .into_solver()
-        .unwrap();
+    let mut solver = kit::solver(
+        RollingProblem::builder(bodies, rolling.normal(), friction)
+            .creepage([motion[0], motion[1]])
+            .spin(motion[2])
+            .entry_rule(entry_rule),
+    );
     let mut solution = solver.new_solution();
     solver.solve_into(&mut solution).unwrap();
     solver.stiffness().unwrap()
@@ -367,11 +365,7 @@ fn coupled_free_rollers_match_bentall_johnson() {
 #[test]
 fn coupled_rolling_solver_starts_from_last_solution() {
     let pressed = ball_problem(20, 0.2);
-    let mut solver = coupled_builder(&pressed, 0.3)
-        .build()
-        .unwrap()
-        .into_solver()
-        .unwrap();
+    let mut solver = kit::solver(coupled_builder(&pressed, 0.3));
     let mut rolling = solver.new_solution();
     solver.solve_into(&mut rolling).unwrap();
     let cold = rolling.report().work.products();

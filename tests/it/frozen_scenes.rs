@@ -349,7 +349,7 @@ fn normal_solver(
     let builder = NormalProblem::builder(bodies, gap, load)
         .method(method)
         .tolerance(tolerance);
-    builder.build().unwrap().into_solver().unwrap()
+    kit::solver(builder)
 }
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {

@@ -255,7 +255,7 @@ fn loads_beyond_capacity_are_rejected() {
         assert!(contact.pressure().as_slice().iter().all(|p| *p == 0.1));
     }
     let press = problem(NormalControl::Force(0.5 * capacity));
-    let mut press = press.build().unwrap().into_solver().unwrap();
+    let mut press = kit::solver(press);
     kit::assert_refused! { press.set_load(NormalControl::Force(2.0 * capacity)) => _ }
     let mut contact = press.new_solution();
     press.solve_into(&mut contact).unwrap();

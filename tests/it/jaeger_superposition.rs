@@ -102,12 +102,7 @@ fn mismatched_contacts_are_rejected() {
     kit::assert_refused! { refused(&full, &repeated) => Error::BoundaryMismatch { .. } }
 
     let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0));
-    let unsolved = problem
-        .build()
-        .unwrap()
-        .into_solver()
-        .unwrap()
-        .new_solution();
+    let unsolved = kit::solver(problem).new_solution();
     for error in [refused(&full, &unsolved), refused(&unsolved, &stick)] {
         assert!(matches!(error, Error::NotConverged(_)), "{error}");
     }

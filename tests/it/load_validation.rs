@@ -265,7 +265,7 @@ fn solution_for_other_materials_is_rejected() {
     let builder = TangentialProblem::builder(&bodies, &foreign, friction.clone(), load);
     assert_eq!(builder.build().map(drop), refused("normal solution"));
     let builder = TangentialProblem::builder(&bodies, &normal, friction, load);
-    let mut solver = builder.build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(builder);
     assert_eq!(solver.set_pressure(&foreign), refused("normal solution"));
     assert_eq!(solver.set_pressure(foreign.pressure()), Ok(()));
 
@@ -280,7 +280,7 @@ fn solution_for_other_materials_is_rejected() {
     // A solution that is overwritten by a solver belongs to the bodies of the solver.
     let (mut solution, gap) = (foreign, ball_gap(&bodies));
     let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0));
-    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(problem);
     solver.solve_into(&mut solution).unwrap();
     assert_eq!(solution.pair(), normal.pair());
     assert_eq!(solution.pressure(), normal.pressure());
@@ -349,12 +349,7 @@ fn tangential_solver_rejected_pressure_leaves_it_unchanged() {
             solver.set_pressure(&light(0.3)) => Error::BeyondFrictionCapacity { .. },
         }
         let unsolved = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0));
-        let unsolved = unsolved
-            .build()
-            .unwrap()
-            .into_solver()
-            .unwrap()
-            .new_solution();
+        let unsolved = kit::solver(unsolved).new_solution();
         kit::assert_refused! {
             solver.set_pressure(&unsolved) => Error::NotConverged(_),
             JaegerSuperposition::new(&normal, &unsolved, bodies.pair(), 0.5) => Error::NotConverged(_),
@@ -449,7 +444,7 @@ fn unsupported_method_is_rejected() {
         shear().method(Method::PolonskyKeer).build().err()
     ));
     let settings = Settings::default().method(Method::PolonskyKeer);
-    let mut solver = shear().build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(shear());
     assert!(is_refused(solver.set_settings(settings).err()));
     assert_eq!(solver.settings().method, Method::ActiveSet);
     let history =

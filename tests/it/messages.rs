@@ -89,7 +89,7 @@ fn force_beyond_friction_names_remedy_for_its_subject() {
     ];
     let text = message(rolling().control(Axis::X, control[0]).build());
     assert!(text.starts_with(&numbers) && text.ends_with(roll), "{text}");
-    let mut solver = rolling().build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(rolling());
     let text = message(solver.set_control(control, 0.0));
     assert!(text.ends_with(roll), "{text}");
 

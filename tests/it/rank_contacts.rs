@@ -164,7 +164,7 @@ fn continued_solves_on_ranks_match_one_process() {
         let load = TangentialLoad::force([0.03, 0.0]);
         let problem =
             TangentialProblem::builder(bodies, &normal, Friction::coulomb(0.3).unwrap(), load);
-        let mut slide = problem.build().unwrap().into_solver().unwrap();
+        let mut slide = kit::solver(problem);
         let mut shear = slide.new_solution();
         for force in [0.52, 0.54, 8.0, 0.5] {
             press.set_load(NormalControl::Force(force)).unwrap();

@@ -26,7 +26,7 @@ fn solver(
 ) -> CoupledSolver {
     let gap = Field::from_fn(bodies.grid(), gap);
     let problem = CoupledProblem::builder(bodies, &gap, friction, press, load);
-    problem.build().unwrap().into_solver().unwrap()
+    kit::solver(problem)
 }
 
 /// Returns the samples of the solution in every cell, and results that every rank has.

@@ -74,7 +74,7 @@ fn rolling_stiffness_matches_differences_of_solves() {
         (LeadingEdge::PlusY, [0.1, -1.0, -0.6]),
     ] {
         let at = |point: [f64; 3]| scene.at(point).leading_edge(edge);
-        let mut solver = at(point).build().unwrap().into_solver().unwrap();
+        let mut solver = kit::solver(at(point));
         let mut rolling = solver.new_solution();
         solver.solve_into(&mut rolling).unwrap();
         let found = solver.stiffness().unwrap();
@@ -109,7 +109,7 @@ fn rolling_stiffness_matches_differences_of_solves() {
 #[test]
 fn stiffness_before_first_solve_is_that_of_full_stick() {
     let scene = RollingSphere::across(64);
-    let mut solver = scene.rolling().build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(scene.rolling());
     let of = solver.stiffness().unwrap();
     for (found, expected) in [
         (of[0][0], 4.12),
@@ -318,11 +318,11 @@ fn friction_can_change_by_any_factor() {
     let creepages = |coefficient: f64| {
         [0.8, 0.2].map(|part| RollingControl::Creepage(part * coefficient / FRICTION * scene.unit))
     };
-    let mut solver = RollingProblem::builder(&scene.bodies, &scene.normal, of(1.0))
-        .build()
-        .unwrap()
-        .into_solver()
-        .unwrap();
+    let mut solver = kit::solver(RollingProblem::builder(
+        &scene.bodies,
+        &scene.normal,
+        of(1.0),
+    ));
     let mut rolling = solver.new_solution();
     solver.set_control(creepages(1.0), 0.0).unwrap();
     solver.solve_into(&mut rolling).unwrap();
@@ -343,14 +343,7 @@ fn friction_can_change_by_any_factor() {
 #[test]
 fn reset_solver_matches_new_solver() {
     let scene = RollingSphere::across(16);
-    let make = || {
-        scene
-            .at([0.7, 0.1, 0.2])
-            .build()
-            .unwrap()
-            .into_solver()
-            .unwrap()
-    };
+    let make = || kit::solver(scene.at([0.7, 0.1, 0.2]));
     let (mut used, mut new) = (make(), make());
     let (mut again, mut first) = (used.new_solution(), new.new_solution());
     let sticking = new.stiffness().unwrap();
@@ -371,7 +364,7 @@ fn sliding_contact_resists_rotation_of_force_only() {
     let scene = RollingSphere::across(16);
     let creepage = 1e3 * scene.unit;
     let problem = scene.rolling().creepage([creepage, 0.0]).tolerance(1e-11);
-    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(problem);
     let sticking = solver.stiffness().unwrap();
     let mut rolling = solver.new_solution();
     solver.solve_into(&mut rolling).unwrap();
@@ -391,7 +384,7 @@ fn cancelled_work_leaves_solver_usable() {
     let moment = SpinControl::Moment(0.3 * scene.limit);
     let problem = scene.rolling().spin(moment).tolerance(1e-9);
     let expected = kit::solve(problem.clone());
-    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(problem);
     let mut rolling = solver.new_solution();
     for allowed in [0, 5, 40] {
         let mut asked = 0;

@@ -37,14 +37,12 @@ fn rolling(
     normal: &NormalSolution,
     (edge, rule): (LeadingEdge, EntryRule),
 ) -> RollingSolver {
-    RollingProblem::builder(bodies, normal, Friction::coulomb(FRICTION).unwrap())
-        .leading_edge(edge)
-        .entry_rule(rule)
-        .tolerance(1e-10)
-        .build()
-        .unwrap()
-        .into_solver()
-        .unwrap()
+    kit::solver(
+        RollingProblem::builder(bodies, normal, Friction::coulomb(FRICTION).unwrap())
+            .leading_edge(edge)
+            .entry_rule(rule)
+            .tolerance(1e-10),
+    )
 }
 
 fn solved(solver: &mut RollingSolver) -> RollingSolution {

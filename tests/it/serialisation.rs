@@ -201,7 +201,7 @@ fn solutions_and_reports_survive_serialisation() {
 
     let friction = Friction::coulomb(0.3).unwrap();
     let rolling = RollingProblem::builder(&bodies, &normal, friction).creepage([0.01, 0.02]);
-    let mut solver = rolling.build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(rolling);
     let mut rolling = solver.new_solution();
     assert_survives(&rolling);
     solver.solve_into(&mut rolling).unwrap();
@@ -214,7 +214,7 @@ fn solutions_and_reports_survive_serialisation() {
     // Residuals are infinite before the first solve.
     let flat = Field::zeros(bodies.grid());
     let problem = NormalProblem::builder(&bodies, &flat, NormalControl::Force(1.0));
-    let solver = problem.build().unwrap().into_solver().unwrap();
+    let solver = kit::solver(problem);
     assert_survives(&solver.new_solution());
     for status in [
         Status::Unsolved,

@@ -245,7 +245,7 @@ fn normal_contact_stops_on_every_grid_of_nested_start() {
         } else {
             builder
         };
-        let mut solver = builder.build().unwrap().into_solver().unwrap();
+        let mut solver = kit::solver(builder);
         let mut solution = solver.new_solution();
         let mut calls = 0;
         let outcome = solver.solve_observed(&mut solution, end.observer(&mut calls));
@@ -277,7 +277,7 @@ fn tangential_contact_stops_on_every_grid_of_nested_start() {
             } else {
                 builder
             };
-            let mut solver = builder.build().unwrap().into_solver().unwrap();
+            let mut solver = kit::solver(builder);
             let mut solution = solver.new_solution();
             let mut calls = 0;
             let outcome = solver.solve_observed(&mut solution, end.observer(&mut calls));

@@ -266,19 +266,9 @@ fn limits_and_cancellation_leave_feasible_iterate_with_status() {
                 .method(method)
                 .tolerance(1e-10)
         };
-        let mut limited = builder()
-            .max_iterations(3)
-            .build()
-            .unwrap()
-            .into_solver()
-            .unwrap();
-        let mut timed = builder()
-            .time_limit(Duration::ZERO)
-            .build()
-            .unwrap()
-            .into_solver()
-            .unwrap();
-        let mut cancelled = builder().build().unwrap().into_solver().unwrap();
+        let mut limited = kit::solver(builder().max_iterations(3));
+        let mut timed = kit::solver(builder().time_limit(Duration::ZERO));
+        let mut cancelled = kit::solver(builder());
         let mut solution = limited.new_solution();
         let mut seen = 0;
         let outcomes = [
@@ -392,12 +382,7 @@ fn observer_receives_nothing_of_previous_solve() {
     };
     for method in [Method::ActiveSet, Method::PolonskyKeer] {
         let builder = NormalProblem::builder(&bodies, &gap, NormalControl::Force(15.0));
-        let mut press = builder
-            .method(method)
-            .build()
-            .unwrap()
-            .into_solver()
-            .unwrap();
+        let mut press = kit::solver(builder.method(method));
         let mut normal = press.new_solution();
         press.solve_into(&mut normal).unwrap();
         let mut first = None;
@@ -415,7 +400,7 @@ fn observer_receives_nothing_of_previous_solve() {
                 TangentialModel::Scalar => builder.method(method),
                 _ => builder,
             };
-            let mut shear = builder.build().unwrap().into_solver().unwrap();
+            let mut shear = kit::solver(builder);
             let mut solution = shear.new_solution();
             shear.solve_into(&mut solution).unwrap();
             let mut first = None;
@@ -438,7 +423,7 @@ fn solve_without_contact_leaves_no_start() {
     for method in [Method::ActiveSet, Method::PolonskyKeer] {
         let solver = |load| {
             let builder = NormalProblem::builder(&bodies, &ball, load).method(method);
-            builder.build().unwrap().into_solver().unwrap()
+            kit::solver(builder)
         };
         let mut cold = solver(NormalControl::Force(0.5));
         let mut expected = cold.new_solution();
@@ -483,12 +468,7 @@ fn used_solver_returns_to_zero_load() {
             friction,
             TangentialLoad::shift([1e-6, 0.0]),
         );
-        let mut solver = builder
-            .method(method)
-            .build()
-            .unwrap()
-            .into_solver()
-            .unwrap();
+        let mut solver = kit::solver(builder.method(method));
         let mut shear = solver.new_solution();
         for load in [
             TangentialLoad::shift([0.0, 0.0]),
@@ -516,7 +496,7 @@ fn empty_solution_is_unsolved() {
     let (bodies, normal) = table_2(32);
     let ball = surface::sphere(bodies.grid(), Table2::RADIUS).unwrap();
     let press = NormalProblem::builder(&bodies, &ball, NormalControl::Force(1.0));
-    let empty = press.build().unwrap().into_solver().unwrap().new_solution();
+    let empty = kit::solver(press).new_solution();
     assert_eq!(empty.report().status, Status::Unsolved);
     assert!(empty.report().energy_error_bound().is_infinite());
     let load = TangentialLoad::force([0.1, 0.0]);

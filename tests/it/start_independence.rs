@@ -148,7 +148,7 @@ fn rough_gaps_and_load_beyond_window_match_plain_loop() {
     let gap = sphere_and_tip(grid);
     let problem =
         NormalProblem::builder(&bodies, &gap, NormalControl::Force(1e-3)).tolerance(TOLERANCE);
-    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(problem);
     let mut solution = solver.new_solution();
     for force in [1e-3, 1.0, 100.0, 1e4, 1e-3] {
         solver.set_load(NormalControl::Force(force)).unwrap();
@@ -176,7 +176,7 @@ fn stopped_nested_start_leaves_feasible_iterate() {
     let load = TangentialLoad::force([4.0, 0.0]);
     for calls in [0, 1, 5, 12, 30] {
         let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(20.0));
-        let mut press = press.build().unwrap().into_solver().unwrap();
+        let mut press = kit::solver(press);
         let mut pressed = press.new_solution();
         let mut left = calls;
         let outcome = press.solve_observed(&mut pressed, |_| stop_after(&mut left));
@@ -187,7 +187,7 @@ fn stopped_nested_start_leaves_feasible_iterate() {
         assert!((pressed.force() / 20.0 - 1.0).abs() < 1e-11 && pressed.pressure().min() >= 0.0);
 
         let shear = TangentialProblem::builder(&bodies, &normal, friction.clone(), load);
-        let mut shear = shear.build().unwrap().into_solver().unwrap();
+        let mut shear = kit::solver(shear);
         let mut sheared = shear.new_solution();
         let mut left = calls;
         let outcome = shear.solve_observed(&mut sheared, |_| stop_after(&mut left));
@@ -231,7 +231,7 @@ fn solver_under_zero_load_keeps_axis() {
     let friction = Friction::coulomb(0.5).unwrap();
     let along_y = |force| TangentialLoad::force([0.0, force]);
     let problem = TangentialProblem::builder(&bodies, &light, friction, along_y(0.01));
-    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(problem);
     let mut shear = solver.new_solution();
     solver.solve_into(&mut shear).unwrap();
     solver.set_load(along_y(0.0)).unwrap();

@@ -456,7 +456,7 @@ fn invalid_rolling_is_rejected() {
         builder().leading_edge(LeadingEdge::MinusY).step(9).build() => Error::GridTooShort { .. },
         builder().creepage([f64::MAX, 0.0]).step(1).spin(f64::MAX).build() => Error::NotFinite { .. },
     }
-    let mut solver = builder().build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(builder());
     let elsewhere = HalfSpace::new(Grid::square(8, 2.4).unwrap(), *bodies.pair()).unwrap();
     let small = surface::sphere(elsewhere.grid(), 1.0).unwrap();
     let other = pressed(&elsewhere, &small, 1.0);

@@ -171,14 +171,11 @@ fn force_at_limit_slides_and_beyond_limit_is_rejected() {
 fn warm_started_load_path_matches_cold_solve() {
     let (bodies, normal) = rough_contact(64, 0.4, Boundary::NonPeriodic);
     let friction = Friction::coulomb(FRICTION).unwrap();
-    let mut solver =
+    let mut solver = kit::solver(
         TangentialProblem::builder(&bodies, &normal, friction, TangentialLoad::force([0.0; 2]))
             .model(TangentialModel::Vector)
-            .tolerance(1e-10)
-            .build()
-            .unwrap()
-            .into_solver()
-            .unwrap();
+            .tolerance(1e-10),
+    );
     let mut warm = solver.new_solution();
     for (f, direction) in [(0.3, [1.0, 0.0]), (0.8, [1.0, 1.0]), (0.5, [-1.0, 2.0])] {
         let load = force_along(&normal, f, direction);

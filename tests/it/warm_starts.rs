@@ -32,7 +32,7 @@ fn history(bodies: &HalfSpace, gap: &Field) -> History {
 /// Returns a solver after its first solve, and its solution.
 fn solved(bodies: &HalfSpace, gap: &Field, load: NormalControl) -> (NormalSolver, NormalSolution) {
     let problem = NormalProblem::builder(bodies, gap, load).tolerance(1e-6);
-    let mut press = problem.build().unwrap().into_solver().unwrap();
+    let mut press = kit::solver(problem);
     let mut contact = press.new_solution();
     press.solve_into(&mut contact).unwrap();
     (press, contact)

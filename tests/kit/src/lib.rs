@@ -28,13 +28,14 @@ pub mod waves;
 
 pub use random::Random;
 use stickslip::cgm::Method;
-use stickslip::coupled::{CoupledProblemBuilder, CoupledSolution};
+use stickslip::coupled::{CoupledProblemBuilder, CoupledSolution, CoupledSolver};
 use stickslip::influence::Component;
-use stickslip::normal::NormalProblemBuilder;
+use stickslip::normal::{NormalProblemBuilder, NormalSolver};
 use stickslip::rolling::{
-    CoupledRollingProblemBuilder, CoupledRollingSolution, RollingProblemBuilder, RollingSolution,
+    CoupledRollingProblemBuilder, CoupledRollingSolution, CoupledRollingSolver,
+    RollingProblemBuilder, RollingSolution, RollingSolver,
 };
-use stickslip::tangential::TangentialProblemBuilder;
+use stickslip::tangential::{TangentialProblemBuilder, TangentialSolver};
 use stickslip::{
     Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
     NormalProblem, NormalSolution, Operator, Result, TangentialLoad, TangentialProblem,
@@ -148,15 +149,22 @@ impl Table2 {
 
 /// Builder of a problem that a test expects to be valid.
 pub trait SolvableBuilder {
+    type Solver;
     type Solution;
 
+    fn build_solver(self) -> Result<Self::Solver>;
     fn build_and_solve(self) -> Result<Self::Solution>;
 }
 
 macro_rules! solvable {
-    ($($builder:ty => $solution:ty),+) => {$(
+    ($($builder:ty => $solver:ty, $solution:ty;)+) => {$(
         impl SolvableBuilder for $builder {
+            type Solver = $solver;
             type Solution = $solution;
+
+            fn build_solver(self) -> Result<$solver> {
+                self.build()?.into_solver()
+            }
 
             fn build_and_solve(self) -> Result<$solution> {
                 self.build()?.solve()
@@ -166,17 +174,23 @@ macro_rules! solvable {
 }
 
 solvable! {
-    NormalProblemBuilder<'_> => NormalSolution,
-    TangentialProblemBuilder<'_, '_> => TangentialSolution,
-    CoupledProblemBuilder<'_> => CoupledSolution,
-    RollingProblemBuilder<'_> => RollingSolution,
-    CoupledRollingProblemBuilder => CoupledRollingSolution
+    NormalProblemBuilder<'_> => NormalSolver, NormalSolution;
+    TangentialProblemBuilder<'_, '_> => TangentialSolver, TangentialSolution;
+    CoupledProblemBuilder<'_> => CoupledSolver, CoupledSolution;
+    RollingProblemBuilder<'_> => RollingSolver, RollingSolution;
+    CoupledRollingProblemBuilder => CoupledRollingSolver, CoupledRollingSolution;
 }
 
 /// Returns the solution of a problem, which must be valid.
 #[track_caller]
 pub fn solve<B: SolvableBuilder>(builder: B) -> B::Solution {
     builder.build_and_solve().unwrap()
+}
+
+/// Returns the solver of a problem, which must be valid.
+#[track_caller]
+pub fn solver<B: SolvableBuilder>(builder: B) -> B::Solver {
+    builder.build_solver().unwrap()
 }
 
 pub fn press(
