@@ -172,11 +172,10 @@ fn scene_accumulated_slip_and_energy_move_with_particles() {
     assert_every(scenes(), |scene| {
         let pose = UnitTransform::IN_PLACE;
         let mut history = scene.history(&scene.half_space(&pose), &pose);
-        let [nx, ny] = [history.grid().nx(), history.grid().ny()].map(|count| count as i64);
         let mut sums = [(); 2].map(|()| Field::zeros(history.grid()));
         for (number, step) in scene.path.iter().enumerate() {
             scene.take(&mut history, step, &pose);
-            let cells = step.roll.map_or(0, |roll| roll.cells as i64);
+            let cells = step.roll.map_or(0, |roll| roll.cells as isize);
             let [x, y] = match step.roll.map(|roll| roll.edge) {
                 None | Some(LeadingEdge::PlusX) => [cells, 0],
                 Some(LeadingEdge::MinusX) => [-cells, 0],
@@ -188,9 +187,8 @@ fn scene_accumulated_slip_and_energy_move_with_particles() {
             let found = [history.accumulated_slip(), history.dissipated_energy()];
             for ((sum, now), found) in sums.iter_mut().zip(steps).zip(found) {
                 *sum = Field::from_indices(sum.grid(), |ix, iy| {
-                    let [from_x, from_y] = [ix as i64 + x, iy as i64 + y];
-                    let is_on_grid = (0..nx).contains(&from_x) && (0..ny).contains(&from_y);
-                    let before = is_on_grid.then(|| sum[(from_x as usize, from_y as usize)]);
+                    let from = ix.checked_add_signed(x).zip(iy.checked_add_signed(y));
+                    let before = from.and_then(|(ix, iy)| sum.get(ix, iy));
                     before.unwrap_or(0.0) + now[(ix, iy)]
                 });
                 check(found == sum, || format!("step {number}"))?;

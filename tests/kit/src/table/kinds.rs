@@ -220,11 +220,11 @@ fn shrinking(scene: &Scene) -> Scene {
 }
 
 /// Returns a scene that rolls, with a smaller tolerance.
-fn rolled(scene: Scene, edge: LeadingEdge, creepage: [f64; 2], spin: f64) -> Scene {
+fn rolled(scene: &Scene, edge: LeadingEdge, creepage: [f64; 2], spin: f64) -> Scene {
     Scene {
         tolerance: 1e-12,
         path: rolling(0.02, edge, creepage, spin),
-        ..scene
+        ..*scene
     }
 }
 
@@ -285,14 +285,14 @@ pub fn scenes() -> Vec<Scene> {
         repeating(&coupled("coupled, repeating"), 0.1),
         rows(Scene { path: around(0.09), ..coupled("coupled, rows") }),
         line(Scene { path: around(0.04), ..coupled("coupled, line") }),
-        rolled(scalar("rolled"), PlusX, [0.02, 0.0], 0.0),
-        rolled(scalar("rolled along y"), MinusY, [0.03, 0.0], 0.0),
-        rolled(rows(scalar("rows, rolled")), MinusX, [-0.02, 0.0], 0.0),
-        rolled(line(scalar("line, rolled")), PlusX, [0.15, 0.0], 0.0),
-        rolled(plane("plane, rolled"), MinusX, [0.03, -0.02], 0.03),
-        rolled(Scene { entry_rule: EntryRule::WholeStep, ..plane("plane, rolled whole steps") }, PlusY, [0.02, 0.02], -0.02),
-        rolled(Scene { bodies: UNLIKE, coupling: one_way, ..plane("plane, rolled one way") }, PlusX, [0.02, 0.01], 0.02),
-        rolled(coupled("coupled, rolled"), MinusY, [0.02, -0.02], 0.02),
+        rolled(&scalar("rolled"), PlusX, [0.02, 0.0], 0.0),
+        rolled(&scalar("rolled along y"), MinusY, [0.03, 0.0], 0.0),
+        rolled(&rows(scalar("rows, rolled")), MinusX, [-0.02, 0.0], 0.0),
+        rolled(&line(scalar("line, rolled")), PlusX, [0.15, 0.0], 0.0),
+        rolled(&plane("plane, rolled"), MinusX, [0.03, -0.02], 0.03),
+        rolled(&Scene { entry_rule: EntryRule::WholeStep, ..plane("plane, rolled whole steps") }, PlusY, [0.02, 0.02], -0.02),
+        rolled(&Scene { bodies: UNLIKE, coupling: one_way, ..plane("plane, rolled one way") }, PlusX, [0.02, 0.01], 0.02),
+        rolled(&coupled("coupled, rolled"), MinusY, [0.02, -0.02], 0.02),
         Scene { coatings: [STIFF; 2], ..scalar("coated") },
         Scene { coatings: [STIFF; 2], wear: 1.0, ..plane("plane, coated") },
         Scene { coatings: [STIFF, COMPLIANT], ..coupled("coupled, coated") },
