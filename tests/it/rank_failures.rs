@@ -40,8 +40,7 @@ fn mismatched_slabs_are_rejected() {
     assert_eq!(rejected(&slabs[..2]), missing);
     // First the slabs are of two different steps, then the bytes of one rank are damaged.
     for (rank, byte) in [(2, None), (1, Some(40))] {
-        let outcomes = on_ranks(3, grid, boundary, |bodies, rank| {
-            let number = rank;
+        let outcomes = on_ranks(3, grid, boundary, |bodies, number| {
             let mut bytes = slabs[number].clone();
             if let (true, Some(byte)) = (number == rank, byte) {
                 bytes[byte] ^= 1;
@@ -170,8 +169,7 @@ fn kernel_failing_on_one_rank_is_rejected_by_all() {
 #[test]
 fn failed_step_leaves_ranks_unchanged() {
     let grid = fine();
-    let lost = on_ranks(3, grid, Boundary::NonPeriodic, |bodies, rank| {
-        let number = rank;
+    let lost = on_ranks(3, grid, Boundary::NonPeriodic, |bodies, number| {
         let gap = ball(bodies);
         let builder = History::builder(bodies, &gap, Friction::coulomb(0.3).unwrap());
         let mut history = builder.coupling(Coupling::OneWay).build().unwrap();
