@@ -22,7 +22,7 @@ fn allocations(mut work: impl FnMut() + Send) -> u64 {
 fn assert_no_allocations(gap: &Field, load: f64, lateral: TangentialModel) {
     let bodies = unit_bodies(gap.grid(), 0.3);
     let press = NormalProblem::builder(&bodies, gap, NormalControl::Force(load)).tolerance(1e-6);
-    let mut press = press.build().unwrap().into_solver().unwrap();
+    let mut press = kit::solver(press);
     let mut normal = press.new_solution();
     press.solve_into(&mut normal).unwrap();
 
@@ -38,13 +38,7 @@ fn assert_no_allocations(gap: &Field, load: f64, lateral: TangentialModel) {
         friction[0].clone(),
         TangentialLoad::force([0.1 * load, 0.0]),
     );
-    let mut shear = shear
-        .model(lateral)
-        .tolerance(1e-6)
-        .build()
-        .unwrap()
-        .into_solver()
-        .unwrap();
+    let mut shear = kit::solver(shear.model(lateral).tolerance(1e-6));
     let mut sheared = shear.new_solution();
     shear.solve_into(&mut sheared).unwrap();
 
@@ -80,14 +74,14 @@ fn solve_after_contact_growth_allocates_nothing() {
     let ball = surface::sphere(grid, 300.0).unwrap();
     let [light, heavy] = [5.0, 20.0].map(|force| {
         let press = NormalProblem::builder(&bodies, &ball, NormalControl::Force(force));
-        press.build().unwrap().solve().unwrap()
+        kit::solve(press)
     });
     let (friction, load) = (
         Friction::coulomb(0.4).unwrap(),
         TangentialLoad::force([1.0, 0.0]),
     );
     let shear = TangentialProblem::builder(&bodies, &light, friction, load);
-    let mut shear = shear.build().unwrap().into_solver().unwrap();
+    let mut shear = kit::solver(shear);
     shear.set_pressure(&heavy).unwrap();
     assert_eq!(allocations(|| shear.set_pressure(&light).unwrap()), 0);
 }
@@ -111,7 +105,7 @@ fn repeated_coupled_solves_allocate_nothing() {
     let frictions = [0.4, 0.5].map(|coefficient| Friction::coulomb(coefficient).unwrap());
     let (press, still) = (NormalControl::Force(0.1), TangentialLoad::shift([0.0; 2]));
     let problem = CoupledProblem::builder(&bodies, &gap, frictions[0].clone(), press, still);
-    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(problem);
     let mut contact = solver.new_solution();
     let mut cycle = || {
         for (force, friction) in [0.1, 0.09].into_iter().zip(&frictions) {
@@ -163,9 +157,9 @@ fn repeated_rolling_solves_allocate_nothing() {
     let bodies = unit_bodies(grid, 0.3);
     let ball = surface::sphere(grid, 1.0).unwrap();
     let press = NormalProblem::builder(&bodies, &ball, NormalControl::Force(1.0));
-    let normal = press.build().unwrap().solve().unwrap();
+    let normal = kit::solve(press);
     let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap());
-    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(problem);
     let mut rolling = solver.new_solution();
     let mut cycle = || {
         for part in [0.2, 0.9, 0.5] {
@@ -200,7 +194,7 @@ fn rolling_solves_under_changing_loads_allocate_nothing() {
         let press = press.build().unwrap();
         let normal = press.solve().unwrap();
         let problem = RollingProblem::builder(&bodies, &normal, frictions[0].clone());
-        let mut solver = problem.build().unwrap().into_solver().unwrap();
+        let mut solver = kit::solver(problem);
         solver
             .set_normal_solver(press.into_solver().unwrap())
             .unwrap();

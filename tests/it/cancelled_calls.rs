@@ -69,7 +69,7 @@ fn stiffness_stops_when_cancelled() {
         let load = TangentialLoad::force([0.05, 0.0]);
         let problem = TangentialProblem::builder(&bodies, &pressed, friction.clone(), load);
         let problem = problem.model(model).coupling(Coupling::Neglected);
-        let shear = problem.build().unwrap().solve().unwrap();
+        let shear = kit::solve(problem);
         assert_stops_when_cancelled(|observer| shear.stiffness_observed(&bodies, observer));
         assert_stops_when_cancelled(|observer| {
             ContactStiffness::observed(&bodies, &pressed, &friction, &shear, observer)

@@ -5,7 +5,6 @@ use std::ops::ControlFlow;
 
 use kit::{Random, rough, thorough, unit_bodies};
 use stickslip::cgm::{self, AbsBound, Iteration, Method, NonNegative, Problem};
-use stickslip::history::{Rolling, wear};
 use stickslip::influence::Component;
 use stickslip::normal::Hardness;
 use stickslip::rolling::{RollingControl, RollingProblem};
@@ -80,21 +79,6 @@ fn with_tangential_force(load: LoadStep, force: f64) -> LoadStep {
     load.tangential(Axis::X, TangentialControl::Force(force))
 }
 
-/// Returns five steps: pressing, shearing, a wider contact, a reversal, and a spring.
-fn load_steps() -> [LoadStep; 5] {
-    let spring = TangentialControl::Spring {
-        position: 0.2,
-        stiffness: 2.0,
-    };
-    [
-        press_step(0.2),
-        with_tangential_force(press_step(0.2), 0.04),
-        with_tangential_force(press_step(0.5), 0.05),
-        with_tangential_force(LoadStep::hold(), -0.1),
-        press_step(0.4).tangential(Axis::X, spring),
-    ]
-}
-
 fn coupled_bodies(grid: Grid) -> HalfSpace {
     let soft = Material::new(1.0, 0.1).unwrap();
     HalfSpace::new(grid, ElasticPair::new(soft, Material::rigid()).unwrap()).unwrap()
@@ -108,34 +92,6 @@ fn sphere_gap(cells: usize) -> (Grid, Field) {
 
 fn coulomb_friction() -> Friction {
     Friction::coulomb(0.3).unwrap()
-}
-
-#[test]
-fn history_cancelled_step_of_similar_bodies_is_not_taken() {
-    let (grid, gap) = sphere_gap(thorough(16, 48));
-    let bodies = unit_bodies(grid, 0.3);
-    for model in [TangentialModel::Scalar, TangentialModel::Vector] {
-        for hardness in [None, Some(0.3)] {
-            let mut builder = History::builder(&bodies, &gap, coulomb_friction()).model(model);
-            if let Some(hardness) = hardness {
-                builder = builder.hardness(Hardness::uniform(hardness).unwrap());
-            }
-            let mut history = builder.build().unwrap();
-            let calls = assert_steps_cancelled(&mut history, &load_steps()[..]);
-            assert!(calls > 10);
-            let mut worn = history.gap().clone();
-            let slip = history.last_step().slip_distance();
-            wear::archard(0.1, history.pressure(), slip, &mut worn).unwrap();
-            history.set_gap(&worn).unwrap();
-            assert_steps_cancelled(
-                &mut history,
-                &[
-                    press_step(0.4),
-                    with_tangential_force(press_step(0.4), 0.06),
-                ],
-            );
-        }
-    }
 }
 
 /// Covers steps in which the starts from coarser grids take most of the calls, and steps on a line of cells.
@@ -163,27 +119,6 @@ fn history_cancelled_step_with_nested_start_is_not_taken() {
             press_step(0.1),
         ],
     );
-}
-
-#[test]
-fn history_cancelled_coupled_step_is_not_taken() {
-    let (grid, gap) = sphere_gap(thorough(10, 44));
-    let bodies = coupled_bodies(grid);
-    let mut history = History::builder(&bodies, &gap, coulomb_friction())
-        .build()
-        .unwrap();
-    assert!(assert_steps_cancelled(&mut history, &load_steps()[..]) > 10);
-}
-
-#[test]
-fn history_cancelled_rolling_step_is_not_taken() {
-    let (grid, gap) = sphere_gap(thorough(14, 40));
-    let bodies = unit_bodies(grid, 0.3);
-    let builder =
-        History::builder(&bodies, &gap, coulomb_friction()).model(TangentialModel::Vector);
-    let mut history = builder.build().unwrap();
-    let roll = press_step(0.2).roll(Rolling::new(1).creepage([0.05, 0.0]).spin(0.1));
-    assert_steps_cancelled(&mut history, &[press_step(0.2), roll, roll]);
 }
 
 /// Covers random loads, because a step can end in many ways.
@@ -257,7 +192,7 @@ fn solver_cancelled_reports_cancellation() {
         assert_cancelled(stride, solve);
     }
     let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(0.2));
-    let normal = problem.build().unwrap().solve().unwrap();
+    let normal = kit::solve(problem);
     for (load, model) in [
         (TangentialLoad::force([0.03, 0.0]), TangentialModel::Scalar),
         (TangentialLoad::force([0.06, 0.0]), TangentialModel::Vector),

@@ -2,8 +2,6 @@
 //! uniform cells, at the same cost and with the same certificate. Values at the centres and values of uniform cells
 //! cannot be mixed.
 
-use std::sync::Arc;
-
 use kit::smooth::{Smooth, l1_difference};
 use kit::{boundaries, max_abs, max_difference, unit_pair};
 use stickslip::Scratch;
@@ -11,12 +9,9 @@ use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 #[cfg(feature = "dense")]
 use stickslip::dense::DenseOperator;
 use stickslip::influence::{Component, Direction};
-use stickslip::ranks::Threads;
 use stickslip::subsurface::{Body, Planes, Tractions, at_points};
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::*;
-
-use crate::rank_contacts::PATIENCE;
 
 fn with_values(grid: Grid, boundary: Boundary, cell_value: CellValue) -> HalfSpace {
     let bodies = HalfSpace::with_boundary(grid, coupled_pair(), boundary).unwrap();
@@ -249,7 +244,7 @@ fn centre_pressures_are_closer_to_closed_forms() {
             let is_inside = |i: usize| holds_around(&exact, i, |p| p > 0.0);
             for (bodies, errors) in [&bodies, &centres].into_iter().zip(&mut errors) {
                 let problem = NormalProblem::builder(bodies, &gap, shape.load());
-                let found = problem.tolerance(1e-7).build().unwrap().solve().unwrap();
+                let found = kit::solve(problem.tolerance(1e-7));
                 errors[0] += l1_difference(found.pressure(), &exact, is_inside) / 3.0;
                 errors[1] += l1_difference(found.pressure(), &exact, |_| true) / 3.0;
             }
@@ -280,11 +275,11 @@ fn centre_tractions_are_closer_to_closed_forms() {
             let bodies = bodies.with_cell_value(value).unwrap();
             let gap = shape.gap(grid, offset);
             let problem = NormalProblem::builder(&bodies, &gap, shape.load());
-            let normal = problem.tolerance(1e-7).build().unwrap().solve().unwrap();
+            let normal = kit::solve(problem.tolerance(1e-7));
             let load = TangentialLoad::force([exact.force(), 0.0]);
             let friction = Friction::coulomb(0.5).unwrap();
             let problem = TangentialProblem::builder(&bodies, &normal, friction, load);
-            let shear = problem.tolerance(1e-7).build().unwrap().solve().unwrap();
+            let shear = kit::solve(problem.tolerance(1e-7));
             assert_eq!(shear.cell_value(), value);
             let is_inside = |i: usize| {
                 holds_around(&radii, i, |r| r < exact.stick_radius())
@@ -297,53 +292,6 @@ fn centre_tractions_are_closer_to_closed_forms() {
     // The stencil does not change the edge of the stick zone, which causes an offset of the tractions inside.
     assert!(centres[0] < 0.8 * uniform[0], "{centres:?} {uniform:?}");
     assert!(centres[1] < 0.85 * uniform[1], "{centres:?} {uniform:?}");
-}
-
-/// Covers windows, coarser grids and ranks. Results on ranks are bitwise identical to the results of one process. Cells
-/// of the same size have the same coefficients on any grid.
-#[test]
-fn ranks_with_centre_values_match_one_process() {
-    // The grid has more than one chunk of cells, so that each rank has local cells.
-    let grid = Grid::new(64, 66, 0.0625, 0.0436).unwrap();
-    // Periodic rows take the most time and are tested in the thorough run only.
-    for boundary in boundaries(grid).into_iter().take(kit::thorough(2, 3)) {
-        let find = |bodies: &HalfSpace| {
-            let gap = Field::from_fn(bodies.grid(), |x, y| {
-                0.5 * ((x - 0.03).powi(2) + (y + 0.02).powi(2))
-                    + 0.02 * (9.0 * x).cos() * (7.0 * y).sin()
-            });
-            let problem = NormalProblem::builder(bodies, &gap, NormalControl::Force(0.3));
-            let contact = problem.build().unwrap().solve().unwrap();
-            let problem = CoupledProblem::builder(
-                bodies,
-                &gap,
-                Friction::coulomb(0.3).unwrap(),
-                NormalControl::Force(0.3),
-                TangentialLoad::force([0.03, 0.01]),
-            );
-            let both = problem.build().unwrap().solve().unwrap();
-            let mut found = contact.pressure().as_slice().to_vec();
-            found.extend_from_slice(both.tangential().traction()[0].as_slice());
-            found
-        };
-        let alone = find(&with_values(grid, boundary, CellValue::Centre));
-        for &size in kit::thorough(&[2][..], &[2, 3]) {
-            let parts = Threads::run(size, PATIENCE, |rank| {
-                let bodies = HalfSpace::distributed(grid, coupled_pair(), boundary, Arc::new(rank));
-                let bodies = bodies.unwrap().with_cell_value(CellValue::Centre).unwrap();
-                let found = find(&bodies);
-                let (pressure, traction) = found.split_at(found.len() / 2);
-                [pressure.to_vec(), traction.to_vec()]
-            });
-            let joined = [0, 1].map(|k| {
-                parts
-                    .iter()
-                    .flat_map(|part| part[k].clone())
-                    .collect::<Vec<_>>()
-            });
-            assert_eq!(joined.concat(), alone, "{boundary:?} {size}");
-        }
-    }
 }
 
 /// The stresses equal the stresses of uniform cells with the same surface displacements.
@@ -395,7 +343,7 @@ fn mismatched_cell_values_are_rejected() {
     let gap = Smooth::sphere().gap(grid, [0.0; 2]);
     let press = |bodies: &HalfSpace| {
         let problem = NormalProblem::builder(bodies, &gap, NormalControl::Force(0.5));
-        problem.build().unwrap().solve().unwrap()
+        kit::solve(problem)
     };
     let contact = press(&centres);
     assert_eq!(contact.cell_value(), CellValue::Centre);

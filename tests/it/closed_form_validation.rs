@@ -25,13 +25,11 @@ fn normal_contacts_reject_invalid_parameters() {
         let hertz = HertzEllipse::new(&pair, x, y, load)?;
         Ok(hertz.max_pressure() + hertz.approach() + hertz.contact_area())
     };
-    assert_checked("radius along x", Positive, |value| {
-        ellipse([value, 1.0], 2.0)
-    });
-    assert_checked("radius along y", Positive, |value| {
-        ellipse([1.0, value], 2.0)
-    });
-    assert_checked("load", Positive, |value| ellipse([1.0, 2.0], value));
+    kit::assert_all_checked! {
+        Positive "radius along x" => |value| ellipse([value, 1.0], 2.0),
+        Positive "radius along y" => |value| ellipse([1.0, value], 2.0),
+        Positive "load" => |value| ellipse([1.0, 2.0], value),
+    }
     let cone = |slope, load| {
         let cone = Cone::new(&pair, slope, load)?;
         Ok(cone.mean_pressure() + cone.approach() + cone.contact_radius())
@@ -76,24 +74,16 @@ fn line_contacts_reject_invalid_parameters() {
     let hertz = HertzLine::new(&pair, 2.0, 1e-3).unwrap();
     let smooth = CattaneoMindlinLine::new(hertz, 0.0, 0.0).unwrap();
     assert_eq!(smooth.with_strain(0.0), Ok(smooth));
-    let refused = smooth.with_strain(1e-3);
-    assert!(matches!(
-        refused,
-        Err(Error::NotPositive { value: 0.0, .. })
-    ));
+    kit::assert_refused! { smooth.with_strain(1e-3) => Error::NotPositive { value: 0.0, .. } }
     let rounded = |flat, radius, load| {
         let punch = RoundedPunch::new(&pair, flat, radius, load)?;
         Ok(punch.half_width() + punch.pressure(0.5))
     };
-    assert_checked("half-width of the flat", Positive, |value| {
-        rounded(value, 1.0, 1.0)
-    });
-    assert_checked("radius of the edges", Positive, |value| {
-        rounded(1.0, value, 1.0)
-    });
-    assert_checked("load per length", Positive, |value| {
-        rounded(1.0, 1.0, value)
-    });
+    kit::assert_all_checked! {
+        Positive "half-width of the flat" => |value| rounded(value, 1.0, 1.0),
+        Positive "radius of the edges" => |value| rounded(1.0, value, 1.0),
+        Positive "load per length" => |value| rounded(1.0, 1.0, value),
+    }
 }
 
 #[test]
@@ -126,11 +116,9 @@ fn rolling_contacts_reject_invalid_parameters() {
     assert_checked("creepage", Finite, |value| creep(0.3, [value, 1e-3]));
     assert_checked("creepage", Finite, |value| creep(0.3, [0.0, value]));
     // Neither closed form is valid for bodies that the pressure displaces tangentially.
-    let refused = Carter::new(hertz, 0.3, 1e-3);
-    assert!(matches!(refused, Err(Error::CoupledMaterials { .. })));
+    kit::assert_refused! { Carter::new(hertz, 0.3, 1e-3) => Error::CoupledMaterials { .. } }
     let ellipse = HertzEllipse::new(&soft, 2.0, 1.0, 1e-3).unwrap();
-    let refused = VermeulenJohnson::new(ellipse, 0.3, [1e-3, 0.0]);
-    assert!(matches!(refused, Err(Error::CoupledMaterials { .. })));
+    kit::assert_refused! { VermeulenJohnson::new(ellipse, 0.3, [1e-3, 0.0]) => Error::CoupledMaterials { .. } }
 }
 
 #[test]
@@ -142,27 +130,15 @@ fn rough_and_worn_contacts_reject_invalid_parameters() {
     });
     assert_checked("mean pressure", Positive, |value| persson(0.1, value));
     let persson = Persson::new(&pair, 0.1, 0.02).unwrap();
-    assert_checked("area coefficient", Positive, |value| {
-        Ok(persson.with_area_coefficient(value)?.contact_fraction())
-    });
-    assert_checked("coefficient of friction", NonNegative, |value| {
-        persson.stick_ratio(value, 0.0)
-    });
-    assert_checked("tangential force", Finite, |value| {
-        persson.stick_ratio(0.5, value)
-    });
-    assert_checked("reduced pressure", NonNegative, |value| {
-        Persson::area_law(value, 1.0)
-    });
-    assert_checked("area coefficient", Positive, |value| {
-        Persson::area_law(0.1, value)
-    });
-    assert_checked("load", Positive, |value| {
-        linear_stick_ratio(value, 0.5, 0.0)
-    });
-    assert_checked("tangential force", Finite, |value| {
-        linear_stick_ratio(1.0, 0.5, value)
-    });
+    kit::assert_all_checked! {
+        Positive "area coefficient" => |value| Ok(persson.with_area_coefficient(value)?.contact_fraction()),
+        NonNegative "coefficient of friction" => |value| persson.stick_ratio(value, 0.0),
+        Finite "tangential force" => |value| persson.stick_ratio(0.5, value),
+        NonNegative "reduced pressure" => |value| Persson::area_law(value, 1.0),
+        Positive "area coefficient" => |value| Persson::area_law(0.1, value),
+        Positive "load" => |value| linear_stick_ratio(value, 0.5, 0.0),
+        Finite "tangential force" => |value| linear_stick_ratio(1.0, 0.5, value),
+    }
 
     let hertz = HertzSphere::new(&pair, 1.0, 1e-3).unwrap();
     let rough = |slope| Ok(RoughSphere::new(hertz, slope)?.contact_area());
@@ -171,12 +147,10 @@ fn rough_and_worn_contacts_reject_invalid_parameters() {
         let rough = RoughSphere::new(hertz, 0.1)?;
         Ok(rough.with_area_coefficient(value)?.contact_area())
     });
-    assert_checked("reduced pressure", NonNegative, |value| {
-        RoughSphere::area_law(value, 1.0)
-    });
-    assert_checked("area coefficient", Positive, |value| {
-        RoughSphere::area_law(0.1, value)
-    });
+    kit::assert_all_checked! {
+        NonNegative "reduced pressure" => |value| RoughSphere::area_law(value, 1.0),
+        Positive "area coefficient" => |value| RoughSphere::area_law(0.1, value),
+    }
 
     let worn = |radius, approach, stick| {
         let worn = PopovLimitingShape::new(&pair, radius, approach, stick)?;
@@ -211,21 +185,14 @@ fn tangential_contacts_reject_invalid_parameters() {
             contact(value, 0.0)
         });
         assert_checked("tangential force", Finite, |value| contact(0.5, value));
-        let refused = contact(0.5, 0.6).unwrap_err();
-        assert!(
-            matches!(refused, Error::BeyondFrictionCapacity { force, limit, .. } if force > limit)
-        );
+        kit::assert_refused! {
+            contact(0.5, 0.6) => Error::BeyondFrictionCapacity { force, limit, .. } if force > limit,
+        }
     }
-    assert_checked("contact radius", Positive, |value| {
-        Ok(MindlinFullStick::new(&pair, value, 1.0)?.shift())
-    });
-    assert_checked("tangential force", Finite, |value| {
-        Ok(MindlinFullStick::new(&pair, 1.0, value)?.shift())
-    });
-    assert_checked("coefficient of friction", Positive, |value| {
-        Ok(LubkinTorsion::new(hertz, value, 0.0)?.moment())
-    });
-    assert_checked("twist", Finite, |value| {
-        Ok(LubkinTorsion::new(hertz, 0.5, value)?.moment())
-    });
+    kit::assert_all_checked! {
+        Positive "contact radius" => |value| Ok(MindlinFullStick::new(&pair, value, 1.0)?.shift()),
+        Finite "tangential force" => |value| Ok(MindlinFullStick::new(&pair, 1.0, value)?.shift()),
+        Positive "coefficient of friction" => |value| Ok(LubkinTorsion::new(hertz, value, 0.0)?.moment()),
+        Finite "twist" => |value| Ok(LubkinTorsion::new(hertz, 0.5, value)?.moment()),
+    }
 }

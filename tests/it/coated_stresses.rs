@@ -347,17 +347,10 @@ fn unsupported_requests_are_rejected() {
     planes
         .solve(0, Body::One, Tractions::new(&pressure))
         .unwrap();
-    let refused = planes
-        .solve(1, Body::One, Tractions::new(&pressure))
-        .unwrap_err();
-    assert!(matches!(refused, Error::RigidBody("the base of body 1")));
-    let refused = planes.through(Body::One, Tractions::new(&pressure), |_| Ok(()));
-    assert!(matches!(refused, Err(Error::RigidBody(_))));
-    let points = at_points(
-        &bodies,
-        Body::One,
-        Tractions::new(&pressure),
-        &[[0.0, 0.0, 0.1]],
-    );
-    assert!(matches!(points, Err(Error::UnsupportedForCoatings { .. })));
+    kit::assert_refused! {
+        planes.solve(1, Body::One, Tractions::new(&pressure)) => Error::RigidBody("the base of body 1"),
+        planes.through(Body::One, Tractions::new(&pressure), |_| Ok(())) => Error::RigidBody(_),
+        at_points(&bodies, Body::One, Tractions::new(&pressure), &[[0.0, 0.0, 0.1]])
+            => Error::UnsupportedForCoatings { .. },
+    }
 }

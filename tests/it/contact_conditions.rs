@@ -79,14 +79,14 @@ impl TestProblem {
 
     fn press_by(&self, load: NormalControl) -> NormalSolution {
         let builder = NormalProblem::builder(&self.bodies, &self.gap, load).tolerance(1e-11);
-        builder.build().unwrap().solve().unwrap()
+        kit::solve(builder)
     }
 
     fn shear(&self, normal: &NormalSolution, force: [f64; 2]) -> TangentialSolution {
         let friction = Friction::coulomb(FRICTION).unwrap();
         let load = TangentialLoad::force(force);
         let builder = TangentialProblem::builder(&self.bodies, normal, friction, load);
-        builder.tolerance(1e-11).build().unwrap().solve().unwrap()
+        kit::solve(builder.tolerance(1e-11))
     }
 }
 

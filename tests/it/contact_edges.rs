@@ -21,7 +21,7 @@ fn bodies_with(grid: Grid, nu: f64, cell_value: CellValue) -> HalfSpace {
 
 fn press(bodies: &HalfSpace, gap: &Field, load: NormalControl) -> NormalSolution {
     let problem = NormalProblem::builder(bodies, gap, load).tolerance(1e-7);
-    problem.build().unwrap().solve().unwrap()
+    kit::solve(problem)
 }
 
 /// Returns five relative errors, averaged over the offsets: of the cell and the fitted pressures, of the cell and the
@@ -96,7 +96,7 @@ fn edges_of_closed_form_stick_zones_match_area_and_traction() {
         let contact = press(&bodies, &shape.gap(grid, offset), shape.load());
         let load = TangentialLoad::force([exact.force(), 0.0]);
         let problem = TangentialProblem::builder(&bodies, &contact, friction.clone(), load);
-        let shear = problem.tolerance(1e-7).build().unwrap().solve().unwrap();
+        let shear = kit::solve(problem.tolerance(1e-7));
         let edges = shear.edges(&contact, &friction).unwrap();
         let at = |x: f64, y: f64| (x - offset[0] * grid.dx()).hypot(y - offset[1] * grid.dy());
         let q = Field::from_fn(grid, |x, y| exact.traction(at(x, y)));
@@ -128,7 +128,7 @@ fn edges_of_stick_zones_depend_on_traction_direction() {
         );
         let load = TangentialLoad::force([0.0, 0.25]);
         let problem = TangentialProblem::builder(&bodies, &contact, friction.clone(), load);
-        let shear = problem.tolerance(1e-6).build().unwrap().solve().unwrap();
+        let shear = kit::solve(problem.tolerance(1e-6));
         let edges = shear.edges(&contact, &friction).unwrap();
         assert_eq!(edges.stick().unfitted_fraction(), 0.0);
         [shear.stick_area(), edges.stick_area()]
@@ -224,7 +224,7 @@ fn areas_of_rough_contacts_are_accurate_if_most_fits_fail() {
             0.01 * height
         });
         let problem = NormalProblem::builder(&bodies, &surface, NormalControl::Force(0.02));
-        let contact = problem.tolerance(1e-4).build().unwrap().solve().unwrap();
+        let contact = kit::solve(problem.tolerance(1e-4));
         let edges = contact.edges().unwrap();
         (contact.contact_area(), edges.area(), edges)
     };
@@ -280,13 +280,11 @@ fn edges_for_mismatched_bodies_and_slabs_are_rejected() {
     });
     let shear = TangentialLoad::force([0.1, 0.0]);
     let problem = TangentialProblem::builder(&uniform.0, &uniform.1, friction.clone(), shear);
-    let shear = problem.build().unwrap().solve().unwrap();
-    let refused = shear.edges(&centres.1, &friction);
-    assert!(matches!(refused, Err(Error::CellValueMismatch { .. })));
+    let shear = kit::solve(problem);
+    kit::assert_refused! { shear.edges(&centres.1, &friction) => Error::CellValueMismatch { .. } }
     let other = Grid::square(20, 3.0).unwrap();
     let friction = Friction::per_cell(Field::constant(other, 0.5)).unwrap();
-    let refused = shear.edges(&uniform.1, &friction);
-    assert!(matches!(refused, Err(Error::GridMismatch { .. })));
+    kit::assert_refused! { shear.edges(&uniform.1, &friction) => Error::GridMismatch { .. } }
 
     let grid = Grid::new(64, 256, 0.05, 0.05).unwrap();
     let outcomes = Threads::run(2, PATIENCE, |rank| {
@@ -313,7 +311,7 @@ fn shear_errors(shape: &Smooth, cells: usize, part: f64) -> [[f64; 2]; 3] {
         let contact = press(&bodies, &shape.gap(grid, [x0, y0]), shape.load());
         let load = TangentialLoad::force([part * coefficient * shape.force, 0.0]);
         let problem = TangentialProblem::builder(&bodies, &contact, friction.clone(), load);
-        let shear = problem.tolerance(1e-7).build().unwrap().solve().unwrap();
+        let shear = kit::solve(problem.tolerance(1e-7));
         let edges = shear.edges(&contact, &friction).unwrap();
         let exact = Field::from_fn(grid, |x, y| {
             coefficient * shape.traction_at(part, x - x0 * grid.dx(), y - y0 * grid.dy())

@@ -137,55 +137,30 @@ fn assert_friction(
     }
 }
 
-/// Checks the first steps of a file with the given numbers of steps and cells, or all steps in the campaign.
-fn assert_consistent(text: &str, steps: usize, cells: usize) {
-    let case = Case::parse(text);
-    assert_eq!(case.steps.len(), steps);
-    let displacements = Displacements::of(&case);
-    let mut before: &[Cell] = &[];
-    for step in case.steps.iter().take(kit::thorough(2, steps)) {
-        assert_eq!(step.cells.len(), cells);
-        assert_normal_contact(&case, step, &displacements);
-        let from = if step.continues { before } else { &[] };
-        assert_friction(&case, step, from, &displacements);
-        before = &step.cells;
+/// Name, number of steps, and number of cells of each case with similar bodies.
+const CASES: [(&str, usize, usize); 6] = [
+    ("cattaneo_pe_ball", 1, 177),
+    ("tb01_cattaneo_disp", 1, 177),
+    ("tb10_tb11_mindlin_steps", 2, 177),
+    ("tb13_cattaneo_hertz_bound", 1, 973),
+    ("catt_to_cart_start", 1, 621),
+    ("catt_to_cart_shift_history", 21, 621),
+];
+
+/// Checks the first steps of each file, or all steps in the campaign. Cells come into contact at the leading edge and
+/// leave it at the trailing edge in the last file.
+#[test]
+fn cases_satisfy_contact_laws() {
+    for (name, steps, cells) in CASES {
+        let case = Case::read(name, steps);
+        let displacements = Displacements::of(&case);
+        let mut before: &[Cell] = &[];
+        for step in case.steps.iter().take(kit::thorough(2, steps)) {
+            assert_eq!(step.cells.len(), cells);
+            assert_normal_contact(&case, step, &displacements);
+            let from = if step.continues { before } else { &[] };
+            assert_friction(&case, step, from, &displacements);
+            before = &step.cells;
+        }
     }
-}
-
-#[test]
-fn ball_sheared_by_force_satisfies_contact_laws() {
-    assert_consistent(include_str!("../data/contact/cattaneo_pe_ball.txt"), 1, 177);
-    assert_consistent(
-        include_str!("../data/contact/catt_to_cart_start.txt"),
-        1,
-        621,
-    );
-}
-
-#[test]
-fn ball_pressed_and_sheared_by_displacements_satisfies_contact_laws() {
-    assert_consistent(
-        include_str!("../data/contact/tb01_cattaneo_disp.txt"),
-        1,
-        177,
-    );
-}
-
-#[test]
-fn second_step_from_previous_tractions_satisfies_contact_laws() {
-    let text = include_str!("../data/contact/tb10_tb11_mindlin_steps.txt");
-    assert_consistent(text, 2, 177);
-}
-
-#[test]
-fn prescribed_pressure_satisfies_contact_laws() {
-    let text = include_str!("../data/contact/tb13_cattaneo_hertz_bound.txt");
-    assert_consistent(text, 1, 973);
-}
-
-/// Cells come into contact at the leading edge and leave it at the trailing edge.
-#[test]
-fn ball_rolling_by_shifts_satisfies_contact_laws() {
-    let text = include_str!("../data/contact/catt_to_cart_shift_history.txt");
-    assert_consistent(text, 21, 621);
 }

@@ -14,7 +14,7 @@ fn hertz_contact_on_nineteen_cells_matches() {
     let gap = Field::from_fn(grid, |x, y| 0.01 * x * x + 0.01 * y * y);
     let problem =
         NormalProblem::builder(&bodies, &gap, NormalControl::Force(9.1954)).tolerance(1e-12);
-    let solution = problem.build().unwrap().solve().unwrap();
+    let solution = kit::solve(problem);
 
     let mut expected = Field::zeros(grid);
     for line in HERTZ.lines().filter(|line| !line.starts_with('#')).skip(1) {

@@ -17,7 +17,7 @@ use crate::rank_contacts::{PATIENCE, ranks};
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(force));
-    problem.build().unwrap().solve().unwrap()
+    kit::solve(problem)
 }
 
 /// Two balls are so far apart that each ball displaces the surface under the other ball nearly uniformly. Under the
@@ -51,8 +51,7 @@ fn spot_areas_from_fitted_edges_match_hertz() {
 
     let other = HalfSpace::new(Grid::square(40, 4.0).unwrap(), pair).unwrap();
     let gap = surface::sphere(other.grid(), 1.0).unwrap();
-    let refused = edges.areas_of(&press(&other, &gap, 0.5).spots());
-    assert!(matches!(refused, Err(Error::GridMismatch { .. })));
+    kit::assert_refused! { edges.areas_of(&press(&other, &gap, 0.5).spots()) => Error::GridMismatch { .. } }
 }
 
 #[test]
@@ -64,7 +63,7 @@ fn spots_of_rough_contact_partition_area_and_load() {
         let friction = Friction::coulomb(0.4).unwrap();
         let load = TangentialLoad::force([12.0, 0.0]);
         let shear = TangentialProblem::builder(&bodies, &contact, friction.clone(), load);
-        let shear = shear.build().unwrap().solve().unwrap();
+        let shear = kit::solve(shear);
         let spots = shear.spots(&contact).unwrap();
         let all = spots.as_slice();
         assert!(all.len() > 5);
@@ -150,12 +149,7 @@ fn spots_on_ranks_are_bitwise_identical() {
             let gap = heights.map(|z| highest - z);
             let contact = press(bodies, &gap, 60.0);
             let problem = NormalProblem::builder(bodies, &gap, NormalControl::Force(60.0));
-            let unsolved = problem
-                .build()
-                .unwrap()
-                .into_solver()
-                .unwrap()
-                .new_solution();
+            let unsolved = kit::solver(problem).new_solution();
             assert_eq!(
                 (unsolved.contact_cells(), unsolved.spots().largest()),
                 (0, None)
@@ -163,7 +157,7 @@ fn spots_on_ranks_are_bitwise_identical() {
             let friction = Friction::coulomb(0.4).unwrap();
             let load = TangentialLoad::force([12.0, 0.0]);
             let shear = TangentialProblem::builder(bodies, &contact, friction.clone(), load);
-            let shear = shear.build().unwrap().solve().unwrap();
+            let shear = kit::solve(shear);
             let mut history = History::builder(bodies, &gap, friction).build().unwrap();
             let step = LoadStep::force([8.0, 0.0]).normal(NormalControl::Force(40.0));
             history.step(&step).unwrap();

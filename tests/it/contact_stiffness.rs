@@ -50,17 +50,15 @@ impl StiffnessCase {
 
     fn press(&self, control: NormalControl) -> NormalSolution {
         let problem = NormalProblem::builder(&self.bodies, &self.gap, control).tolerance(SOLVE);
-        problem.build().unwrap().solve().unwrap()
+        kit::solve(problem)
     }
 
     fn shear(&self, normal: &NormalSolution, load: TangentialLoad) -> TangentialSolution {
-        TangentialProblem::builder(&self.bodies, normal, self.friction.clone(), load)
-            .model(self.model)
-            .tolerance(SOLVE)
-            .build()
-            .unwrap()
-            .solve()
-            .unwrap()
+        kit::solve(
+            TangentialProblem::builder(&self.bodies, normal, self.friction.clone(), load)
+                .model(self.model)
+                .tolerance(SOLVE),
+        )
     }
 }
 
@@ -305,8 +303,7 @@ fn history_stiffness_matches_steps_forward_and_back() {
     let felt = found.tangential.in_series_with([own, own]).unwrap();
     assert!((numbers(felt.reversal)[1][1] / own - 0.5).abs() < 1e-12);
     assert_eq!(felt.reversal[0], [None; 3]);
-    let refused = found.tangential.in_series_with([1.0, -1.0]);
-    assert!(matches!(refused, Err(Error::NotPositive { .. })));
+    kit::assert_refused! { found.tangential.in_series_with([1.0, -1.0]) => Error::NotPositive { .. } }
 }
 
 /// A fully sliding contact has no stiffness along the direction of slip in either model.
@@ -354,12 +351,7 @@ fn dependent_motions_of_sliding_cells_are_handled() {
     let friction = scene.friction.clone();
     let load = TangentialLoad::shift([3.0, 4.0]);
     let problem = TangentialProblem::builder(&scene.bodies, &single, friction, load);
-    let shear = problem
-        .model(TangentialModel::Vector)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap();
+    let shear = kit::solve(problem.model(TangentialModel::Vector));
     let found = shear.stiffness(&scene.bodies).unwrap();
     let [loading, reversal] = [found.loading, found.reversal].map(numbers);
     let mut entries = loading.iter().chain(&reversal).flatten();
@@ -408,7 +400,7 @@ fn parts_of_coupled_solution_are_rejected() {
     let solve = |pair: ElasticPair| {
         let bodies = HalfSpace::new(grid, pair).unwrap();
         let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), press, load);
-        let contact = problem.build().unwrap().solve().unwrap();
+        let contact = kit::solve(problem);
         (bodies, contact)
     };
     let dissimilar = ElasticPair::new(Material::new(1.0, 0.0).unwrap(), Material::rigid()).unwrap();
@@ -422,10 +414,9 @@ fn parts_of_coupled_solution_are_rejected() {
     assert_eq!(shear.stiffness(&bodies), Err(refused.clone()));
     // A coupled solution with one part replaced by a solution without coupling is rejected as well.
     let alone = NormalProblem::builder(&bodies, &gap, press);
-    let alone = alone.build().unwrap().solve().unwrap();
+    let alone = kit::solve(alone);
     assert!(alone.stiffness(&bodies).is_ok());
-    let mixed = ContactStiffness::new(&bodies, &alone, &friction, shear);
-    assert_eq!(mixed, Err(refused));
+    kit::assert_refused! { ContactStiffness::new(&bodies, &alone, &friction, shear) => error if error == refused }
     // For uncoupled bodies the two parts are independent solutions.
     let (bodies, contact) = solve(kit::unit_pair(0.3));
     let both = ContactStiffness::new(&bodies, contact.normal(), &friction, contact.tangential());
@@ -448,7 +439,7 @@ fn coupled_stiffness_matches_differences_of_solves() {
             TangentialLoad::shift(shift),
         );
         let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), press, load);
-        problem.tolerance(SOLVE).build().unwrap().solve().unwrap()
+        kit::solve(problem.tolerance(SOLVE))
     };
     let loads = |contact: &CoupledSolution| {
         let [x, y] = contact.tangential().force();
@@ -519,20 +510,15 @@ fn different_bodies_and_closed_gaps_are_rejected() {
     let softer = Material::new(0.5, 0.3).unwrap();
     let pair = ElasticPair::new(softer, softer).unwrap();
     let softer = HalfSpace::new(normal.grid(), pair).unwrap();
-    let refused = normal.stiffness(&softer);
-    assert!(matches!(refused, Err(Error::MaterialMismatch { .. })));
+    kit::assert_refused! { normal.stiffness(&softer) => Error::MaterialMismatch { .. } }
 
     // A flat periodic contact has an infinite stiffness.
     let grid = Grid::square(8, 1.0).unwrap();
     let bodies = HalfSpace::with_boundary(grid, *scene.bodies.pair(), Boundary::Periodic).unwrap();
     let flat = Field::zeros(grid);
     let contact = NormalProblem::builder(&bodies, &flat, NormalControl::Force(1.0));
-    let contact = contact.build().unwrap().solve().unwrap();
-    let refused = contact.stiffness(&bodies);
-    assert!(
-        matches!(refused, Err(Error::NotFinite { .. })),
-        "{refused:?}"
-    );
+    let contact = kit::solve(contact);
+    kit::assert_refused! { contact.stiffness(&bodies) => Error::NotFinite { .. } }
 }
 
 /// Covers steps in which the contact grows, with and without slip. The derivatives are those of the loads with respect

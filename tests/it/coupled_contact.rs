@@ -1,14 +1,14 @@
 //! Tests of the coupled pressure and traction of dissimilar bodies: comparisons with closed forms and with a different
 //! code, and error bounds.
 
-use kit::contact::{Case, Normal};
+use kit::contact::Case;
 use kit::{Random, l2_difference, max_difference, rough, unit_bodies};
 use stickslip::influence::Component;
 use stickslip::influence::Direction::{X, Y, Z};
 use stickslip::{
     Axis, Boundary, CoupledProblem, CoupledSolution, ElasticPair, Error, Field, Friction, Grid,
     HalfSpace, Material, NormalControl, NormalProblem, Operator, Status, TangentialControl,
-    TangentialLoad, TangentialModel, TangentialProblem, Zone, cgm, surface,
+    TangentialLoad, TangentialModel, TangentialProblem, cgm, surface,
 };
 
 /// Stick ratios (ratios of the radii) to which the coefficients of [`FRICTION`] lead.
@@ -53,12 +53,7 @@ fn solve(
 ) -> CoupledSolution {
     let friction = Friction::coulomb(coefficient).unwrap();
     let problem = CoupledProblem::builder(bodies, gap, friction, normal, load);
-    problem
-        .tolerance(tolerance)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap()
+    kit::solve(problem.tolerance(tolerance))
 }
 
 /// Returns the gap of a flat punch of radius one.
@@ -151,15 +146,10 @@ fn punch_in_full_stick_matches_mossakovskii() {
 /// of long cells.
 #[test]
 fn flat_punch_matches_contact_code() {
-    let case = Case::parse(include_str!(
-        "../data/contact/tb25_tb26_flat_2d_dissimilar.txt"
-    ));
+    let case = Case::read("tb25_tb26_flat_2d_dissimilar", 2);
     let step = &case.steps[0];
-    let Normal::Force(force) = step.normal else {
-        panic!("the file does not prescribe a force");
-    };
     let bodies = HalfSpace::new(case.grid, case.pair).unwrap();
-    let press = NormalControl::Force(force);
+    let press = step.normal_control().unwrap();
     let found = solve(
         &bodies,
         &case.gap(step),
@@ -168,22 +158,9 @@ fn flat_punch_matches_contact_code() {
         zero_shift(),
         1e-11,
     );
-    let largest = found.normal().pressure().max();
-    let expected = case.field(step, |cell| cell.pressure);
-    let error = max_difference(found.normal().pressure().as_slice(), expected.as_slice());
-    assert!(error < 5e-9 * largest, "{:e}", error / largest);
-    for axis in 0..2 {
-        let expected = case.field(step, |cell| cell.traction[axis]);
-        let error = max_difference(
-            found.tangential().traction()[axis].as_slice(),
-            expected.as_slice(),
-        );
-        assert!(error < 5e-9 * largest, "{axis}: {:e}", error / largest);
-    }
-    for cell in &step.cells {
-        let expected = if cell.sticks { Zone::Stick } else { Zone::Slip };
-        assert_eq!(found.tangential().zones()[cell.ix], expected, "{cell:?}");
-    }
+    let shear = found.tangential();
+    let fields = (found.normal().pressure(), shear.traction(), shear.zones());
+    case.assert_fields_agree(step, fields, 5e-9, false);
     assert!((found.normal().approach() / step.approach - 1.0).abs() < 1e-9);
     let energy = step.elastic_energy.unwrap();
     assert!((found.elastic_energy() / energy - 1.0).abs() < 1e-8);
@@ -216,12 +193,12 @@ fn uncoupled_bodies_match_separate_solves() {
         let load = TangentialLoad::force([0.8 * force, 0.6 * force]);
         let found = solve(&bodies, &gap, coefficient, press, load, tolerance);
         let normal = NormalProblem::builder(&bodies, &gap, press).tolerance(tolerance);
-        let normal = normal.build().unwrap().solve().unwrap();
+        let normal = kit::solve(normal);
         let friction = Friction::coulomb(coefficient).unwrap();
         let shear = TangentialProblem::builder(&bodies, &normal, friction, load)
             .model(TangentialModel::Vector)
             .tolerance(tolerance);
-        let shear = shear.build().unwrap().solve().unwrap();
+        let shear = kit::solve(shear);
         assert!(
             l2_difference(
                 found.normal().pressure().as_slice(),
@@ -512,7 +489,7 @@ fn zero_load_and_zero_friction_are_solved() {
     let press = NormalControl::Force(0.05);
     let smooth = solve(&bodies, &gap, 0.0, press, zero_shift(), 1e-10);
     let normal = NormalProblem::builder(&bodies, &gap, press).tolerance(1e-10);
-    let normal = normal.build().unwrap().solve().unwrap();
+    let normal = kit::solve(normal);
     assert!(
         max_difference(
             smooth.normal().pressure().as_slice(),
@@ -542,8 +519,7 @@ fn loads_that_are_invalid_or_beyond_capacity_are_rejected() {
     let refused = build(NormalControl::Hold, zero_shift()).build();
     assert!(matches!(refused, Err(Error::NoPressureToHold)));
     let sliding = build(NormalControl::Force(1.0), TangentialLoad::force([0.3, 0.1])).build();
-    let refused = sliding.unwrap().solve();
-    assert!(matches!(refused, Err(Error::BeyondFrictionCapacity { limit, .. }) if limit == 0.3));
+    kit::assert_refused! { sliding.unwrap().solve() => Error::BeyondFrictionCapacity { limit, .. } if limit == 0.3 }
 
     let short = build(NormalControl::Force(1.0), zero_shift())
         .max_iterations(3)

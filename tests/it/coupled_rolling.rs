@@ -40,7 +40,7 @@ fn coupled_builder(
 }
 
 fn solve(builder: CoupledRollingProblemBuilder) -> CoupledRollingSolution {
-    builder.build().unwrap().solve().unwrap()
+    kit::solve(builder)
 }
 
 fn zone_cells(rolling: &CoupledRollingSolution) -> [usize; 2] {
@@ -226,18 +226,12 @@ fn uncoupled_bodies_match_separate_solves_bitwise() {
         NormalControl::Force(0.9),
     );
     let friction = Friction::coulomb(0.3).unwrap();
-    let normal = NormalProblem::builder(&bodies, &gap, load)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap();
-    let alone = RollingProblem::builder(&bodies, &normal, friction)
-        .creepage([0.1, 0.03])
-        .spin(0.05)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap();
+    let normal = kit::solve(NormalProblem::builder(&bodies, &gap, load));
+    let alone = kit::solve(
+        RollingProblem::builder(&bodies, &normal, friction)
+            .creepage([0.1, 0.03])
+            .spin(0.05),
+    );
     let both = solve(
         coupled_builder(&(bodies, gap, load), 0.3)
             .creepage([0.1, 0.03])
@@ -310,14 +304,12 @@ fn stiffness_at_fixed_pressure(
     entry_rule: EntryRule,
 ) -> [[f64; 3]; 3] {
     let friction = Friction::coulomb(0.4).unwrap();
-    let mut solver = RollingProblem::builder(bodies, rolling.normal(), friction)
-        .creepage([motion[0], motion[1]])
-        .spin(motion[2])
-        .entry_rule(entry_rule)
-        .build()
-        .unwrap()
-        .into_solver()
-        .unwrap();
+    let mut solver = kit::solver(
+        RollingProblem::builder(bodies, rolling.normal(), friction)
+            .creepage([motion[0], motion[1]])
+            .spin(motion[2])
+            .entry_rule(entry_rule),
+    );
     let mut solution = solver.new_solution();
     solver.solve_into(&mut solution).unwrap();
     solver.stiffness().unwrap()
@@ -330,7 +322,7 @@ fn weak_coupling_and_weak_friction_tend_to_one_way_coupling() {
         let pressed = ball_problem(20, poisson_ratio);
         let both = solve(coupled_builder(&pressed, coefficient).creepage([0.6, 0.0]));
         let smooth = NormalProblem::builder(&pressed.0, &pressed.1, pressed.2);
-        let smooth = smooth.build().unwrap().solve().unwrap();
+        let smooth = kit::solve(smooth);
         pressure_error(&pressed.0, both.normal().pressure(), smooth.pressure())
     };
     let [strong, weak, weakest] = [0.0, 0.45, 0.495].map(|nu| differences(nu, 0.3));
@@ -373,11 +365,7 @@ fn coupled_free_rollers_match_bentall_johnson() {
 #[test]
 fn coupled_rolling_solver_starts_from_last_solution() {
     let pressed = ball_problem(20, 0.2);
-    let mut solver = coupled_builder(&pressed, 0.3)
-        .build()
-        .unwrap()
-        .into_solver()
-        .unwrap();
+    let mut solver = kit::solver(coupled_builder(&pressed, 0.3));
     let mut rolling = solver.new_solution();
     solver.solve_into(&mut rolling).unwrap();
     let cold = rolling.report().work.products();
@@ -437,74 +425,45 @@ fn coupled_rolling_not_converged_is_error_with_last_iterate() {
             std::ops::ControlFlow::Continue(())
         }
     });
-    assert!(
-        matches!(outcome, Err(Error::NotConverged(report)) if report.status == Status::Cancelled)
-    );
+    kit::assert_refused! { outcome => Error::NotConverged(report) if report.status == Status::Cancelled }
 }
 
 #[test]
 fn coupled_rolling_with_invalid_input_is_rejected() {
     let pressed = ball_problem(16, 0.2);
     let builder = || coupled_builder(&pressed, 0.3);
-    let refused = builder().creepage([f64::NAN, 0.0]).build();
-    assert!(
-        matches!(refused, Err(Error::NotFinite { .. })),
-        "{refused:?}"
-    );
-    let refused = builder().step(0).build();
-    assert!(
-        matches!(refused, Err(Error::NotPositive { .. })),
-        "{refused:?}"
-    );
-    let refused = builder().tolerance(0.0).build();
-    assert!(matches!(refused, Err(Error::Tolerance(_))), "{refused:?}");
+    kit::assert_refused! {
+        builder().creepage([f64::NAN, 0.0]).build() => Error::NotFinite { .. },
+        builder().step(0).build() => Error::NotPositive { .. },
+        builder().tolerance(0.0).build() => Error::Tolerance(_),
+    }
     let hold = (pressed.0.clone(), pressed.1.clone(), NormalControl::Hold);
-    let refused = coupled_builder(&hold, 0.3).build();
-    assert!(
-        matches!(refused, Err(Error::NoPressureToHold)),
-        "{refused:?}"
-    );
-    let refused = builder()
-        .control(Axis::X, RollingControl::Force(2.0))
-        .build()
-        .unwrap()
-        .solve();
-    assert!(
-        matches!(refused, Err(Error::BeyondFrictionCapacity { .. })),
-        "{refused:?}"
-    );
+    kit::assert_refused! {
+        coupled_builder(&hold, 0.3).build() => Error::NoPressureToHold,
+        builder().control(Axis::X, RollingControl::Force(2.0)).build().unwrap().solve()
+            => Error::BeyondFrictionCapacity { .. },
+    }
     let apart = (
         pressed.0.clone(),
         pressed.1.clone(),
         NormalControl::Approach(-1.0),
     );
-    let refused = coupled_builder(&apart, 0.3).build().unwrap().solve();
-    assert!(matches!(refused, Err(Error::EmptyContact)), "{refused:?}");
+    kit::assert_refused! { coupled_builder(&apart, 0.3).build().unwrap().solve() => Error::EmptyContact }
     let waves = HalfSpace::with_boundary(pressed.0.grid(), *pressed.0.pair(), Boundary::Periodic);
     let waves = (waves.unwrap(), pressed.1.clone(), pressed.2);
-    let refused = coupled_builder(&waves, 0.3).build();
-    assert!(
-        matches!(refused, Err(Error::UnsupportedByModel { .. })),
-        "{refused:?}"
-    );
+    kit::assert_refused! { coupled_builder(&waves, 0.3).build() => Error::UnsupportedByModel { .. } }
 }
 
 #[test]
 fn one_way_rolling_of_dissimilar_bodies_warns_of_neglected_lift() {
     let (bodies, gap, load) = ball_problem(20, 0.2);
-    let normal = NormalProblem::builder(&bodies, &gap, load)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap();
+    let normal = kit::solve(NormalProblem::builder(&bodies, &gap, load));
     let one_way = |coefficient: f64, tolerance: f64| {
-        RollingProblem::builder(&bodies, &normal, Friction::coulomb(coefficient).unwrap())
-            .creepage([0.05, 0.0])
-            .tolerance(tolerance)
-            .build()
-            .unwrap()
-            .solve()
-            .unwrap()
+        kit::solve(
+            RollingProblem::builder(&bodies, &normal, Friction::coulomb(coefficient).unwrap())
+                .creepage([0.05, 0.0])
+                .tolerance(tolerance),
+        )
     };
     let warned = one_way(0.3, 1e-8).warnings();
     let [Warning::NeglectedLift { per_million }] = warned[..] else {

@@ -41,7 +41,7 @@ fn pressed_solver(cells: usize, load: TangentialLoad) -> (CoupledSolver, Coupled
     let (bodies, gap) = ball_problem(cells, 0.0);
     let (press, still) = (NormalControl::Force(0.1), TangentialLoad::shift([0.0; 2]));
     let problem = CoupledProblem::builder(&bodies, &gap, coulomb_friction(), press, still);
-    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(problem);
     let mut contact = solver.new_solution();
     solver.solve_into(&mut contact).unwrap();
     solver.set_load(NormalControl::Force(0.15), load).unwrap();
@@ -103,7 +103,7 @@ fn flat_periodic_bodies_touch_everywhere() {
                 let press = NormalControl::Force(grid.area());
                 let problem =
                     CoupledProblem::builder(&bodies, &gap, coulomb_friction(), press, load);
-                let contact = problem.build().unwrap().solve().unwrap();
+                let contact = kit::solve(problem);
                 let pressure = contact.normal().pressure();
                 let part = 4.0 * TAU * height / side;
                 assert!((pressure.max() - 1.0).abs() <= part + 1e-7);

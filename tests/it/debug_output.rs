@@ -98,7 +98,7 @@ fn debug_output_has_values_of_whole_field() {
         HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid()).unwrap()).unwrap();
     let ball = surface::sphere(grid, 10.0).unwrap();
     let problem = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.5));
-    let solution = problem.build().unwrap().solve().unwrap();
+    let solution = kit::solve(problem);
     let output = format!("{solution:?}");
     for number in [
         format!("approach: {:?}", solution.approach()),

@@ -18,7 +18,7 @@ fn approach_and_shift_reproduce_the_forces() {
     ] {
         let press = |load| {
             let builder = NormalProblem::builder(&bodies, &gap, load).tolerance(1e-12);
-            builder.build().unwrap().solve().unwrap()
+            kit::solve(builder)
         };
         let by_force = press(NormalControl::Force(30.0));
         let by_approach = press(NormalControl::Approach(by_force.approach()));
@@ -38,7 +38,7 @@ fn approach_and_shift_reproduce_the_forces() {
         let friction = Friction::coulomb(0.6).unwrap();
         let shear = |load| {
             let builder = TangentialProblem::builder(&bodies, &by_force, friction.clone(), load);
-            builder.tolerance(1e-12).build().unwrap().solve().unwrap()
+            kit::solve(builder.tolerance(1e-12))
         };
         for force in [[0.9, 0.0], [-7.0, 0.0], [0.0, 12.0], [0.0, -17.9]] {
             let axis = usize::from(force[1] != 0.0);
@@ -66,7 +66,7 @@ fn error_of_prescribed_motion_on_periodic_grid_is_within_certificate() {
     for (closed, tolerance) in [(0.3, 1e-2), (0.9, 1e-2), (0.999, 1e-2), (0.9, 1e-5)] {
         let press = |load, tolerance| {
             let builder = NormalProblem::builder(&bodies, &gap, load).tolerance(tolerance);
-            builder.build().unwrap().solve().unwrap()
+            kit::solve(builder)
         };
         let found = press(NormalControl::Approach(closed * mean), tolerance);
         let exact = press(NormalControl::Force(found.force()), 1e-12);
@@ -79,12 +79,7 @@ fn error_of_prescribed_motion_on_periodic_grid_is_within_certificate() {
 
         let shear = |load, tolerance| {
             let builder = TangentialProblem::builder(&bodies, &exact, friction.clone(), load);
-            builder
-                .tolerance(tolerance)
-                .build()
-                .unwrap()
-                .solve()
-                .unwrap()
+            kit::solve(builder.tolerance(tolerance))
         };
         let found = shear(TangentialLoad::shift([0.1 * mean, 0.0]), tolerance);
         let exact = shear(TangentialLoad::force(found.force()), 1e-12);

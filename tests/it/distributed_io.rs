@@ -3,16 +3,11 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
-use std::time::Duration;
 
 use proptest::prelude::*;
 use stickslip::io::{npy, vti};
-use stickslip::ranks::{RankFailure, Ranks, Threads};
+use stickslip::ranks::RankFailure;
 use stickslip::*;
-
-/// Timeout that is longer than any step takes, even if many tests run concurrently.
-const PATIENCE: Duration = Duration::from_secs(120);
 
 /// Numbers of ranks. Some of the ranks have few rows or no rows.
 pub(super) fn ranks() -> &'static [usize] {
@@ -40,12 +35,7 @@ pub(super) fn on_ranks<T: Send>(
     grid: Grid,
     work: impl Fn(&HalfSpace, usize) -> T + Sync,
 ) -> Vec<T> {
-    Threads::run(size, PATIENCE, |rank| {
-        let number = rank.rank();
-        let bodies =
-            HalfSpace::distributed(grid, pair(), Boundary::Periodic, Arc::new(rank)).unwrap();
-        work(&bodies, number)
-    })
+    crate::rank_contacts::on_ranks(size, grid, Boundary::Periodic, work)
 }
 
 /// Creates an empty folder for a test.

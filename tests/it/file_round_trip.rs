@@ -149,10 +149,7 @@ fn vtk_series_of_vectors_lists_all_files() {
         let line = format!(r#"timestep="{time}" part="0" file="series.{number:04}.vti""#);
         assert!(list.contains(&line), "{list}");
     }
-    assert!(matches!(
-        written.write(f64::NAN, &fields),
-        Err(Error::NotFinite { .. })
-    ));
+    kit::assert_refused! { written.write(f64::NAN, &fields) => Error::NotFinite { .. } }
     assert_eq!(written.len(), 3);
     let text = std::fs::read_to_string(temporary_path("series.0002.vti")).unwrap();
     let start =
@@ -164,8 +161,7 @@ fn vtk_series_of_vectors_lists_all_files() {
     assert!(is_same(&x, &decode_vti(&text, "pressure", grid)));
     // The two components must have the same grid, like all fields.
     let other = Field::zeros(Grid::new(2, 3, 0.5, 0.25).unwrap());
-    let refused = io::vti::to_bytes(&[("traction", [&x, &other])]);
-    assert!(matches!(refused, Err(Error::Format { .. })));
+    kit::assert_refused! { io::vti::to_bytes(&[("traction", [&x, &other])]) => Error::Format { .. } }
 }
 
 /// Saving a history replaces the whole file. If saving fails, the old file remains.
@@ -194,16 +190,14 @@ fn history_save_replaces_the_whole_file() {
     );
 
     let nowhere = temporary_path("no_such_folder/history.state");
-    assert!(matches!(history.save(&nowhere), Err(Error::File { .. })));
-    assert!(matches!(
-        History::load(&bodies, &nowhere),
-        Err(Error::File { .. })
-    ));
+    kit::assert_refused! {
+        history.save(&nowhere) => Error::File { .. },
+        History::load(&bodies, &nowhere) => Error::File { .. },
+    }
     std::fs::write(&file, b"cut off").unwrap();
-    let refused = History::load(&bodies, &file);
-    assert!(
-        matches!(refused, Err(Error::Format { file: Some(name), .. }) if name.contains("history.state"))
-    );
+    kit::assert_refused! {
+        History::load(&bodies, &file) => Error::Format { file: Some(name), .. } if name.contains("history.state"),
+    }
 }
 
 #[test]
@@ -216,8 +210,7 @@ fn sides_of_the_whole_grid_are_accepted() {
         assert!((read.grid().dx() - 0.1).abs() < 1e-15 && (read.grid().dy() - 0.7).abs() < 1e-15);
     }
     let flat = io::Sides::OfGrid([1.0, 0.0]);
-    let refused = io::npy::parse(&io::npy::to_bytes(&field), flat);
-    assert!(matches!(refused, Err(Error::NotPositive { .. })));
+    kit::assert_refused! { io::npy::parse(&io::npy::to_bytes(&field), flat) => Error::NotPositive { .. } }
 }
 
 #[test]
@@ -377,20 +370,14 @@ fn vti_volume_of_stress_contains_all_planes() {
     let before = std::fs::read(&path).unwrap();
     for bad in [&[0.1, 0.2, 0.4][..], &[0.2, 0.1], &[0.1, 0.1]] {
         let mut planes = Planes::new(&bodies, bad).unwrap();
-        let refused = planes.write_vti(&path, Body::One, tractions).unwrap_err();
-        assert!(matches!(refused, Error::Sample { .. }), "{refused}");
+        kit::assert_refused! { planes.write_vti(&path, Body::One, tractions) => Error::Sample { .. } }
     }
-    let refused = Planes::new(&bodies, &[])
-        .unwrap()
-        .write_vti(&path, Body::One, tractions);
-    assert!(matches!(refused, Err(Error::Length { .. })));
+    kit::assert_refused! {
+        Planes::new(&bodies, &[]).unwrap().write_vti(&path, Body::One, tractions) => Error::Length { .. },
+    }
     let broken = Field::constant(grid, f64::NAN);
-    let refused = planes.write_vti(&path, Body::One, Tractions::new(&broken));
-    assert!(matches!(refused, Err(Error::Sample { .. })));
+    kit::assert_refused! { planes.write_vti(&path, Body::One, Tractions::new(&broken)) => Error::Sample { .. } }
     assert_eq!(std::fs::read(&path).unwrap(), before);
     let nowhere = temporary_path("no_such_folder").join("slab.vti");
-    assert!(matches!(
-        planes.write_vti(&nowhere, Body::One, tractions),
-        Err(Error::File { .. })
-    ));
+    kit::assert_refused! { planes.write_vti(&nowhere, Body::One, tractions) => Error::File { .. } }
 }

@@ -179,8 +179,7 @@ fn loop_failed_step_leaves_state_after_last_good_step() {
     }
     let fretting = FrettingLoop::new(path, LoadStep::force);
     let mut cycle = Cycle::new(&history);
-    let failed = fretting.cycle(&mut history, &mut cycle);
-    assert!(matches!(failed, Err(Error::BeyondFrictionCapacity { .. })));
+    kit::assert_refused! { fretting.cycle(&mut history, &mut cycle) => Error::BeyondFrictionCapacity { .. } }
     assert_eq!((history.steps(), cycle.steps()), (4, 3));
     assert_eq!(history.to_bytes(), twin.to_bytes());
 }
@@ -192,12 +191,10 @@ fn loop_with_invalid_input_is_rejected_before_any_step() {
     let path = LoadPath::sine([0.0, 0.1], 4).unwrap();
     for tolerance in [0.0, 1.0, -1e-3, f64::NAN] {
         let fretting = FrettingLoop::new(path.clone(), LoadStep::force).until_steady(tolerance);
-        let refused = fretting.run(&mut history, 3).unwrap_err();
-        assert!(matches!(refused, Error::Tolerance(_)));
+        kit::assert_refused! { fretting.run(&mut history, 3) => Error::Tolerance(_) }
     }
     // The path crosses the axis of the history.
     let fretting = FrettingLoop::new(path, LoadStep::force);
-    let refused = fretting.run(&mut history, 3).unwrap_err();
-    assert!(matches!(refused, Error::UnsupportedByModel { .. }));
+    kit::assert_refused! { fretting.run(&mut history, 3) => Error::UnsupportedByModel { .. } }
     assert_eq!(history.to_bytes(), before);
 }

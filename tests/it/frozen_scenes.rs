@@ -349,17 +349,11 @@ fn normal_solver(
     let builder = NormalProblem::builder(bodies, gap, load)
         .method(method)
         .tolerance(tolerance);
-    builder.build().unwrap().into_solver().unwrap()
+    kit::solver(builder)
 }
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
-    kit::press(
-        bodies,
-        gap,
-        NormalControl::Force(force),
-        1e-8,
-        Method::ActiveSet,
-    )
+    kit::press(bodies, gap, NormalControl::Force(force), 1e-8)
 }
 
 fn coulomb_friction() -> Friction {
@@ -462,7 +456,7 @@ fn press_by_both_methods(
         ("active set", Method::ActiveSet),
         ("polonsky keer", Method::PolonskyKeer),
     ] {
-        record.record_normal(solve, &kit::press(bodies, gap, load, 1e-8, method));
+        record.record_normal(solve, &kit::press_by(bodies, gap, load, 1e-8, method));
     }
 }
 
@@ -507,13 +501,7 @@ fn periodic_rough(record: &mut Record) {
     );
     record.record_normal(
         "approach",
-        &kit::press(
-            &bodies,
-            &gap,
-            NormalControl::Approach(2.0),
-            1e-8,
-            Method::ActiveSet,
-        ),
+        &kit::press(&bodies, &gap, NormalControl::Approach(2.0), 1e-8),
     );
 }
 
@@ -576,7 +564,7 @@ fn large_nested(record: &mut Record) {
     let (bodies, mut gap) = ball_problem(256);
     gap.add_scaled(0.02, &rough(bodies.grid(), 7)).unwrap();
     let load = NormalControl::Force(LOAD);
-    let normal = kit::press(&bodies, &gap, load, 1e-6, Method::ActiveSet);
+    let normal = kit::press(&bodies, &gap, load, 1e-6);
     record.record_normal("press", &normal);
     for (solve, lateral) in [
         ("shear", TangentialModel::Scalar),

@@ -13,7 +13,7 @@ fn bodies(grid: Grid, cell_value: CellValue) -> HalfSpace {
 
 fn press(bodies: &HalfSpace, gap: &Field, load: NormalControl) -> NormalSolution {
     let problem = NormalProblem::builder(bodies, gap, load).tolerance(1e-6);
-    problem.build().unwrap().solve().unwrap()
+    kit::solve(problem)
 }
 
 #[test]
@@ -81,7 +81,7 @@ fn estimate_for_traction_is_close_to_error() {
                         let friction = Friction::coulomb(coefficient).unwrap();
                         let problem =
                             TangentialProblem::builder(&bodies, &contact, friction, force);
-                        let shear = problem.tolerance(1e-6).build().unwrap().solve().unwrap();
+                        let shear = kit::solve(problem.tolerance(1e-6));
                         let error = l1_difference(shear.traction()[0], &means, |_| true);
                         let ratio = shear.discretisation_estimate().unwrap() / error;
                         assert!(

@@ -42,12 +42,10 @@ fn shear(
     tolerance: f64,
 ) -> TangentialSolution {
     let load = TangentialLoad::force([force, 0.0]);
-    TangentialProblem::builder(bodies, normal, Friction::coulomb(friction).unwrap(), load)
-        .tolerance(tolerance)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap()
+    kit::solve(
+        TangentialProblem::builder(bodies, normal, Friction::coulomb(friction).unwrap(), load)
+            .tolerance(tolerance),
+    )
 }
 
 fn relative(found: f64, expected: f64) -> f64 {

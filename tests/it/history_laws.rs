@@ -182,8 +182,7 @@ fn force_before_first_contact_is_rejected() {
         ] {
             history.step(&step(tangential)).unwrap();
             assert_eq!(history.shift()[axis.index()], shift, "{tangential:?}");
-            let refused = history.step(&step(TangentialControl::Force(-0.1)));
-            assert!(matches!(refused, Err(Error::EmptyContact)));
+            kit::assert_refused! { history.step(&step(TangentialControl::Force(-0.1))) => Error::EmptyContact }
             assert_eq!(history.shift()[axis.index()], shift);
         }
         // The bodies are pressed together at this shift and stick.

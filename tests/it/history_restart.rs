@@ -3,6 +3,7 @@
 use kit::unit_bodies;
 use stickslip::history::State;
 use stickslip::io::Place;
+use stickslip::layers::Layer;
 use stickslip::{
     Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
     NormalControl, TangentialControl, TangentialModel, Warning, surface,
@@ -102,10 +103,7 @@ fn contents_with_valid_checksum_are_checked() {
     longer.splice(bytes.len() - 8..bytes.len() - 8, [0; 8]);
     let length = (longer.len() as u64).to_le_bytes();
     longer[12..20].copy_from_slice(&length);
-    assert!(matches!(
-        History::from_bytes(&bodies, &with_checksum(longer)),
-        Err(Error::Format { .. })
-    ));
+    kit::assert_refused! { History::from_bytes(&bodies, &with_checksum(longer)) => Error::Format { .. } }
 }
 
 /// Position of the number of steps, after the bodies, the kernel flag, the options and a uniform friction with a cap.
@@ -156,14 +154,15 @@ fn restart_on_different_bodies_is_rejected() {
         Grid::new(49, 60, 0.5, 0.7).unwrap(),
         Grid::new(60, 49, 0.7, 0.5).unwrap(),
     ] {
-        let outcome = History::from_bytes(&unit_bodies(other, 0.3), &bytes);
-        assert!(matches!(outcome, Err(Error::GridMismatch { .. })));
+        kit::assert_refused! { History::from_bytes(&unit_bodies(other, 0.3), &bytes) => Error::GridMismatch { .. } }
     }
-    let outcome = History::from_bytes(&unit_bodies(grid, 0.31), &bytes);
-    assert!(matches!(outcome, Err(Error::MaterialMismatch { .. })));
+    kit::assert_refused! { History::from_bytes(&unit_bodies(grid, 0.31), &bytes) => Error::MaterialMismatch { .. } }
+    let layer = Layer::new(2.0, 0.3, 0.5).unwrap();
+    let coated = Material::new(1.82, 0.3).unwrap().coated(&[layer]).unwrap();
+    let coated = HalfSpace::new(grid, ElasticPair::new(coated, coated).unwrap()).unwrap();
+    kit::assert_refused! { History::from_bytes(&coated, &bytes) => Error::MaterialMismatch { .. } }
     let periodic = HalfSpace::with_boundary(grid, *bodies.pair(), Boundary::Periodic).unwrap();
-    let outcome = History::from_bytes(&periodic, &bytes);
-    assert!(matches!(outcome, Err(Error::BoundaryMismatch { .. })));
+    kit::assert_refused! { History::from_bytes(&periodic, &bytes) => Error::BoundaryMismatch { .. } }
 }
 
 /// Checks the sizes stated in the docs of `State::to_bytes`, with less than a kilobyte in addition to the cells.

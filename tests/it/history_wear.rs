@@ -172,8 +172,7 @@ fn stale_pressure_causes_a_warning() {
 
     history.set_gap(&worn).unwrap();
     // After a step that fails, the pressure is still stale.
-    let refused = history.step(&LoadStep::force([99.0, 0.0]).normal(NormalControl::Force(4.0)));
-    assert!(refused.is_err());
+    kit::assert_refused! { history.step(&LoadStep::force([99.0, 0.0]).normal(NormalControl::Force(4.0))) => _ }
     let step = history.step(&LoadStep::hold()).unwrap();
     assert_eq!(
         without_resolution_warnings(step.warnings()),
@@ -235,10 +234,9 @@ fn new_friction_limits_the_force() {
         .unwrap();
     let holds = history.friction_capacity();
     let held = LoadStep::hold().tangential(Axis::X, TangentialControl::Force(1.2));
-    let refused = history.step(&held);
-    assert!(
-        matches!(refused, Err(Error::BeyondFrictionCapacity { limit, .. }) if (limit - holds).abs() < 1e-12)
-    );
+    kit::assert_refused! {
+        history.step(&held) => Error::BeyondFrictionCapacity { limit, .. } if (limit - holds).abs() < 1e-12,
+    }
     shear(&mut history, TangentialControl::Force(holds));
     assert!(history.last_step().is_gross_slip());
 }

@@ -32,32 +32,21 @@ fn grids_with_invalid_sizes_are_rejected() {
             Grid::new(2, 2, 1.0, value),
             Grid::square(2, value),
         ] {
-            assert!(
-                matches!(grid, Err(Error::NotPositive { value: v, .. }) if is_identical(v, value))
-            );
+            kit::assert_refused! { grid => Error::NotPositive { value: v, .. } if is_identical(v, value) }
         }
         assert!(
             matches!(Rectangle::new(value, 1.0), Err(Error::NotPositive { value: v, .. }) if is_identical(v, value))
         );
     }
-    assert_eq!(Grid::square(0, 1.0), Err(Error::GridSize { nx: 0, ny: 0 }));
-    assert!(
-        matches!(
-            Grid::new(2, 2, 1e-200, 1e-200),
-            Err(Error::NotPositive { .. })
-        ),
-        "cell area underflows"
-    );
-    assert!(matches!(
-        Rectangle::new(1e-300, 1e300),
-        Err(Error::CellsTooLong { .. })
-    ));
+    kit::assert_refused! {
+        Grid::square(0, 1.0) => Error::GridSize { nx: 0, ny: 0 },
+        // Cell area underflows.
+        Grid::new(2, 2, 1e-200, 1e-200) => Error::NotPositive { .. },
+        Rectangle::new(1e-300, 1e300) => Error::CellsTooLong { .. },
+    }
     let slender = Grid::new(2, 2, 1e-200, 1e200).unwrap();
     let pair = ElasticPair::new(Material::new(1.0, 0.3).unwrap(), Material::rigid()).unwrap();
-    assert!(matches!(
-        HalfSpace::new(slender, pair),
-        Err(Error::CellsTooLong { .. })
-    ));
+    kit::assert_refused! { HalfSpace::new(slender, pair) => Error::CellsTooLong { .. } }
     let grid = Grid::new(3, 2, 1.0, 1.0).unwrap();
     let short = Field::from_vec(grid, vec![0.0; 5]);
     assert_eq!(
@@ -77,26 +66,18 @@ fn materials_with_invalid_constants_are_rejected() {
             Material::new(value, 0.3),
             Material::from_shear_modulus(value, 0.3),
         ] {
-            assert!(
-                matches!(material, Err(Error::NotPositive { value: v, .. }) if is_identical(v, value))
-            );
+            kit::assert_refused! { material => Error::NotPositive { value: v, .. } if is_identical(v, value) }
         }
     }
     assert!(Material::new(1e-320, 0.3).is_err(), "compliance overflows");
     for nu in [-1.0, 0.500001, -2.0, 0.9, f64::NAN, f64::INFINITY] {
-        assert!(
-            matches!(Material::new(1.0, nu), Err(Error::PoissonRatio(v)) if is_identical(v, nu))
-        );
+        kit::assert_refused! { Material::new(1.0, nu) => Error::PoissonRatio(v) if is_identical(v, nu) }
     }
-    assert_eq!(
-        ElasticPair::new(Material::rigid(), Material::rigid()),
-        Err(Error::BothRigid)
-    );
+    kit::assert_refused! { ElasticPair::new(Material::rigid(), Material::rigid()) => Error::BothRigid }
     for radius in NOT_POSITIVE {
-        let sphere = surface::sphere(grid(), radius);
-        assert!(
-            matches!(sphere, Err(Error::NotPositive { value: v, .. }) if is_identical(v, radius))
-        );
+        kit::assert_refused! {
+            surface::sphere(grid(), radius) => Error::NotPositive { value: v, .. } if is_identical(v, radius),
+        }
     }
 }
 
@@ -119,17 +100,15 @@ fn friction_with_invalid_coefficient_is_rejected() {
         );
         let mut field = Field::constant(grid(), 0.5);
         field.as_mut_slice()[3] = value;
-        let error = Friction::per_cell(field).err();
-        assert!(
-            matches!(error, Some(Error::Sample { index: 3, value: v, .. }) if is_identical(v, value))
-        );
+        kit::assert_refused! {
+            Friction::per_cell(field) => Error::Sample { index: 3, value: v, .. } if is_identical(v, value),
+        }
     }
     let friction = Friction::coulomb(0.5).unwrap();
     for value in NOT_POSITIVE {
-        let error = friction.clone().max_shear_stress(value).err();
-        assert!(
-            matches!(error, Some(Error::NotPositive { value: v, .. }) if is_identical(v, value))
-        );
+        kit::assert_refused! {
+            friction.clone().max_shear_stress(value) => Error::NotPositive { value: v, .. } if is_identical(v, value),
+        }
     }
 }
 
@@ -144,30 +123,12 @@ fn engine_rejects_invalid_arguments_before_any_work() {
         .err()
     };
     let mut x = [1.0, 2.0];
-    assert!(matches!(
-        solve(&[0.0], &mut x),
-        Some(Error::Length {
-            expected: 2,
-            found: 1,
-            ..
-        })
-    ));
-    assert!(matches!(
-        solve(&[0.0, f64::NAN], &mut x),
-        Some(Error::Sample { index: 1, .. })
-    ));
-    assert!(matches!(
-        solve(&[0.0; 2], &mut [f64::NAN, 0.0]),
-        Some(Error::Sample { index: 0, .. })
-    ));
-    assert!(matches!(
-        solve(&[0.0; 2], &mut [0.0; 3]),
-        Some(Error::Length {
-            expected: 2,
-            found: 3,
-            ..
-        })
-    ));
+    kit::assert_refused! {
+        solve(&[0.0], &mut x) => Error::Length { expected: 2, found: 1, .. },
+        solve(&[0.0, f64::NAN], &mut x) => Error::Sample { index: 1, .. },
+        solve(&[0.0; 2], &mut [f64::NAN, 0.0]) => Error::Sample { index: 0, .. },
+        solve(&[0.0; 2], &mut [0.0; 3]) => Error::Length { expected: 2, found: 3, .. },
+    }
 
     let linear = [0.0; 2];
     let settings = Settings::default();
@@ -180,25 +141,19 @@ fn engine_rejects_invalid_arguments_before_any_work() {
             lower: &lower,
             upper: &upper,
         };
-        let error = cgm::minimise(
-            &Problem::new(Identity::new(2), [&linear], interval),
-            &settings,
-            [&mut x],
-        )
-        .err();
-        assert!(matches!(error, Some(Error::Bounds { index: 1, .. })));
+        kit::assert_refused! {
+            cgm::minimise(&Problem::new(Identity::new(2), [&linear], interval), &settings, [&mut x])
+                => Error::Bounds { index: 1, .. },
+        }
     }
     let uneven = Bounds {
         lower: &[0.0],
         upper: &[1.0; 2],
     };
-    let error = cgm::minimise(
-        &Problem::new(Identity::new(2), [&linear], uneven),
-        &settings,
-        [&mut x],
-    )
-    .err();
-    assert!(matches!(error, Some(Error::Length { expected: 2, .. })));
+    kit::assert_refused! {
+        cgm::minimise(&Problem::new(Identity::new(2), [&linear], uneven), &settings, [&mut x])
+            => Error::Length { expected: 2, .. },
+    }
     for total in [3.1, -3.1, f64::NAN, f64::INFINITY] {
         let problem = Problem::new(Identity::new(2), [&linear], AbsBound(&[1.0, 2.0])).total(total);
         let error = cgm::minimise(&problem, &settings, [&mut x]).err();
@@ -208,32 +163,21 @@ fn engine_rejects_invalid_arguments_before_any_work() {
     }
     let problem =
         Problem::new(Identity::new(2), [&linear], NonNegative).preconditioner(Identity::new(3));
-    assert!(matches!(
-        cgm::minimise(&problem, &settings, [&mut x]),
-        Err(Error::Length { .. })
-    ));
+    kit::assert_refused! { cgm::minimise(&problem, &settings, [&mut x]) => Error::Length { .. } }
     let problem = Problem::new(Identity::new(2), [&linear], NonNegative);
     let mut small = Problem::new(Identity::new(1), [&linear[..1]], NonNegative)
         .workspace()
         .unwrap();
-    let outcome = cgm::minimise_with(&problem, &settings, [&mut x], &mut small, &mut |_| {
-        std::ops::ControlFlow::Continue(())
-    });
-    assert!(matches!(
-        outcome,
-        Err(Error::Length {
-            expected: 2,
-            found: 1,
-            ..
-        })
-    ));
+    kit::assert_refused! {
+        cgm::minimise_with(&problem, &settings, [&mut x], &mut small, &mut |_| { std::ops::ControlFlow::Continue(()) })
+            => Error::Length { expected: 2, found: 1, .. },
+    }
     for tolerance in [0.0, 1.0, f64::NAN, f64::INFINITY, -1e300] {
         let settings = settings.tolerance(tolerance);
         let outcome = cgm::minimise(&problem, &settings, [&mut x]);
         assert!(matches!(outcome, Err(Error::Tolerance(t)) if is_identical(t, tolerance)));
     }
-    let outcome = cgm::minimise(&problem, &settings.max_iterations(0), [&mut x]);
-    assert_eq!(outcome.err(), Some(Error::IterationLimit));
+    kit::assert_refused! { cgm::minimise(&problem, &settings.max_iterations(0), [&mut x]) => Error::IterationLimit }
     assert_eq!(x, [1.0, 2.0], "rejected before any work");
 }
 
@@ -293,11 +237,7 @@ fn pairs_of_extreme_materials_are_finite_or_rejected() {
         }
     }
     let soft = Material::new(2.3e-308, 0.5).unwrap();
-    let refused = ElasticPair::new(soft, soft);
-    assert!(
-        matches!(refused, Err(Error::NotPositive { value: 0.0, .. })),
-        "{refused:?}"
-    );
+    kit::assert_refused! { ElasticPair::new(soft, soft) => Error::NotPositive { value: 0.0, .. } }
 }
 
 /// A cell without a coefficient has no limit, not even the limit of the cap.

@@ -2,7 +2,6 @@
 //! contacts. This is true for any surface and for every cell.
 
 use kit::{max_abs, max_difference, rough, unit_bodies};
-use stickslip::cgm::Method;
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
     Boundary, Error, Field, Friction, Grid, HalfSpace, NormalControl, NormalProblem,
@@ -13,13 +12,7 @@ const FRICTION: f64 = 0.4;
 const TOLERANCE: f64 = 1e-13;
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
-    kit::press(
-        bodies,
-        gap,
-        NormalControl::Force(force),
-        TOLERANCE,
-        Method::ActiveSet,
-    )
+    kit::press(bodies, gap, NormalControl::Force(force), TOLERANCE)
 }
 
 fn shear(bodies: &HalfSpace, normal: &NormalSolution, force: [f64; 2]) -> TangentialSolution {
@@ -27,14 +20,7 @@ fn shear(bodies: &HalfSpace, normal: &NormalSolution, force: [f64; 2]) -> Tangen
         Friction::coulomb(FRICTION).unwrap(),
         TangentialLoad::force(force),
     );
-    kit::shear(
-        bodies,
-        normal,
-        &friction,
-        load,
-        TOLERANCE,
-        Method::ActiveSet,
-    )
+    kit::shear(bodies, normal, &friction, load, TOLERANCE)
 }
 
 #[test]
@@ -113,18 +99,10 @@ fn mismatched_contacts_are_rejected() {
 
     let repeated = HalfSpace::with_boundary(grid, *bodies.pair(), Boundary::Periodic).unwrap();
     let repeated = press(&repeated, &gap, 1.0);
-    assert!(matches!(
-        refused(&full, &repeated),
-        Error::BoundaryMismatch { .. }
-    ));
+    kit::assert_refused! { refused(&full, &repeated) => Error::BoundaryMismatch { .. } }
 
     let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0));
-    let unsolved = problem
-        .build()
-        .unwrap()
-        .into_solver()
-        .unwrap()
-        .new_solution();
+    let unsolved = kit::solver(problem).new_solution();
     for error in [refused(&full, &unsolved), refused(&unsolved, &stick)] {
         assert!(matches!(error, Error::NotConverged(_)), "{error}");
     }

@@ -93,13 +93,11 @@ fn table_is_unchanged_and_cycles_repeat() {
 fn invalid_paths_are_rejected() {
     for shape in SHAPES {
         for steps in [0, 1, 2, 3, 5, 42] {
-            let refused = shape([1.0, 0.0], steps);
-            assert_eq!(refused, Err(Error::StepsPerCycle(steps)));
+            kit::assert_refused! { shape([1.0, 0.0], steps) => error if error == Error::StepsPerCycle(steps) }
         }
         for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             for amplitude in [[wrong, 0.0], [0.0, wrong]] {
-                let refused = shape(amplitude, 8);
-                assert!(matches!(refused, Err(Error::NotFinite { .. })));
+                kit::assert_refused! { shape(amplitude, 8) => Error::NotFinite { .. } }
             }
             let refused = LoadPath::ellipse([1.0, 1.0], wrong, 8);
             assert!(matches!(refused, Err(Error::NotFinite { .. })));

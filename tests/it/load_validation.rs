@@ -28,11 +28,11 @@ fn ball_gap(bodies: &HalfSpace) -> Field {
 }
 
 fn press_ball(bodies: &HalfSpace) -> NormalSolution {
-    NormalProblem::builder(bodies, ball_gap(bodies), NormalControl::Force(1.0))
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap()
+    kit::solve(NormalProblem::builder(
+        bodies,
+        ball_gap(bodies),
+        NormalControl::Force(1.0),
+    ))
 }
 
 #[test]
@@ -57,22 +57,19 @@ fn normal_problem_with_invalid_load_or_gap_is_rejected() {
         );
     }
     let other = Field::zeros(Grid::new(6, 8, 1.0, 1.0).unwrap());
-    assert_eq!(
-        build(&other, NormalControl::Force(1.0)).err(),
-        Some(mismatch("gap", bodies.grid(), other.grid()))
-    );
-    for tolerance in [0.0, 1.0, -1e-6, f64::NAN] {
-        let error = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0))
-            .tolerance(tolerance)
-            .build()
-            .err();
-        assert!(matches!(error, Some(Error::Tolerance(t)) if is_identical(t, tolerance)));
+    kit::assert_refused! {
+        build(&other, NormalControl::Force(1.0)) => error if error == mismatch("gap", bodies.grid(), other.grid()),
     }
-    let error = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0))
-        .max_iterations(0)
-        .build()
-        .err();
-    assert_eq!(error, Some(Error::IterationLimit));
+    for tolerance in [0.0, 1.0, -1e-6, f64::NAN] {
+        kit::assert_refused! {
+            NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0)).tolerance(tolerance).build()
+                => Error::Tolerance(t) if is_identical(t, tolerance),
+        }
+    }
+    kit::assert_refused! {
+        NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0)).max_iterations(0).build()
+            => Error::IterationLimit,
+    }
 }
 
 #[test]
@@ -84,28 +81,21 @@ fn normal_solver_rejected_change_leaves_it_unchanged() {
         .unwrap();
     let expected = problem.solve().unwrap();
     let mut solver = problem.into_solver().unwrap();
-    assert!(solver.set_load(NormalControl::Force(-1.0)).is_err());
-    assert!(
-        solver
-            .set_gap(&Field::constant(bodies.grid(), f64::NAN))
-            .is_err()
-    );
+    kit::assert_refused! {
+        solver.set_load(NormalControl::Force(-1.0)) => _,
+        solver.set_gap(&Field::constant(bodies.grid(), f64::NAN)) => _,
+    }
     let other = Grid::new(6, 8, 1.0, 1.0).unwrap();
     assert!(solver.set_gap(&Field::zeros(other)).is_err());
-    let mut foreign = NormalProblem::builder(
+    let mut foreign = kit::solve(NormalProblem::builder(
         &unit_bodies(other, 0.3),
         Field::zeros(other),
         NormalControl::Force(1.0),
-    )
-    .build()
-    .unwrap()
-    .solve()
-    .unwrap();
+    ));
     let before = foreign.clone();
-    assert_eq!(
-        solver.solve_into(&mut foreign),
-        Err(mismatch("solution", bodies.grid(), other))
-    );
+    kit::assert_refused! {
+        solver.solve_into(&mut foreign) => error if error == mismatch("solution", bodies.grid(), other),
+    }
     assert_eq!(foreign, before);
     let mut solution = solver.new_solution();
     solver.solve_into(&mut solution).unwrap();
@@ -121,15 +111,9 @@ fn normal_solver_rejected_change_leaves_it_unchanged() {
     assert!(solver.set_load(TangentialLoad::force([0.6, 0.0])).is_err());
     assert!(solver.set_load(TangentialLoad::shift([1.0, 1.0])).is_err());
     let slippery = Friction::coulomb(0.05).unwrap();
-    assert!(matches!(
-        solver.set_friction(&slippery),
-        Err(Error::BeyondFrictionCapacity { .. })
-    ));
+    kit::assert_refused! { solver.set_friction(&slippery) => Error::BeyondFrictionCapacity { .. } }
     let foreign = Friction::per_cell(Field::zeros(other)).unwrap();
-    assert!(matches!(
-        solver.set_friction(&foreign),
-        Err(Error::GridMismatch { .. })
-    ));
+    kit::assert_refused! { solver.set_friction(&foreign) => Error::GridMismatch { .. } }
     let mut solution = solver.new_solution();
     solver.solve_into(&mut solution).unwrap();
     assert_eq!(solution.traction(), expected.traction());
@@ -150,15 +134,10 @@ fn tangential_load_beyond_capacity_or_not_finite_is_rejected() {
             TangentialLoad::force([value, 0.0]),
             TangentialLoad::shift([0.0, value]),
         ] {
-            assert!(
-                matches!(build(load), Some(Error::NotFinite { value: v, .. }) if is_identical(v, value))
-            );
+            kit::assert_refused! { build(load) => Error::NotFinite { value: v, .. } if is_identical(v, value) }
         }
     }
-    assert_eq!(
-        build(TangentialLoad::force([0.1, 0.2])),
-        Some(Error::ObliqueLoad { x: 0.1, y: 0.2 })
-    );
+    kit::assert_refused! { build(TangentialLoad::force([0.1, 0.2])) => Error::ObliqueLoad { x: 0.1, y: 0.2 } }
     let Some(Error::BeyondFrictionCapacity { force, limit, .. }) =
         build(TangentialLoad::force([0.0, -0.51]))
     else {
@@ -196,28 +175,17 @@ fn tangential_problem_with_unsuitable_pressure_is_rejected() {
         Some(mismatch("normal solution", other.grid(), bodies.grid()))
     );
 
-    let apart = NormalProblem::builder(&bodies, ball_gap(&bodies), NormalControl::Force(0.0))
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap();
-    let error = TangentialProblem::builder(
+    let apart = kit::solve(NormalProblem::builder(
         &bodies,
-        &apart,
-        friction.clone(),
-        TangentialLoad::force([0.0, 0.0]),
-    )
-    .build()
-    .err();
-    assert_eq!(error, Some(Error::EmptyContact));
-    assert_eq!(
-        JaegerSuperposition::new(&apart, &apart, bodies.pair(), 0.5).err(),
-        Some(Error::EmptyContact)
-    );
-    assert!(matches!(
-        JaegerSuperposition::new(&normal, &apart, bodies.pair(), -0.5),
-        Err(Error::NegativeOrNotFinite { .. })
+        ball_gap(&bodies),
+        NormalControl::Force(0.0),
     ));
+    kit::assert_refused! {
+        TangentialProblem::builder(&bodies, &apart, friction.clone(), TangentialLoad::force([0.0, 0.0])).build()
+            => Error::EmptyContact,
+        JaegerSuperposition::new(&apart, &apart, bodies.pair(), 0.5) => Error::EmptyContact,
+        JaegerSuperposition::new(&normal, &apart, bodies.pair(), -0.5) => Error::NegativeOrNotFinite { .. },
+    }
 
     // For a coupled pair, shear would change the prescribed pressure.
     let pair = ElasticPair::new(
@@ -242,15 +210,9 @@ fn tangential_problem_with_unsuitable_pressure_is_rejected() {
     assert!((beta - pair.dundurs_beta()).abs() < 1e-15 && beta.abs() > 0.2);
     // Without coupling, the pressure causes no tangential displacement. With coupling, different tractions carry the
     // force.
-    let [one_way, neglected] = [Coupling::OneWay, Coupling::Neglected].map(|coupling| {
-        builder()
-            .coupling(coupling)
-            .build()
-            .unwrap()
-            .solve()
-            .unwrap()
-    });
-    let by_default = builder().build().unwrap().solve().unwrap();
+    let [one_way, neglected] = [Coupling::OneWay, Coupling::Neglected]
+        .map(|coupling| kit::solve(builder().coupling(coupling)));
+    let by_default = kit::solve(builder());
     assert_eq!(by_default.traction(), one_way.traction());
     assert!(one_way.shift() != neglected.shift());
 }
@@ -303,7 +265,7 @@ fn solution_for_other_materials_is_rejected() {
     let builder = TangentialProblem::builder(&bodies, &foreign, friction.clone(), load);
     assert_eq!(builder.build().map(drop), refused("normal solution"));
     let builder = TangentialProblem::builder(&bodies, &normal, friction, load);
-    let mut solver = builder.build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(builder);
     assert_eq!(solver.set_pressure(&foreign), refused("normal solution"));
     assert_eq!(solver.set_pressure(foreign.pressure()), Ok(()));
 
@@ -318,7 +280,7 @@ fn solution_for_other_materials_is_rejected() {
     // A solution that is overwritten by a solver belongs to the bodies of the solver.
     let (mut solution, gap) = (foreign, ball_gap(&bodies));
     let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0));
-    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(problem);
     solver.solve_into(&mut solution).unwrap();
     assert_eq!(solution.pair(), normal.pair());
     assert_eq!(solution.pressure(), normal.pressure());
@@ -341,9 +303,7 @@ fn vector_loads_that_are_not_finite_or_too_large_are_rejected() {
         for [x, y] in [[value, 0.1], [0.1, value]] {
             for load in [TangentialLoad::force([x, y]), TangentialLoad::shift([x, y])] {
                 for refused in [build(load).err(), solver.set_load(load).err()] {
-                    assert!(
-                        matches!(refused, Some(Error::NotFinite { value: v, .. }) if is_identical(v, value))
-                    );
+                    kit::assert_refused! { refused => Error::NotFinite { value: v, .. } if is_identical(v, value) }
                 }
             }
         }
@@ -352,10 +312,7 @@ fn vector_loads_that_are_not_finite_or_too_large_are_rejected() {
     for load in [[0.4, 0.4], [-0.4, 0.4], [1e300, -1e300]] {
         let load = TangentialLoad::force(load);
         for refused in [build(load).err(), solver.set_load(load).err()] {
-            assert!(
-                matches!(refused, Some(Error::BeyondFrictionCapacity { .. })),
-                "{refused:?}"
-            );
+            kit::assert_refused! { refused => Error::BeyondFrictionCapacity { .. } }
         }
     }
     let mut solution = solver.new_solution();
@@ -372,7 +329,7 @@ fn tangential_solver_rejected_pressure_leaves_it_unchanged() {
     let gap = ball_gap(&bodies);
     let light = |force| {
         let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(force));
-        problem.build().unwrap().solve().unwrap()
+        kit::solve(problem)
     };
     for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
         let friction = Friction::coulomb(0.5).unwrap();
@@ -387,25 +344,16 @@ fn tangential_solver_rejected_pressure_leaves_it_unchanged() {
             refused,
             mismatch("normal solution", bodies.grid(), other.grid())
         );
-        assert_eq!(solver.set_pressure(&light(0.0)), Err(Error::EmptyContact));
-        let refused = solver.set_pressure(&light(0.3));
-        assert!(
-            matches!(refused, Err(Error::BeyondFrictionCapacity { .. })),
-            "{refused:?}"
-        );
+        kit::assert_refused! {
+            solver.set_pressure(&light(0.0)) => Error::EmptyContact,
+            solver.set_pressure(&light(0.3)) => Error::BeyondFrictionCapacity { .. },
+        }
         let unsolved = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0));
-        let unsolved = unsolved
-            .build()
-            .unwrap()
-            .into_solver()
-            .unwrap()
-            .new_solution();
-        assert!(matches!(
-            solver.set_pressure(&unsolved),
-            Err(Error::NotConverged(_))
-        ));
-        let superposed = JaegerSuperposition::new(&normal, &unsolved, bodies.pair(), 0.5);
-        assert!(matches!(superposed, Err(Error::NotConverged(_))));
+        let unsolved = kit::solver(unsolved).new_solution();
+        kit::assert_refused! {
+            solver.set_pressure(&unsolved) => Error::NotConverged(_),
+            JaegerSuperposition::new(&normal, &unsolved, bodies.pair(), 0.5) => Error::NotConverged(_),
+        }
         assert!(is_identical(solver.friction_capacity(), sliding));
         let mut solution = solver.new_solution();
         solver.solve_into(&mut solution).unwrap();
@@ -484,7 +432,7 @@ fn unsupported_method_is_rejected() {
     let bodies = unit_bodies(Grid::square(24, 12.0).unwrap(), 0.3);
     let gap = surface::sphere(bodies.grid(), 20.0).unwrap();
     let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(4.0));
-    let normal = press.build().unwrap().solve().unwrap();
+    let normal = kit::solve(press);
     let friction = Friction::coulomb(0.5).unwrap();
     let is_refused = |error: Option<Error>| matches!(error, Some(Error::Method { .. }));
     let load = TangentialLoad::force([0.5, 0.0]);
@@ -496,7 +444,7 @@ fn unsupported_method_is_rejected() {
         shear().method(Method::PolonskyKeer).build().err()
     ));
     let settings = Settings::default().method(Method::PolonskyKeer);
-    let mut solver = shear().build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(shear());
     assert!(is_refused(solver.set_settings(settings).err()));
     assert_eq!(solver.settings().method, Method::ActiveSet);
     let history =

@@ -41,7 +41,7 @@ fn friction() -> Friction {
 
 fn pressed(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(force));
-    problem.build().unwrap().solve().unwrap()
+    kit::solve(problem)
 }
 
 fn history(bodies: &HalfSpace) -> History {
@@ -89,7 +89,7 @@ fn force_beyond_friction_names_remedy_for_its_subject() {
     ];
     let text = message(rolling().control(Axis::X, control[0]).build());
     assert!(text.starts_with(&numbers) && text.ends_with(roll), "{text}");
-    let mut solver = rolling().build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(rolling());
     let text = message(solver.set_control(control, 0.0));
     assert!(text.ends_with(roll), "{text}");
 
@@ -144,8 +144,7 @@ fn force_on_empty_contact_reports_empty_contact() {
     let press = NormalControl::Force(0.0);
     let problem =
         CoupledProblem::builder(&dissimilar, ball(&dissimilar), friction(), press, load).build();
-    let outcome = problem.and_then(|problem| problem.solve());
-    assert_eq!(outcome.unwrap_err(), Error::EmptyContact);
+    kit::assert_refused! { problem.and_then(|problem| problem.solve()) => Error::EmptyContact }
 }
 
 #[test]

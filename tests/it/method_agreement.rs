@@ -11,7 +11,7 @@ use stickslip::{
 const TOLERANCE: f64 = 1e-6;
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64, method: Method) -> NormalSolution {
-    kit::press(bodies, gap, NormalControl::Force(force), TOLERANCE, method)
+    kit::press_by(bodies, gap, NormalControl::Force(force), TOLERANCE, method)
 }
 
 fn shear(
@@ -21,7 +21,7 @@ fn shear(
     method: Method,
 ) -> TangentialSolution {
     let load = TangentialLoad::force([f * 0.5 * normal.force(), 0.0]);
-    kit::shear(
+    kit::shear_by(
         bodies,
         normal,
         &Friction::coulomb(0.5).unwrap(),

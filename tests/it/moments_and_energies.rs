@@ -12,17 +12,15 @@ fn press(bodies: &HalfSpace, [x0, y0]: [f64; 2], force: f64) -> NormalSolution {
     let ball = |x: f64, y: f64| ((x - x0).powi(2) + (y - y0).powi(2)) / (2.0 * RADIUS);
     let gap = Field::from_fn(bodies.grid(), ball);
     let problem = NormalProblem::builder(bodies, &gap, NormalControl::Force(force));
-    problem.tolerance(1e-9).build().unwrap().solve().unwrap()
+    kit::solve(problem.tolerance(1e-9))
 }
 
 fn shear(bodies: &HalfSpace, normal: &NormalSolution, load: TangentialLoad) -> TangentialSolution {
-    TangentialProblem::builder(bodies, normal, Friction::coulomb(0.4).unwrap(), load)
-        .model(TangentialModel::Vector)
-        .tolerance(1e-9)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap()
+    kit::solve(
+        TangentialProblem::builder(bodies, normal, Friction::coulomb(0.4).unwrap(), load)
+            .model(TangentialModel::Vector)
+            .tolerance(1e-9),
+    )
 }
 
 #[test]
@@ -93,12 +91,10 @@ fn different_bodies_are_rejected() {
     let smaller = kit::unit_bodies(Grid::square(15, 12.0).unwrap(), 0.3);
     let softer = kit::unit_bodies(grid, 0.2);
     let repeating = HalfSpace::with_boundary(grid, *bodies.pair(), Boundary::Periodic).unwrap();
-    let refused = contact.displacement(&smaller);
-    assert!(matches!(refused, Err(Error::GridMismatch { .. })));
-    let refused = contact.elastic_energy(&softer);
-    assert!(matches!(refused, Err(Error::MaterialMismatch { .. })));
-    let refused = shear.displacement(&repeating);
-    assert!(matches!(refused, Err(Error::BoundaryMismatch { .. })));
-    let refused = shear.spots(&press(&smaller, [0.0; 2], 1.0));
-    assert!(matches!(refused, Err(Error::GridMismatch { .. })));
+    kit::assert_refused! {
+        contact.displacement(&smaller) => Error::GridMismatch { .. },
+        contact.elastic_energy(&softer) => Error::MaterialMismatch { .. },
+        shear.displacement(&repeating) => Error::BoundaryMismatch { .. },
+        shear.spots(&press(&smaller, [0.0; 2], 1.0)) => Error::GridMismatch { .. },
+    }
 }

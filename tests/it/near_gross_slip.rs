@@ -16,7 +16,7 @@ fn press_ball(cells: usize, poisson_ratio: f64) -> (HalfSpace, NormalSolution) {
     let bodies = unit_bodies(Grid::square(cells, 3.0).unwrap(), poisson_ratio);
     let gap = surface::sphere(bodies.grid(), 1.0).unwrap();
     let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(0.6));
-    let normal = problem.build().unwrap().solve().unwrap();
+    let normal = kit::solve(problem);
     (bodies, normal)
 }
 
@@ -25,12 +25,9 @@ fn shear(bodies: &HalfSpace, normal: &NormalSolution, missing: f64) -> Tangentia
     let force = (1.0 - missing) * FRICTION * normal.force();
     let load = TangentialLoad::force(DIRECTION.map(|n| n * force));
     let friction = Friction::coulomb(FRICTION).unwrap();
-    TangentialProblem::builder(bodies, normal, friction, load)
-        .model(TangentialModel::Vector)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap()
+    kit::solve(
+        TangentialProblem::builder(bodies, normal, friction, load).model(TangentialModel::Vector),
+    )
 }
 
 /// All cells slip, each in a direction at an angle of order `theta` to the force. The force is then smaller than the

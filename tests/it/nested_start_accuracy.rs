@@ -17,7 +17,7 @@ fn iterations(n: usize, seed: u64) -> usize {
     let gap = rough.generate(grid).unwrap().heights().map(|z| -z);
     let load = NormalControl::Force(0.005 * pair.contact_modulus());
     let normal = NormalProblem::builder(&bodies, &gap, load);
-    let normal = normal.build().unwrap().solve().unwrap();
+    let normal = kit::solve(normal);
 
     let (friction, force) = (0.4, 0.24 * normal.force());
     let (friction, load) = (
@@ -60,7 +60,7 @@ fn nested_start_of_sphere_needs_few_products() {
         let load = TangentialLoad::force([0.2 * force, 0.0]);
         let friction = Friction::coulomb(0.5).unwrap();
         let shear = TangentialProblem::builder(&bodies, &normal, friction, load);
-        let shear = shear.tolerance(tolerance).build().unwrap().solve().unwrap();
+        let shear = kit::solve(shear.tolerance(tolerance));
         for (report, most) in [normal.report(), shear.report()].into_iter().zip(most) {
             assert!(report.single_precision_products <= most, "{report}");
         }

@@ -107,14 +107,14 @@ fn kernel_of_twice_the_period_adds_up_to_kernel_of_period() {
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(force));
-    problem.tolerance(1e-13).build().unwrap().solve().unwrap()
+    kit::solve(problem.tolerance(1e-13))
 }
 
 fn shear(normal: &NormalSolution, bodies: &HalfSpace, force: f64) -> stickslip::TangentialSolution {
     let load = TangentialLoad::force([force, 0.0]);
     let friction = Friction::coulomb(FRICTION).unwrap();
     let problem = TangentialProblem::builder(bodies, normal, friction, load);
-    problem.tolerance(1e-13).build().unwrap().solve().unwrap()
+    kit::solve(problem.tolerance(1e-13))
 }
 
 /// Starts from coarser cells keep the number of iterations on the finest grid independent of the number of cells.
@@ -126,11 +126,11 @@ fn finer_lines_take_no_more_iterations() {
         let bodies = along_y(grid, &pair);
         let gap = surface::cylinder(grid, 20.0).unwrap();
         let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(0.06));
-        let normal = normal.tolerance(1e-6).build().unwrap().solve().unwrap();
+        let normal = kit::solve(normal.tolerance(1e-6));
         let load = TangentialLoad::force([0.012, 0.0]);
         let friction = Friction::coulomb(FRICTION).unwrap();
         let sheared = TangentialProblem::builder(&bodies, &normal, friction, load);
-        let sheared = sheared.tolerance(1e-6).build().unwrap().solve().unwrap();
+        let sheared = kit::solve(sheared.tolerance(1e-6));
         for report in [normal.report(), sheared.report()] {
             // Up to 14 iterations were measured.
             assert!(report.iterations <= 16, "{nx}: {report}");
@@ -284,11 +284,10 @@ fn datum_only_changes_approach_and_shift() {
     assert!((far.0.approach() - near.0.approach() - moved(0.06)).abs() < 1e-10);
     assert!((far.1.shift()[0] - near.1.shift()[0] - moved(0.012)).abs() < 1e-10);
 
-    let refused = HalfSpace::with_boundary(grid, pair, Boundary::PeriodicAlongY { datum: 3.0 });
-    assert!(matches!(
-        refused,
-        Err(Error::BelowMinimum { value: 3.0, .. })
-    ));
+    kit::assert_refused! {
+        HalfSpace::with_boundary(grid, pair, Boundary::PeriodicAlongY { datum: 3.0 })
+            => Error::BelowMinimum { value: 3.0, .. },
+    }
     for datum in [f64::NAN, f64::INFINITY] {
         let refused = HalfSpace::with_boundary(grid, pair, Boundary::PeriodicAlongY { datum });
         assert!(matches!(refused, Err(Error::NotFinite { .. })));
@@ -335,15 +334,15 @@ fn punch(cells: usize, beta: f64, coefficient: f64) -> [f64; 2] {
     let friction = || Friction::coulomb(coefficient).unwrap();
     let normal = press_tightly(&bodies, &gap, press);
     let one_way = TangentialProblem::builder(&bodies, &normal, friction(), still);
-    let one_way = one_way.build().unwrap().solve().unwrap();
+    let one_way = kit::solve(one_way);
     let coupled = CoupledProblem::builder(&bodies, &gap, friction(), press, still);
-    let coupled = coupled.tolerance(1e-8).build().unwrap().solve().unwrap();
+    let coupled = kit::solve(coupled.tolerance(1e-8));
     [one_way.stick_ratio(), coupled.tangential().stick_ratio()]
 }
 
 fn press_tightly(bodies: &HalfSpace, gap: &Field, press: NormalControl) -> NormalSolution {
     let problem = NormalProblem::builder(bodies, gap, press);
-    problem.tolerance(1e-10).build().unwrap().solve().unwrap()
+    kit::solve(problem.tolerance(1e-10))
 }
 
 /// The reference for one-way coupling is Spence's solution. The reference for full coupling is the result of an

@@ -23,18 +23,36 @@ pub(crate) fn pair() -> ElasticPair {
     ElasticPair::new(Material::new(1.0, 0.3).unwrap(), Material::rigid()).unwrap()
 }
 
-/// Concatenates the results of all ranks on their slabs.
-fn on_ranks(
+/// Calls a function on all ranks, with their local bodies and their numbers.
+pub(crate) fn on_ranks<T: Send>(
     size: usize,
     grid: Grid,
     boundary: Boundary,
-    find: impl Fn(&HalfSpace) -> Vec<f64> + Sync,
-) -> Vec<f64> {
-    let parts = Threads::run(size, PATIENCE, |rank| {
-        let bodies = HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap();
-        find(&bodies)
-    });
-    parts.concat()
+    work: impl Fn(&HalfSpace, usize) -> T + Sync,
+) -> Vec<T> {
+    Threads::run(size, PATIENCE, |rank| {
+        let number = rank.rank();
+        work(
+            &HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap(),
+            number,
+        )
+    })
+}
+
+/// Asserts that one rank rejects its own input with this error, and that all other ranks report this rank.
+pub(crate) fn assert_rejected_by(
+    rank: usize,
+    outcomes: &[Result<()>],
+    is_own: impl Fn(&Error) -> bool,
+) {
+    for (number, outcome) in outcomes.iter().enumerate() {
+        let told = Err(Error::Ranks(RankFailure::RejectedByRank { rank }));
+        let is_reported = match outcome {
+            Err(error) if number == rank => is_own(error),
+            other => *other == told,
+        };
+        assert!(is_reported, "rank {number}: {outcome:?}");
+    }
 }
 
 /// Returns `Ok` if both slices are bitwise identical.
@@ -99,7 +117,8 @@ proptest! {
             found
         };
         let bodies = HalfSpace::with_boundary(grid, pair(), boundary).unwrap();
-        same(&on_ranks(size, grid, boundary, products), &products(&bodies))?;
+        let parts = on_ranks(size, grid, boundary, |bodies, _| products(bodies)).concat();
+        same(&parts, &products(&bodies))?;
     }
 }
 
@@ -114,9 +133,7 @@ pub(crate) fn assert_shared(
 ) {
     let (cells, known) = find(&HalfSpace::with_boundary(grid, pair(), boundary).unwrap());
     for &size in ranks() {
-        let parts = Threads::run(size, PATIENCE, |rank| {
-            find(&HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap())
-        });
+        let parts = on_ranks(size, grid, boundary, |bodies, _| find(bodies));
         for (_, part) in &parts {
             same(part, &known).unwrap();
         }
@@ -147,7 +164,7 @@ fn continued_solves_on_ranks_match_one_process() {
         let load = TangentialLoad::force([0.03, 0.0]);
         let problem =
             TangentialProblem::builder(bodies, &normal, Friction::coulomb(0.3).unwrap(), load);
-        let mut slide = problem.build().unwrap().into_solver().unwrap();
+        let mut slide = kit::solver(problem);
         let mut shear = slide.new_solution();
         for force in [0.52, 0.54, 8.0, 0.5] {
             press.set_load(NormalControl::Force(force)).unwrap();
@@ -182,7 +199,8 @@ fn rough_surfaces_on_ranks_match_one_process() {
         let heights = |bodies: &HalfSpace| rough.generate_on(bodies).unwrap().into_vec();
         let alone = heights(&HalfSpace::new(grid, pair()).unwrap());
         for &size in ranks() {
-            same(&on_ranks(size, grid, Boundary::Periodic, heights), &alone).unwrap();
+            let parts = on_ranks(size, grid, Boundary::Periodic, |bodies, _| heights(bodies));
+            same(&parts.concat(), &alone).unwrap();
         }
     }
 }
@@ -205,10 +223,7 @@ fn every_rank_reports_whole_contact() {
         let grid = Grid::new(60, 130, 0.5, 0.5).unwrap();
         let alone = count(&HalfSpace::with_boundary(grid, pair(), boundary).unwrap());
         for &size in ranks() {
-            let found = Threads::run(size, PATIENCE, |rank| {
-                count(&HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap())
-            });
-            for found in found {
+            for found in on_ranks(size, grid, boundary, |bodies, _| count(bodies)) {
                 assert_eq!(found, alone, "{size} ranks, {boundary:?}");
             }
         }
@@ -252,10 +267,7 @@ fn lost_rank_ends_solve_of_all() {
     });
     for outcome in &outcomes[..2] {
         let lost = RankFailure::Disconnected { rank: 2 };
-        assert!(
-            matches!(outcome, Err(Error::Ranks(failure)) if *failure == lost),
-            "{outcome:?}"
-        );
+        kit::assert_refused! { outcome => Error::Ranks(failure) if *failure == lost }
     }
 }
 
@@ -319,28 +331,16 @@ fn invalid_datum_is_rejected_as_on_one_process() {
 #[test]
 fn input_rejected_by_one_rank_is_rejected_by_all() {
     let grid = Grid::square(128, 8.0).unwrap();
-    let outcomes = Threads::run(3, PATIENCE, |rank| {
-        let is_broken = rank.rank() == 1;
-        let bodies =
-            HalfSpace::distributed(grid, pair(), Boundary::NonPeriodic, Arc::new(rank)).unwrap();
+    let outcomes = on_ranks(3, grid, Boundary::NonPeriodic, |bodies, rank| {
+        let is_broken = rank == 1;
         let gap = Field::from_fn(bodies.grid(), |x, y| {
             if is_broken { f64::NAN } else { x * x + y * y }
         });
-        NormalProblem::builder(&bodies, gap, NormalControl::Force(0.5))
+        NormalProblem::builder(bodies, gap, NormalControl::Force(0.5))
             .build()
             .map(drop)
     });
-    assert!(
-        matches!(outcomes[1], Err(Error::Sample { .. })),
-        "{outcomes:?}"
-    );
-    for rank in [0, 2] {
-        let refused = RankFailure::RejectedByRank { rank: 1 };
-        assert!(
-            matches!(outcomes[rank], Err(Error::Ranks(failure)) if failure == refused),
-            "{outcomes:?}"
-        );
-    }
+    assert_rejected_by(1, &outcomes, |error| matches!(error, Error::Sample { .. }));
 }
 
 /// A rank that does not respond in time is reported.
@@ -381,9 +381,7 @@ fn traffic_matches_formula() {
             (4, false, 64),
             (4, true, 64),
         ] {
-            let sent = Threads::run(ranks, PATIENCE, |rank| {
-                let bodies =
-                    HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap();
+            let sent = on_ranks(ranks, grid, boundary, |bodies, _| {
                 let operator = bodies.operator(Component::ZZ).unwrap();
                 let slab = bodies.grid();
                 let traction = Field::from_indices(slab, |_, iy| {
@@ -437,7 +435,7 @@ fn error_bound_with_spring_matches_one_process() {
         let ball = Field::from_fn(bodies.grid(), |x, y| 0.25 * (x * x + y * y));
         let force = NormalControl::Force(0.4);
         let problem = NormalProblem::builder(bodies, &ball, force);
-        let normal = problem.build().unwrap().solve().unwrap();
+        let normal = kit::solve(problem);
         let mut common = Vec::new();
         for (stiffness, tolerance) in [(1e-3, 0.5), (0.3, 0.5), (30.0, 0.1)] {
             let load = TangentialLoad::spring([0.05 + 0.01 / stiffness, 0.0], stiffness);

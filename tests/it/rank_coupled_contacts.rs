@@ -7,7 +7,9 @@ use stickslip::coupled::{CoupledSolution, CoupledSolver};
 use stickslip::ranks::{RankFailure, Ranks, Threads};
 use stickslip::*;
 
-use crate::rank_contacts::{Found, PATIENCE, assert_shared, by_cell, pair, same};
+use crate::rank_contacts::{
+    Found, PATIENCE, assert_rejected_by, assert_shared, by_cell, on_ranks, pair, same,
+};
 use crate::rank_histories::friction;
 
 /// Gap of a centred ball.
@@ -24,7 +26,7 @@ fn solver(
 ) -> CoupledSolver {
     let gap = Field::from_fn(bodies.grid(), gap);
     let problem = CoupledProblem::builder(bodies, &gap, friction, press, load);
-    problem.build().unwrap().into_solver().unwrap()
+    kit::solver(problem)
 }
 
 /// Returns the samples of the solution in every cell, and results that every rank has.
@@ -131,15 +133,13 @@ fn assert_first_rank_decides(grid: Grid) {
 #[test]
 fn input_rejected_by_one_rank_is_rejected_by_all() {
     let grid = Grid::square(128, 8.0).unwrap();
-    let outcomes = Threads::run(3, PATIENCE, |rank| {
-        let is_other = rank.rank() == 1;
-        let boundary = Boundary::NonPeriodic;
-        let bodies = HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap();
+    let outcomes = on_ranks(3, grid, Boundary::NonPeriodic, |bodies, rank| {
+        let is_other = rank == 1;
         let build = |curvature: f64, mu: f64| {
             let gap = Field::from_fn(bodies.grid(), |x, y| curvature * (x * x + y * y));
             let (press, still) = (NormalControl::Force(0.5), TangentialLoad::shift([0.0, 0.0]));
             let coulomb = Friction::coulomb(mu).unwrap();
-            let problem = CoupledProblem::builder(&bodies, &gap, coulomb, press, still);
+            let problem = CoupledProblem::builder(bodies, &gap, coulomb, press, still);
             problem.build().map(drop)
         };
         [
@@ -147,11 +147,8 @@ fn input_rejected_by_one_rank_is_rejected_by_all() {
             build(1.0, if is_other { 0.4 } else { 0.3 }),
         ]
     });
-    for (rank, [gap, friction]) in outcomes.into_iter().enumerate() {
-        let is_refused = gap == Err(Error::Ranks(RankFailure::RejectedByRank { rank: 1 }));
-        assert_eq!(is_refused, rank != 1, "{gap:?}");
-        assert!(gap.is_err());
-        let different = Error::Ranks(RankFailure::InconsistentInput("friction"));
-        assert_eq!(friction, Err(different));
-    }
+    let (gaps, frictions): (Vec<_>, Vec<_>) = outcomes.into_iter().map(|[a, b]| (a, b)).unzip();
+    assert_rejected_by(1, &gaps, |error| matches!(error, Error::Sample { .. }));
+    let different = Error::Ranks(RankFailure::InconsistentInput("friction"));
+    assert_eq!(frictions, vec![Err(different); 3]);
 }

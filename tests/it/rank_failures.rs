@@ -12,7 +12,7 @@ use stickslip::ranks::{RankFailure, Ranks, Threads};
 use stickslip::*;
 
 use crate::distributed_io_is_atomic::LostRank;
-use crate::rank_contacts::{PATIENCE, pair};
+use crate::rank_contacts::{PATIENCE, assert_rejected_by, on_ranks, pair};
 use crate::rank_histories::{ball, fine, friction, run, started};
 
 /// Missing slabs, slabs of different states, and a file that one rank cannot read are reported.
@@ -21,17 +21,11 @@ fn mismatched_slabs_are_rejected() {
     let (grid, boundary) = (fine(), Boundary::NonPeriodic);
     let alone = HalfSpace::with_boundary(grid, pair(), boundary).unwrap();
     let begin = |bodies: &HalfSpace| started(bodies, false);
-    let slabs: Vec<Vec<u8>> = Threads::run(3, PATIENCE, |rank| {
-        let number = rank.rank();
-        let bodies = HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap();
-        let mut history = begin(&bodies);
+    let slabs: Vec<Vec<u8>> = on_ranks(3, grid, boundary, |bodies, rank| {
+        let mut history = begin(bodies);
         let bytes = history.to_bytes();
         run(&mut history, 5..6);
-        if number == 2 {
-            history.to_bytes()
-        } else {
-            bytes
-        }
+        if rank == 2 { history.to_bytes() } else { bytes }
     });
     let rejected = |slabs: &[Vec<u8>]| {
         let slabs = slabs.iter().map(|bytes| State::from_bytes(bytes));
@@ -46,14 +40,12 @@ fn mismatched_slabs_are_rejected() {
     assert_eq!(rejected(&slabs[..2]), missing);
     // First the slabs are of two different steps, then the bytes of one rank are damaged.
     for (rank, byte) in [(2, None), (1, Some(40))] {
-        let outcomes = Threads::run(3, PATIENCE, |own| {
-            let number = own.rank();
-            let bodies = HalfSpace::distributed(grid, pair(), boundary, Arc::new(own)).unwrap();
+        let outcomes = on_ranks(3, grid, boundary, |bodies, number| {
             let mut bytes = slabs[number].clone();
             if let (true, Some(byte)) = (number == rank, byte) {
                 bytes[byte] ^= 1;
             }
-            History::from_bytes(&bodies, &bytes).map(drop)
+            History::from_bytes(bodies, &bytes).map(drop)
         });
         for (number, outcome) in outcomes.iter().enumerate() {
             let is_reported = match byte {
@@ -117,23 +109,21 @@ fn differing_ranks_are_reported() {
         }
         outcomes
     });
-    for (number, outcomes) in outcomes.iter().enumerate() {
-        for outcome in outcomes {
-            let is_refused = *outcome == Err(Error::Ranks(RankFailure::RejectedByRank { rank: 0 }));
-            assert_eq!(is_refused, number != 0, "{outcome:?}");
-            assert!(outcome.is_err());
-        }
+    for place in 0..4 {
+        let outcomes: Vec<_> = outcomes.iter().map(|of| of[place].clone()).collect();
+        assert_rejected_by(0, &outcomes, |error| match place {
+            2 => matches!(error, Error::Sample { .. }),
+            _ => *error == Error::EmptyPath,
+        });
     }
 }
 
 /// Ranks that return to different steps of a history report this immediately and keep their states.
 #[test]
 fn ranks_returning_to_different_steps_are_reported() {
-    Threads::run(3, PATIENCE, |rank| {
-        let is_first = rank.rank() == 0;
-        let boundary = Boundary::NonPeriodic;
-        let bodies = HalfSpace::distributed(fine(), pair(), boundary, Arc::new(rank)).unwrap();
-        let mut history = started(&bodies, false);
+    on_ranks(3, fine(), Boundary::NonPeriodic, |bodies, rank| {
+        let is_first = rank == 0;
+        let mut history = started(bodies, false);
         let early = history.state().clone();
         run(&mut history, 5..7);
         let late = history.state().clone();
@@ -142,8 +132,7 @@ fn ranks_returning_to_different_steps_are_reported() {
         let different = Error::Ranks(RankFailure::InconsistentInput(
             "state (except for its fields)",
         ));
-        let outcome = history.set_state(if is_first { &early } else { &late });
-        assert_eq!(outcome, Err(different));
+        kit::assert_refused! { history.set_state(if is_first { &early } else { &late }) => error if error == different }
         assert!(history.to_bytes() == before);
         history.set_state(&early).unwrap();
         assert!(history.to_bytes() == early.to_bytes());
@@ -171,36 +160,25 @@ fn kernel_failing_on_one_rank_is_rejected_by_all() {
         let failed = bodies.operator(Component::ZZ).map(drop);
         (failed, bodies.operator(Component::XX).map(drop))
     });
-    for (number, (failed, other)) in outcomes.iter().enumerate() {
-        let is_reported = match failed {
-            Err(Error::Sample { .. }) => number == 2,
-            failed => *failed == Err(Error::Ranks(RankFailure::RejectedByRank { rank: 2 })),
-        };
-        assert!(is_reported && *other == Ok(()), "rank {number}: {failed:?}");
-    }
+    let (failed, others): (Vec<_>, Vec<_>) = outcomes.into_iter().unzip();
+    assert_rejected_by(2, &failed, |error| matches!(error, Error::Sample { .. }));
+    assert_eq!(others, vec![Ok(()); 3]);
 }
 
 /// A step that all ranks reject, or during which one rank is lost, leaves the history unchanged.
 #[test]
 fn failed_step_leaves_ranks_unchanged() {
     let grid = fine();
-    let lost = Threads::run(3, PATIENCE, |rank| {
-        let number = rank.rank();
-        let boundary = Boundary::NonPeriodic;
-        let bodies = HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap();
-        let gap = ball(&bodies);
-        let builder = History::builder(&bodies, &gap, Friction::coulomb(0.3).unwrap());
+    let lost = on_ranks(3, grid, Boundary::NonPeriodic, |bodies, number| {
+        let gap = ball(bodies);
+        let builder = History::builder(bodies, &gap, Friction::coulomb(0.3).unwrap());
         let mut history = builder.coupling(Coupling::OneWay).build().unwrap();
         history
             .step(&LoadStep::force([0.2, 0.0]).normal(NormalControl::Force(2.0)))
             .unwrap();
         let before = history.to_bytes();
         let too_much = LoadStep::force([9.0, 0.0]).normal(NormalControl::Force(12.0));
-        let rejected = history.step(&too_much).map(drop);
-        assert!(
-            matches!(rejected, Err(Error::BeyondFrictionCapacity { .. })),
-            "{rejected:?}"
-        );
+        kit::assert_refused! { history.step(&too_much) => Error::BeyondFrictionCapacity { .. } }
         assert!(history.to_bytes() == before);
 
         // The second rank leaves during the next step.
@@ -220,8 +198,7 @@ fn failed_step_leaves_ranks_unchanged() {
     });
     assert!(lost[1].is_err());
     for rank in [0, 2] {
-        let outcome = lost[rank].as_ref().unwrap();
-        assert!(matches!(outcome, Err(Error::Ranks(_))), "{outcome:?}");
+        kit::assert_refused! { lost[rank].as_ref().unwrap() => Error::Ranks(_) }
     }
 }
 

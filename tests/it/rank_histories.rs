@@ -10,7 +10,7 @@ use stickslip::stiffness::{ContactStiffness, StiffnessWorkspace};
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::*;
 
-use crate::rank_contacts::{Found, PATIENCE, assert_shared, by_cell, pair, same};
+use crate::rank_contacts::{Found, PATIENCE, assert_shared, by_cell, on_ranks, pair, same};
 
 /// Returns the gap of a ball off the centre, which touches few rows at first and an increasing number of rows later.
 pub(crate) fn ball(bodies: &HalfSpace) -> Field {
@@ -184,10 +184,8 @@ fn saved_slabs_continue_on_different_number_of_ranks() {
                 let bodies = HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank));
                 started(&bodies.unwrap(), is_rich).save(&file).unwrap();
             });
-            let parts = Threads::run(to, PATIENCE, |rank| {
-                let bodies =
-                    HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap();
-                let mut history = History::load(&bodies, &file).unwrap();
+            let parts = on_ranks(to, grid, boundary, |bodies, _| {
+                let mut history = History::load(bodies, &file).unwrap();
                 assert_eq!(history.normal().yielded_cells(), yielded);
                 if to == 1 {
                     assert!(history.to_bytes() == saved_alone);

@@ -1,13 +1,12 @@
 //! Planes below the surface that ranks compute are bitwise identical to the planes of one process.
 
 use std::ops::ControlFlow;
-use std::sync::Arc;
 
-use stickslip::ranks::{RankFailure, Ranks, Threads};
+use stickslip::ranks::RankFailure;
 use stickslip::subsurface::{Body, Plane, Planes, Stress, Tractions, at_points};
 use stickslip::*;
 
-use crate::rank_contacts::{Found, PATIENCE, assert_shared, boundaries, by_cell, pair};
+use crate::rank_contacts::{Found, assert_shared, boundaries, by_cell, on_ranks};
 
 const DEPTHS: [f64; 2] = [0.0, 0.3];
 
@@ -91,29 +90,23 @@ fn planes_on_ranks_match_one_process() {
 #[test]
 fn ranks_reject_together() {
     let grid = Grid::new(64, 130, 0.5, 0.5).unwrap();
-    Threads::run(3, PATIENCE, |rank| {
-        let is_first = rank.rank() == 0;
-        let boundary = Boundary::NonPeriodic;
-        let bodies = HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap();
+    on_ranks(3, grid, Boundary::NonPeriodic, |bodies, rank| {
+        let is_first = rank == 0;
         let [p, qx, qy] = loads(bodies.grid());
         let different = |name| Some(Error::Ranks(RankFailure::InconsistentInput(name)));
         let depths = [if is_first { 0.5 } else { 0.6 }];
-        assert_eq!(Planes::new(&bodies, &depths).err(), different("depths"));
-        let mut planes = Planes::new(&bodies, &DEPTHS).unwrap();
+        assert_eq!(Planes::new(bodies, &depths).err(), different("depths"));
+        let mut planes = Planes::new(bodies, &DEPTHS).unwrap();
         let mut own = Tractions::new(&p);
         if is_first {
             own = own.with_traction([&qx, &qy]);
         }
         let outcome = planes.solve(0, Body::One, own);
         assert_eq!(outcome.err(), different("tractions"));
-        let refused = planes.through(Body::One, Tractions::new(&p), |_| {
-            if is_first {
-                Err(Error::EmptyPath)
-            } else {
-                Ok(())
-            }
-        });
-        assert!(refused.is_err());
+        kit::assert_refused! {
+            planes.through(Body::One, Tractions::new(&p), |_| { if is_first { Err(Error::EmptyPath) } else { Ok(()) } })
+                => _,
+        }
         for asked in [0, 2] {
             let mut asked_so_far = 0;
             let outcome = planes.solve_observed(1, Body::One, Tractions::new(&p), |_| {
@@ -124,10 +117,7 @@ fn ranks_reject_together() {
                     ControlFlow::Continue(())
                 }
             });
-            assert!(
-                matches!(outcome, Err(Error::NotConverged(_))),
-                "{outcome:?}"
-            );
+            kit::assert_refused! { outcome => Error::NotConverged(_) }
         }
         planes.solve(1, Body::One, Tractions::new(&p)).unwrap();
         let not_shared = |outcome: Result<()>| {
@@ -137,7 +127,7 @@ fn ranks_reject_together() {
             );
             assert!(is_reported, "{outcome:?}");
         };
-        not_shared(at_points(&bodies, Body::One, Tractions::new(&p), &[[0.0; 3]]).map(drop));
+        not_shared(at_points(bodies, Body::One, Tractions::new(&p), &[[0.0; 3]]).map(drop));
         let path = std::env::temp_dir().join("stickslip_stresses_of_ranks.vti");
         not_shared(planes.write_vti(path, Body::One, Tractions::new(&p)));
     });

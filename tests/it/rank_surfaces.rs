@@ -6,6 +6,7 @@ use stickslip::surface::{self, Form, PowerSpectrum, Statistics};
 use stickslip::*;
 
 use crate::distributed_io::{SIZES, bits, height, on_ranks, ranks};
+use crate::rank_contacts::assert_rejected_by;
 
 /// Returns all parameters of a surface, and the local levelled heights.
 fn characterise(bodies: &HalfSpace, z: impl Fn(f64, f64) -> f64) -> (Vec<f64>, Vec<f64>) {
@@ -107,12 +108,10 @@ fn invalid_surfaces_are_rejected_by_all_ranks() {
         let mut heights = Field::from_fn(bodies.grid(), height);
         let nothing = heights.map(|_| f64::NAN);
         let few = bodies.level(&nothing, Form::Mean).map(drop);
-        let polynomial = bodies.level(&heights, Form::Polynomial(2)).map(drop);
-        assert!(matches!(
-            polynomial,
-            Err(Error::Ranks(RankFailure::UnsupportedOnRanks(_)))
-        ));
-        assert!(matches!(few, Err(Error::Undetermined { known: 0, .. })));
+        kit::assert_refused! {
+            bodies.level(&heights, Form::Polynomial(2)) => Error::Ranks(RankFailure::UnsupportedOnRanks(_)),
+            few => Error::Undetermined { known: 0, .. },
+        }
         if rank == 2 {
             heights.as_mut_slice()[5] = f64::INFINITY;
         }
@@ -122,16 +121,11 @@ fn invalid_surfaces_are_rejected_by_all_ranks() {
             bodies.level(&heights, Form::Plane).map(drop),
         ]
     });
-    for (rank, outcomes) in outcomes.iter().enumerate() {
-        for outcome in outcomes {
-            let refused = Error::Ranks(RankFailure::RejectedByRank { rank: 2 });
-            let is_own = matches!(outcome, Err(Error::Sample { index: 5, .. }));
-            assert!(if rank == 2 {
-                is_own
-            } else {
-                *outcome == Err(refused)
-            });
-        }
+    for place in 0..3 {
+        let outcomes: Vec<_> = outcomes.iter().map(|of| of[place].clone()).collect();
+        assert_rejected_by(2, &outcomes, |error| {
+            matches!(error, Error::Sample { index: 5, .. })
+        });
     }
     // A slab without rows is not a surface on its own.
     let empty = on_ranks(7, Grid::new(3, 2, 0.3, 0.2).unwrap(), |bodies, _| {

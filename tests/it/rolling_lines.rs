@@ -19,7 +19,7 @@ const PRODUCTS: usize = 300;
 
 fn pressed(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(force));
-    problem.tolerance(1e-10).build().unwrap().solve().unwrap()
+    kit::solve(problem.tolerance(1e-10))
 }
 
 fn pair(poisson_ratio: f64) -> ElasticPair {
@@ -41,12 +41,10 @@ fn cylinder_under_force_has_creepage_of_carter_for_any_datum() {
             let hertz = HertzLine::new(bodies.pair(), RADIUS, force).unwrap();
             for part in [0.1, 0.3, 0.5, 0.7, 0.8, 0.95] {
                 let law = Friction::coulomb(friction).unwrap();
-                let rolling = RollingProblem::builder(&bodies, &normal, law)
-                    .control(Axis::X, RollingControl::Force(part * friction * force))
-                    .build()
-                    .unwrap()
-                    .solve()
-                    .unwrap();
+                let rolling = kit::solve(
+                    RollingProblem::builder(&bodies, &normal, law)
+                        .control(Axis::X, RollingControl::Force(part * friction * force)),
+                );
                 let products = rolling.report().products();
                 assert!(products <= PRODUCTS, "{cells}, {datum}, {part}: {products}");
                 let carter = friction * hertz.half_width() / RADIUS * (1.0 - (1.0 - part).sqrt());
@@ -69,15 +67,12 @@ fn row_of_long_cells_converges_for_any_force_and_material() {
         let bodies = HalfSpace::new(grid, ElasticPair::new(aluminium, other).unwrap()).unwrap();
         let normal = pressed(&bodies, &gap, load);
         for part in [-0.9, -0.5, 0.3, 0.6, 0.75, 0.9] {
-            let rolling =
+            let rolling = kit::solve(
                 RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap())
                     .leading_edge(LeadingEdge::MinusX)
                     .entry_rule(EntryRule::WholeStep)
-                    .control(Axis::X, RollingControl::Force(part * 0.3 * load))
-                    .build()
-                    .unwrap()
-                    .solve()
-                    .unwrap();
+                    .control(Axis::X, RollingControl::Force(part * 0.3 * load)),
+            );
             let products = rolling.report().products();
             assert!(products <= 100, "{part}: {products}");
             if !bodies.pair().is_coupled() {

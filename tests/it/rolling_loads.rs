@@ -34,7 +34,7 @@ impl RollingSphere {
         let load = 4.0 / 3.0 * bodies.pair().contact_modulus();
         let ball = surface::sphere(grid, 1.0).unwrap();
         let normal = NormalProblem::builder(&bodies, &ball, NormalControl::Force(load));
-        let normal = normal.tolerance(1e-11).build().unwrap().solve().unwrap();
+        let normal = kit::solve(normal.tolerance(1e-11));
         let limit = FRICTION * load;
         Self {
             bodies,
@@ -61,7 +61,7 @@ impl RollingSphere {
 
 /// Returns the forces along x and y, and the moment.
 fn loads(rolling: RollingProblemBuilder<'_>) -> [f64; 3] {
-    let rolling = rolling.build().unwrap().solve().unwrap();
+    let rolling = kit::solve(rolling);
     [rolling.force()[0], rolling.force()[1], rolling.moment()]
 }
 
@@ -74,7 +74,7 @@ fn rolling_stiffness_matches_differences_of_solves() {
         (LeadingEdge::PlusY, [0.1, -1.0, -0.6]),
     ] {
         let at = |point: [f64; 3]| scene.at(point).leading_edge(edge);
-        let mut solver = at(point).build().unwrap().into_solver().unwrap();
+        let mut solver = kit::solver(at(point));
         let mut rolling = solver.new_solution();
         solver.solve_into(&mut rolling).unwrap();
         let found = solver.stiffness().unwrap();
@@ -109,7 +109,7 @@ fn rolling_stiffness_matches_differences_of_solves() {
 #[test]
 fn stiffness_before_first_solve_is_that_of_full_stick() {
     let scene = RollingSphere::across(64);
-    let mut solver = scene.rolling().build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(scene.rolling());
     let of = solver.stiffness().unwrap();
     for (found, expected) in [
         (of[0][0], 4.12),
@@ -133,7 +133,7 @@ fn prescribed_moment_gives_spin_that_causes_it() {
         let loads = motions.clone().control(Axis::X, RollingControl::Force(x));
         let loads = loads.control(Axis::Y, RollingControl::Force(y));
         for problem in [motions, loads] {
-            let found = problem.tolerance(1e-10).build().unwrap().solve().unwrap();
+            let found = kit::solve(problem.tolerance(1e-10));
             assert!(found.report().is_converged() && found.report().load_error < 1e-10);
             let motion = [found.creepage()[0], found.creepage()[1], found.spin()];
             for (found, expected) in motion.into_iter().zip([xi, eta, spin]) {
@@ -152,8 +152,7 @@ fn moment_beyond_friction_is_rejected() {
     // The integral of the distance weighted by a Hertzian pressure is 3 pi/16 times the load and the radius.
     let capacity = 3.0 * std::f64::consts::PI / 16.0 * scene.limit;
     let of = |moment: f64| scene.rolling().spin(SpinControl::Moment(moment)).build();
-    let beyond = of(1.02 * capacity);
-    assert!(matches!(beyond, Err(Error::BeyondFrictionMoment { .. })));
+    kit::assert_refused! { of(1.02 * capacity) => Error::BeyondFrictionMoment { .. } }
     // A negative moment is reported with its sign, and with the end of the range that it exceeds.
     let Err(Error::BeyondFrictionMoment {
         moment,
@@ -188,8 +187,7 @@ fn moment_beyond_friction_is_rejected() {
         assert!((sum / (0.6 * scene.limit) - 1.0).abs() < 1e-6);
     }
     let beyond = SpinControl::Moment(-1.01 * limit);
-    let refused = solver.set_control([force; 2], beyond);
-    assert!(matches!(refused, Err(Error::BeyondFrictionMoment { .. })));
+    kit::assert_refused! { solver.set_control([force; 2], beyond) => Error::BeyondFrictionMoment { .. } }
     solver.solve_into(&mut rolling).unwrap();
     let (force, moment) = (RollingControl::Force(0.1 * scene.limit), 0.1 * capacity);
     solver
@@ -304,11 +302,9 @@ fn friction_can_change_between_solves() {
     }
     let stiffness = solver.stiffness().unwrap();
     let wet = Friction::coulomb(0.01).unwrap();
-    let refused = solver.set_friction(&wet);
-    assert!(matches!(refused, Err(Error::BeyondFrictionCapacity { .. })));
+    kit::assert_refused! { solver.set_friction(&wet) => Error::BeyondFrictionCapacity { .. } }
     let small = Friction::per_cell(Field::constant(Grid::square(3, 1.0).unwrap(), 0.3)).unwrap();
-    let refused = solver.set_friction(&small);
-    assert!(matches!(refused, Err(Error::GridMismatch { .. })));
+    kit::assert_refused! { solver.set_friction(&small) => Error::GridMismatch { .. } }
     // The stiffness belongs to the last solution until the next solve.
     solver.set_friction(&half).unwrap();
     assert_eq!(solver.stiffness().unwrap(), stiffness);
@@ -322,11 +318,11 @@ fn friction_can_change_by_any_factor() {
     let creepages = |coefficient: f64| {
         [0.8, 0.2].map(|part| RollingControl::Creepage(part * coefficient / FRICTION * scene.unit))
     };
-    let mut solver = RollingProblem::builder(&scene.bodies, &scene.normal, of(1.0))
-        .build()
-        .unwrap()
-        .into_solver()
-        .unwrap();
+    let mut solver = kit::solver(RollingProblem::builder(
+        &scene.bodies,
+        &scene.normal,
+        of(1.0),
+    ));
     let mut rolling = solver.new_solution();
     solver.set_control(creepages(1.0), 0.0).unwrap();
     solver.solve_into(&mut rolling).unwrap();
@@ -347,14 +343,7 @@ fn friction_can_change_by_any_factor() {
 #[test]
 fn reset_solver_matches_new_solver() {
     let scene = RollingSphere::across(16);
-    let make = || {
-        scene
-            .at([0.7, 0.1, 0.2])
-            .build()
-            .unwrap()
-            .into_solver()
-            .unwrap()
-    };
+    let make = || kit::solver(scene.at([0.7, 0.1, 0.2]));
     let (mut used, mut new) = (make(), make());
     let (mut again, mut first) = (used.new_solution(), new.new_solution());
     let sticking = new.stiffness().unwrap();
@@ -375,7 +364,7 @@ fn sliding_contact_resists_rotation_of_force_only() {
     let scene = RollingSphere::across(16);
     let creepage = 1e3 * scene.unit;
     let problem = scene.rolling().creepage([creepage, 0.0]).tolerance(1e-11);
-    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(problem);
     let sticking = solver.stiffness().unwrap();
     let mut rolling = solver.new_solution();
     solver.solve_into(&mut rolling).unwrap();
@@ -394,8 +383,8 @@ fn cancelled_work_leaves_solver_usable() {
     let scene = RollingSphere::across(16);
     let moment = SpinControl::Moment(0.3 * scene.limit);
     let problem = scene.rolling().spin(moment).tolerance(1e-9);
-    let expected = problem.clone().build().unwrap().solve().unwrap();
-    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let expected = kit::solve(problem.clone());
+    let mut solver = kit::solver(problem);
     let mut rolling = solver.new_solution();
     for allowed in [0, 5, 40] {
         let mut asked = 0;
@@ -413,8 +402,7 @@ fn cancelled_work_leaves_solver_usable() {
         assert_eq!(report.status, Status::Cancelled);
         assert!(solver.stiffness().unwrap()[0][0] > 0.0);
     }
-    let cut = solver.stiffness_observed(|_| ControlFlow::Break(()));
-    assert!(matches!(cut, Err(Error::NotConverged(_))));
+    kit::assert_refused! { solver.stiffness_observed(|_| ControlFlow::Break(())) => Error::NotConverged(_) }
     solver.solve_into(&mut rolling).unwrap();
     assert!((rolling.spin() / expected.spin() - 1.0).abs() < 1e-6);
     let mut steps = 0;
@@ -454,7 +442,7 @@ fn row_has_least_bound_of_moment() {
     let bodies = HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap();
     let ball = surface::sphere(grid, 1.0).unwrap();
     let normal = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.05));
-    let normal = normal.build().unwrap().solve().unwrap();
+    let normal = kit::solve(normal);
     let (cell, total) = (length / cells as f64, FRICTION * normal.force());
     let limits: Vec<_> = normal.pressure().as_slice().to_vec();
     let limits = limits.iter().map(|p| FRICTION * p * grid.cell_area());

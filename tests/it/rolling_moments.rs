@@ -109,7 +109,7 @@ fn row_of_two_cells_has_one_moment() {
     let bodies = HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap();
     let gap = Field::from_fn(grid, |x, _| 0.01 * x * x);
     let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(0.002));
-    let normal = normal.build().unwrap().solve().unwrap();
+    let normal = kit::solve(normal);
     let of = |spin: SpinControl| {
         let friction = Friction::coulomb(0.3).unwrap();
         let problem = RollingProblem::builder(&bodies, &normal, friction);

@@ -37,14 +37,12 @@ fn rolling(
     normal: &NormalSolution,
     (edge, rule): (LeadingEdge, EntryRule),
 ) -> RollingSolver {
-    RollingProblem::builder(bodies, normal, Friction::coulomb(FRICTION).unwrap())
-        .leading_edge(edge)
-        .entry_rule(rule)
-        .tolerance(1e-10)
-        .build()
-        .unwrap()
-        .into_solver()
-        .unwrap()
+    kit::solver(
+        RollingProblem::builder(bodies, normal, Friction::coulomb(FRICTION).unwrap())
+            .leading_edge(edge)
+            .entry_rule(rule)
+            .tolerance(1e-10),
+    )
 }
 
 fn solved(solver: &mut RollingSolver) -> RollingSolution {
@@ -161,11 +159,9 @@ fn rolling_solver_accepts_pressure_field_without_entry_law() {
     by_solution.set_pressure(&normal).unwrap();
     let found = solved(&mut by_field);
     assert_eq!(found.traction(), solved(&mut by_solution).traction());
-    let refused = of(EntryRule::SinceTouch).set_pressure(normal.pressure());
-    assert!(
-        matches!(refused, Err(Error::UnsupportedByModel { .. })),
-        "{refused:?}"
-    );
+    kit::assert_refused! {
+        of(EntryRule::SinceTouch).set_pressure(normal.pressure()) => Error::UnsupportedByModel { .. },
+    }
 }
 
 #[test]
@@ -317,7 +313,7 @@ fn rolling_solution_warns_of_contact_at_edge() {
     // The contact is an ellipse that is long across the rolling direction, so that it leaves the grid at the sides.
     let gap = surface::ellipsoid(bodies.grid(), 1.0, 10.0).unwrap();
     let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0));
-    let normal = press.build().unwrap().solve().unwrap();
+    let normal = kit::solve(press);
     let wide = solved(&mut rolling(&bodies, &normal, by_default)).warnings();
     assert!(
         wide.iter()

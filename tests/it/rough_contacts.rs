@@ -21,7 +21,7 @@ fn rubber() -> ElasticPair {
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     let load = NormalControl::Force(force);
     let method = stickslip::cgm::Method::ActiveSet;
-    kit::press(bodies, gap, load, TOLERANCE, method)
+    kit::press_by(bodies, gap, load, TOLERANCE, method)
 }
 
 /// Returns the real area, counted and corrected, divided by Mueser's area, as a mean over two surfaces (Fig. 14).

@@ -163,7 +163,7 @@ fn pressed() -> (HalfSpace, NormalSolution) {
     let bodies = unit_bodies(grid, 0.3);
     let ball = surface::sphere(grid, 10.0).unwrap();
     let problem = NormalProblem::builder(&bodies, &ball, NormalControl::Force(3.0));
-    let normal = problem.build().unwrap().solve().unwrap();
+    let normal = kit::solve(problem);
     (bodies, normal)
 }
 
@@ -201,7 +201,7 @@ fn solutions_and_reports_survive_serialisation() {
 
     let friction = Friction::coulomb(0.3).unwrap();
     let rolling = RollingProblem::builder(&bodies, &normal, friction).creepage([0.01, 0.02]);
-    let mut solver = rolling.build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(rolling);
     let mut rolling = solver.new_solution();
     assert_survives(&rolling);
     solver.solve_into(&mut rolling).unwrap();
@@ -214,7 +214,7 @@ fn solutions_and_reports_survive_serialisation() {
     // Residuals are infinite before the first solve.
     let flat = Field::zeros(bodies.grid());
     let problem = NormalProblem::builder(&bodies, &flat, NormalControl::Force(1.0));
-    let solver = problem.build().unwrap().into_solver().unwrap();
+    let solver = kit::solver(problem);
     assert_survives(&solver.new_solution());
     for status in [
         Status::Unsolved,
@@ -270,7 +270,7 @@ fn coupled_solutions_survive_serialisation() {
         TangentialLoad::force([0.01, 0.0]),
     );
     let problem = CoupledProblem::builder(&bodies, &gap, friction, press, load);
-    assert_survives(&problem.build().unwrap().solve().unwrap());
+    assert_survives(&kit::solve(problem));
 }
 
 #[test]

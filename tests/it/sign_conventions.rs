@@ -38,7 +38,7 @@ fn signs_are_consistent_for_two_different_bodies() {
     assert!(bodies.pair().dundurs_beta().abs() < 1e-15);
     let ball = surface::sphere(grid, 40.0).unwrap();
     let press = NormalProblem::builder(&bodies, &ball, NormalControl::Force(3.0)).tolerance(1e-12);
-    let normal = press.build().unwrap().solve().unwrap();
+    let normal = kit::solve(press);
 
     // Each surface moves into its own body. The sum of both displacements compensates for the approach.
     let sinks = [soft, stiff].map(|body| displacement(&body, normal.pressure(), true));
@@ -55,7 +55,7 @@ fn signs_are_consistent_for_two_different_bodies() {
     let load = TangentialLoad::shift([0.05, 0.0]);
     let friction = Friction::coulomb(0.4).unwrap();
     let shear = TangentialProblem::builder(&bodies, &normal, friction, load);
-    let shear = shear.tolerance(1e-12).build().unwrap().solve().unwrap();
+    let shear = kit::solve(shear.tolerance(1e-12));
     assert!(shear.force()[0] > 0.0 && shear.stick_ratio() > 0.1 && shear.stick_ratio() < 0.9);
     let on_one = shear.traction()[0].clone();
     let mut on_two = on_one.clone();

@@ -178,7 +178,7 @@ fn assert_stops(solve: &Solve<'_>, settings: &Settings, len: usize, total: Optio
 
 fn press(bodies: &HalfSpace, gap: &Field) -> NormalSolution {
     let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(60.0));
-    problem.build().unwrap().solve().unwrap()
+    kit::solve(problem)
 }
 
 /// End of a solve at the given call of the observer, by cancellation or by the clock.
@@ -245,7 +245,7 @@ fn normal_contact_stops_on_every_grid_of_nested_start() {
         } else {
             builder
         };
-        let mut solver = builder.build().unwrap().into_solver().unwrap();
+        let mut solver = kit::solver(builder);
         let mut solution = solver.new_solution();
         let mut calls = 0;
         let outcome = solver.solve_observed(&mut solution, end.observer(&mut calls));
@@ -277,7 +277,7 @@ fn tangential_contact_stops_on_every_grid_of_nested_start() {
             } else {
                 builder
             };
-            let mut solver = builder.build().unwrap().into_solver().unwrap();
+            let mut solver = kit::solver(builder);
             let mut solution = solver.new_solution();
             let mut calls = 0;
             let outcome = solver.solve_observed(&mut solution, end.observer(&mut calls));
@@ -353,7 +353,7 @@ fn enlarged_window_has_remaining_iterations() {
     let ball = surface::sphere(grid, 300.0).unwrap();
     let light = NormalControl::Force(0.02);
     let builder = || NormalProblem::builder(&bodies, &ball, light).tolerance(1e-10);
-    let alone = builder().build().unwrap().solve().unwrap();
+    let alone = kit::solve(builder());
     assert_limited(alone.report().iterations.max(1), |limit| {
         let problem = builder().max_iterations(limit).build().unwrap();
         let mut solver = problem.into_solver().unwrap();

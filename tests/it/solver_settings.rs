@@ -29,7 +29,7 @@ fn builder_accepts_all_settings() {
     let builder = || NormalProblem::builder(&bodies, &gap, load);
     let at_once = builder().settings(settings).build().unwrap();
     let one_by_one = builder().tolerance(1e-5).method(Method::PolonskyKeer);
-    let one_by_one = one_by_one.build().unwrap().solve().unwrap();
+    let one_by_one = kit::solve(one_by_one);
     assert_eq!(at_once.solve().unwrap().pressure(), one_by_one.pressure());
     assert_eq!(*at_once.into_solver().unwrap().settings(), settings);
 
@@ -47,7 +47,7 @@ fn solver_accepts_new_settings() {
     let rough = Settings::default().tolerance(1e-3);
     let fine = Settings::default().tolerance(1e-10);
     let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(4.0)).settings(rough);
-    let mut press = problem.build().unwrap().into_solver().unwrap();
+    let mut press = kit::solver(problem);
     let mut contact = press.new_solution();
     press.solve_into(&mut contact).unwrap();
     assert!(contact.report().energy_error_bound() > 1e-10);
@@ -62,7 +62,7 @@ fn solver_accepts_new_settings() {
     let friction = Friction::coulomb(0.4).unwrap();
     let load = TangentialLoad::force([0.6, 0.0]);
     let problem = TangentialProblem::builder(&bodies, &contact, friction, load).settings(rough);
-    let mut shear = problem.build().unwrap().into_solver().unwrap();
+    let mut shear = kit::solver(problem);
     let mut slip = shear.new_solution();
     shear.solve_into(&mut slip).unwrap();
     assert!(slip.report().energy_error_bound() > 1e-10);

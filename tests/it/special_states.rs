@@ -49,10 +49,7 @@ fn gross_slip_has_shift_of_onset() {
             );
         }
     }
-    assert!(matches!(
-        build(TangentialLoad::force([1.001 * limit, 0.0])),
-        Err(Error::BeyondFrictionCapacity { .. })
-    ));
+    kit::assert_refused! { build(TangentialLoad::force([1.001 * limit, 0.0])) => Error::BeyondFrictionCapacity { .. } }
     // A prescribed shift can increase further, while the force stays constant.
     let dragged = build(TangentialLoad::shift([-9e-6, 0.0]))
         .unwrap()
@@ -71,11 +68,12 @@ fn few_cells_stick_close_to_sliding() {
     let mut last = usize::MAX;
     for f in [0.99, 0.999, 0.9999, 0.999999] {
         let load = TangentialLoad::force([f * 50.0, 0.0]);
-        let shear = TangentialProblem::builder(&bodies, &normal, friction.clone(), load)
-            .build()
-            .unwrap()
-            .solve()
-            .unwrap();
+        let shear = kit::solve(TangentialProblem::builder(
+            &bodies,
+            &normal,
+            friction.clone(),
+            load,
+        ));
         let stick = shear
             .zones()
             .iter()
@@ -96,11 +94,7 @@ fn zero_load_sticks_without_traction() {
         TangentialLoad::shift([0.0, 0.0]),
     ] {
         let friction = Friction::coulomb(0.5).unwrap();
-        let shear = TangentialProblem::builder(&bodies, &normal, friction, load)
-            .build()
-            .unwrap()
-            .solve()
-            .unwrap();
+        let shear = kit::solve(TangentialProblem::builder(&bodies, &normal, friction, load));
         assert_eq!(max_abs(shear.traction()[0].as_slice()), 0.0);
         assert_eq!((shear.shift(), shear.force()), ([0.0; 2], [0.0; 2]));
         assert_eq!(shear.stick_ratio(), 1.0);
@@ -116,11 +110,7 @@ fn friction_can_vary_vanish_and_be_limited() {
     let coefficients = Field::from_fn(grid, |x, _| if x < 0.0 { 0.0 } else { 0.8 });
     let friction = Friction::per_cell(coefficients).unwrap();
     let load = TangentialLoad::force([-14.0, 0.0]);
-    let shear = TangentialProblem::builder(&bodies, &normal, friction, load)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap();
+    let shear = kit::solve(TangentialProblem::builder(&bodies, &normal, friction, load));
     for (i, zone) in shear.zones().iter().enumerate() {
         let (p, q) = (
             normal.pressure().as_slice()[i],
@@ -143,10 +133,7 @@ fn friction_can_vary_vanish_and_be_limited() {
         )
         .build()
     };
-    assert!(matches!(
-        build(1e-9),
-        Err(Error::BeyondFrictionCapacity { limit: 0.0, .. })
-    ));
+    kit::assert_refused! { build(1e-9) => Error::BeyondFrictionCapacity { limit: 0.0, .. } }
     assert!(build(0.0).unwrap().solve().unwrap().is_gross_slip());
     // A limit of the shear stress flattens the traction.
     let cap = 0.3 * Table2::FRICTION * Table2::MAX_PRESSURE;
@@ -154,16 +141,12 @@ fn friction_can_vary_vanish_and_be_limited() {
         .unwrap()
         .max_shear_stress(cap)
         .unwrap();
-    let shear = TangentialProblem::builder(
+    let shear = kit::solve(TangentialProblem::builder(
         &bodies,
         &normal,
         friction,
         TangentialLoad::force([15.0, 0.0]),
-    )
-    .build()
-    .unwrap()
-    .solve()
-    .unwrap();
+    ));
     assert!((shear.traction()[0].max() / cap - 1.0).abs() < 1e-15);
 }
 
@@ -180,11 +163,7 @@ fn first_touch_and_separation_are_solved() {
         NormalControl::Approach(0.4),
         NormalControl::Approach(-3.0),
     ] {
-        let apart = NormalProblem::builder(&bodies, &ball, load)
-            .build()
-            .unwrap()
-            .solve()
-            .unwrap();
+        let apart = kit::solve(NormalProblem::builder(&bodies, &ball, load));
         assert_eq!(
             (apart.force(), apart.contact_cells(), apart.mean_pressure()),
             (0.0, 0, 0.0)
@@ -202,11 +181,11 @@ fn warnings_can_be_compared() {
     let grid = Grid::square(32, 1.0).unwrap();
     let bodies = unit_bodies(grid, 0.3);
     let press = |gap: &Field, force| {
-        NormalProblem::builder(&bodies, gap, NormalControl::Force(force))
-            .build()
-            .unwrap()
-            .solve()
-            .unwrap()
+        kit::solve(NormalProblem::builder(
+            &bodies,
+            gap,
+            NormalControl::Force(force),
+        ))
     };
     let flat = press(&Field::zeros(grid), 1.0);
     let across = Warning::ContactSpansGrid {
@@ -230,11 +209,12 @@ fn warnings_can_be_compared() {
         ]
     ));
     let load = TangentialLoad::force([1e-8, 0.0]);
-    let shear = TangentialProblem::builder(&bodies, &point, Friction::coulomb(0.5).unwrap(), load)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap();
+    let shear = kit::solve(TangentialProblem::builder(
+        &bodies,
+        &point,
+        Friction::coulomb(0.5).unwrap(),
+        load,
+    ));
     assert_eq!(shear.warnings(), point.warnings());
     assert!(
         press(&surface::sphere(grid, 1.0).unwrap(), 0.01)
@@ -255,7 +235,7 @@ fn single_contact_cell_is_solved() {
         for method in [Method::ActiveSet, Method::PolonskyKeer] {
             let builder =
                 NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.2)).method(method);
-            let normal = builder.build().unwrap().solve().unwrap();
+            let normal = kit::solve(builder);
             assert_eq!(normal.contact_cells(), 1);
             assert!(
                 (normal.pressure().max() - 0.2).abs() < 1e-13,
@@ -268,7 +248,7 @@ fn single_contact_cell_is_solved() {
                 Friction::coulomb(0.5).unwrap(),
                 TangentialLoad::force([0.3, 0.0]),
             );
-            let shear = builder.method(method).build().unwrap().solve().unwrap();
+            let shear = kit::solve(builder.method(method));
             assert!((shear.traction()[0].max() - 0.05).abs() < 1e-13);
             assert_eq!(shear.stick_ratio(), 1.0);
         }
@@ -286,19 +266,9 @@ fn limits_and_cancellation_leave_feasible_iterate_with_status() {
                 .method(method)
                 .tolerance(1e-10)
         };
-        let mut limited = builder()
-            .max_iterations(3)
-            .build()
-            .unwrap()
-            .into_solver()
-            .unwrap();
-        let mut timed = builder()
-            .time_limit(Duration::ZERO)
-            .build()
-            .unwrap()
-            .into_solver()
-            .unwrap();
-        let mut cancelled = builder().build().unwrap().into_solver().unwrap();
+        let mut limited = kit::solver(builder().max_iterations(3));
+        let mut timed = kit::solver(builder().time_limit(Duration::ZERO));
+        let mut cancelled = kit::solver(builder());
         let mut solution = limited.new_solution();
         let mut seen = 0;
         let outcomes = [
@@ -412,12 +382,7 @@ fn observer_receives_nothing_of_previous_solve() {
     };
     for method in [Method::ActiveSet, Method::PolonskyKeer] {
         let builder = NormalProblem::builder(&bodies, &gap, NormalControl::Force(15.0));
-        let mut press = builder
-            .method(method)
-            .build()
-            .unwrap()
-            .into_solver()
-            .unwrap();
+        let mut press = kit::solver(builder.method(method));
         let mut normal = press.new_solution();
         press.solve_into(&mut normal).unwrap();
         let mut first = None;
@@ -435,7 +400,7 @@ fn observer_receives_nothing_of_previous_solve() {
                 TangentialModel::Scalar => builder.method(method),
                 _ => builder,
             };
-            let mut shear = builder.build().unwrap().into_solver().unwrap();
+            let mut shear = kit::solver(builder);
             let mut solution = shear.new_solution();
             shear.solve_into(&mut solution).unwrap();
             let mut first = None;
@@ -458,7 +423,7 @@ fn solve_without_contact_leaves_no_start() {
     for method in [Method::ActiveSet, Method::PolonskyKeer] {
         let solver = |load| {
             let builder = NormalProblem::builder(&bodies, &ball, load).method(method);
-            builder.build().unwrap().into_solver().unwrap()
+            kit::solver(builder)
         };
         let mut cold = solver(NormalControl::Force(0.5));
         let mut expected = cold.new_solution();
@@ -484,8 +449,7 @@ fn solve_without_contact_leaves_no_start() {
             let mut solver = solver(NormalControl::Force(0.4));
             let mut solution = solver.new_solution();
             solver.solve_into(&mut solution).unwrap();
-            let refused = solver.set_load(NormalControl::Force(absurd));
-            assert!(matches!(refused, Err(Error::ExtremeNumber { .. })));
+            kit::assert_refused! { solver.set_load(NormalControl::Force(absurd)) => Error::ExtremeNumber { .. } }
             solver.solve_into(&mut solution).unwrap();
             assert!((solution.force() / 0.4 - 1.0).abs() < 1e-12);
         }
@@ -504,12 +468,7 @@ fn used_solver_returns_to_zero_load() {
             friction,
             TangentialLoad::shift([1e-6, 0.0]),
         );
-        let mut solver = builder
-            .method(method)
-            .build()
-            .unwrap()
-            .into_solver()
-            .unwrap();
+        let mut solver = kit::solver(builder.method(method));
         let mut shear = solver.new_solution();
         for load in [
             TangentialLoad::shift([0.0, 0.0]),
@@ -537,7 +496,7 @@ fn empty_solution_is_unsolved() {
     let (bodies, normal) = table_2(32);
     let ball = surface::sphere(bodies.grid(), Table2::RADIUS).unwrap();
     let press = NormalProblem::builder(&bodies, &ball, NormalControl::Force(1.0));
-    let empty = press.build().unwrap().into_solver().unwrap().new_solution();
+    let empty = kit::solver(press).new_solution();
     assert_eq!(empty.report().status, Status::Unsolved);
     assert!(empty.report().energy_error_bound().is_infinite());
     let load = TangentialLoad::force([0.1, 0.0]);
@@ -545,10 +504,7 @@ fn empty_solution_is_unsolved() {
         let friction = Friction::coulomb(0.5).unwrap();
         TangentialProblem::builder(&bodies, normal, friction, load).build()
     };
-    let refused = build(&empty).map(|_| ());
-    assert!(
-        matches!(refused, Err(Error::NotConverged(report)) if report.status == Status::Unsolved)
-    );
+    kit::assert_refused! { build(&empty) => Error::NotConverged(report) if report.status == Status::Unsolved }
     let empty = build(&normal)
         .unwrap()
         .into_solver()

@@ -15,8 +15,8 @@ const TOLERANCE: f64 = 1e-9;
 
 /// Compares the solutions of both methods. The single loop starts without coarser grids and uses the whole grid.
 fn assert_same(bodies: &HalfSpace, gap: &Field, load: NormalControl, friction: &Friction, f: f64) {
-    let normal = press(bodies, gap, load, TOLERANCE, Method::ActiveSet);
-    let plain = press(bodies, gap, load, TOLERANCE, Method::PolonskyKeer);
+    let normal = press(bodies, gap, load, TOLERANCE);
+    let plain = kit::press_by(bodies, gap, load, TOLERANCE, Method::PolonskyKeer);
     let pressures = [&normal, &plain].map(|solution| solution.pressure().as_slice());
     let error = l2_difference(pressures[0], pressures[1]);
     assert!(
@@ -42,7 +42,7 @@ fn assert_same(bodies: &HalfSpace, gap: &Field, load: NormalControl, friction: &
         TangentialLoad::force([0.0, -f * limit]),
     ] {
         let [sets, plain] = [Method::ActiveSet, Method::PolonskyKeer]
-            .map(|method| shear(bodies, &normal, friction, load, TOLERANCE, method));
+            .map(|method| kit::shear_by(bodies, &normal, friction, load, TOLERANCE, method));
         let axis = sets.axis().unwrap().index();
         let (a, b) = (sets.traction()[axis], plain.traction()[axis]);
         let error = l2_difference(a.as_slice(), b.as_slice());
@@ -58,7 +58,6 @@ fn assert_same(bodies: &HalfSpace, gap: &Field, load: NormalControl, friction: &
             friction,
             TangentialLoad::shift(sets.shift()),
             TOLERANCE,
-            Method::ActiveSet,
         );
         assert!((by_shift.force()[axis] / sets.force()[axis] - 1.0).abs() < 1e-6);
     }
@@ -84,7 +83,7 @@ fn tip_missed_by_coarse_cells_is_found() {
         NormalControl::Approach(-0.1),
     ] {
         assert_same(&bodies, &gap, load, &friction, 0.5);
-        let solution = press(&bodies, &gap, load, TOLERANCE, Method::ActiveSet);
+        let solution = press(&bodies, &gap, load, TOLERANCE);
         let tip = grid.nx() * (grid.ny() - 4) + 3;
         assert!(solution.pressure().as_slice()[tip] > 0.0);
     }
@@ -100,7 +99,7 @@ fn tip_is_found_under_tiny_load() {
     let tip = grid.nx() * (grid.ny() - 4) + 3;
     for force in [1e-8, 1e-10, 1e-14] {
         let load = NormalControl::Force(force);
-        let solution = press(&bodies, &gap, load, TOLERANCE, Method::ActiveSet);
+        let solution = press(&bodies, &gap, load, TOLERANCE);
         assert_eq!(solution.contact_cells(), 1);
         assert!(
             (solution.pressure().as_slice()[tip] * grid.cell_area() / force - 1.0).abs() < 1e-12
@@ -149,12 +148,12 @@ fn rough_gaps_and_load_beyond_window_match_plain_loop() {
     let gap = sphere_and_tip(grid);
     let problem =
         NormalProblem::builder(&bodies, &gap, NormalControl::Force(1e-3)).tolerance(TOLERANCE);
-    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(problem);
     let mut solution = solver.new_solution();
     for force in [1e-3, 1.0, 100.0, 1e4, 1e-3] {
         solver.set_load(NormalControl::Force(force)).unwrap();
         solver.solve_into(&mut solution).unwrap();
-        let plain = press(
+        let plain = kit::press_by(
             &bodies,
             &gap,
             NormalControl::Force(force),
@@ -172,18 +171,12 @@ fn stopped_nested_start_leaves_feasible_iterate() {
     let grid = Grid::square(120, 100.0).unwrap();
     let bodies = unit_bodies(grid, 0.3);
     let gap = rough(grid, 9);
-    let normal = press(
-        &bodies,
-        &gap,
-        NormalControl::Force(20.0),
-        TOLERANCE,
-        Method::ActiveSet,
-    );
+    let normal = press(&bodies, &gap, NormalControl::Force(20.0), TOLERANCE);
     let friction = Friction::coulomb(0.4).unwrap();
     let load = TangentialLoad::force([4.0, 0.0]);
     for calls in [0, 1, 5, 12, 30] {
         let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(20.0));
-        let mut press = press.build().unwrap().into_solver().unwrap();
+        let mut press = kit::solver(press);
         let mut pressed = press.new_solution();
         let mut left = calls;
         let outcome = press.solve_observed(&mut pressed, |_| stop_after(&mut left));
@@ -194,7 +187,7 @@ fn stopped_nested_start_leaves_feasible_iterate() {
         assert!((pressed.force() / 20.0 - 1.0).abs() < 1e-11 && pressed.pressure().min() >= 0.0);
 
         let shear = TangentialProblem::builder(&bodies, &normal, friction.clone(), load);
-        let mut shear = shear.build().unwrap().into_solver().unwrap();
+        let mut shear = kit::solver(shear);
         let mut sheared = shear.new_solution();
         let mut left = calls;
         let outcome = shear.solve_observed(&mut sheared, |_| stop_after(&mut left));
@@ -233,12 +226,12 @@ fn solver_under_zero_load_keeps_axis() {
     let ball = surface::sphere(grid, 10.0).unwrap();
     let [light, heavy] = [0.05, 0.5].map(|force| {
         let load = NormalControl::Force(force);
-        press(&bodies, &ball, load, TOLERANCE, Method::ActiveSet)
+        press(&bodies, &ball, load, TOLERANCE)
     });
     let friction = Friction::coulomb(0.5).unwrap();
     let along_y = |force| TangentialLoad::force([0.0, force]);
     let problem = TangentialProblem::builder(&bodies, &light, friction, along_y(0.01));
-    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut solver = kit::solver(problem);
     let mut shear = solver.new_solution();
     solver.solve_into(&mut shear).unwrap();
     solver.set_load(along_y(0.0)).unwrap();

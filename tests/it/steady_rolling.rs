@@ -12,12 +12,7 @@ use stickslip::{
 };
 
 fn pressed(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
-    NormalProblem::builder(bodies, gap, NormalControl::Force(force))
-        .tolerance(1e-11)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap()
+    kit::solve(NormalProblem::builder(bodies, gap, NormalControl::Force(force)).tolerance(1e-11))
 }
 
 fn similar_bodies(grid: Grid, shear_modulus: f64, poisson: f64) -> HalfSpace {
@@ -41,15 +36,13 @@ fn steady_rolling_without_entry_law_matches_contact() {
     let gap = Field::from_fn(grid, |x, y| 0.05 * (x * x + y * y));
     let normal = pressed(&bodies, &gap, 100.0);
     let of = |creepage: [f64; 2], spin: f64| {
-        RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap())
-            .creepage(creepage)
-            .spin(spin)
-            .entry_rule(EntryRule::WholeStep)
-            .tolerance(1e-10)
-            .build()
-            .unwrap()
-            .solve()
-            .unwrap()
+        kit::solve(
+            RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap())
+                .creepage(creepage)
+                .spin(spin)
+                .entry_rule(EntryRule::WholeStep)
+                .tolerance(1e-10),
+        )
     };
     let cases = [
         (
@@ -93,14 +86,12 @@ fn steady_rolling_without_entry_law_matches_contact() {
     let bodies = similar_bodies(grid, 82_000.0, 0.28);
     let gap = Field::from_fn(grid, |x, y| 0.0008 * x * x + 0.00028141731461784 * y * y);
     let normal = pressed(&bodies, &gap, 106_700.0);
-    let rolling = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.33).unwrap())
-        .creepage([0.0012, 0.0])
-        .entry_rule(EntryRule::WholeStep)
-        .tolerance(1e-9)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap();
+    let rolling = kit::solve(
+        RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.33).unwrap())
+            .creepage([0.0012, 0.0])
+            .entry_rule(EntryRule::WholeStep)
+            .tolerance(1e-9),
+    );
     let (found, stick) = results(&rolling);
     assert!((found[0] / 22_823.62310136 - 1.0).abs() < 1e-9 && stick == 782);
 }
@@ -124,13 +115,11 @@ fn errors_of_carter(cells: usize, ratio: f64, entry_rule: EntryRule) -> [f64; 2]
         let slides_at = Carter::new(hertz, 0.3, 0.0).unwrap().sliding_creepage();
         let creepage = (1.0 - ratio) * slides_at;
         let carter = Carter::new(hertz, 0.3, creepage).unwrap();
-        let rolling = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap())
-            .creepage([creepage, 0.0])
-            .entry_rule(entry_rule)
-            .build()
-            .unwrap()
-            .solve()
-            .unwrap();
+        let rolling = kit::solve(
+            RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap())
+                .creepage([creepage, 0.0])
+                .entry_rule(entry_rule),
+        );
         let force = rolling.force()[0];
         errors[0] += (force - carter.force()).abs() / (0.3 * hertz.load()) / 3.0;
         let (mut missed, mut sum) = (0.0, 0.0);
@@ -179,13 +168,7 @@ fn small_creepages_match_kalker_coefficients() {
         let of = |creepage: [f64; 2], spin: f64| {
             let friction = Friction::coulomb(1e4).unwrap();
             let problem = RollingProblem::builder(&bodies, &normal, friction);
-            let rolling = problem
-                .creepage(creepage)
-                .spin(spin)
-                .build()
-                .unwrap()
-                .solve()
-                .unwrap();
+            let rolling = kit::solve(problem.creepage(creepage).spin(spin));
             (rolling.force(), rolling.moment())
         };
         let ([x, _], _) = of([1e-3, 0.0], 0.0);
@@ -325,7 +308,7 @@ proptest! {
                 Some(fraction) => builder.control(Axis::X, RollingControl::Force(fraction * held * grid.cell_area())),
                 None => builder,
             };
-            builder.build().unwrap().solve().unwrap()
+            kit::solve(builder)
         };
         assert_fulfils_equations(&bodies, &normal, &problem(EntryRule::WholeStep, 1e-10), limit);
         let (rough, tight) = (problem(EntryRule::WholeStep, 1e-3), problem(EntryRule::WholeStep, 1e-11));
@@ -355,7 +338,7 @@ proptest! {
         let at = |tolerance: f64| {
             let friction = Friction::coulomb(friction).unwrap();
             let problem = RollingProblem::builder(&bodies, &normal, friction).creepage(creepage).spin(spin);
-            problem.tolerance(tolerance).build().unwrap().solve().unwrap()
+            kit::solve(problem.tolerance(tolerance))
         };
         let (rough, tight) = (at(0.1_f64.powi(digits)), at(1e-12));
         let (pressure, apart) = (normal.pressure().as_slice(), normal.gap().as_slice());
@@ -378,14 +361,7 @@ fn rotated_leading_edges_give_rotated_results() {
     let of = |edge: LeadingEdge, creepage: [f64; 2], spin: f64| {
         let friction = Friction::coulomb(0.3).unwrap();
         let problem = RollingProblem::builder(&bodies, &normal, friction).leading_edge(edge);
-        problem
-            .creepage(creepage)
-            .spin(spin)
-            .tolerance(1e-11)
-            .build()
-            .unwrap()
-            .solve()
-            .unwrap()
+        kit::solve(problem.creepage(creepage).spin(spin).tolerance(1e-11))
     };
     let [x, y] = of(LeadingEdge::PlusX, [0.1, 0.05], 0.08).force();
     // The problem is rotated by a quarter, a half and three quarters of a turn.
@@ -413,16 +389,10 @@ fn prescribed_force_gives_creepage_that_causes_it() {
     let friction = || Friction::coulomb(0.3).unwrap();
     let builder = || RollingProblem::builder(&bodies, &normal, friction()).tolerance(1e-11);
     for creepage in [[0.01, 0.0], [0.1, -0.07], [0.2, 0.3]] {
-        let rolling = builder()
-            .creepage(creepage)
-            .spin(0.05)
-            .build()
-            .unwrap()
-            .solve()
-            .unwrap();
+        let rolling = kit::solve(builder().creepage(creepage).spin(0.05));
         let [x, y] = rolling.force().map(RollingControl::Force);
         let back = builder().control(Axis::X, x).control(Axis::Y, y).spin(0.05);
-        let back = back.build().unwrap().solve().unwrap().creepage();
+        let back = kit::solve(back).creepage();
         for axis in 0..2 {
             assert!(
                 (back[axis] - creepage[axis]).abs() < 1e-6 * creepage[0],
@@ -432,13 +402,10 @@ fn prescribed_force_gives_creepage_that_causes_it() {
     }
     // A force that slides the contact does not determine the creepage.
     for force in [0.3, 0.31, f64::NAN] {
-        let refused = builder()
-            .control(Axis::X, RollingControl::Force(force))
-            .build();
-        assert!(matches!(
-            refused,
-            Err(Error::BeyondFrictionCapacity { .. } | Error::NotFinite { .. })
-        ));
+        kit::assert_refused! {
+            builder().control(Axis::X, RollingControl::Force(force)).build()
+                => Error::BeyondFrictionCapacity { .. } | Error::NotFinite { .. },
+        }
     }
 }
 
@@ -480,47 +447,23 @@ fn invalid_rolling_is_rejected() {
     let ball = surface::sphere(grid, 1.0).unwrap();
     let normal = pressed(&bodies, &ball, 1.0);
     let builder = || RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap());
-    assert!(matches!(
-        builder().creepage([f64::NAN, 0.0]).build(),
-        Err(Error::NotFinite { .. })
-    ));
-    assert!(matches!(
-        builder().spin(f64::INFINITY).build(),
-        Err(Error::NotFinite { .. })
-    ));
-    assert!(matches!(
-        builder().step(0).build(),
-        Err(Error::NotPositive { .. })
-    ));
-    assert!(matches!(
-        builder().step(9).build(),
-        Err(Error::GridTooShort { .. })
-    ));
-    assert!(matches!(
-        builder().step(usize::MAX).build(),
-        Err(Error::GridTooShort { .. })
-    ));
-    assert!(matches!(
-        builder().leading_edge(LeadingEdge::MinusY).step(9).build(),
-        Err(Error::GridTooShort { .. })
-    ));
-    assert!(matches!(
-        builder()
-            .creepage([f64::MAX, 0.0])
-            .step(1)
-            .spin(f64::MAX)
-            .build(),
-        Err(Error::NotFinite { .. })
-    ));
-    let mut solver = builder().build().unwrap().into_solver().unwrap();
+    kit::assert_refused! {
+        builder().creepage([f64::NAN, 0.0]).build() => Error::NotFinite { .. },
+        builder().spin(f64::INFINITY).build() => Error::NotFinite { .. },
+        builder().step(0).build() => Error::NotPositive { .. },
+        builder().step(9).build() => Error::GridTooShort { .. },
+        builder().step(usize::MAX).build() => Error::GridTooShort { .. },
+        builder().leading_edge(LeadingEdge::MinusY).step(9).build() => Error::GridTooShort { .. },
+        builder().creepage([f64::MAX, 0.0]).step(1).spin(f64::MAX).build() => Error::NotFinite { .. },
+    }
+    let mut solver = kit::solver(builder());
     let elsewhere = HalfSpace::new(Grid::square(8, 2.4).unwrap(), *bodies.pair()).unwrap();
     let small = surface::sphere(elsewhere.grid(), 1.0).unwrap();
     let other = pressed(&elsewhere, &small, 1.0);
     let refused = RollingProblem::builder(&bodies, &other, Friction::coulomb(0.3).unwrap()).build();
     assert!(matches!(refused, Err(Error::GridMismatch { .. })));
     let force = RollingControl::Force(1.0);
-    let refused = solver.set_control([force; 2], 0.0);
-    assert!(matches!(refused, Err(Error::BeyondFrictionCapacity { .. })));
+    kit::assert_refused! { solver.set_control([force; 2], 0.0) => Error::BeyondFrictionCapacity { .. } }
     let mut rolling = solver.new_solution();
     solver.solve_into(&mut rolling).unwrap();
     assert_eq!(rolling.force(), [0.0; 2]);
@@ -581,7 +524,7 @@ fn work_and_dissipation_agree_as_cells_shrink() {
         let ball = surface::sphere(grid, 1.0).unwrap();
         let normal = pressed(&bodies, &ball, 1.0);
         let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap());
-        let rolling = problem.spin(2.0).build().unwrap().solve().unwrap();
+        let rolling = kit::solve(problem.spin(2.0));
         let lost = rolling.dissipation().unwrap().integral();
         1.0 - lost / rolling.work()
     });

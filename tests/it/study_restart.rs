@@ -239,11 +239,11 @@ fn study_table_matches_library_bitwise() {
     let gap = surface::gap_from_heights(rough.heights()).unwrap();
     let force = 0.1 * pair.contact_modulus();
     let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(force)).tolerance(1e-6);
-    let normal = normal.build().unwrap().solve().unwrap();
+    let normal = kit::solve(normal);
     let load = TangentialLoad::force([0.1 * force, 0.0]);
     let friction = Friction::coulomb(0.4).unwrap();
     let shear = TangentialProblem::builder(&bodies, &normal, friction, load).tolerance(1e-6);
-    let shear = shear.build().unwrap().solve().unwrap();
+    let shear = kit::solve(shear);
     assert_eq!(number("contact_area"), normal.contact_area());
     assert_eq!(
         number("contact_area_corrected"),

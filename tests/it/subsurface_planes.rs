@@ -730,11 +730,7 @@ fn invalid_planes_are_rejected() {
     let on_rigid = ElasticPair::new(body, Material::rigid()).unwrap();
     let bodies = HalfSpace::new(grid, on_rigid).unwrap();
     for bad in [-1e-9, f64::NAN, f64::INFINITY] {
-        let refused = Planes::new(&bodies, &[0.0, bad]).unwrap_err();
-        assert!(
-            matches!(refused, Error::Sample { index: 1, .. }),
-            "{refused}"
-        );
+        kit::assert_refused! { Planes::new(&bodies, &[0.0, bad]) => Error::Sample { index: 1, .. } }
     }
     let mut planes = Planes::new(&bodies, &[0.0, 1.0]).unwrap();
     let p = Field::constant(grid, 1.0);
@@ -748,22 +744,17 @@ fn invalid_planes_are_rejected() {
         };
         assert_eq!((expected, found), (needed, 2));
     }
-    let refused = planes.solve(0, Body::Two, Tractions::new(&p)).unwrap_err();
-    assert!(matches!(refused, Error::RigidBody("body 2")));
+    kit::assert_refused! { planes.solve(0, Body::Two, Tractions::new(&p)) => Error::RigidBody("body 2") }
     let other = HalfSpace::new(Grid::new(3, 4, 1.0, 1.0).unwrap(), on_rigid).unwrap();
     let field = Field::zeros(other.grid());
     let mut plane = Planes::new(&other, &[0.0])
         .unwrap()
         .solve(0, Body::One, Tractions::new(&field))
         .unwrap();
-    let refused = planes
-        .solve_into(0, Body::One, Tractions::new(&p), &mut plane)
-        .unwrap_err();
-    assert!(matches!(refused, Error::GridMismatch { .. }));
-    let refused = planes
-        .solve(0, Body::One, Tractions::new(&field))
-        .unwrap_err();
-    assert!(matches!(refused, Error::GridMismatch { .. }));
+    kit::assert_refused! {
+        planes.solve_into(0, Body::One, Tractions::new(&p), &mut plane) => Error::GridMismatch { .. },
+        planes.solve(0, Body::One, Tractions::new(&field)) => Error::GridMismatch { .. },
+    }
 }
 
 /// A uniform stress, such as the stress of the bulk, is included in all stresses of planes and points. Displacements do not
@@ -807,7 +798,6 @@ fn uniform_stress_is_added_to_planes_and_points() {
             zz: f64::NAN,
             ..bulk
         });
-        let refused = planes.solve(0, Body::One, broken);
-        assert!(matches!(refused, Err(Error::Sample { index: 2, .. })));
+        kit::assert_refused! { planes.solve(0, Body::One, broken) => Error::Sample { index: 2, .. } }
     }
 }

@@ -213,30 +213,18 @@ fn invalid_points_and_bodies_are_rejected() {
         [0.0, 0.0, -1e-9],
     ] {
         let points = [[0.0; 3], bad];
-        let refused = at_points(&bodies, Body::One, Tractions::new(&p), &points);
-        assert!(
-            matches!(refused, Err(Error::Sample { index: 1, .. })),
-            "{refused:?}"
-        );
+        kit::assert_refused! {
+            at_points(&bodies, Body::One, Tractions::new(&p), &points) => Error::Sample { index: 1, .. },
+        }
     }
-    assert!(matches!(
-        at(Body::One, &p, [0.0, 0.0, f64::NAN]),
-        Err(Error::Sample { .. })
-    ));
-    assert!(matches!(
-        at(Body::Two, &p, [0.0; 3]),
-        Err(Error::RigidBody("body 2"))
-    ));
+    kit::assert_refused! {
+        at(Body::One, &p, [0.0, 0.0, f64::NAN]) => Error::Sample { .. },
+        at(Body::Two, &p, [0.0; 3]) => Error::RigidBody("body 2"),
+    }
     let other = Field::zeros(Grid::new(2, 2, 1.0, 1.0).unwrap());
-    assert!(matches!(
-        at(Body::One, &other, [0.0; 3]),
-        Err(Error::GridMismatch { .. })
-    ));
+    kit::assert_refused! { at(Body::One, &other, [0.0; 3]) => Error::GridMismatch { .. } }
     let broken = Field::constant(grid, f64::NAN);
-    assert!(matches!(
-        at(Body::One, &broken, [0.0; 3]),
-        Err(Error::Sample { .. })
-    ));
+    kit::assert_refused! { at(Body::One, &broken, [0.0; 3]) => Error::Sample { .. } }
     let repeats = HalfSpace::with_boundary(grid, *bodies.pair(), Boundary::Periodic).unwrap();
     let refused = at_points(&repeats, Body::One, Tractions::new(&p), &[[0.0; 3]]);
     assert!(matches!(refused, Err(Error::DivergentPeriodicSum(_))));
@@ -327,16 +315,12 @@ fn solutions_are_accepted_as_tractions() {
     let points = [[0.1, 0.2, 0.0], [-0.3, 0.1, 0.4], [2.0, 3.0, 1.0]];
     let at = |tractions: Tractions<'_>| at_points(&bodies, Body::Two, tractions, &points);
 
-    let normal = NormalProblem::builder(&bodies, &gap, press)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap();
+    let normal = kit::solve(NormalProblem::builder(&bodies, &gap, press));
     let pressed = Tractions::new(normal.pressure());
     assert_eq!(at(Tractions::from(&normal)), at(pressed));
 
     let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), press, pull);
-    let coupled = problem.build().unwrap().solve().unwrap();
+    let coupled = kit::solve(problem);
     let (normal, shear) = (coupled.normal(), coupled.tangential());
     let expected = at(Tractions::new(normal.pressure()).with_traction(shear.traction()));
     assert_eq!(at(Tractions::from(&coupled)), expected);
@@ -353,11 +337,9 @@ fn solutions_are_accepted_as_tractions() {
     assert_eq!(at(Tractions::from(history.state())), expected);
 
     let others = HalfSpace::new(grid, ElasticPair::new(body(1.0), body(1.0)).unwrap()).unwrap();
-    let refused = at_points(&others, Body::One, normal, &points);
-    assert!(matches!(refused, Err(Error::MaterialMismatch { .. })));
+    kit::assert_refused! { at_points(&others, Body::One, normal, &points) => Error::MaterialMismatch { .. } }
     let others = HalfSpace::with_boundary(grid, pair, Boundary::Periodic).unwrap();
-    let refused = at_points(&others, Body::One, normal, &points);
-    assert!(matches!(refused, Err(Error::BoundaryMismatch { .. })));
+    kit::assert_refused! { at_points(&others, Body::One, normal, &points) => Error::BoundaryMismatch { .. } }
 }
 
 fn stress() -> impl Strategy<Value = Stress> {

@@ -1,6 +1,6 @@
 //! Shapes, generated and measured surfaces, load paths and wear laws reject invalid parameters by name and value.
 
-use kit::refusal::Rule::{Finite, NonNegative, Positive};
+use kit::refusal::Rule::{Finite, NonNegative};
 use kit::refusal::{assert_checked, extreme, mismatch};
 use kit::unit_bodies;
 use stickslip::history::wear::{self, CycleJump};
@@ -17,39 +17,23 @@ fn grid() -> Grid {
 fn shapes_with_invalid_parameters_are_rejected() {
     let grid = grid();
     let size = |shape: Result<Field, Error>| shape.map(|field| extreme(&field));
-    assert_checked("radius must", Positive, |value| {
-        size(surface::sphere(grid, value))
-    });
-    assert_checked("radius along x", Positive, |value| {
-        size(surface::ellipsoid(grid, value, 1.0))
-    });
-    assert_checked("radius along y", Positive, |value| {
-        size(surface::ellipsoid(grid, 1.0, value))
-    });
-    assert_checked("radius", Positive, |value| {
-        size(surface::cylinder(grid, value))
-    });
-    assert_checked("slope", Positive, |value| size(surface::cone(grid, value)));
-    assert_checked("radius", Positive, |value| {
-        size(surface::flat_punch(grid, value, 1.0))
-    });
-    assert_checked("recess", Positive, |value| {
-        size(surface::flat_punch(grid, 1.0, value))
-    });
-    assert_checked("amplitude", Positive, |value| {
-        size(surface::sinusoidal(grid, value, 1.0))
-    });
-    assert_checked("wavelength", Positive, |value| {
-        size(surface::sinusoidal(grid, 1.0, value))
-    });
+    kit::assert_all_checked! {
+        Positive "radius must" => |value| size(surface::sphere(grid, value)),
+        Positive "radius along x" => |value| size(surface::ellipsoid(grid, value, 1.0)),
+        Positive "radius along y" => |value| size(surface::ellipsoid(grid, 1.0, value)),
+        Positive "radius" => |value| size(surface::cylinder(grid, value)),
+        Positive "slope" => |value| size(surface::cone(grid, value)),
+        Positive "radius" => |value| size(surface::flat_punch(grid, value, 1.0)),
+        Positive "recess" => |value| size(surface::flat_punch(grid, 1.0, value)),
+        Positive "amplitude" => |value| size(surface::sinusoidal(grid, value, 1.0)),
+        Positive "wavelength" => |value| size(surface::sinusoidal(grid, 1.0, value)),
+    }
     let both = |amplitude, wavelengths| size(surface::bisinusoidal(grid, amplitude, wavelengths));
-    assert_checked("amplitude", Positive, |value| both(value, [1.0; 2]));
-    assert_checked("wavelength along x", Positive, |value| {
-        both(1.0, [value, 1.0])
-    });
-    assert_checked("wavelength along y", Positive, |value| {
-        both(1.0, [1.0, value])
-    });
+    kit::assert_all_checked! {
+        Positive "amplitude" => |value| both(value, [1.0; 2]),
+        Positive "wavelength along x" => |value| both(1.0, [value, 1.0]),
+        Positive "wavelength along y" => |value| both(1.0, [1.0, value]),
+    }
     let curved = |curvatures| size(surface::paraboloid(grid, curvatures));
     assert_checked("curvature xx", Finite, |value| curved([value, 0.0, 1.0]));
     assert_checked("curvature xy", Finite, |value| curved([1.0, value, 1.0]));
@@ -61,24 +45,16 @@ fn generated_surfaces_with_invalid_parameters_are_rejected() {
     let grid = grid();
     let size = |surface: SelfAffine| surface.generate(grid).map(|rough| extreme(rough.heights()));
     let one = || SelfAffine::with_rms_height(1.0);
-    assert_checked("height", Positive, |value| {
-        size(SelfAffine::with_rms_height(value))
-    });
-    assert_checked("slope", Positive, |value| {
-        size(SelfAffine::with_rms_slope(value))
-    });
-    assert_checked("Hurst", NonNegative, |value| size(one().hurst(value)));
-    assert_checked("wavelength", Positive, |value| {
-        size(one().longest_wavelength(value))
-    });
-    assert_checked("wavelength", Positive, |value| {
-        size(one().roll_off_wavelength(value))
-    });
-    assert_checked("wavelength", Positive, |value| {
-        size(one().cut_off_wavelength(value))
-    });
-    assert_checked("skewness", Finite, |value| size(one().skewness(value)));
-    assert_checked("kurtosis", Finite, |value| size(one().kurtosis(value)));
+    kit::assert_all_checked! {
+        Positive "height" => |value| size(SelfAffine::with_rms_height(value)),
+        Positive "slope" => |value| size(SelfAffine::with_rms_slope(value)),
+        NonNegative "Hurst" => |value| size(one().hurst(value)),
+        Positive "wavelength" => |value| size(one().longest_wavelength(value)),
+        Positive "wavelength" => |value| size(one().roll_off_wavelength(value)),
+        Positive "wavelength" => |value| size(one().cut_off_wavelength(value)),
+        Finite "skewness" => |value| size(one().skewness(value)),
+        Finite "kurtosis" => |value| size(one().kurtosis(value)),
+    }
 }
 
 /// Computes quantities of a surface. Each result is a finite number or an error.
@@ -134,18 +110,12 @@ fn files_with_invalid_cell_sides_are_rejected() {
     let text = b"1,2\n3,4\n";
     let binary = npy::to_bytes(&Field::zeros(grid()));
     let size = |field: Field| extreme(&field);
-    assert_checked("cell side dx", Positive, |side| {
-        csv::parse(text, [side, 1.0]).map(size)
-    });
-    assert_checked("cell side dy", Positive, |side| {
-        csv::parse(text, [1.0, side]).map(size)
-    });
-    assert_checked("cell side dx", Positive, |side| {
-        npy::parse(&binary, [side, 1.0]).map(size)
-    });
-    assert_checked("cell side dy", Positive, |side| {
-        npy::parse(&binary, [1.0, side]).map(size)
-    });
+    kit::assert_all_checked! {
+        Positive "cell side dx" => |side| csv::parse(text, [side, 1.0]).map(size),
+        Positive "cell side dy" => |side| csv::parse(text, [1.0, side]).map(size),
+        Positive "cell side dx" => |side| npy::parse(&binary, [side, 1.0]).map(size),
+        Positive "cell side dy" => |side| npy::parse(&binary, [1.0, side]).map(size),
+    }
     // The sides are checked before the file is opened.
     let refused = npy::read("no_such_file.npy", [0.0, 1.0]);
     assert!(matches!(refused, Err(Error::NotPositive { .. })));
@@ -161,21 +131,13 @@ fn load_paths_with_invalid_amplitudes_are_rejected() {
             .flatten()
             .fold(0.0_f64, |a, b| a.max(b.abs()))
     };
-    assert_checked("amplitude along x", Finite, |value| {
-        LoadPath::sine([value, 1.0], 8).map(last)
-    });
-    assert_checked("amplitude along y", Finite, |value| {
-        LoadPath::sine([1.0, value], 8).map(last)
-    });
-    assert_checked("amplitude along x", Finite, |value| {
-        LoadPath::triangle([value, 1.0], 8).map(last)
-    });
-    assert_checked("phase", Finite, |value| {
-        LoadPath::ellipse([1.0; 2], value, 8).map(last)
-    });
-    assert_checked("load path", Finite, |value| {
-        LoadPath::table(vec![[0.0, value]]).map(last)
-    });
+    kit::assert_all_checked! {
+        Finite "amplitude along x" => |value| LoadPath::sine([value, 1.0], 8).map(last),
+        Finite "amplitude along y" => |value| LoadPath::sine([1.0, value], 8).map(last),
+        Finite "amplitude along x" => |value| LoadPath::triangle([value, 1.0], 8).map(last),
+        Finite "phase" => |value| { LoadPath::ellipse([1.0; 2], value, 8).map(last) },
+        Finite "load path" => |value| LoadPath::table(vec![[0.0, value]]).map(last),
+    }
 }
 
 /// The depth is a field that belongs to the caller.
@@ -190,34 +152,23 @@ fn wear_law_rejected_input_leaves_depth_unchanged() {
         assert!(outcome.is_ok() || worn == depth);
         outcome.map(|()| extreme(&worn))
     };
-    assert_checked("wear coefficient", NonNegative, |k| {
-        kept(&|d| wear::archard(k, &ones, &ones, d))
-    });
-    assert_checked("wear coefficient", NonNegative, |k| {
-        kept(&|d| wear::energy(k, &ones, d))
-    });
+    kit::assert_all_checked! {
+        NonNegative "wear coefficient" => |k| kept(&|d| wear::archard(k, &ones, &ones, d)),
+        NonNegative "wear coefficient" => |k| kept(&|d| wear::energy(k, &ones, d)),
+    }
     let with = |value| {
         let mut field = ones.clone();
         field.as_mut_slice()[40] = value;
         field
     };
-    assert_checked("pressure", NonNegative, |p| {
-        kept(&|d| wear::archard(1.0, &with(p), &ones, d))
-    });
-    assert_checked("slip length", NonNegative, |s| {
-        kept(&|d| wear::archard(1.0, &ones, &with(s), d))
-    });
-    assert_checked("dissipated energy", NonNegative, |e| {
-        kept(&|d| wear::energy(1.0, &with(e), d))
-    });
-    assert_checked("threshold of dissipated energy", NonNegative, |e| {
-        kept(&|d| wear::threshold_energy(1.0, e, &ones, &ones, d))
-    });
-    assert_checked("accumulated energy", NonNegative, |e| {
-        kept(&|d| wear::threshold_energy(1.0, 0.5, &with(e), &ones, d))
-    });
-    let greatest = kept(&|d| wear::archard(1e200, &with(1e200), &ones, d));
-    assert!(matches!(greatest, Err(Error::NotFinite { .. })));
+    kit::assert_all_checked! {
+        NonNegative "pressure" => |p| kept(&|d| wear::archard(1.0, &with(p), &ones, d)),
+        NonNegative "slip length" => |s| kept(&|d| wear::archard(1.0, &ones, &with(s), d)),
+        NonNegative "dissipated energy" => |e| kept(&|d| wear::energy(1.0, &with(e), d)),
+        NonNegative "threshold of dissipated energy" => |e| kept(&|d| wear::threshold_energy(1.0, e, &ones, &ones, d)),
+        NonNegative "accumulated energy" => |e| kept(&|d| wear::threshold_energy(1.0, 0.5, &with(e), &ones, d)),
+    }
+    kit::assert_refused! { kept(&|d| wear::archard(1e200, &with(1e200), &ones, d)) => Error::NotFinite { .. } }
     let small = Grid::new(12, 9, 1e-160, 1e-140).unwrap();
     let energy = wear::energy(1e20, &Field::zeros(small), &mut Field::zeros(small));
     assert!(matches!(energy, Err(Error::NotFinite { .. })));
@@ -239,12 +190,10 @@ fn cycle_jumps_with_invalid_limits_are_rejected() {
     let history = History::builder(&bodies, &gap, friction).build().unwrap();
     let cycle = Cycle::new(&history);
     let jump = CycleJump::new(&bodies, &cycle, &Field::constant(grid(), 4e-9)).unwrap();
-    assert_checked("largest depth", NonNegative, |depth| {
-        jump.largest_depth(depth).cycles_left(1000.0).cycles()
-    });
-    assert_checked("number of cycles left", NonNegative, |left| {
-        jump.cycles_left(left).cycles()
-    });
+    kit::assert_all_checked! {
+        NonNegative "largest depth" => |depth| jump.largest_depth(depth).cycles_left(1000.0).cycles(),
+        NonNegative "number of cycles left" => |left| jump.cycles_left(left).cycles(),
+    }
     assert_checked("depth of the cycle", NonNegative, |depth| {
         let jump = CycleJump::new(&bodies, &cycle, &Field::constant(grid(), depth))?;
         jump.largest_depth(1.0).cycles_left(1000.0).cycles()

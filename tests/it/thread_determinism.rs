@@ -14,12 +14,12 @@ fn solve() -> (NormalSolution, [TangentialSolution; 2]) {
 
 fn solve_on(bodies: &HalfSpace, gap: &Field) -> (NormalSolution, [TangentialSolution; 2]) {
     let normal = NormalProblem::builder(bodies, gap, NormalControl::Force(60.0));
-    let normal = normal.build().unwrap().solve().unwrap();
+    let normal = kit::solve(normal);
     let load = TangentialLoad::force([12.0, 0.0]);
     let friction = Friction::coulomb(0.4).unwrap();
     let shear = [TangentialModel::Scalar, TangentialModel::Vector].map(|lateral| {
         let shear = TangentialProblem::builder(bodies, &normal, friction.clone(), load);
-        shear.model(lateral).build().unwrap().solve().unwrap()
+        kit::solve(shear.model(lateral))
     });
     (normal, shear)
 }

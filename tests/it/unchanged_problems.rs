@@ -52,12 +52,7 @@ fn unchanged_pressures_and_tractions_are_only_verified() {
     for (name, bodies, gap, force) in scenes() {
         for tolerance in TOLERANCES {
             let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(force));
-            let mut press = problem
-                .tolerance(tolerance)
-                .build()
-                .unwrap()
-                .into_solver()
-                .unwrap();
+            let mut press = kit::solver(problem.tolerance(tolerance));
             let mut normal = press.new_solution();
             press.solve_into(&mut normal).unwrap();
             for control in [
@@ -135,12 +130,7 @@ fn unchanged_coupled_contacts_are_only_verified() {
     );
     let friction = Friction::coulomb(0.3).unwrap();
     let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), press, load);
-    let mut solver = problem
-        .tolerance(1e-6)
-        .build()
-        .unwrap()
-        .into_solver()
-        .unwrap();
+    let mut solver = kit::solver(problem.tolerance(1e-6));
     let mut contact = solver.new_solution();
     solver.solve_into(&mut contact).unwrap();
     solver.solve_into(&mut contact).unwrap();

@@ -3,7 +3,6 @@
 
 use kit::{Table2, max_abs, rough, unit_bodies, unit_pair};
 use proptest::prelude::*;
-use stickslip::cgm::Method;
 use stickslip::influence::Component;
 use stickslip::{
     Boundary, Error, Field, Friction, Grid, HalfSpace, NormalControl, NormalSolution, Operator,
@@ -13,13 +12,7 @@ use stickslip::{
 const FRICTION: f64 = 0.5;
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
-    kit::press(
-        bodies,
-        gap,
-        NormalControl::Force(force),
-        1e-10,
-        Method::ActiveSet,
-    )
+    kit::press(bodies, gap, NormalControl::Force(force), 1e-10)
 }
 
 fn shear(
@@ -30,13 +23,11 @@ fn shear(
     tolerance: f64,
 ) -> TangentialSolution {
     let friction = Friction::coulomb(FRICTION).unwrap();
-    TangentialProblem::builder(bodies, normal, friction, load)
-        .model(lateral)
-        .tolerance(tolerance)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap()
+    kit::solve(
+        TangentialProblem::builder(bodies, normal, friction, load)
+            .model(lateral)
+            .tolerance(tolerance),
+    )
 }
 
 /// Creates the ball of the paper on `cells` x `cells` cells, a square of three contact radii, with the given Poisson's
@@ -180,14 +171,11 @@ fn force_at_limit_slides_and_beyond_limit_is_rejected() {
 fn warm_started_load_path_matches_cold_solve() {
     let (bodies, normal) = rough_contact(64, 0.4, Boundary::NonPeriodic);
     let friction = Friction::coulomb(FRICTION).unwrap();
-    let mut solver =
+    let mut solver = kit::solver(
         TangentialProblem::builder(&bodies, &normal, friction, TangentialLoad::force([0.0; 2]))
             .model(TangentialModel::Vector)
-            .tolerance(1e-10)
-            .build()
-            .unwrap()
-            .into_solver()
-            .unwrap();
+            .tolerance(1e-10),
+    );
     let mut warm = solver.new_solution();
     for (f, direction) in [(0.3, [1.0, 0.0]), (0.8, [1.0, 1.0]), (0.5, [-1.0, 2.0])] {
         let load = force_along(&normal, f, direction);

@@ -32,7 +32,7 @@ fn history(bodies: &HalfSpace, gap: &Field) -> History {
 /// Returns a solver after its first solve, and its solution.
 fn solved(bodies: &HalfSpace, gap: &Field, load: NormalControl) -> (NormalSolver, NormalSolution) {
     let problem = NormalProblem::builder(bodies, gap, load).tolerance(1e-6);
-    let mut press = problem.build().unwrap().into_solver().unwrap();
+    let mut press = kit::solver(problem);
     let mut contact = press.new_solution();
     press.solve_into(&mut contact).unwrap();
     (press, contact)
@@ -181,10 +181,7 @@ fn failed_step_does_not_move_start() {
             straight.step(load).unwrap();
             let before = stopped.to_bytes();
             let beyond = step(1.3 * force, force);
-            assert!(matches!(
-                stopped.step(&beyond),
-                Err(Error::BeyondFrictionCapacity { .. })
-            ));
+            kit::assert_refused! { stopped.step(&beyond) => Error::BeyondFrictionCapacity { .. } }
             assert_eq!(stopped.to_bytes(), before);
             stopped.step(load).unwrap();
             assert_eq!(stopped.to_bytes(), straight.to_bytes());

@@ -12,7 +12,7 @@ use stickslip::{
 fn press(grid: Grid, boundary: Boundary, gap: &Field) -> (HalfSpace, NormalSolution) {
     let bodies = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), boundary).unwrap();
     let problem = NormalProblem::builder(&bodies, gap, NormalControl::Force(2.0));
-    let contact = problem.build().unwrap().solve().unwrap();
+    let contact = kit::solve(problem);
     (bodies, contact)
 }
 
@@ -36,7 +36,7 @@ fn cylinder_ending_with_grid_gives_warning() {
     let friction = Friction::coulomb(0.4).unwrap();
     let load = TangentialLoad::force([0.6, 0.0]);
     let shear = TangentialProblem::builder(&bodies, &contact, friction, load);
-    let shear = shear.build().unwrap().solve().unwrap();
+    let shear = kit::solve(shear);
     assert_eq!(shear.warnings(), contact.warnings());
     let words = contact
         .warnings()
@@ -82,11 +82,11 @@ fn ball(cells_per_radius: usize, part: f64) -> (HertzSphere, NormalSolution, Tan
     let bodies = HalfSpace::new(grid, pair).unwrap();
     let gap = surface::sphere(grid, 20.0).unwrap();
     let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(load));
-    let normal = press.build().unwrap().solve().unwrap();
+    let normal = kit::solve(press);
     let friction = Friction::coulomb(0.5).unwrap();
     let drag = TangentialLoad::force([part * 0.5 * load, 0.0]);
     let shear = TangentialProblem::builder(&bodies, &normal, friction, drag);
-    let shear = shear.build().unwrap().solve().unwrap();
+    let shear = kit::solve(shear);
     let hertz = HertzSphere::new(&pair, 20.0, load).unwrap();
     (hertz, normal, shear)
 }
@@ -200,7 +200,7 @@ fn pressing_dissimilar_bodies_in_one_step_gives_warning() {
         let press = NormalControl::Force(0.06);
         let still = TangentialLoad::shift([0.0; 2]);
         let problem = CoupledProblem::builder(&bodies, gap, friction, press, still);
-        problem.build().unwrap().solve().unwrap()
+        kit::solve(problem)
     };
     let is_remarked = |pair, gap, friction| {
         let contact = solve(pair, gap, friction);
@@ -284,11 +284,11 @@ fn pressing_dissimilar_history_in_one_step_gives_warning() {
     let sheared = |pair: ElasticPair, coefficient: f64, coupling| {
         let bodies = HalfSpace::new(grid, pair).unwrap();
         let normal = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.06));
-        let normal = normal.build().unwrap().solve().unwrap();
+        let normal = kit::solve(normal);
         let friction = Friction::coulomb(coefficient).unwrap();
         let still = TangentialLoad::force([0.0; 2]);
         let problem = TangentialProblem::builder(&bodies, &normal, friction, still);
-        let solution = problem.coupling(coupling).build().unwrap().solve().unwrap();
+        let solution = kit::solve(problem.coupling(coupling));
         solution.warnings().contains(&Warning::SingleLoadStep)
     };
     assert!(sheared(unlike, 0.3, Coupling::OneWay));

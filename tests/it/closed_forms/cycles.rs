@@ -253,10 +253,7 @@ fn paths_with_invalid_forces_are_rejected() -> Result<()> {
             MindlinDeresiewicz::new(ball, friction, &path)
         });
     }
-    assert!(matches!(
-        MindlinDeresiewicz::new(ball, -0.5, &[]),
-        Err(Error::NegativeOrNotFinite { .. })
-    ));
+    kit::assert_refused! { MindlinDeresiewicz::new(ball, -0.5, &[]) => Error::NegativeOrNotFinite { .. } }
     Ok(())
 }
 

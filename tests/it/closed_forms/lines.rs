@@ -123,16 +123,11 @@ fn coupled_bodies_and_excessive_strain_are_rejected() -> Result<()> {
     assert_eq!(refused, Err(Error::CoupledMaterials { beta }));
     // The limit of the shift is 1 - sqrt(1 - f). With more strain the stick strip would leave the contact.
     assert!(shear_roller(0.6, 0.3675).is_ok());
-    assert!(matches!(
-        shear_roller(0.6, 0.3676),
-        Err(Error::BelowMinimum { .. })
-    ));
-    assert!(matches!(
-        shear_roller(0.0, 1e-3),
-        Err(Error::BelowMinimum { .. })
-    ));
-    let refused = shear_roller(0.6, 0.1)?.with_bulk_stress([f64::NAN, 0.0]);
-    assert!(matches!(refused, Err(Error::Sample { .. })));
+    kit::assert_refused! {
+        shear_roller(0.6, 0.3676) => Error::BelowMinimum { .. },
+        shear_roller(0.0, 1e-3) => Error::BelowMinimum { .. },
+        shear_roller(0.6, 0.1)?.with_bulk_stress([f64::NAN, 0.0]) => Error::Sample { .. },
+    }
     Ok(())
 }
 

@@ -120,7 +120,6 @@ fn stick_zone_under_pressing_matches_spence() -> Result<()> {
         SpencePressing::plane(&against_rigid(0.5)?, 0.0)?.stick_radius(),
         1.0
     );
-    let refused = SpencePressing::plane(&against_rigid(0.0)?, -0.1);
-    assert!(matches!(refused, Err(Error::NegativeOrNotFinite { .. })));
+    kit::assert_refused! { SpencePressing::plane(&against_rigid(0.0)?, -0.1) => Error::NegativeOrNotFinite { .. } }
     Ok(())
 }

@@ -147,8 +147,7 @@ fn torsion_with_invalid_arguments_is_rejected() -> Result<()> {
         assert_not_positive(&LubkinTorsion::new(ball, wrong, 0.1));
     }
     for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        let refused = LubkinTorsion::new(ball, FRICTION, wrong);
-        assert!(matches!(refused, Err(Error::NotFinite { .. })));
+        kit::assert_refused! { LubkinTorsion::new(ball, FRICTION, wrong) => Error::NotFinite { .. } }
     }
     // The stick radius is smaller than any double.
     assert_not_positive(&twist_ball(400.0));

@@ -143,13 +143,9 @@ fn shapes_with_invalid_arguments_are_rejected() -> Result<()> {
         assert_not_positive(&shape(1e-3, wrong, 1e-5));
     }
     for wrong in [-1e-9, f64::NAN, f64::INFINITY] {
-        assert!(matches!(
-            shape(1e-3, 1e-6, wrong),
-            Err(Error::NegativeOrNotFinite { .. })
-        ));
+        kit::assert_refused! { shape(1e-3, 1e-6, wrong) => Error::NegativeOrNotFinite { .. } }
     }
-    let beyond = shape(1.0, 1e-6, 1.1e-3);
-    assert!(matches!(beyond, Err(Error::BelowMinimum { value, .. }) if value < 1.1e-3));
+    kit::assert_refused! { shape(1.0, 1e-6, 1.1e-3) => Error::BelowMinimum { value, .. } if value < 1.1e-3 }
     // The radius is meant to equal the contact radius but is larger by a rounding error.
     assert!(shape(1.0, 1e-6, 1e-3 * (1.0 + 1e-15)).is_ok());
     let ball = HertzSphere::new(&pair, 3.5e-3, 100.0)?;

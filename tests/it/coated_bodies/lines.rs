@@ -102,7 +102,7 @@ fn assert_independent_of_datum(strip: &CoatedStrip, method: Method, gap: &Field,
     let datums = [1.0, 1.5, 10.0, 1e4];
     let found = datums.map(|datum| {
         let bodies = strip.bodies(datum);
-        let normal = press(&bodies, gap, NormalControl::Force(force), 1e-9, method);
+        let normal = kit::press_by(&bodies, gap, NormalControl::Force(force), 1e-9, method);
         let displacement = normal.displacement(&bodies).unwrap();
         (normal, displacement)
     });
@@ -270,13 +270,7 @@ fn line_traction_is_independent_of_the_datum() {
     let datums = [1.2, 3.0, 1e3];
     let pressed = datums.map(|datum| {
         let bodies = strip.bodies(datum);
-        let normal = press(
-            &bodies,
-            &gap,
-            NormalControl::Force(0.05),
-            1e-10,
-            Method::ActiveSet,
-        );
+        let normal = press(&bodies, &gap, NormalControl::Force(0.05), 1e-10);
         (bodies, normal)
     });
     for (method, force, model) in [
@@ -288,7 +282,7 @@ fn line_traction_is_independent_of_the_datum() {
             let load = TangentialLoad::force(force);
             let problem = TangentialProblem::builder(bodies, normal, friction.clone(), load);
             let problem = problem.model(model).method(method).tolerance(1e-9);
-            problem.build().unwrap().solve().unwrap()
+            kit::solve(problem)
         });
         let (last, normal_peak) = (found[2].traction(), pressed[2].1.pressure().max());
         for one in &found[..2] {

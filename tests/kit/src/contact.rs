@@ -3,8 +3,17 @@
 //! `tests/data/contact/README.md` states the source, the format and the signs of the files.
 
 use std::fmt::Debug;
+use std::path::Path;
 
-use stickslip::{ElasticPair, Field, Grid, Material};
+use stickslip::{
+    Axis, ElasticPair, Field, Grid, LoadStep, Material, NormalControl, TangentialControl,
+    TangentialLoad, Zone,
+};
+
+use crate::max_difference;
+
+/// Tolerance of a comparison, relative to the largest pressure for fields and relative to the value for each scalar.
+pub const AGREED: f64 = 1e-6;
 
 /// A contact and the steps of its loading, in mm, N and MPa.
 #[derive(Debug)]
@@ -70,8 +79,17 @@ pub struct Cell {
 }
 
 impl Case {
+    /// Reads the case of a file, which must have this number of steps.
+    pub fn read(name: &str, steps: usize) -> Self {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../data/contact");
+        let case =
+            Self::parse(&std::fs::read_to_string(folder.join(format!("{name}.txt"))).unwrap());
+        assert_eq!(case.steps.len(), steps, "{name}");
+        case
+    }
+
     /// Parses the case of a file, which must be complete.
-    pub fn parse(text: &str) -> Self {
+    fn parse(text: &str) -> Self {
         let mut lines = text
             .lines()
             .filter(|line| !line.starts_with('#'))
@@ -112,9 +130,76 @@ impl Case {
         }
         field
     }
+
+    /// Asserts that pressure, tractions and zones agree with a step. Tolerances are relative to the largest pressure.
+    /// Near the friction limit the zone of a cell that sticks may differ, if `tolerates_zones` is set.
+    #[track_caller]
+    pub fn assert_fields_agree(
+        &self,
+        step: &ReferenceStep,
+        (pressure, traction, zones): (&Field, [&Field; 2], &[Zone]),
+        tolerance: f64,
+        tolerates_zones: bool,
+    ) {
+        let largest = pressure.max();
+        let expected = [
+            self.field(step, |cell| cell.pressure),
+            self.field(step, |cell| cell.traction[0]),
+            self.field(step, |cell| cell.traction[1]),
+        ];
+        for (found, expected) in [pressure, traction[0], traction[1]]
+            .into_iter()
+            .zip(&expected)
+        {
+            let error = max_difference(found.as_slice(), expected.as_slice());
+            assert!(error < tolerance * largest, "{:e}", error / largest);
+        }
+        for cell in &step.cells {
+            let zone = zones[cell.iy * self.grid.nx() + cell.ix];
+            let size = cell.traction[0].hypot(cell.traction[1]);
+            let is_close = (size / (self.friction * cell.pressure) - 1.0).abs() < tolerance;
+            let expected = if cell.sticks { Zone::Stick } else { Zone::Slip };
+            let may_differ = tolerates_zones && cell.sticks && is_close;
+            assert!(zone == expected || may_differ, "{cell:?} {zone:?}");
+        }
+    }
 }
 
 impl ReferenceStep {
+    /// Returns the prescribed force or approach.
+    pub fn normal_control(&self) -> Option<NormalControl> {
+        match self.normal {
+            Normal::Force(force) => Some(NormalControl::Force(force)),
+            Normal::Approach(approach) => Some(NormalControl::Approach(approach)),
+            Normal::Pressure => None,
+        }
+    }
+
+    /// Returns the loads of a step that starts at a shift.
+    pub fn load_step(&self, shift: [f64; 2]) -> LoadStep {
+        let mut load = LoadStep::hold().normal(self.normal_control().unwrap());
+        for axis in [Axis::X, Axis::Y] {
+            let component = axis.index();
+            let tangential = match self.tangential[component] {
+                Tangential::Force(force) => TangentialControl::Force(force),
+                Tangential::Shift(gain) => TangentialControl::Shift(shift[component] + gain),
+            };
+            load = load.tangential(axis, tangential);
+        }
+        load
+    }
+
+    /// Returns the tangential load of a first step. All cases are symmetric about the x axis, so zero shift along y implies
+    /// zero force along y.
+    pub fn tangential_load(&self) -> TangentialLoad {
+        match self.tangential {
+            [Tangential::Force(x), Tangential::Force(y)] => TangentialLoad::force([x, y]),
+            [Tangential::Shift(x), Tangential::Shift(y)] => TangentialLoad::shift([x, y]),
+            [Tangential::Force(x), Tangential::Shift(0.0)] => TangentialLoad::force([x, 0.0]),
+            other => panic!("{other:?}"),
+        }
+    }
+
     fn parse<'a>(lines: &mut impl Iterator<Item = &'a str>) -> Self {
         let continues = after(lines.next(), "step").ends_with("continue");
         let mut line = lines.next();

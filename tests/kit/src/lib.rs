@@ -28,10 +28,18 @@ pub mod waves;
 
 pub use random::Random;
 use stickslip::cgm::Method;
+use stickslip::coupled::{CoupledProblemBuilder, CoupledSolution, CoupledSolver};
 use stickslip::influence::Component;
+use stickslip::normal::{NormalProblemBuilder, NormalSolver};
+use stickslip::rolling::{
+    CoupledRollingProblemBuilder, CoupledRollingSolution, CoupledRollingSolver,
+    RollingProblemBuilder, RollingSolution, RollingSolver,
+};
+use stickslip::tangential::{TangentialProblemBuilder, TangentialSolver};
 use stickslip::{
     Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
-    NormalProblem, NormalSolution, Operator, TangentialLoad, TangentialProblem, TangentialSolution,
+    NormalProblem, NormalSolution, Operator, Result, TangentialLoad, TangentialProblem,
+    TangentialSolution,
 };
 #[cfg(feature = "serde")]
 pub use {postcard, serde_json};
@@ -139,17 +147,70 @@ impl Table2 {
     }
 }
 
+/// Builder of a problem that a test expects to be valid.
+pub trait SolvableBuilder {
+    type Solver;
+    type Solution;
+
+    fn build_solver(self) -> Result<Self::Solver>;
+    fn build_and_solve(self) -> Result<Self::Solution>;
+}
+
+macro_rules! solvable {
+    ($($builder:ty => $solver:ty, $solution:ty;)+) => {$(
+        impl SolvableBuilder for $builder {
+            type Solver = $solver;
+            type Solution = $solution;
+
+            fn build_solver(self) -> Result<$solver> {
+                self.build()?.into_solver()
+            }
+
+            fn build_and_solve(self) -> Result<$solution> {
+                self.build()?.solve()
+            }
+        }
+    )+};
+}
+
+solvable! {
+    NormalProblemBuilder<'_> => NormalSolver, NormalSolution;
+    TangentialProblemBuilder<'_, '_> => TangentialSolver, TangentialSolution;
+    CoupledProblemBuilder<'_> => CoupledSolver, CoupledSolution;
+    RollingProblemBuilder<'_> => RollingSolver, RollingSolution;
+    CoupledRollingProblemBuilder => CoupledRollingSolver, CoupledRollingSolution;
+}
+
+/// Returns the solution of a problem, which must be valid.
+#[track_caller]
+pub fn solve<B: SolvableBuilder>(builder: B) -> B::Solution {
+    builder.build_and_solve().unwrap()
+}
+
+/// Returns the solver of a problem, which must be valid.
+#[track_caller]
+pub fn solver<B: SolvableBuilder>(builder: B) -> B::Solver {
+    builder.build_solver().unwrap()
+}
+
 pub fn press(
+    bodies: &HalfSpace,
+    gap: &Field,
+    load: NormalControl,
+    tolerance: f64,
+) -> NormalSolution {
+    solve(NormalProblem::builder(bodies, gap, load).tolerance(tolerance))
+}
+
+pub fn press_by(
     bodies: &HalfSpace,
     gap: &Field,
     load: NormalControl,
     tolerance: f64,
     method: Method,
 ) -> NormalSolution {
-    let builder = NormalProblem::builder(bodies, gap, load)
-        .tolerance(tolerance)
-        .method(method);
-    builder.build().unwrap().solve().unwrap()
+    let builder = NormalProblem::builder(bodies, gap, load).tolerance(tolerance);
+    solve(builder.method(method))
 }
 
 pub fn shear(
@@ -158,16 +219,20 @@ pub fn shear(
     friction: &Friction,
     load: TangentialLoad,
     tolerance: f64,
+) -> TangentialSolution {
+    shear_by(bodies, normal, friction, load, tolerance, Method::default())
+}
+
+pub fn shear_by(
+    bodies: &HalfSpace,
+    normal: &NormalSolution,
+    friction: &Friction,
+    load: TangentialLoad,
+    tolerance: f64,
     method: Method,
 ) -> TangentialSolution {
     let builder = TangentialProblem::builder(bodies, normal, friction.clone(), load);
-    builder
-        .tolerance(tolerance)
-        .method(method)
-        .build()
-        .unwrap()
-        .solve()
-        .unwrap()
+    solve(builder.tolerance(tolerance).method(method))
 }
 
 pub fn max_abs(values: &[f64]) -> f64 {

@@ -1,5 +1,7 @@
 //! Checks of parameters of every type. Invalid values must be rejected, and extreme values must be handled.
 
+use std::fmt::Debug;
+
 use stickslip::{Error, Field, Grid};
 
 /// Requirement for a parameter.
@@ -74,4 +76,66 @@ pub fn mismatch(quantity: &'static str, expected: Grid, found: Grid) -> Error {
     assert!(message.contains(&format!("[{}, {}]", found.nx(), found.ny())));
     assert!(message.contains(&format!("[{}, {}]", expected.nx(), expected.ny())));
     error
+}
+
+/// Outcome of a call that should be refused.
+pub trait Refusal {
+    type Error: Debug;
+
+    /// Returns the error of a refused call, or `None` if the call was accepted.
+    fn refusal(self) -> Option<Self::Error>;
+}
+
+impl<T, E: Debug> Refusal for Result<T, E> {
+    type Error = E;
+
+    fn refusal(self) -> Option<E> {
+        self.err()
+    }
+}
+
+impl<'a, T, E: Debug> Refusal for &'a Result<T, E> {
+    type Error = &'a E;
+
+    fn refusal(self) -> Option<&'a E> {
+        self.as_ref().err()
+    }
+}
+
+impl<E: Debug> Refusal for Option<E> {
+    type Error = E;
+
+    fn refusal(self) -> Option<E> {
+        self
+    }
+}
+
+impl Refusal for Error {
+    type Error = Self;
+
+    fn refusal(self) -> Option<Self> {
+        Some(self)
+    }
+}
+
+/// Asserts that each call of a table is refused with the error of its row. A row is `call => pattern`, or
+/// `call => pattern if condition`. All rows are checked, and the message lists the rows that fail.
+#[macro_export]
+macro_rules! assert_refused {
+    ($($call:expr => $error:pat $(if $condition:expr)?),+ $(,)?) => {{
+        let mut failed = Vec::new();
+        $(match $crate::refusal::Refusal::refusal($call) {
+            Some($error) $(if $condition)? => {}
+            other => failed.push(format!("{}: {other:?}", stringify!($call))),
+        })+
+        assert!(failed.is_empty(), "accepted, or refused with another error: {failed:#?}");
+    }};
+}
+
+/// Asserts rules for parameters with [`assert_checked`]. A row is `Rule "parameter" => call`.
+#[macro_export]
+macro_rules! assert_all_checked {
+    ($($rule:ident $word:literal => $call:expr),+ $(,)?) => {
+        $($crate::refusal::assert_checked($word, $crate::refusal::Rule::$rule, $call);)+
+    };
 }

@@ -1,14 +1,13 @@
 //! Other codes on the same cells.
 
-use kit::contact::{Case, Normal, ReferenceStep, Tangential};
+use kit::contact::{Case, ReferenceStep};
 use stickslip::history::EntryRule;
 use stickslip::normal::Hardness;
 use stickslip::rolling::{CoupledRollingProblem, LeadingEdge, RollingControl, RollingProblem};
 use stickslip::subsurface::{Body, Tractions, at_points};
 use stickslip::{
-    Axis, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
-    NormalControl, NormalProblem, Result, TangentialControl, TangentialLoad, TangentialModel,
-    TangentialProblem,
+    Axis, ElasticPair, Field, Friction, Grid, HalfSpace, History, Material, NormalControl,
+    NormalProblem, Result, TangentialModel, TangentialProblem,
 };
 
 use crate::Group;
@@ -84,17 +83,11 @@ fn cells(case: &Case) -> String {
 }
 
 fn prescribed_pressure() -> Result<Vec<Row>> {
-    let case = Case::parse(data!("contact/tb13_cattaneo_hertz_bound.txt"));
+    let case = Case::read("tb13_cattaneo_hertz_bound", 1);
     let step = &case.steps[0];
-    let [Tangential::Force(x), _] = step.tangential else {
-        return Ok(Vec::new());
-    };
     let bodies = HalfSpace::new(case.grid, case.pair)?;
     let pressure = case.field(step, |cell| cell.pressure);
-    let (friction, load) = (
-        Friction::coulomb(case.friction)?,
-        TangentialLoad::force([x, 0.0]),
-    );
+    let (friction, load) = (Friction::coulomb(case.friction)?, step.tangential_load());
     let found = TangentialProblem::builder(&bodies, &pressure, friction, load)
         .model(TangentialModel::Vector)
         .tolerance(TOLERANCE)
@@ -110,25 +103,9 @@ fn prescribed_pressure() -> Result<Vec<Row>> {
     .collect())
 }
 
-/// Returns the load of a step after the given shift.
-fn load_step(step: &ReferenceStep, shift: [f64; 2]) -> LoadStep {
-    let load = match step.normal {
-        Normal::Force(force) => LoadStep::hold().normal(NormalControl::Force(force)),
-        Normal::Approach(approach) => LoadStep::hold().normal(NormalControl::Approach(approach)),
-        Normal::Pressure => LoadStep::hold(),
-    };
-    [Axis::X, Axis::Y].into_iter().fold(load, |load, axis| {
-        let control = match step.tangential[axis.index()] {
-            Tangential::Force(force) => TangentialControl::Force(force),
-            Tangential::Shift(gain) => TangentialControl::Shift(shift[axis.index()] + gain),
-        };
-        load.tangential(axis, control)
-    })
-}
-
 /// Follows the steps of a case; returns its cells and the largest error of pressure and traction.
-fn history_error(text: &str) -> Result<(String, f64)> {
-    let case = Case::parse(text);
+fn history_error(name: &str, steps: usize) -> Result<(String, f64)> {
+    let case = Case::read(name, steps);
     let bodies = HalfSpace::new(case.grid, case.pair)?;
     let friction = Friction::coulomb(case.friction)?;
     let mut history = History::builder(&bodies, case.gap(&case.steps[0]), friction)
@@ -139,7 +116,7 @@ fn history_error(text: &str) -> Result<(String, f64)> {
     let mut largest = 0.0_f64;
     for step in &case.steps {
         history.set_gap(&case.gap(step))?;
-        history.step(&load_step(step, history.shift()))?;
+        history.step(&step.load_step(history.shift()))?;
         if step.cells.is_empty() {
             continue;
         }
@@ -154,39 +131,39 @@ fn history_error(text: &str) -> Result<(String, f64)> {
 fn histories() -> Result<Vec<Row>> {
     let cases = [
         (
-            data!("contact/cattaneo_pe_ball.txt"),
+            ("cattaneo_pe_ball", 1),
             "sheared ball, one step",
             "contact_reference_histories::ball_under_force_matches",
         ),
         (
-            data!("contact/tb01_cattaneo_disp.txt"),
+            ("tb01_cattaneo_disp", 1),
             "ball under approach and shift, one step",
             "contact_reference_histories::ball_under_shift_matches",
         ),
         (
-            data!("contact/tb10_tb11_mindlin_steps.txt"),
+            ("tb10_tb11_mindlin_steps", 2),
             "ball partly unloaded, 2 steps",
             "contact_reference_histories::ball_partly_unloaded_matches",
         ),
         (
-            data!("contact/catt_to_cart_shift_history.txt"),
+            ("catt_to_cart_shift_history", 21),
             "ball moved over a surface, 21 steps",
             "contact_reference_histories::ball_with_shift_history_matches",
         ),
         (
-            data!("contact/spence35_dissimilar.txt"),
+            ("spence35_dissimilar", 35),
             "ball pressed on a rigid plane, 35 steps",
             "coupled_histories::pressed_sphere_matches_contact_code",
         ),
         (
-            data!("contact/tb25_tb26_flat_2d_dissimilar.txt"),
+            ("tb25_tb26_flat_2d_dissimilar", 2),
             "punch on a soft body, pressed and tilted, 2 steps",
             "coupled_histories::tilted_punch_matches_contact_code",
         ),
     ];
     let mut all = Vec::new();
-    for (text, quantity, test) in cases {
-        let (cells, error) = history_error(text)?;
+    for ((name, steps), quantity, test) in cases {
+        let (cells, error) = history_error(name, steps)?;
         all.extend(rows(CONTACT, &cells, test, [(quantity, error)]));
     }
     Ok(all)

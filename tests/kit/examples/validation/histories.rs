@@ -5,7 +5,6 @@ use stickslip::analytical::{
     CattaneoMindlinLine, HertzLine, HertzSphere, LubkinTorsion, MindlinDeresiewicz,
     PopovLimitingShape,
 };
-use stickslip::cgm::Method;
 use stickslip::tangential::{JaegerSuperposition, RelativeDisplacement};
 use stickslip::{
     Axis, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl, Result,
@@ -202,7 +201,7 @@ fn worn_ball() -> Result<Vec<Row>> {
     let bodies = HalfSpace::new(grid, Table2::pair())?;
     let gap = Field::from_fn(grid, |x, y| shape.profile(x.hypot(y)));
     let control = NormalControl::Approach(approach);
-    let found = kit::press(&bodies, &gap, control, TOLERANCE, Method::ActiveSet);
+    let found = kit::press(&bodies, &gap, control, TOLERANCE);
     Ok(rows(
         "worn ball, Popov (2014)",
         "192 x 192",

@@ -103,7 +103,7 @@ pub(crate) fn line(cells: usize, width: f64, pair: &ElasticPair) -> Result<HalfS
 
 pub(crate) fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     let load = NormalControl::Force(force);
-    kit::press(bodies, gap, load, TOLERANCE, Method::ActiveSet)
+    kit::press(bodies, gap, load, TOLERANCE)
 }
 
 /// Shears a pressed contact along x.
@@ -116,7 +116,7 @@ pub(crate) fn shear(
     let friction = Friction::coulomb(coefficient)?;
     let load = TangentialLoad::force([force, 0.0]);
     let method = Method::ActiveSet;
-    Ok(kit::shear(
+    Ok(kit::shear_by(
         bodies, normal, &friction, load, TOLERANCE, method,
     ))
 }

@@ -2,7 +2,6 @@
 
 use kit::max_difference;
 use stickslip::analytical::{HertzLine, HertzSphere};
-use stickslip::cgm::Method;
 use stickslip::influence::{Rectangle, Tensor};
 use stickslip::layers::Layer;
 use stickslip::subsurface::{Body, Planes, Stress, Tractions, at_points};
@@ -288,7 +287,7 @@ fn coated_sphere() -> Result<Vec<Row>> {
         let bodies = HalfSpace::new(grid, pair)?;
         let gap = surface::sphere(grid, hertz.radius())?;
         let load = NormalControl::Force(1.0);
-        let found = kit::press(&bodies, &gap, load, 1e-8, Method::ActiveSet);
+        let found = kit::press(&bodies, &gap, load, 1e-8);
         let approach = relative(found.approach(), row[4] * hertz.approach());
         let pressure = relative(found.pressure().max(), row[3] * hertz.max_pressure());
         largest = [largest[0].max(approach), largest[1].max(pressure)];
@@ -313,7 +312,7 @@ fn bonded_layer() -> Result<Vec<Row>> {
     let bodies = HalfSpace::new(grid, pair)?.with_cell_value(CellValue::Centre)?;
     let gap = Field::from_fn(grid, |x, y| 0.5 * (x * x + y * y));
     let load = NormalControl::Approach(approach);
-    let found = kit::press(&bodies, &gap, load, 1e-9, Method::ActiveSet);
+    let found = kit::press(&bodies, &gap, load, 1e-9);
     let first = 2.0 / std::f64::consts::PI * 1.770_216_773_4;
     let second = 7.0 / 6.0 * first * first;
     let series = 1.0 + x * (first + x * (second + x * (1.469 + x * 0.755)));

@@ -1,10 +1,10 @@
 //! Table of scenes.
 
 use stickslip::NormalControl::{Approach, Force};
-use stickslip::history::EntryRule;
-use stickslip::{Coupling, NormalControl, TangentialControl, TangentialModel};
+use stickslip::history::{EntryRule, LeadingEdge};
+use stickslip::{CellValue, Coupling, NormalControl, TangentialControl, TangentialModel};
 
-use super::{Around, Scene, Step};
+use super::{Around, Coating, Roll, Scene, Step};
 
 const HOLD: TangentialControl = TangentialControl::Hold;
 
@@ -46,6 +46,7 @@ fn step(normal: NormalControl, x: TangentialControl, y: TangentialControl) -> St
         shear: [x, y],
         twist: None,
         strain: None,
+        roll: None,
     }
 }
 
@@ -83,6 +84,44 @@ fn around(load: f64) -> Vec<Step> {
     ]
 }
 
+/// Returns a path that rolls one or two cells at prescribed creepages or forces, with one step at rest.
+fn rolling(load: f64, edge: LeadingEdge, creepage: [f64; 2], spin: f64) -> Vec<Step> {
+    use TangentialControl::Force as Pull;
+    let rolled = |cells: usize, creepage: [f64; 2], step: Step| {
+        let roll = Some(Roll {
+            cells,
+            edge,
+            creepage,
+            spin,
+        });
+        Step { roll, ..step }
+    };
+    // A step prescribes the force or the creepage along an axis.
+    let [pull, push] = [0.09, -0.07].map(|part| {
+        let axis = |across: bool| {
+            if across {
+                creepage[0] == 0.0
+            } else {
+                creepage[0] != 0.0
+            }
+        };
+        [false, true].map(|y| if axis(y) { Pull(part * load) } else { HOLD })
+    });
+    let other = if creepage[0] == 0.0 {
+        [0.0; 2]
+    } else {
+        [0.0, creepage[1]]
+    };
+    vec![
+        step(Force(0.8 * load), HOLD, HOLD),
+        rolled(1, creepage, step(Force(load), HOLD, HOLD)),
+        rolled(2, creepage, step(NormalControl::Hold, HOLD, HOLD)),
+        rolled(1, other, step(Force(1.1 * load), pull[0], pull[1])),
+        step(Force(0.9 * load), push[0], push[1]),
+        rolled(1, creepage, step(Force(0.5 * load), HOLD, HOLD)),
+    ]
+}
+
 /// Adds these amounts of twist to the steps.
 fn twisted(mut path: Vec<Step>, twists: &[f64]) -> Vec<Step> {
     for (step, twist) in path.iter_mut().zip(twists) {
@@ -110,6 +149,9 @@ fn scalar(name: &'static str) -> Scene {
         sides: [0.13, 0.15],
         around: Around::Nothing,
         bodies: ALIKE,
+        coatings: [None; 2],
+        is_kernel: false,
+        cell_value: CellValue::Uniform,
         gap: bumpy,
         friction: 0.4,
         slippery: None,
@@ -177,9 +219,23 @@ fn shrinking(scene: &Scene) -> Scene {
     }
 }
 
+/// Returns a scene that rolls, with a smaller tolerance.
+fn rolled(scene: &Scene, edge: LeadingEdge, creepage: [f64; 2], spin: f64) -> Scene {
+    Scene {
+        tolerance: 1e-12,
+        path: rolling(0.02, edge, creepage, spin),
+        ..*scene
+    }
+}
+
+/// Stiff and compliant coatings.
+const STIFF: Option<Coating> = Some((4.0, 0.2, 0.3));
+const COMPLIANT: Option<Coating> = Some((0.5, 0.45, 0.2));
+
 /// Returns histories of every kind.
 #[rustfmt::skip] // one scene per line
 pub fn scenes() -> Vec<Scene> {
+    use LeadingEdge::{MinusX, MinusY, PlusX, PlusY};
     let [one_way, neglected] = [Coupling::OneWay, Coupling::Neglected];
     let strain = Some([[1.0, 0.2], [0.1, -0.3]]);
     let stretch = Some([[1.0, 0.0], [0.0, 0.0]]);
@@ -229,5 +285,20 @@ pub fn scenes() -> Vec<Scene> {
         repeating(&coupled("coupled, repeating"), 0.1),
         rows(Scene { path: around(0.09), ..coupled("coupled, rows") }),
         line(Scene { path: around(0.04), ..coupled("coupled, line") }),
+        rolled(&scalar("rolled"), PlusX, [0.02, 0.0], 0.0),
+        rolled(&scalar("rolled along y"), MinusY, [0.03, 0.0], 0.0),
+        rolled(&rows(scalar("rows, rolled")), MinusX, [-0.02, 0.0], 0.0),
+        rolled(&line(scalar("line, rolled")), PlusX, [0.15, 0.0], 0.0),
+        rolled(&plane("plane, rolled"), MinusX, [0.03, -0.02], 0.03),
+        rolled(&Scene { entry_rule: EntryRule::WholeStep, ..plane("plane, rolled whole steps") }, PlusY, [0.02, 0.02], -0.02),
+        rolled(&Scene { bodies: UNLIKE, coupling: one_way, ..plane("plane, rolled one way") }, PlusX, [0.02, 0.01], 0.02),
+        rolled(&coupled("coupled, rolled"), MinusY, [0.02, -0.02], 0.02),
+        Scene { coatings: [STIFF; 2], ..scalar("coated") },
+        Scene { coatings: [STIFF; 2], wear: 1.0, ..plane("plane, coated") },
+        Scene { coatings: [STIFF, COMPLIANT], ..coupled("coupled, coated") },
+        Scene { coatings: [STIFF; 2], is_kernel: true, ..scalar("kernel") },
+        Scene { bodies: ON_RIGID, coatings: [STIFF, None], is_kernel: true, ..coupled("coupled, kernel") },
+        Scene { cell_value: CellValue::Centre, ..plane("plane, centre values") },
+        Scene { cell_value: CellValue::Centre, ..coupled("coupled, centre values") },
     ]
 }

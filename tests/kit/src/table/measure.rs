@@ -58,6 +58,7 @@ pub fn known(history: &History) -> Vec<f64> {
         step.stick_ratio(),
         step.warnings().len() as f64,
     ];
+    known.extend(step.creepage().unwrap_or_default());
     for report in [step.normal_report(), step.tangential_report()] {
         known.extend(report.into_iter().flat_map(|report| {
             [
@@ -98,6 +99,8 @@ pub struct Measured {
     pub pressures: Vec<f64>,
     pub lengths: Vec<f64>,
     pub energies: Vec<f64>,
+    pub forces: Vec<f64>,
+    pub creepages: Vec<f64>,
 }
 
 impl Measured {
@@ -112,11 +115,13 @@ impl Measured {
         measured
     }
 
-    pub fn groups(&self) -> [(&'static str, &[f64]); 3] {
+    pub fn groups(&self) -> [(&'static str, &[f64]); 5] {
         [
             ("pressures", &self.pressures),
             ("lengths", &self.lengths),
             ("energies", &self.energies),
+            ("forces", &self.forces),
+            ("creepages", &self.creepages),
         ]
     }
 
@@ -140,9 +145,15 @@ impl Measured {
         vectors(history.traction(), &mut self.pressures, pressure);
         vectors(history.slip(), &mut self.lengths, length);
         vectors(step.slip(), &mut self.lengths, length);
-        let shift = pose.back(history.shift()).map(|shift| pose.side() * shift);
         self.lengths.push(history.approach() / length);
-        self.lengths.extend(shift.map(|shift| shift / length));
+        let vector = |vector: [f64; 2]| pose.back(vector).map(|value| pose.side() * value);
+        self.lengths
+            .extend(vector(history.shift()).map(|shift| shift / length));
+        let force = vector(history.tangential_force());
+        self.forces
+            .extend(force.map(|force| force * length / energy));
+        self.creepages
+            .extend(vector(step.creepage().unwrap_or_default()));
         let balance = step.energy();
         let energies = [
             balance.work,

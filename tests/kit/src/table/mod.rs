@@ -8,13 +8,14 @@ mod pose;
 
 use std::sync::Arc;
 
-use stickslip::history::{EntryRule, wear};
+use stickslip::history::{EntryRule, LeadingEdge, Rolling, wear};
+use stickslip::layers::Layer;
 use stickslip::normal::Hardness;
 use stickslip::ranks::Ranks;
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
-    Axis, Boundary, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep,
-    Material, NormalControl, Result, TangentialControl, TangentialModel,
+    Axis, Boundary, CellValue, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace, History,
+    Kernel, LoadStep, Material, NormalControl, Result, TangentialControl, TangentialModel,
 };
 
 pub use kinds::scenes;
@@ -38,7 +39,20 @@ pub struct Step {
     pub shear: [TangentialControl; 2],
     pub twist: Option<f64>,
     pub strain: Option<f64>,
+    pub roll: Option<Roll>,
 }
+
+/// Rolling of a step.
+#[derive(Debug, Clone, Copy)]
+pub struct Roll {
+    pub cells: usize,
+    pub edge: LeadingEdge,
+    pub creepage: [f64; 2],
+    pub spin: f64,
+}
+
+/// Young's modulus, Poisson's ratio and thickness of a coating.
+pub type Coating = (f64, f64, f64);
 
 /// A history: its options and its steps.
 #[derive(Debug, Clone)]
@@ -50,6 +64,11 @@ pub struct Scene {
     pub around: Around,
     /// Young's modulus (infinite for a rigid body) and Poisson's ratio of each body.
     pub bodies: [(f64, f64); 2],
+    /// Coating of each body.
+    pub coatings: [Option<Coating>; 2],
+    /// Whether the response of the coated bodies is given by a closure.
+    pub is_kernel: bool,
+    pub cell_value: CellValue,
     pub gap: fn(f64, f64) -> f64,
     pub friction: f64,
     /// Position-dependent part of the friction coefficient.
@@ -113,32 +132,58 @@ impl Scene {
         }
     }
 
-    fn pair(&self, pose: &UnitTransform) -> ElasticPair {
-        let [a, b] = self.bodies.map(|(modulus, poisson_ratio)| {
+    /// Returns whether the bodies roll in a step.
+    pub fn rolls(&self) -> bool {
+        self.path.iter().any(|step| step.roll.is_some())
+    }
+
+    /// Returns the bodies, or half-spaces of their outermost materials.
+    fn pair(&self, pose: &UnitTransform, is_outermost: bool) -> ElasticPair {
+        let material = |modulus: f64, poisson_ratio: f64| {
             if modulus.is_infinite() {
-                Material::rigid()
-            } else {
-                Material::new(modulus * pose.pressure, poisson_ratio).unwrap()
+                return Material::rigid();
+            }
+            Material::new(modulus * pose.pressure, poisson_ratio).unwrap()
+        };
+        let [a, b] = [0, 1].map(|body| {
+            let (modulus, ratio) = self.bodies[body];
+            match self.coatings[body] {
+                None => material(modulus, ratio),
+                Some((modulus, ratio, _)) if is_outermost => material(modulus, ratio),
+                Some((coating, own, thickness)) => {
+                    let layer = Layer::new(coating * pose.pressure, own, thickness * pose.length);
+                    let base = material(modulus, ratio);
+                    base.coated(&[layer.unwrap()]).unwrap()
+                }
             }
         });
-        let pair = if pose.exchanges {
-            ElasticPair::new(b, a)
-        } else {
-            ElasticPair::new(a, b)
-        };
-        pair.unwrap()
+        let [a, b] = if pose.exchanges { [b, a] } else { [a, b] };
+        ElasticPair::new(a, b).unwrap()
+    }
+
+    fn kernel(&self, pose: &UnitTransform) -> Kernel {
+        let pair = self.pair(pose, false);
+        if !self.is_kernel {
+            return pair.into();
+        }
+        let thicknesses = self.coatings.iter().flatten().map(|coating| coating.2);
+        let thickness = thicknesses.fold(f64::INFINITY, f64::min) * pose.length;
+        let response = move |wave_number| pair.response(wave_number).unwrap();
+        Kernel::isotropic(self.pair(pose, true), thickness, response).unwrap()
     }
 
     pub fn half_space(&self, pose: &UnitTransform) -> HalfSpace {
         let grid = self.grid(pose);
-        HalfSpace::with_boundary(grid, self.pair(pose), self.boundary(grid)).unwrap()
+        let bodies = HalfSpace::with_boundary(grid, self.kernel(pose), self.boundary(grid));
+        bodies.unwrap().with_cell_value(self.cell_value).unwrap()
     }
 
     /// Returns the half-space on the slab of a rank.
     pub fn half_space_on(&self, rank: Arc<dyn Ranks>) -> Result<HalfSpace> {
         let pose = UnitTransform::IN_PLACE;
         let grid = self.grid(&pose);
-        HalfSpace::distributed(grid, self.pair(&pose), self.boundary(grid), rank)
+        HalfSpace::distributed(grid, self.kernel(&pose), self.boundary(grid), rank)?
+            .with_cell_value(self.cell_value)
     }
 
     fn friction(&self, grid: Grid, pose: &UnitTransform) -> Friction {
@@ -215,6 +260,15 @@ impl Scene {
         }
         if let Some(amount) = step.strain {
             load = load.relative_displacement(amount);
+        }
+        if let Some(roll) = step.roll {
+            let creepage = pose.swapped(roll.creepage);
+            let creepage = [0, 1].map(|axis| pose.signs[axis] * pose.side() * creepage[axis]);
+            let rolling = Rolling::new(roll.cells)
+                .leading_edge(pose.edge(roll.edge))
+                .creepage(creepage)
+                .spin(pose.turn() * roll.spin / pose.length);
+            load = load.roll(rolling);
         }
         load
     }

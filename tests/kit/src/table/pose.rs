@@ -1,6 +1,7 @@
 //! Scenes in different units, rotated, mirrored, and with their bodies exchanged.
 
-use stickslip::{Field, Grid};
+use stickslip::history::LeadingEdge;
+use stickslip::{Axis, Field, Grid};
 
 /// Units and orientation of a scene: x and y may be swapped first, and then each axis may be reversed.
 #[derive(Debug, Clone, Copy)]
@@ -43,6 +44,18 @@ impl UnitTransform {
     pub(super) fn turn(&self) -> f64 {
         let swaps = if self.swaps { -1.0 } else { 1.0 };
         swaps * self.signs[0] * self.signs[1] * self.side()
+    }
+
+    /// Transforms the side at which particles enter.
+    pub(super) fn edge(&self, edge: LeadingEdge) -> LeadingEdge {
+        let axis = usize::from((edge.axis() == Axis::Y) != self.swaps);
+        let is_positive = matches!(edge, LeadingEdge::PlusX | LeadingEdge::PlusY);
+        match (axis, is_positive == (self.signs[axis] > 0.0)) {
+            (0, true) => LeadingEdge::PlusX,
+            (0, false) => LeadingEdge::MinusX,
+            (_, true) => LeadingEdge::PlusY,
+            (_, false) => LeadingEdge::MinusY,
+        }
     }
 
     /// Transforms the strain of body 1 minus the strain of body 2.
