@@ -155,10 +155,10 @@ fn tangential_load_beyond_capacity_or_not_finite_is_rejected() {
             );
         }
     }
-    assert_eq!(
+    assert!(matches!(
         build(TangentialLoad::force([0.1, 0.2])),
-        Some(Error::ObliqueLoad { x: 0.1, y: 0.2 })
-    );
+        Some(Error::ObliqueLoad { x: 0.1, y: 0.2, .. })
+    ));
     let Some(Error::BeyondFrictionCapacity { force, limit, .. }) =
         build(TangentialLoad::force([0.0, -0.51]))
     else {
@@ -236,7 +236,7 @@ fn tangential_problem_with_unsuitable_pressure_is_rejected() {
         )
     };
     let asked = builder().coupling(Coupling::Full).build();
-    let Some(Error::CoupledMaterials { beta }) = asked.err() else {
+    let Some(Error::CoupledMaterials { beta, .. }) = asked.err() else {
         panic!("full coupling was accepted");
     };
     assert!((beta - pair.dundurs_beta()).abs() < 1e-15 && beta.abs() > 0.2);

@@ -202,7 +202,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
             };
             one(&attributes, "Ranks", "rank", rank)?
         }
-        (_, Error::File { path, source }) => {
+        (_, Error::File { path, source, .. }) => {
             attributes.set_item("path", path)?;
             attributes.set_item("filename", path)?;
             attributes.set_item("strerror", source.to_string())?;
