@@ -16,7 +16,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use super::format::SnapshotHeader;
-use super::{FORMAT, HEADER, Reader, check_kind};
+use super::{FORMAT, HEADER, Reader, check_kind, other_version};
 use crate::error::Result;
 use crate::files::{Cursor, in_file, refused, replace, replace_bytes};
 use crate::half_space::HalfSpace;
@@ -149,10 +149,7 @@ fn parts_of(path: &Path) -> Result<Vec<Range<u64>>> {
         start.take("the magic string", MAGIC.len())?;
         let version = start.u32("the version")?;
         if version != VERSION {
-            let problem = format!(
-                "version {version} of the slabs is not supported, expected version {VERSION}"
-            );
-            return Err(FORMAT.at_byte(MAGIC.len(), problem));
+            return Err(other_version(version, VERSION));
         }
         let count = start.u64("the number of slabs")?;
         let end = count.saturating_mul(8).saturating_add(TABLE as u64);
