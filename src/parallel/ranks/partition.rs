@@ -369,8 +369,8 @@ mod tests {
             let team = Arc::new(RankGroup::new(Arc::new(rank)));
             let partition = RowPartition::new(&team, [1 << 40, 4]);
             let everything = 1_usize << 60;
-            // Only the second rank requests columns.
-            partition.fetch(&[], 1 << 40, |rank| [0..rank * everything, 0..1])
+            // Only the second rank requests columns, from its own rows.
+            partition.fetch(&[], 1 << 40, |rank| [0..rank * everything, 2..3])
         });
         assert!(matches!(
             outcomes[0],
