@@ -67,10 +67,12 @@ impl History {
     ///
     /// # Errors
     /// - [`Error::File`](crate::Error::File) if the file cannot be written.
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     /// - [`Error::Ranks`](crate::Error::Ranks) if another rank has failed.
     #[doc(alias = "checkpoint")]
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
-        let (path, bytes) = (path.as_ref(), self.to_bytes());
+        let path = path.as_ref();
+        let bytes = self.bodies.collective_result(self.state().try_to_bytes())?;
         let Some(team) = self.bodies.team() else {
             return replace_bytes(path, &bytes);
         };

@@ -121,6 +121,8 @@ impl State {
         let mut host = SnapshotHeader::default();
         host.visit(&mut reader)?;
         let grid = host.grid()?;
+        // A cell takes at least the byte of its zone.
+        reader.require("the cells", grid.cells())?;
         let mut outline = host.blank(grid)?;
         let mut is_gap_changed = false;
         outline.visit(&mut reader, &mut is_gap_changed)?;
