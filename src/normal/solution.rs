@@ -64,7 +64,7 @@ try_clone!(NormalSolution { pressure, gap } { boundary, cell_value, pair, approa
 impl NormalSolution {
     /// Returns whether two solutions have the same pressure, gap and approach on the same bodies.
     #[cfg(feature = "history")]
-    pub(crate) fn is_same_contact(&self, other: &Self) -> bool {
+    pub(crate) fn eq_contact(&self, other: &Self) -> bool {
         self.pressure == other.pressure
             && self.gap == other.gap
             && self.boundary == other.boundary

@@ -108,13 +108,13 @@ impl State {
             Of::PressureChange,
         );
         if let Some(memory) = &self.contact {
-            let parts: [(fn(Axis) -> CellQuantity, bool); 4] = [
-                (Of::Displacement, true),
+            let (has_trend, has_slip) = (!self.is_joint(), self.axes == Axis::BOTH);
+            for (quantity, is_there) in [
+                (Of::Displacement as fn(Axis) -> _, true),
                 (Of::Offset, true),
-                (Of::TractionChange, !self.is_joint()),
-                (Of::LastSlip, self.axes == Axis::BOTH),
-            ];
-            for (quantity, is_there) in parts {
+                (Of::TractionChange, has_trend),
+                (Of::LastSlip, has_slip),
+            ] {
                 for axis in self.axes {
                     add(is_there, quantity(*axis));
                 }
@@ -272,7 +272,7 @@ impl State {
         let contact = contact.map(|given| self.memory_outline_on(grid, given));
         Ok(Self {
             axes: self.axes,
-            settings: self.settings.clone(),
+            settings: self.settings,
             friction,
             gap: zeros()?,
             hardness: hardness.transpose()?,

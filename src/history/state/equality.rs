@@ -50,7 +50,7 @@ impl PartialEq for State {
             && *motion == other.motion
             && *force == other.force
             && *moment == other.moment
-            && normal.is_same_contact(&other.normal)
+            && normal.eq_contact(&other.normal)
             && *friction == other.friction
             && *hardness == other.hardness
             && *gap == other.gap
