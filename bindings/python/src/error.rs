@@ -108,7 +108,7 @@ pub(crate) fn with_iterate<'py>(
 macro_rules! numbered {
     ($error:expr, $attributes:ident, {$($name:ident { $($field:ident),+ })+}) => {
         match $error {
-            $(Error::$name { $($field),+ } => {
+            $(Error::$name { $($field),+ , .. } => {
                 $($attributes.set_item(stringify!($field), $field.clone())?;)+
                 Some(stringify!($name))
             })+
@@ -185,6 +185,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
                 format,
                 place,
                 problem,
+                ..
             },
         ) => {
             attributes.set_item("file", file)?;
