@@ -115,7 +115,7 @@ const KINDS: [Kind; 6] = [
                 .tolerance(1e-10)
                 .build()?;
             history.step(&press(0.2))?;
-            let sheared = LoadStep::hold().tangential(Axis::X, TangentialControl::Force(0.06));
+            let sheared = LoadStep::hold().tangential(Axis::X, TangentialControl::Force(0.03));
             history.step(&sheared)?;
             // The file stores the worn gap in addition to the gap of the pressure.
             let depth = 1e-3;
