@@ -325,7 +325,10 @@ pub fn minimise<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize
 /// if the workspace was used before for a solve with at least as many steps.
 ///
 /// # Errors
-/// The errors of [`minimise`].
+/// The errors of [`minimise`], and [`Error::Length`] if the workspace has a different number of cells.
+///
+/// # Panics
+/// Operators of this crate panic if the workspace was created for a different operator with the same number of cells.
 pub fn minimise_with<C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize>(
     problem: &Problem<'_, C, K, P, N>,
     settings: &Settings,

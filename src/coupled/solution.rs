@@ -67,7 +67,7 @@ impl<'de> serde::Deserialize<'de> for CoupledSolution {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         checked(RawCoupledSolution::deserialize(deserializer)?, |read| {
             let grid = read.normal.grid();
-            grid.expect("tangential solution", read.tangential.grid())?;
+            grid.check_equal("tangential solution", read.tangential.grid())?;
             let mut fields = read.displacement.iter();
             fields.try_for_each(|field| field.check("displacement", grid))
         })

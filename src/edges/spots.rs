@@ -39,7 +39,7 @@ impl Edges {
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub fn areas_of(&self, spots: &ContactSpots) -> Result<Vec<f64>> {
         let grid = self.grid();
-        grid.expect("contact spots", spots.grid())?;
+        grid.check_equal("contact spots", spots.grid())?;
         let mut areas = fallible::zeros(spots.as_slice().len())?;
         let has_value = |centre: f64| if centre > 0.0 { 1.0 } else { 0.0 };
         for (cell, centre) in self.centres.iter().enumerate() {

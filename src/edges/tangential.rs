@@ -40,8 +40,8 @@ impl<'de> serde::Deserialize<'de> for TangentialEdges {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         checked(RawTangentialEdges::deserialize(deserializer)?, |read| {
             let grid = read.grid();
-            grid.expect("edge of the contact", read.contact.grid())?;
-            grid.expect("edge of the stick zone", read.stick.grid())?;
+            grid.check_equal("edge of the contact", read.contact.grid())?;
+            grid.check_equal("edge of the stick zone", read.stick.grid())?;
             read.traction.check("traction", grid)?;
             read.mean_traction.check("mean traction", grid)
         })
@@ -143,7 +143,7 @@ impl TangentialSolution {
     /// - The errors of [`NormalSolution::edges`].
     pub fn edges(&self, normal: &NormalSolution, friction: &Friction) -> Result<TangentialEdges> {
         let (grid, quantity) = (self.grid(), "normal contact");
-        grid.expect(quantity, normal.grid())?;
+        grid.check_equal(quantity, normal.grid())?;
         if self.boundary() != normal.boundary() {
             return Err(Error::BoundaryMismatch { quantity });
         }

@@ -7,11 +7,51 @@ use crate::error::Error;
 /// Group of an error, by the reaction that it requires from a program.
 ///
 /// ```
-/// use stickslip::{ErrorKind, Grid};
+/// use stickslip::*;
+/// use stickslip::history::State;
+///
+/// /// Returns the reaction of a study to an error.
+/// fn reaction(error: &Error) -> &'static str {
+///     match error.kind() {
+///         ErrorKind::NotConverged => "repeat with half the step",
+///         ErrorKind::Load => "skip this load",
+///         ErrorKind::Memory => "repeat on a coarser grid",
+///         ErrorKind::File | ErrorKind::Ranks => "end the program",
+///         // A minor release may add kinds.
+///         ErrorKind::Argument | ErrorKind::Unsupported | _ => "correct the input",
+///     }
+/// }
 ///
 /// let error = Grid::square(0, 1.0).unwrap_err();
 /// assert_eq!(error.kind(), ErrorKind::Argument);
 /// assert_eq!(format!("{error:?}"), format!("GridSize: {error}"));
+/// assert_eq!(reaction(&error), "correct the input");
+///
+/// let grid = Grid::square(16, 4.0)?;
+/// let unlike = ElasticPair::new(Material::new(1.0, 0.2)?, Material::rigid())?;
+/// let bodies = HalfSpace::new(grid, unlike)?;
+/// let ball = surface::sphere(grid, 10.0)?;
+/// let press = |load| NormalProblem::builder(&bodies, &ball, load);
+/// let nothing_to_hold = press(NormalControl::Hold).build().unwrap_err();
+/// assert_eq!(nothing_to_hold.kind(), ErrorKind::Load);
+///
+/// let force = NormalControl::Force(0.1);
+/// let cut_short = press(force).max_iterations(1).build()?.solve().unwrap_err();
+/// assert_eq!(cut_short.kind(), ErrorKind::NotConverged);
+///
+/// let hertz = analytical::HertzLine::new(&unlike, 10.0, 0.01)?;
+/// let coupled = analytical::CattaneoMindlinLine::new(hertz, 0.5, 1e-3).unwrap_err();
+/// assert_eq!(coupled.kind(), ErrorKind::Unsupported);
+///
+/// let too_large = HalfSpace::new(Grid::square(1 << 26, 1.0)?, unlike).unwrap_err();
+/// assert_eq!(too_large.kind(), ErrorKind::Memory);
+///
+/// let missing_file = History::load(&bodies, "no such file").unwrap_err();
+/// assert_eq!(missing_file.kind(), ErrorKind::File);
+///
+/// let no_slabs = State::from_slabs(&bodies, []).unwrap_err();
+/// assert_eq!(no_slabs.kind(), ErrorKind::Ranks);
+/// # Ok::<(), Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 #[non_exhaustive]

@@ -24,6 +24,11 @@ use crate::report::Report;
 /// error prints it with `Debug`. [`kind`](Self::kind) groups the variants by how a program can respond to them. Arguments are
 /// checked before any work, and a failed call leaves the state of the caller unchanged. [`Error::NotConverged`] is the exception:
 /// `solve_into` and `solve_observed` then leave the last feasible iterate in the solution.
+///
+/// A match requires a wildcard arm, because minor releases may add variants. Variants of the kinds
+/// [`Argument`](ErrorKind::Argument) and [`Memory`](ErrorKind::Memory) have fixed fields, so that a program can construct
+/// them for its own checks. Minor releases may add fields to the variants of other kinds, and a
+/// pattern for their fields ends with `..`.
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {
@@ -112,6 +117,7 @@ pub enum Error {
     /// A quantity is available for homogeneous bodies only, and not for these coated bodies or this
     /// [`Kernel`](crate::Kernel).
     #[error("{quantity} is not available for {bodies}: {remedy}")]
+    #[non_exhaustive]
     UnsupportedForCoatings {
         /// The requested quantity, in words.
         quantity: &'static str,
@@ -161,6 +167,7 @@ pub enum Error {
     #[error(
         "the materials couple pressure and traction (Dundurs' beta = {beta:?}), which this model neglects: use a coupled problem or a history with full coupling, or accept the error of one-way or neglected coupling"
     )]
+    #[non_exhaustive]
     CoupledMaterials {
         /// Dundurs' second parameter of the pair. For coated bodies it is the equivalent parameter for the waves with the
         /// strongest coupling.
@@ -230,6 +237,7 @@ pub enum Error {
     NoPressureToHold,
     /// The method does not support the problem.
     #[error("the method {method} does not support {quantity}: use ActiveSet")]
+    #[non_exhaustive]
     Method {
         /// The requested method.
         method: &'static str,
@@ -250,6 +258,7 @@ pub enum Error {
     #[error(
         "the total {total:?} is outside the range [{lower:?}, {upper:?}] allowed by the bounds"
     )]
+    #[non_exhaustive]
     Total {
         /// The prescribed total.
         total: f64,
@@ -268,6 +277,7 @@ pub enum Error {
     EmptyContact,
     /// The tangential force exceeds the force that friction can carry, so that no equilibrium exists.
     #[error("{}", messages::beyond_capacity(*force, *limit, remedy))]
+    #[non_exhaustive]
     BeyondFrictionCapacity {
         /// Magnitude of the requested force.
         force: f64,
@@ -281,6 +291,7 @@ pub enum Error {
     #[error(
         "the moment {moment:?} reaches or exceeds the friction limit {limit:?} for the prescribed creepages and forces: prescribe a moment between {:?} and {:?}, or the spin", .range[0], .range[1]
     )]
+    #[non_exhaustive]
     BeyondFrictionMoment {
         /// The requested moment.
         moment: f64,
@@ -292,6 +303,7 @@ pub enum Error {
     },
     /// The normal force exceeds the largest force that the cells can carry at their hardness.
     #[error("{}", messages::beyond_hardness(*force, *capacity))]
+    #[non_exhaustive]
     BeyondHardness {
         /// Requested normal force.
         force: f64,
@@ -302,6 +314,7 @@ pub enum Error {
     #[error(
         "{quantity} requires an elastic contact, but {cells} cells have reached their hardness: lower the load, or raise the hardness"
     )]
+    #[non_exhaustive]
     Yielded {
         /// The quantity, in words.
         quantity: &'static str,
@@ -312,6 +325,7 @@ pub enum Error {
     #[error(
         "the tangential load [{x:?}, {y:?}] has two components, but the scalar model requires one of them to be zero: use the vector model"
     )]
+    #[non_exhaustive]
     ObliqueLoad {
         /// Component along x.
         x: f64,
@@ -320,6 +334,7 @@ pub enum Error {
     },
     /// A model does not include this load, or this property of an operator.
     #[error("{model} does not support {quantity}, got {value:?}: {remedy}")]
+    #[non_exhaustive]
     UnsupportedByModel {
         /// The model, in words.
         model: &'static str,
@@ -342,6 +357,7 @@ pub enum Error {
     /// The approach is not below the mean gap of a periodic contact. All cells are then in contact, and the pressure is
     /// undetermined.
     #[error("{}", messages::beyond_mean_gap(*approach, *mean_gap))]
+    #[non_exhaustive]
     ApproachBeyondMeanGap {
         /// The requested approach.
         approach: f64,
@@ -453,6 +469,7 @@ pub enum Error {
     },
     /// The search found no phases for which the heights have the requested skewness and kurtosis.
     #[error("{}", messages::heights_not_reached(*skewness, *kurtosis, *reached))]
+    #[non_exhaustive]
     HeightMomentsNotReached {
         /// Requested skewness.
         skewness: f64,
@@ -463,6 +480,7 @@ pub enum Error {
     },
     /// The operating system could not read or write a file.
     #[error("{path}: {source}")]
+    #[non_exhaustive]
     File {
         /// Path of the file.
         path: String,
@@ -471,6 +489,7 @@ pub enum Error {
     },
     /// A file violates the rules of its format, or uses an unsupported feature of the format.
     #[error("{}{format}, {place}: {problem}", messages::prefix(.file.as_deref()))]
+    #[non_exhaustive]
     Format {
         /// Name of the file, or `None` if the bytes were not read from a file.
         file: Option<String>,
@@ -499,6 +518,7 @@ pub enum Error {
     },
     /// The cycle does not close, so that it cannot represent the following cycles.
     #[error("{}", messages::not_closed(*residual, *limit))]
+    #[non_exhaustive]
     CycleNotClosed {
         /// The value of [`Cycle::cyclic_residual`](crate::history::Cycle::cyclic_residual).
         residual: f64,
@@ -509,6 +529,7 @@ pub enum Error {
     #[error(
         "the shortest permitted step ({part:?} of the load) has an error of {error:?}, which exceeds its share of the tolerance {tolerance:?}: raise this tolerance, or lower the tolerance of the history"
     )]
+    #[non_exhaustive]
     StepTooLong {
         /// Length of the step, as a fraction of the load.
         part: f64,

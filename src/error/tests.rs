@@ -266,9 +266,9 @@ fn every_error_has_its_text() {
         (
             Error::BeyondHardness {
                 force: 2e9,
-                capacity: 1e9,
+                capacity: 3e-8,
             },
-            "the normal force 2000000000.0 exceeds 1000000000.0, the largest force that the cells can carry at their hardness: use a larger grid, or prescribe an approach",
+            "the normal force 2000000000.0 exceeds 3e-8, the largest force that the cells can carry at their hardness: use a larger grid, or prescribe an approach",
         ),
         (
             Error::Yielded {

@@ -46,6 +46,7 @@
 /// default either, because results of uniform cells agree to the last digit with the paper and with CONTACT.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub enum CellValue {
     /// Traction that is uniform over each cell (default), as in the piecewise constant elements of Love and of the paper.
     #[default]

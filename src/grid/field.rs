@@ -111,7 +111,7 @@ impl PerCell<Field> {
     /// Checks that the samples are on the grid. The error message contains the name `quantity`.
     pub(crate) fn check(&self, quantity: &'static str, grid: Grid) -> Result<()> {
         match self {
-            Self::Cells(field) => grid.expect(quantity, field.grid()),
+            Self::Cells(field) => grid.check_equal(quantity, field.grid()),
             Self::Uniform(_) => Ok(()),
         }
     }
@@ -182,7 +182,7 @@ impl Field {
 
     /// Checks that the field is on the grid and that all its samples are finite.
     pub(crate) fn check(&self, quantity: &'static str, grid: Grid) -> Result<()> {
-        grid.expect(quantity, self.grid)?;
+        grid.check_equal(quantity, self.grid)?;
         all_finite(quantity, &self.samples)
     }
 
@@ -231,7 +231,7 @@ impl Field {
     /// The field is unchanged after an error.
     pub fn add_scaled(&mut self, factor: f64, other: &Self) -> Result<()> {
         finite("factor", factor)?;
-        self.grid.expect("field to be added", other.grid)?;
+        self.grid.check_equal("field to be added", other.grid)?;
         let other = other.as_slice();
         parallel::enter_with(other.len(), || {
             parallel::update(&mut self.samples, |first, chunk| {
@@ -388,7 +388,8 @@ impl Mul for &Field {
     type Output = Result<Field>;
 
     fn mul(self, other: &Field) -> Result<Field> {
-        self.grid.expect("field to be multiplied", other.grid)?;
+        self.grid
+            .check_equal("field to be multiplied", other.grid)?;
         let pairs = self.iter().zip(other);
         Field::from_vec(self.grid, pairs.map(|(a, b)| a * b).collect())
     }

@@ -198,7 +198,7 @@ impl Grid {
     }
 
     /// Checks that a quantity on the grid `found` is on this grid.
-    pub(crate) fn expect(&self, quantity: &'static str, found: Self) -> Result<()> {
+    pub(crate) fn check_equal(&self, quantity: &'static str, found: Self) -> Result<()> {
         if self.agrees_with(found) {
             return Ok(());
         }

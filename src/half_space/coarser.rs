@@ -99,7 +99,7 @@ impl HalfSpace {
             (2 * coarse.start).min(ny)..(2 * coarse.end).min(ny)
         };
         let own = rows(fine.team().rank());
-        let found = fine.fetch(field, nx, |rank| [0..nx, rows(rank)]);
+        let found = fine.fetch(field, nx, |rank| [0..nx, rows(rank)])?;
         coarsened([nx, own.len()], &found)
     }
 
@@ -148,7 +148,7 @@ impl HalfSpace {
         let own = fine.local_rows();
         match coarser.share([width, height]) {
             Some(coarse) => {
-                let found = coarse.fetch(field, width, |rank| [0..width, rows(rank)]);
+                let found = coarse.fetch(field, width, |rank| [0..width, rows(rank)])?;
                 make(
                     [nx, ny],
                     own.clone(),

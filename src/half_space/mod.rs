@@ -61,6 +61,18 @@ pub struct HalfSpace {
 
 shown!(HalfSpace: grid(), pair(), boundary(), cell_value());
 
+/// Two bodies are equal if grid, boundary, cell value and materials or kernel are equal. For [distributed](Self::distributed)
+/// bodies the grid is the slab of the rank. Operators in memory and ranks are not compared. All values are free of NaN, so
+/// bodies equal themselves.
+impl PartialEq for HalfSpace {
+    fn eq(&self, other: &Self) -> bool {
+        self.grid() == other.grid()
+            && self.boundary() == other.boundary()
+            && self.cell_value() == other.cell_value()
+            && self.kernel() == other.kernel()
+    }
+}
+
 #[derive(Debug)]
 struct Shared {
     grid: Grid,
@@ -380,7 +392,7 @@ impl HalfSpace {
         grid: Grid,
         boundary: Boundary,
     ) -> Result<()> {
-        self.grid().expect(quantity, grid)?;
+        self.grid().check_equal(quantity, grid)?;
         if boundary == self.boundary() {
             Ok(())
         } else {

@@ -263,6 +263,6 @@ impl HalfSpace {
     }
 
     pub(crate) fn checked(&self, field: &Field) -> Result<()> {
-        self.collective_result(self.grid().expect("the field", field.grid()))
+        self.collective_result(self.grid().check_equal("the field", field.grid()))
     }
 }

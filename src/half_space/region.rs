@@ -132,7 +132,8 @@ impl Region {
                 rows.start + own.start..rows.start + own.end,
             ]
         };
-        part.copy_from_slice(&outer.fetch(whole, grid.nx(), wanted));
+        let blocks = vec![Vec::new(); outer.team().size()];
+        outer.fetch_into(whole, grid.nx(), wanted, blocks, part);
     }
 
     /// Fills the region like [`Self::gather`], but from a function of the local cells of the grid.
@@ -172,9 +173,13 @@ impl Region {
         }
     }
 
-    /// Redistributes a field of the window.
+    /// Redistributes a field of the window. The caller already stores fields of this size.
     fn moved(&self, field: &[f64], from: &RowPartition, to: &RowPartition) -> Vec<f64> {
         let [columns, _] = self.window.size;
-        from.fetch(field, columns, |rank| [0..columns, to.rows_of(rank)])
+        let wanted = |rank: usize| [0..columns, to.rows_of(rank)];
+        let blocks = vec![Vec::new(); from.team().size()];
+        let mut found = vec![0.0; to.cells()];
+        from.fetch_into(field, columns, wanted, blocks, &mut found);
+        found
     }
 }

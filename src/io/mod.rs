@@ -132,6 +132,7 @@ fn parse_x3p(_: &[u8]) -> Result<Field> {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[non_exhaustive]
 pub enum Sides {
     /// Sides of a cell along x and y.
     OfCell([f64; 2]),

@@ -30,7 +30,7 @@ pub(crate) fn write(
     let rank = team.map_or(0, RankGroup::rank);
     let of_first = |work: &dyn Fn() -> Result<()>| if rank == 0 { work() } else { Ok(()) };
     let name = name(path).and_then(|name| {
-        slab.expect("an array to be written", check(arrays)?)?;
+        slab.check_equal("an array to be written", check(arrays)?)?;
         Ok(name)
     });
     let name = RankGroup::agreed_of(team, name)?;

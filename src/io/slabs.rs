@@ -56,7 +56,10 @@ impl HalfSpace {
     /// - [`Error::File`](crate::Error::File) if the file cannot be written.
     /// - [`Error::Ranks`](crate::Error::Ranks) if another rank has failed.
     pub fn write_npy(&self, path: impl AsRef<Path>, field: &Field) -> Result<()> {
-        self.collective_result(self.grid().expect("the field to be written", field.grid()))?;
+        self.collective_result(
+            self.grid()
+                .check_equal("the field to be written", field.grid()),
+        )?;
         npy::write_slab(path.as_ref(), field, self.sharing().map(|team| &**team))
     }
 

@@ -19,6 +19,7 @@ const FORMAT: Format = Format("VTI");
 ///
 /// ParaView can draw vectors as arrows. The third component of a vector is zero.
 #[derive(Debug, Clone, Copy)]
+#[non_exhaustive]
 pub enum Array<'a> {
     /// One value per cell.
     Scalar(&'a Field),

@@ -61,6 +61,19 @@ clone_in_place!(NormalSolution {
 
 try_clone!(NormalSolution { pressure, gap } { boundary, cell_value, pair, approach, yielded_cells, is_coupled, scale, report, whole });
 
+impl NormalSolution {
+    /// Returns whether two solutions have the same pressure, gap and approach on the same bodies.
+    #[cfg(feature = "history")]
+    pub(crate) fn eq_contact(&self, other: &Self) -> bool {
+        self.pressure == other.pressure
+            && self.gap == other.gap
+            && self.boundary == other.boundary
+            && self.cell_value == other.cell_value
+            && self.pair == other.pair
+            && self.approach == other.approach
+    }
+}
+
 impl PartialEq for NormalSolution {
     fn eq(&self, other: &Self) -> bool {
         let Self {
@@ -143,6 +156,18 @@ impl NormalSolution {
             scale: Scale::default(),
             report: Report::with_room(),
             whole: None,
+        })
+    }
+
+    /// Returns the solution with zero fields on another part of the grid.
+    #[cfg(feature = "history")]
+    pub(crate) fn outline_on(&self, grid: Grid) -> Result<Self> {
+        Ok(Self {
+            pressure: Field::try_zeros(grid)?,
+            gap: Field::try_zeros(grid)?,
+            report: self.report.clone(),
+            whole: self.whole.clone(),
+            ..*self
         })
     }
 

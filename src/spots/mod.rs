@@ -216,7 +216,7 @@ impl TangentialSolution {
     /// - [`Error::GridMismatch`] if the pressure is on a different grid.
     /// - The errors of [`NormalSolution::try_spots`].
     pub fn spots(&self, normal: &NormalSolution) -> Result<ContactSpots> {
-        let checked = self.grid().expect("normal contact", normal.grid());
+        let checked = self.grid().check_equal("normal contact", normal.grid());
         RankGroup::agreed_of(normal.share().map(|share| &**share.team()), checked)?;
         ContactSpots::new(normal, Some(self.zones()))
     }

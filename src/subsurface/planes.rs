@@ -342,7 +342,7 @@ impl Planes {
             if let Some(index) = index.filter(|index| *index >= self.depths.len()) {
                 length("list of depths", index.saturating_add(1), self.depths.len())?;
             }
-            bodies.grid().expect("plane", grid)?;
+            bodies.grid().check_equal("plane", grid)?;
             let fields = tractions.checked(bodies)?;
             let uniform = tractions.checked_uniform()?;
             let depths = index.map_or(&*self.depths, |index| &self.depths[index..=index]);

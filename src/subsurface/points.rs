@@ -30,7 +30,7 @@ const PORTION: usize = 100_000;
 /// let pressure = Field::constant(bodies.grid(), 1e4);
 /// // Far away the load acts like Boussinesq's point force P: uz = (1 - nu) P/(2 pi G r) on the surface, which is free.
 /// let far = at_points(&bodies, Body::One, Tractions::new(&pressure), &[[3.0, 4.0, 0.0]])?;
-/// let PointResult { displacement: [_, _, uz], stress } = far[0];
+/// let PointResult { displacement: [_, _, uz], stress, .. } = far[0];
 /// let force = pressure.integral();
 /// assert!((uz / (0.75 * force / (2.0 * PI * 5.0)) - 1.0).abs() < 1e-5);
 /// assert!(stress.zz.abs() < 1e-12 && stress.xx.abs() > 1e-3);
@@ -38,6 +38,7 @@ const PORTION: usize = 100_000;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct PointResult {
     /// Displacement along x, y and z (lengths) of the body itself, not relative to the other body. The displacement is
     /// zero at infinity. If the grid is periodic along y, it is measured relative to the datum.

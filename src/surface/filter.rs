@@ -114,7 +114,7 @@ impl<'de> serde::Deserialize<'de> for Filtered {
         checked(RawFiltered::deserialize(deserializer)?, |read| {
             let grid = read.heights.grid();
             let mut waves = read.short_waves.iter().chain(&read.long_waves);
-            waves.try_for_each(|waves| grid.expect("waves", waves.grid()))
+            waves.try_for_each(|waves| grid.check_equal("waves", waves.grid()))
         })
     }
 }

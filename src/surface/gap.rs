@@ -70,7 +70,7 @@ pub fn gap_from_heights(heights: &Field) -> Result<Field> {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 pub fn gap_between(upper: &Field, lower: &Field) -> Result<Field> {
-    lower.grid().expect("upper surface", upper.grid())?;
+    lower.grid().check_equal("upper surface", upper.grid())?;
     complete("upper surface", upper)?;
     complete("lower surface", lower)?;
     let mut sum = upper.clone();

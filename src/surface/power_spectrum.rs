@@ -116,7 +116,7 @@ impl PowerSpectrum {
         let waves = parallel::enter_with(heights.grid().cells(), || {
             let (deviations, _) = about_mean(heights, slab);
             Waves::of_slab(&deviations, slab)
-        });
+        })?;
         let grid = slab.whole();
         let rings = rings(&waves, slab);
         let density = grid.area() / (TAU * TAU);

@@ -190,7 +190,7 @@ pub fn sum(fields: &[&Field]) -> Result<Field> {
     })?;
     let mut sum = Field::clone(first);
     for other in others {
-        sum.grid().expect("a summand", other.grid())?;
+        sum.grid().check_equal("a summand", other.grid())?;
         for (sum, term) in sum.as_mut_slice().iter_mut().zip(other.as_slice()) {
             *sum += term;
         }

@@ -7,6 +7,7 @@ use super::waves::shared_columns;
 use crate::error::{Error, Result};
 use crate::grid::Grid;
 use crate::grid::field::Field;
+use crate::memory::fallible;
 use crate::parallel::layout::Layout;
 use crate::parallel::ranks::partition::RowPartition;
 
@@ -61,10 +62,10 @@ impl Slab {
     }
 
     /// Returns the local rows and the next row, if it exists.
-    pub(super) fn with_next_row<'a>(&self, heights: &'a Field) -> Cow<'a, [f64]> {
+    pub(super) fn with_next_row<'a>(&self, heights: &'a Field) -> Result<Cow<'a, [f64]>> {
         let own = heights.as_slice();
         let Some(share) = &self.share else {
-            return Cow::Borrowed(own);
+            return Ok(Cow::Borrowed(own));
         };
         let [nx, ny] = self.whole.size();
         let next = |rank: usize| {
@@ -72,7 +73,12 @@ impl Slab {
             let count = usize::from(!rows.is_empty() && rows.end < ny);
             [0..nx, rows.end..rows.end + count]
         };
-        Cow::Owned([own, &share.fetch(own, nx, next)].concat())
+        let mut rows = share
+            .team()
+            .collective_result(fallible::with_room(own.len() + nx))?;
+        rows.extend_from_slice(own);
+        rows.extend(share.fetch(own, nx, next)?);
+        Ok(Cow::Owned(rows))
     }
 
     /// Returns the distributions of the rows and of the columns of waves over the ranks, or `None` without ranks.

@@ -39,7 +39,7 @@ impl HalfSpace {
     /// - The errors of [`surface::level`](crate::surface::level()), with indices of cells in the slab.
     /// - [`Error::Ranks`](crate::Error::Ranks) if a rank fails, or if the form is a polynomial and the bodies are distributed.
     pub fn level(&self, heights: &Field, form: Form) -> Result<Levelled> {
-        let checked = self.grid().expect("the field", heights.grid());
+        let checked = self.grid().check_equal("the field", heights.grid());
         self.collective_result_checked(checked, &[("form", &form)])?;
         level_slab(heights, &self.slab(), form)
     }

@@ -71,6 +71,7 @@ impl Statistics {
     /// - [`Error::Sample`](crate::Error::Sample) with the first height that is missing or infinite.
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if the range of the heights or the square of their slopes
     ///   overflows.
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub fn of(heights: &Field) -> Result<Self> {
         Self::of_slab(heights, &Slab::alone(heights)?)
     }
@@ -92,9 +93,9 @@ impl Statistics {
         })
         .map(|sum| sum / slab.whole().cells() as f64);
         let [_, m2, _] = parallel::enter_with(heights.grid().cells(), || {
-            moments(&Waves::of_slab(&deviations, slab))
-        });
-        let z = slab.with_next_row(&deviations);
+            Waves::of_slab(&deviations, slab).map(|waves| moments(&waves))
+        })?;
+        let z = slab.with_next_row(&deviations)?;
         let profile_rms_slope = rms_slopes(&z, slab);
         let developed_area_ratio = developed_area_ratio(&z, slab);
         slab.layout().check()?;

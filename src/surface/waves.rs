@@ -9,8 +9,10 @@ use realfft::RealFftPlanner;
 use rustfft::FftPlanner;
 
 use super::slab::Slab;
+use crate::error::Result;
 use crate::grid::Grid;
 use crate::grid::field::Field;
+use crate::memory::fallible::{self, unwrap_or_abort};
 use crate::parallel;
 use crate::parallel::layout::Layout;
 use crate::parallel::ranks::RankGroup;
@@ -53,11 +55,11 @@ pub(super) struct Mode {
 impl Waves {
     /// Creates waves of zero amplitude.
     pub(super) fn none(grid: Grid) -> Self {
-        Self::none_on(grid, None)
+        unwrap_or_abort(Self::none_on(grid, None))
     }
 
     /// Creates waves of zero amplitude whose columns may be distributed over ranks.
-    pub(super) fn none_on(grid: Grid, columns: Option<&Arc<RowPartition>>) -> Self {
+    pub(super) fn none_on(grid: Grid, columns: Option<&Arc<RowPartition>>) -> Result<Self> {
         let (first, layout) = match columns {
             Some(columns) => (
                 columns.local_rows().start,
@@ -65,26 +67,27 @@ impl Waves {
             ),
             None => (0, Layout::of(size_of_waves(grid))),
         };
-        Self {
+        Ok(Self {
             grid,
             first,
-            amplitudes: vec![Complex::default(); layout.cells()],
+            amplitudes: fallible::filled(Complex::default(), layout.cells())?,
             layout,
-        }
+        })
     }
 
     /// Transforms a field, continued periodically.
     pub(super) fn of(field: &Field) -> Self {
-        Self::of_slab(field, &Slab::new(field.grid(), None))
+        unwrap_or_abort(Self::of_slab(field, &Slab::new(field.grid(), None)))
     }
 
     /// Transforms a field from its local slab. If the field is distributed by rows, the waves are distributed by
     /// columns.
-    pub(super) fn of_slab(field: &Field, slab: &Slab) -> Self {
+    pub(super) fn of_slab(field: &Field, slab: &Slab) -> Result<Self> {
         let grid = slab.whole();
         let (nx, ny, width) = (grid.nx(), grid.ny(), columns(grid));
         let along_x = RealFftPlanner::new().plan_fft_forward(nx);
-        let mut rows = vec![Complex::default(); width * field.grid().ny()];
+        let rows = fallible::filled(Complex::default(), width * field.grid().ny());
+        let mut rows = slab.layout().collective_result(rows)?;
         parallel::rows(&mut rows, width, |row, out| {
             let mut samples = field.as_slice()[row * nx..][..nx].to_vec();
             along_x
@@ -92,15 +95,17 @@ impl Waves {
                 .expect("a row and its transform have the lengths planned");
         });
         let Some([dealt, columns]) = slab.shares() else {
-            return Self::none(grid).filled_along_y(&rows);
+            return Ok(Self::none_on(grid, None)?.filled_along_y(&rows));
         };
         // A row of complex numbers is exchanged as a row of twice as many reals.
         let wanted = |rank: usize| {
             let columns = columns.rows_of(rank);
             [2 * columns.start..2 * columns.end, 0..ny]
         };
-        let rows = dealt.fetch(cast_slice(&rows), 2 * width, wanted);
-        Self::none_on(grid, Some(&columns)).filled_along_y(cast_slice(&rows))
+        let rows = dealt.fetch(cast_slice(&rows), 2 * width, wanted)?;
+        let waves = Self::none_on(grid, Some(&columns));
+        let waves = slab.layout().collective_result(waves)?;
+        Ok(waves.filled_along_y(cast_slice(&rows)))
     }
 
     /// Computes the local waves from the transforms along x of all rows in the local columns.
@@ -128,7 +133,7 @@ impl Waves {
 
     /// Returns the local rows of the sum of the waves. [`shared_columns`] gives the distribution of the columns of the waves, and
     /// `rows` the distribution of the rows of the field.
-    pub(super) fn into_slab(self, columns: &RowPartition, rows: &RowPartition) -> Field {
+    pub(super) fn into_slab(self, columns: &RowPartition, rows: &RowPartition) -> Result<Field> {
         let (grid, count) = (self.grid, self.grid.nx() / 2 + 1);
         let slab = grid.slab(rows.local_rows());
         let height = slab.ny();
@@ -138,9 +143,9 @@ impl Waves {
             let rows = rows.rows_of(rank);
             [2 * rows.start..2 * rows.end, 0..count]
         };
-        let found = columns.fetch(cast_slice(&amplitudes), 2 * grid.ny(), wanted);
+        let found = columns.fetch(cast_slice(&amplitudes), 2 * grid.ny(), wanted)?;
         let found: &[Complex<f64>] = cast_slice(&found);
-        along_rows(slab, |column, row| found[column * height + row])
+        Ok(along_rows(slab, |column, row| found[column * height + row]))
     }
 
     /// Returns the amplitudes of the waves along x in every row.

@@ -173,7 +173,11 @@ impl Friction {
     }
 
     fn coefficient_at(&self, index: usize) -> f64 {
-        self.coefficient.map(Field::as_slice).of(index)
+        self.coefficients().of(index)
+    }
+
+    pub(crate) fn coefficients(&self) -> PerCell<&[f64]> {
+        self.coefficient.map(Field::as_slice)
     }
 
     fn cap(&self) -> f64 {

@@ -57,7 +57,7 @@ impl JaegerSuperposition {
         non_negative("coefficient of friction", friction)?;
         pair.check_homogeneous("the superposition", "solve the tangential problem")?;
         let grid = full.grid();
-        grid.expect("lighter contact", stick.grid())?;
+        grid.check_equal("lighter contact", stick.grid())?;
         if stick.boundary() != full.boundary() {
             let quantity = "lighter contact";
             return Err(Error::BoundaryMismatch { quantity });

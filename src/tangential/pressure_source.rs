@@ -60,7 +60,7 @@ impl<'a> PressureSource<'a> {
                 Ok(normal.pressure().as_slice())
             }
             Self::Prescribed(pressure) => {
-                bodies.grid().expect("pressure", pressure.grid())?;
+                bodies.grid().check_equal("pressure", pressure.grid())?;
                 all_non_negative("pressure", pressure.as_slice())?;
                 Ok(pressure.as_slice())
             }

@@ -136,7 +136,7 @@ impl RelativeDisplacement {
     /// component along an axis without tractions is also an error.
     pub(crate) fn check(&self, bodies: &HalfSpace, axes: &[Axis]) -> Result<()> {
         let grid = bodies.grid();
-        grid.expect("relative displacement", self.fields[0].grid())?;
+        grid.check_equal("relative displacement", self.fields[0].grid())?;
         let repeats = bodies.boundary().repeats();
         for (index, &value) in self.strain.as_flattened().iter().enumerate() {
             if value != 0.0 && repeats[index % 2] {

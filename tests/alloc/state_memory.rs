@@ -43,6 +43,19 @@ fn returning_to_state_allocates_nothing() {
     }
 }
 
+/// The bytes of a state are written into one buffer of their size. The remaining allocations do not depend on the grid.
+#[test]
+fn saving_allocates_only_the_bytes() {
+    for model in [TangentialModel::Scalar, TangentialModel::Vector] {
+        let history = start(model);
+        let mut bytes = Vec::new();
+        let work = || bytes = history.to_bytes();
+        let most = allocation_counter::measure(work).bytes_max;
+        let beside = most - bytes.len() as u64;
+        assert!(beside < 8000, "{model:?}: {most} of {}", bytes.len());
+    }
+}
+
 /// Appends the 64-bit FNV-1a checksum as the last eight bytes of a saved state.
 fn sealed(mut bytes: Vec<u8>) -> Vec<u8> {
     let end = bytes.len() - 8;

@@ -407,16 +407,17 @@ fn parts_of_coupled_solution_are_rejected() {
     let (bodies, contact) = solve(dissimilar);
     let (normal, shear) = (contact.normal(), contact.tangential());
     let beta = dissimilar.dundurs_beta();
-    let refused = Error::CoupledMaterials { beta };
+    let is_refused = |error: Option<Error>| matches!(error, Some(Error::CoupledMaterials { beta: found, .. }) if found == beta);
     let both = ContactStiffness::new(&bodies, normal, &friction, shear);
-    assert_eq!(both, Err(refused.clone()));
-    assert_eq!(normal.stiffness(&bodies), Err(refused.clone()));
-    assert_eq!(shear.stiffness(&bodies), Err(refused.clone()));
+    assert!(is_refused(both.err()));
+    assert!(is_refused(normal.stiffness(&bodies).err()));
+    assert!(is_refused(shear.stiffness(&bodies).err()));
     // A coupled solution with one part replaced by a solution without coupling is rejected as well.
     let alone = NormalProblem::builder(&bodies, &gap, press);
     let alone = kit::solve(alone);
     assert!(alone.stiffness(&bodies).is_ok());
-    kit::assert_refused! { ContactStiffness::new(&bodies, &alone, &friction, shear) => error if error == refused }
+    let mixed = ContactStiffness::new(&bodies, &alone, &friction, shear);
+    assert!(is_refused(mixed.err()));
     // For uncoupled bodies the two parts are independent solutions.
     let (bodies, contact) = solve(kit::unit_pair(0.3));
     let both = ContactStiffness::new(&bodies, contact.normal(), &friction, contact.tangential());

@@ -87,7 +87,7 @@ fn missing_folder_is_an_error() {
         io::vti::write(&nowhere, &[("height", &field)]),
     ] {
         assert!(
-            matches!(result, Err(Error::File { path, source }) if source.code().is_some() && path.contains("no_such_folder"))
+            matches!(result, Err(Error::File { path, source, .. }) if source.code().is_some() && path.contains("no_such_folder"))
         );
     }
 }

@@ -158,7 +158,7 @@ fn engine_rejects_invalid_arguments_before_any_work() {
         let problem = Problem::new(Identity::new(2), [&linear], AbsBound(&[1.0, 2.0])).total(total);
         let error = cgm::minimise(&problem, &settings, [&mut x]).err();
         assert!(
-            matches!(error, Some(Error::Total { total: t, lower: -3.0, upper: 3.0 }) if is_identical(t, total))
+            matches!(error, Some(Error::Total { total: t, lower: -3.0, upper: 3.0, .. }) if is_identical(t, total))
         );
     }
     let problem =

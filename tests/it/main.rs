@@ -44,6 +44,7 @@ mod displacement_control;
 mod distributed_io;
 mod distributed_io_is_atomic;
 mod engine_exact_minimum;
+mod equality;
 mod extreme_inputs;
 mod file_formats;
 mod file_round_trip;
@@ -109,6 +110,7 @@ mod rolling_under_changing_loads;
 mod rough_contacts;
 mod rough_surface_refinement;
 mod rough_surfaces;
+mod saved_files;
 mod scene_laws;
 #[cfg(feature = "serde")]
 mod serialisation;

@@ -324,13 +324,6 @@ fn numbers_in_messages_are_plain() {
             "kurtosis must be at least 1.0 (the squared skewness plus one), got 0.5",
         ),
         (
-            Error::BeyondHardness {
-                force: 2e9,
-                capacity: 3e-8,
-            },
-            "the normal force 2000000000.0 exceeds 3e-8, the largest force that the cells can carry at their hardness: use a larger grid, or prescribe an approach",
-        ),
-        (
             Error::NotPositive {
                 quantity: "side",
                 value: 0.0,

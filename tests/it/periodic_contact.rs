@@ -274,6 +274,7 @@ fn approach_beyond_mean_gap_is_rejected() {
         let Error::ApproachBeyondMeanGap {
             approach: found,
             mean_gap,
+            ..
         } = error
         else {
             panic!("{error}");

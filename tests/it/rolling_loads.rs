@@ -158,6 +158,7 @@ fn moment_beyond_friction_is_rejected() {
         moment,
         limit,
         range,
+        ..
     }) = of(-1.02 * capacity)
     else {
         panic!("the negative moment is accepted")

@@ -112,11 +112,10 @@ fn open_cycle_is_not_jumped() {
         let jump = CycleJump::new(&bodies, &cycle, &depth).unwrap();
         let residual = cycle.cyclic_residual();
         if is_first {
-            let expected = Error::CycleNotClosed {
-                residual,
-                limit: 0.25,
-            };
-            assert_eq!(jump.cycles(), Err(expected));
+            assert!(matches!(
+                jump.cycles(),
+                Err(Error::CycleNotClosed { residual: found, limit: 0.25, .. }) if found == residual
+            ));
             assert!(jump.max_residual(residual).cycles().is_ok());
             assert!(jump.max_residual(-1.0).cycles().is_err());
         } else {

@@ -181,7 +181,7 @@ fn fill(numbers: &mut stickslip_error, error: &Error) {
         | Error::PoissonRatio(value)
         | Error::Tolerance(value)
         | Error::Hurst(value)
-        | Error::CoupledMaterials { beta: value } => numbers.value = value,
+        | Error::CoupledMaterials { beta: value, .. } => numbers.value = value,
         Error::BeyondFrictionCapacity {
             force: value,
             limit,
@@ -195,6 +195,7 @@ fn fill(numbers: &mut stickslip_error, error: &Error) {
         | Error::CycleNotClosed {
             residual: value,
             limit,
+            ..
         }
         | Error::DatumTooNear {
             datum: value,
@@ -203,12 +204,16 @@ fn fill(numbers: &mut stickslip_error, error: &Error) {
         | Error::BeyondHardness {
             force: value,
             capacity: limit,
+            ..
         }
         | Error::ApproachBeyondMeanGap {
             approach: value,
             mean_gap: limit,
+            ..
         }
-        | Error::ObliqueLoad { x: value, y: limit }
+        | Error::ObliqueLoad {
+            x: value, y: limit, ..
+        }
         | Error::NoWaveInBand {
             longest: value,
             shortest: limit,

@@ -185,8 +185,8 @@ pub unsafe extern "C" fn stickslip_half_space_cell_value(
     unsafe {
         tell(half_space, ("value", value), |of| {
             Ok(match of.cell_value() {
-                CellValue::Uniform => STICKSLIP_UNIFORM,
                 CellValue::Centre => STICKSLIP_CENTRE,
+                _ => STICKSLIP_UNIFORM,
             })
         })
     }

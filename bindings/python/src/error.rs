@@ -108,7 +108,7 @@ pub(crate) fn with_iterate<'py>(
 macro_rules! numbered {
     ($error:expr, $attributes:ident, {$($name:ident { $($field:ident),+ })+}) => {
         match $error {
-            $(Error::$name { $($field),+ } => {
+            $(Error::$name { $($field),+ , .. } => {
                 $($attributes.set_item(stringify!($field), $field.clone())?;)+
                 Some(stringify!($name))
             })+
@@ -185,6 +185,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
                 format,
                 place,
                 problem,
+                ..
             },
         ) => {
             attributes.set_item("file", file)?;
@@ -202,7 +203,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
             };
             one(&attributes, "Ranks", "rank", rank)?
         }
-        (_, Error::File { path, source }) => {
+        (_, Error::File { path, source, .. }) => {
             attributes.set_item("path", path)?;
             attributes.set_item("filename", path)?;
             attributes.set_item("strerror", source.to_string())?;

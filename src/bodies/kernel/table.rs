@@ -183,7 +183,7 @@ impl CoefficientTable {
         let reaches = nx >= grid.nx() && ny >= grid.ny();
         let [nx, ny] = if reaches { grid.size() } else { [nx, ny] };
         let [dx, dy] = self.sides;
-        grid.expect(QUANTITY, Grid::new(nx, ny, dx, dy)?)
+        grid.check_equal(QUANTITY, Grid::new(nx, ny, dx, dy)?)
     }
 
     /// Returns the coefficient at a distance, extrapolated linearly beyond the last distance.

@@ -257,7 +257,7 @@ impl Cycle {
 
     fn check(&self, history: &History) -> Result<()> {
         let grid = self.sums.slip_distance.grid();
-        grid.expect("history of the cycle", history.grid())
+        grid.check_equal("history of the cycle", history.grid())
     }
 
     /// Returns the regime of the cycle including the last step.

@@ -132,6 +132,17 @@ impl Writer {
         self.0.extend(bytes);
         Ok(())
     }
+
+    pub(super) fn samples(&mut self, values: &[f64]) -> Result<()> {
+        let bytes = values.iter().flat_map(|value| value.to_le_bytes());
+        self.extend(size_of_val(values), bytes)
+    }
+
+    /// Reserves the memory for exactly `count` more bytes.
+    pub(super) fn make_room(&mut self, count: usize) -> Result<()> {
+        let room = self.0.try_reserve_exact(count);
+        room.map_err(|_| out_of_memory(self.0.len().saturating_add(count)))
+    }
 }
 
 impl Codec for Writer {
@@ -146,8 +157,7 @@ impl Codec for Writer {
     }
 
     fn numbers(&mut self, _: &str, values: &mut [f64], _: NumberRule) -> Result<()> {
-        let bytes = values.iter().flat_map(|v| v.to_le_bytes());
-        self.extend(size_of_val(values), bytes)
+        self.samples(values)
     }
 }
 
@@ -156,7 +166,7 @@ pub(super) struct Reader<'a>(pub(super) Cursor<'a>);
 
 impl Reader<'_> {
     /// Returns an error for a truncated file if fewer than `count` bytes are left.
-    pub(super) fn expect(&self, what: &str, count: usize) -> Result<()> {
+    pub(super) fn require(&self, what: &str, count: usize) -> Result<()> {
         let found = self.0.rest().len();
         if found >= count {
             return Ok(());

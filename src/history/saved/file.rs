@@ -16,7 +16,7 @@ use std::ops::Range;
 use std::path::Path;
 
 use super::format::SnapshotHeader;
-use super::{FORMAT, HEADER, Reader, check_kind};
+use super::{FORMAT, HEADER, Reader, check_kind, other_version};
 use crate::error::Result;
 use crate::files::{Cursor, in_file, refused, replace, replace_bytes};
 use crate::half_space::HalfSpace;
@@ -67,10 +67,12 @@ impl History {
     ///
     /// # Errors
     /// - [`Error::File`](crate::Error::File) if the file cannot be written.
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     /// - [`Error::Ranks`](crate::Error::Ranks) if another rank has failed.
     #[doc(alias = "checkpoint")]
     pub fn save(&self, path: impl AsRef<Path>) -> Result<()> {
-        let (path, bytes) = (path.as_ref(), self.to_bytes());
+        let path = path.as_ref();
+        let bytes = self.bodies.collective_result(self.state().try_to_bytes())?;
         let Some(team) = self.bodies.team() else {
             return replace_bytes(path, &bytes);
         };
@@ -149,10 +151,7 @@ fn parts_of(path: &Path) -> Result<Vec<Range<u64>>> {
         start.take("the magic string", MAGIC.len())?;
         let version = start.u32("the version")?;
         if version != VERSION {
-            let problem = format!(
-                "version {version} of the slabs is not supported, expected version {VERSION}"
-            );
-            return Err(FORMAT.at_byte(MAGIC.len(), problem));
+            return Err(other_version(version, VERSION));
         }
         let count = start.u64("the number of slabs")?;
         let end = count.saturating_mul(8).saturating_add(TABLE as u64);

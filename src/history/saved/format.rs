@@ -23,19 +23,14 @@ use crate::grid::window::Window;
 use crate::history::state::State;
 use crate::history::state::memory::Memory;
 use crate::history::state::relative_displacement::RelativeDisplacementState;
-use crate::memory::fallible;
 use crate::normal::{Hardness, NormalControl, NormalSolution};
 use crate::report::{EigenvalueBound, Status};
 use crate::tangential::EntryRule;
-use crate::tangential::{Axis, Friction, RelativeDisplacement, Zone};
+use crate::tangential::{Axis, Friction, RelativeDisplacement};
 
 /// Largest valid count of steps or products. No run reaches this count. A larger count means that the bytes are
 /// damaged, and an increment cannot overflow.
 const LARGEST_COUNT: u64 = 1 << 53;
-
-/// Least number of bytes per cell: gap, pressure, gap under load, traction, slip, accumulated slip, dissipated energy
-/// and zone.
-pub(super) const LEAST_PER_CELL: usize = 7 * 8 + 1;
 
 /// Properties that identify the bodies of a state.
 #[derive(Default)]
@@ -112,8 +107,7 @@ impl SnapshotHeader {
         Ok(())
     }
 
-    /// Creates a state to read into, in which only the bodies are set. It allocates memory for all cells, so their
-    /// number must have been checked against the available bytes.
+    /// Creates a state without cells to read into, in which only the bodies are set.
     pub(super) fn blank(&self, grid: Grid) -> Result<State> {
         let body = |n: usize| {
             let [modulus, ratio, hardness] = self.materials[n];
@@ -134,7 +128,7 @@ impl SnapshotHeader {
             .map(mark)
             .map_err(|error| FORMAT.at_byte(super::HEADER, error.to_string()))?;
         let (friction, settings) = (Friction::coulomb(0.0)?, Settings::default());
-        let gap = Field::try_zeros(grid)?;
+        let gap = Field::try_zeros(grid.whole().slab(0..0))?;
         State::new(
             gap,
             (self.boundary, self.cell_value),
@@ -161,8 +155,12 @@ impl SnapshotHeader {
 }
 
 impl State {
-    /// Visits all parts of the state after the bodies.
-    pub(super) fn visit<C: Codec>(&mut self, codec: &mut C) -> Result<()> {
+    /// Visits all parts of the state after the bodies, except for the values of its cells.
+    pub(super) fn visit<C: Codec>(
+        &mut self,
+        codec: &mut C,
+        is_gap_changed: &mut bool,
+    ) -> Result<()> {
         let grid = self.grid();
         let models = [Axis::X.alone(), Axis::Y.alone(), Axis::BOTH];
         codec.kind("axis", &mut self.axes, &models)?;
@@ -179,18 +177,8 @@ impl State {
         codec.kind("entry rule", &mut self.entry_rule, &rules)?;
         let choices = [Coupling::Full, Coupling::OneWay, Coupling::Neglected];
         codec.kind("coupling", &mut self.coupling, &choices)?;
-        codec.numbers("gap", self.gap.as_mut_slice(), FINITE)?;
-        let mut is_another = self.pressed_gap.as_slice() != self.gap.as_slice();
-        codec.kind("mark of a changed gap", &mut is_another, &[false, true])?;
-        if is_another {
-            codec.numbers(
-                "gap of the pressure",
-                self.pressed_gap.as_mut_slice(),
-                FINITE,
-            )?;
-        } else {
-            self.pressed_gap.clone_from(&self.gap);
-        }
+        let mark = "mark of a changed gap";
+        codec.kind(mark, is_gap_changed, &[false, true])?;
         visit_normal(codec, &mut self.normal)?;
         self.visit_hardness(codec)?;
         self.visit_relative(codec)?;
@@ -203,21 +191,6 @@ impl State {
             visit_window(codec, window, grid)?;
         }
         self.visit_trend(codec)?;
-
-        for axis in self.axes {
-            let traction = self.traction[axis.index()].as_mut_slice();
-            codec.numbers("traction", traction, FINITE)?;
-            let slip = self.slip[axis.index()].as_mut_slice();
-            codec.numbers("slip", slip, FINITE)?;
-        }
-        let path = self.accumulated_slip.as_mut_slice();
-        codec.numbers("accumulated slip", path, NOT_NEGATIVE)?;
-        let dissipated = self.dissipated_energy.as_mut_slice();
-        codec.numbers("dissipated energy", dissipated, NOT_NEGATIVE)?;
-        for zone in &mut self.zones {
-            let zones = [Zone::Separated, Zone::Stick, Zone::Slip];
-            codec.kind("zone", zone, &zones)?;
-        }
         self.visit_contact(codec)
     }
 
@@ -226,18 +199,22 @@ impl State {
         codec.option("hardness", &mut self.hardness, || Ok(Hardness::blank()))?;
         if let Some(hardness) = &mut self.hardness {
             visit_per_cell(codec, "hardness", hardness.limit_mut(), POSITIVE, grid)?;
-            let pressure = self.normal.pressure().as_slice();
-            let limits = hardness.limits();
-            let is_reached = |i: &usize| limits.are_reached(*i, pressure[*i]);
-            let yielded = (0..pressure.len()).filter(is_reached).count();
-            self.normal.set_yielded_cells(yielded);
         }
-        let none = || Field::try_zeros(grid);
-        codec.option("permanent set", &mut self.yielded, none)?;
-        if let Some(yielded) = &mut self.yielded {
-            codec.numbers("permanent set", yielded.as_mut_slice(), NOT_NEGATIVE)?;
-        }
-        Ok(())
+        codec.option("permanent set", &mut self.yielded, || {
+            Field::try_zeros(grid)
+        })
+    }
+
+    /// Counts the cells at their hardness, after the pressure has been read.
+    pub(super) fn count_yielded_cells(&mut self) {
+        let Some(hardness) = &self.hardness else {
+            return;
+        };
+        let pressure = self.normal.pressure().as_slice();
+        let limits = hardness.limits();
+        let is_reached = |i: &usize| limits.are_reached(*i, pressure[*i]);
+        let yielded = (0..pressure.len()).filter(is_reached).count();
+        self.normal.set_yielded_cells(yielded);
     }
 
     fn visit_relative<C: Codec>(&mut self, codec: &mut C) -> Result<()> {
@@ -250,11 +227,6 @@ impl State {
                 &mut relative.amount,
                 FINITE,
             )?;
-            for fields in [&mut relative.pattern, &mut relative.reached] {
-                for field in fields.fields_mut() {
-                    codec.numbers(what, field.as_mut_slice(), FINITE)?;
-                }
-            }
         }
         Ok(())
     }
@@ -262,17 +234,11 @@ impl State {
     fn visit_trend<C: Codec>(&mut self, codec: &mut C) -> Result<()> {
         let mut is_known = self.trend.is_known();
         codec.kind("mark of a trend", &mut is_known, &[false, true])?;
-        let (window, grid) = (self.press_window, self.grid());
-        let Some(window) = window.filter(|_| is_known) else {
+        if self.press_window.is_none() || !is_known {
             self.trend.forget();
             return Ok(());
-        };
-        let LoadTrend {
-            change: [change],
-            by: [by],
-        } = &mut self.trend;
-        fallible::resize(change, window.held(grid).cells(), 0.0)?;
-        codec.numbers("change of the pressure", change, FINITE)?;
+        }
+        let [by] = &mut self.trend.by;
         codec.numbers("change of the normal load", by, FINITE)
     }
 
@@ -289,36 +255,14 @@ impl State {
             Some(memory) => memory,
             none => none.insert(Memory::first(grid, axes, *window, self.motion)?),
         };
-        for displacement in &mut memory.displacement {
-            codec.numbers("displacement", displacement, FINITE)?;
-        }
-        for offset in &mut memory.offset {
-            codec.numbers("offset", offset, FINITE)?;
-        }
         if is_joint {
             memory.trend = LoadTrend::default();
-        }
-        for change in &mut memory.trend.change {
-            codec.numbers("change of the traction", change, FINITE)?;
         }
         for by in &mut memory.trend.by {
             codec.numbers("change of the tangential load", by, FINITE)?;
         }
-        for slip in &mut memory.slip {
-            codec.numbers("slip of the last step", slip, FINITE)?;
-        }
         let mark = "mark of cells that came into contact";
-        codec.kind(mark, &mut memory.has_entered, &[false, true])?;
-        if memory.has_entered {
-            let cells = memory.window.held(grid).cells();
-            fallible::resize(&mut memory.entered, cells, 0.0)?;
-            codec.numbers(
-                "compliance of cells that came into contact",
-                &mut memory.entered,
-                NOT_NEGATIVE,
-            )?;
-        }
-        Ok(())
+        codec.kind(mark, &mut memory.has_entered, &[false, true])
     }
 }
 
@@ -376,7 +320,7 @@ fn visit_boundary<C: Codec>(codec: &mut C, boundary: &mut Boundary) -> Result<()
     Ok(())
 }
 
-/// Visits one number that satisfies the rule `uniform`, or one number for each cell. The number of a cell may be zero.
+/// Visits a number that satisfies the rule `uniform`, or the mark of a quantity that varies from cell to cell.
 fn visit_per_cell<C: Codec>(
     codec: &mut C,
     what: &'static str,
@@ -391,14 +335,12 @@ fn visit_per_cell<C: Codec>(
     }
     match quantity {
         PerCell::Uniform(value) => codec.number(what, value, uniform),
-        PerCell::Cells(field) => codec.numbers(what, field.as_mut_slice(), NOT_NEGATIVE),
+        PerCell::Cells(_) => Ok(()),
     }
 }
 
 fn visit_normal<C: Codec>(codec: &mut C, normal: &mut NormalSolution) -> Result<()> {
-    let (pressure, gap, approach, report) = normal.parts_mut();
-    codec.numbers("pressure", pressure.as_mut_slice(), NOT_NEGATIVE)?;
-    codec.numbers("gap under load", gap.as_mut_slice(), FINITE)?;
+    let (.., approach, report) = normal.parts_mut();
     codec.number("approach", approach, FINITE)?;
     // A state contains only reports with these statuses, because a step that ends with a different status does not
     // change the state.

@@ -5,30 +5,37 @@
 //! | 8 | `\x93STKSLIP` |
 //! | 4 | version of the format |
 //! | 8 | number of all bytes |
-//! | | bodies, then the parts of the state in the order of its `visit` |
+//! | | bodies, then the numbers of the state in the order of its `visit` |
+//! | | values of the cells, one quantity after the other in the order of its `cell_quantities` |
+//! | 1 each | zones of the cells |
 //! | 8 | FNV-1a checksum of all preceding bytes |
 //!
 //! Numbers are little-endian. Counts are integers of 8 bytes, and samples are doubles.
+//!
+//! A minor series of the crate reads all files that earlier versions of the series have written. `tests/data/saved` contains
+//! a file of each kind for each version of the format. A change of the format increases the version. Within a minor series
+//! the reader then keeps the code for the earlier version.
 
+mod cells;
 mod codec;
 mod file;
 mod format;
 mod slabs;
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::files::{Cursor, Format};
 use crate::half_space::HalfSpace;
 use crate::history::History;
 use crate::history::state::State;
-use crate::memory::fallible::{TryClone, unwrap_or_abort};
+use crate::memory::fallible::unwrap_or_abort;
 use crate::support::checksum;
 
 use codec::{Reader, Writer};
-use format::{LEAST_PER_CELL, SnapshotHeader};
+use format::SnapshotHeader;
 
 const FORMAT: Format = Format("saved history");
 const MAGIC: &[u8; 8] = b"\x93STKSLIP";
-const VERSION: u32 = 16;
+const VERSION: u32 = 1;
 /// Number of bytes of magic, version and length. `SUM` is the number of bytes of the checksum at the end.
 const HEADER: usize = 20;
 const SUM: usize = 8;
@@ -52,14 +59,18 @@ impl State {
     /// A contact that fills the grid requires at least 81 bytes per cell in the scalar model and 137 in the vector model.
     /// The last seven rows add to these numbers. A state with coupled pressure and traction requires 121 bytes per cell of
     /// the grid before the first contact, and 129 after it. The last five rows add to these numbers, in either model. The
-    /// remaining values require less than a kilobyte. The call temporarily needs the same amount of memory again for a
-    /// copy of the state.
+    /// remaining values require less than a kilobyte. The call needs no further memory that depends on the number of cells.
     ///
     /// # Content
     /// All numbers are stored exactly. The wall time and the convergence history of the report of the pressure
     /// ([`Report::time`](crate::Report::time) and [`Report::history`](crate::Report::history)) are omitted. The bytes
     /// of a slab contain its rows only. [`State::from_slabs`] restores the state from the bytes of all slabs, on any
     /// number of ranks.
+    ///
+    /// # Versions
+    /// The bytes have version 1 of the format. A minor series of the crate, such as 0.1, reads the bytes of all its earlier
+    /// versions. [`State::from_bytes`] rejects bytes of any other version of the format with an error that names both
+    /// versions.
     #[must_use]
     pub fn to_bytes(&self) -> Vec<u8> {
         unwrap_or_abort(self.try_to_bytes())
@@ -70,18 +81,23 @@ impl State {
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub fn try_to_bytes(&self) -> Result<Vec<u8>> {
-        self.try_clone()?.into_bytes()
-    }
-
-    /// Converts the state by value, because the codec takes mutable references even for writing.
-    fn into_bytes(mut self) -> Result<Vec<u8>> {
+        // A gap that was set after the last pressure solve is stored in addition to the gap of the pressure.
+        let mut is_gap_changed = self.pressed_gap.as_slice() != self.gap.as_slice();
+        let quantities = self.cell_quantities(is_gap_changed);
         let mut writer = Writer::default();
         writer.extend(MAGIC.len(), *MAGIC)?;
         writer.extend(size_of_val(&VERSION), VERSION.to_le_bytes())?;
         // Placeholder for the length, which is known only at the end.
         writer.extend(8, [0; 8])?;
-        SnapshotHeader::of(&self).visit(&mut writer)?;
-        self.visit(&mut writer)?;
+        SnapshotHeader::of(self).visit(&mut writer)?;
+        // The codec takes mutable references even for writing, so it visits a copy without cells.
+        let mut outline = self.outline_on(self.grid().whole().slab(0..0))?;
+        outline.visit(&mut writer, &mut is_gap_changed)?;
+        writer.make_room(
+            self.cell_bytes_on(self.grid(), &quantities)
+                .saturating_add(SUM),
+        )?;
+        self.write_cells(&quantities, &mut writer)?;
 
         let length = (writer.0.len() + SUM) as u64;
         writer.0[HEADER - 8..HEADER].copy_from_slice(&length.to_le_bytes());
@@ -98,15 +114,27 @@ impl State {
     ///
     /// # Errors
     /// - [`Error::Format`](crate::Error::Format), with the byte, if the bytes are not a saved state, have a different
-    ///   version, are truncated or were changed. The check takes at most twice the memory of the bytes.
+    ///   version, are truncated or were changed. No memory is allocated for cells that the bytes do not contain.
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
         let mut reader = Reader(opened(bytes)?);
         let mut host = SnapshotHeader::default();
         host.visit(&mut reader)?;
         let grid = host.grid()?;
-        reader.expect("the cells", grid.cells().saturating_mul(LEAST_PER_CELL))?;
-        let mut state = host.blank(grid)?;
-        state.visit(&mut reader)?;
+        // A cell takes at least the byte of its zone.
+        reader.require("the cells", grid.cells())?;
+        let mut outline = host.blank(grid)?;
+        let mut is_gap_changed = false;
+        outline.visit(&mut reader, &mut is_gap_changed)?;
+        let quantities = outline.cell_quantities(is_gap_changed);
+        // No memory is allocated for cells that the bytes do not contain.
+        reader.require("the cells", outline.cell_bytes_on(grid, &quantities))?;
+        let mut state = outline.outline_on(grid)?;
+        state.read_cells(&quantities, &mut reader)?;
+        if !is_gap_changed {
+            state.pressed_gap.clone_from(&state.gap);
+        }
+        state.count_yielded_cells();
         reader.end()?;
         if state.is_joint() && !state.is_whole() {
             let problem = "a coupled contact must store both axes on its whole grid";
@@ -119,13 +147,13 @@ impl State {
 #[cfg(feature = "serde")]
 impl From<State> for Vec<u8> {
     fn from(state: State) -> Self {
-        unwrap_or_abort(state.into_bytes())
+        state.to_bytes()
     }
 }
 
 #[cfg(feature = "serde")]
 impl TryFrom<Vec<u8>> for State {
-    type Error = crate::error::Error;
+    type Error = Error;
 
     fn try_from(bytes: Vec<u8>) -> Result<Self> {
         Self::from_bytes(&bytes)
@@ -175,10 +203,17 @@ fn check_kind(start: &mut Cursor<'_>) -> Result<()> {
     }
     let version = start.u32("the version")?;
     if version != VERSION {
-        let problem = format!("version {version} is not supported, expected version {VERSION}");
-        return Err(FORMAT.at_byte(MAGIC.len(), problem));
+        return Err(other_version(version, VERSION));
     }
     Ok(())
+}
+
+/// Returns the error for a version of the format that this crate does not read.
+fn other_version(found: u32, supported: u32) -> Error {
+    let problem = format!(
+        "version {found} of the format is not supported, expected version {supported}: use the minor series of the crate that wrote the data"
+    );
+    FORMAT.at_byte(MAGIC.len(), problem)
 }
 
 /// Checks magic, version, length and checksum, and returns the content.

@@ -2,18 +2,13 @@
 
 use crate::error::{Error, RankFailure, Result};
 use crate::grid::Grid;
-use crate::grid::field::Field;
-use crate::grid::per_cell::PerCell;
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::history::saved::codec::Writer;
 use crate::history::state::State;
-use crate::history::state::memory::Memory;
 use crate::memory::fallible::unwrap_or_abort;
-use crate::normal::Hardness;
 use crate::parallel::ranks::WireFormat;
 use crate::support::checksum;
-use crate::tangential::{Axis, Zone};
 
 impl State {
     /// Assembles the state of the local cells of these bodies from slabs. The slabs are the states of any number of
@@ -71,30 +66,15 @@ impl State {
         bodies.joint(Ok(state))
     }
 
-    /// Returns the state with zero fields on the grid of another slab.
-    fn blank_on(mut self, grid: Grid) -> Self {
-        self.zones = vec![Zone::Separated; grid.cells()];
-        for (window, part) in self.parts_mut() {
-            *part = vec![0.0; window.held(grid).cells()];
-        }
-        for field in self.fields_mut() {
-            *field = Field::zeros(grid);
-        }
-        self
-    }
-
     /// Copies the local rows of a slab.
-    fn take_rows(&mut self, slab: &mut Self) {
+    fn take_rows(&mut self, slab: &Self) {
         let (grid, from) = (self.grid(), slab.grid());
-        let parts = self.parts_mut().into_iter().zip(slab.parts_mut());
-        for ((window, part), (_, found)) in parts {
-            copy_rows(window, (grid, part), (from, found));
+        for quantity in slab.cell_quantities(true) {
+            let window = slab.window_of(quantity);
+            let (own, found) = (self.values_mut(quantity), slab.values(quantity));
+            copy_rows(window, (grid, own), (from, found));
         }
         let whole = Window::whole(grid);
-        for (field, found) in self.fields_mut().into_iter().zip(slab.fields_mut()) {
-            let (field, found) = (field.as_mut_slice(), found.as_slice());
-            copy_rows(whole, (grid, field), (from, found));
-        }
         copy_rows(whole, (grid, &mut self.zones), (from, &slab.zones));
     }
 
@@ -121,75 +101,11 @@ impl State {
     }
 
     fn digest(&self) -> u64 {
-        let nothing = self.grid().whole().slab(0..0);
         let mut writer = Writer::default();
-        let mut rest = self.clone().blank_on(nothing);
-        unwrap_or_abort(rest.visit(&mut writer));
+        let outline = self.outline_on(self.grid().whole().slab(0..0));
+        // Slabs of one state may differ in this mark.
+        unwrap_or_abort(outline.and_then(|mut outline| outline.visit(&mut writer, &mut false)));
         checksum::of_bytes(&writer.0)
-    }
-
-    /// Returns all fields of the grid.
-    fn fields_mut(&mut self) -> Vec<&mut Field> {
-        let (pressure, under_load, ..) = self.normal.parts_mut();
-        let mut fields = vec![
-            &mut self.gap,
-            &mut self.pressed_gap,
-            pressure,
-            under_load,
-            &mut self.accumulated_slip,
-            &mut self.dissipated_energy,
-        ];
-        fields.extend(self.traction.iter_mut().chain(&mut self.slip));
-        fields.extend(&mut self.yielded);
-        let (coefficient, _) = self.friction.parts_mut();
-        let limits = self.hardness.as_mut().map(Hardness::limit_mut);
-        for quantity in [Some(coefficient), limits].into_iter().flatten() {
-            if let PerCell::Cells(field) = quantity {
-                fields.push(field);
-            }
-        }
-        if let Some(relative) = &mut self.relative {
-            fields.extend(relative.pattern.fields_mut());
-            fields.extend(relative.reached.fields_mut());
-        }
-        fields
-    }
-
-    /// Returns all fields of windows, for the local cells.
-    fn parts_mut(&mut self) -> Vec<(Window, &mut Vec<f64>)> {
-        let is_joint = self.is_joint();
-        let mut parts = Vec::new();
-        if let Some(window) = self.press_window.filter(|_| self.trend.is_known()) {
-            parts.extend(self.trend.change.iter_mut().map(|change| (window, change)));
-        }
-        if let Some(memory) = &mut self.contact {
-            let Memory {
-                window,
-                displacement,
-                offset,
-                trend,
-                slip,
-                entered,
-                has_entered,
-            } = memory;
-            let (axes, in_plane) = (self.axes, self.axes == Axis::BOTH);
-            let vectors = [
-                (displacement, true),
-                (offset, true),
-                (&mut trend.change, !is_joint),
-                (slip, in_plane),
-            ];
-            for (vector, _) in vectors.into_iter().filter(|(_, is_there)| *is_there) {
-                let found = vector.iter_mut().enumerate();
-                let of_model =
-                    found.filter(|(part, _)| axes.iter().any(|axis| axis.index() == *part));
-                parts.extend(of_model.map(|(_, part)| (*window, part)));
-            }
-            if *has_entered {
-                parts.push((*window, entered));
-            }
-        }
-        parts
     }
 }
 
@@ -198,7 +114,7 @@ fn assemble(bodies: &HalfSpace, slabs: impl IntoIterator<Item = Result<State>>) 
     let mut found: Option<(State, u64)> = None;
     let mut is_missing = vec![true; grid.ny()];
     for slab in slabs {
-        let mut slab = slab?;
+        let slab = slab?;
         slab.check_origin(bodies)?;
         let rows = slab.grid().rows();
         let state = match &mut found {
@@ -210,10 +126,10 @@ fn assemble(bodies: &HalfSpace, slabs: impl IntoIterator<Item = Result<State>>) 
             Some((state, _)) => state,
             none => {
                 let digest = slab.digest();
-                &mut none.insert((slab.clone().blank_on(grid), digest)).0
+                &mut none.insert((slab.outline_on(grid)?, digest)).0
             }
         };
-        state.take_rows(&mut slab);
+        state.take_rows(&slab);
         for (row, is_missing) in grid.rows().zip(&mut is_missing) {
             *is_missing &= !rows.contains(&row);
         }

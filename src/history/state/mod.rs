@@ -1,5 +1,6 @@
 //! State of a history, which persists from one step to the next.
 
+mod equality;
 pub(super) mod memory;
 pub(super) mod over_ranks;
 pub(super) mod permanent_set;
@@ -229,7 +230,7 @@ impl State {
 
     /// Returns an error if the state does not belong to the local cells of these bodies.
     pub(super) fn check_bodies(&self, bodies: &HalfSpace) -> Result<()> {
-        bodies.grid().expect(QUANTITY, self.grid())?;
+        bodies.grid().check_equal(QUANTITY, self.grid())?;
         self.check_origin(bodies)?;
         if self.is_joint() {
             return check_joint(bodies);
@@ -241,7 +242,7 @@ impl State {
     /// Returns an error if the state does not belong to these bodies or to some of their rows.
     pub(super) fn check_origin(&self, bodies: &HalfSpace) -> Result<()> {
         let whole = bodies.grid().whole();
-        whole.expect(QUANTITY, self.grid().whole())?;
+        whole.check_equal(QUANTITY, self.grid().whole())?;
         if self.boundary() != bodies.boundary() {
             return Err(Error::BoundaryMismatch { quantity: QUANTITY });
         }

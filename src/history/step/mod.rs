@@ -239,6 +239,30 @@ impl History {
     /// - [`Error::Ranks`] if ranks fail or pass different loads.
     ///
     /// After an error the history is bitwise unchanged.
+    ///
+    /// The result borrows the history. Copy its numbers before the next call that needs the history, or clone the result.
+    /// [`History::last_step`] returns it again, together with the state.
+    ///
+    /// ```
+    /// use stickslip::*;
+    /// # let grid = Grid::square(16, 4.0)?;
+    /// # let rubber = Material::new(1.0, 0.5)?;
+    /// # let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
+    /// # let ball = surface::sphere(grid, 10.0)?;
+    /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.3)?).build()?;
+    /// history.step(&LoadStep::hold().normal(NormalControl::Force(0.1)))?;
+    ///
+    /// let shift = history.step(&LoadStep::force([0.01, 0.0]))?.shift(); // a copy of two numbers
+    /// let pressure = history.pressure().max(); // the history is free again
+    /// let first = history.step(&LoadStep::force([0.02, 0.0]))?.clone(); // a copy with all fields
+    /// let second = history.step(&LoadStep::force([0.0, 0.0]))?;
+    /// assert!(second.shift()[0] < first.shift()[0] && shift[0] < first.shift()[0]);
+    ///
+    /// // Both references are shared, so step and state can be used together.
+    /// let (step, state) = (history.last_step(), history.state());
+    /// assert!(step.shift() == state.shift() && state.normal().pressure().max() == pressure);
+    /// # Ok::<(), Error>(())
+    /// ```
     pub fn step(&mut self, load: &LoadStep) -> Result<&StepResult> {
         self.step_observed(load, |_| ControlFlow::Continue(()))
     }

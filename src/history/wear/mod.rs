@@ -48,6 +48,6 @@ use crate::grid::field::Field;
 
 /// Returns an error if a field belongs to a different grid, or a value is negative or not finite.
 fn check(quantity: &'static str, field: &Field, grid: Grid) -> Result<()> {
-    grid.expect(quantity, field.grid())?;
+    grid.check_equal(quantity, field.grid())?;
     all_non_negative(quantity, field.as_slice())
 }

@@ -126,9 +126,9 @@ impl Main {
         match element.path {
             "Record3/DataList/Datum" if element.text.is_empty() => self.list.push(f64::NAN),
             _ if element.text.is_empty() => {}
-            "Record1/FeatureType" => element.expect("SUR")?,
-            "Record1/Axes/CX/AxisType" | "Record1/Axes/CY/AxisType" => element.expect("I")?,
-            "Record1/Axes/CZ/AxisType" => element.expect("A")?,
+            "Record1/FeatureType" => element.check_text("SUR")?,
+            "Record1/Axes/CX/AxisType" | "Record1/Axes/CY/AxisType" => element.check_text("I")?,
+            "Record1/Axes/CZ/AxisType" => element.check_text("A")?,
             "Record1/Axes/CX/Increment" => self.increments[0] = Some(element.real()?),
             "Record1/Axes/CY/Increment" => self.increments[1] = Some(element.real()?),
             "Record1/Axes/CZ/Increment" => self.height_increment = Some(element.positive()?),
@@ -140,7 +140,7 @@ impl Main {
             path if path.starts_with("Record1/Axes/Rotation/r") => element.expect_near(0.0)?,
             "Record3/MatrixDimension/SizeX" => self.sizes[0] = Some(element.count()?),
             "Record3/MatrixDimension/SizeY" => self.sizes[1] = Some(element.count()?),
-            "Record3/MatrixDimension/SizeZ" => element.expect("1")?,
+            "Record3/MatrixDimension/SizeZ" => element.check_text("1")?,
             "Record3/DataLink/PointDataLink" => self.data = Some(element.text.to_owned()),
             "Record3/DataLink/ValidPointsLink" => self.valid = Some(element.text.to_owned()),
             "Record3/DataList/Datum" => self.list.push(element.number()?),
@@ -180,7 +180,7 @@ impl Element<'_> {
         FORMAT.in_entry(MAIN, problem)
     }
 
-    fn expect(&self, supported: &str) -> Result<()> {
+    fn check_text(&self, supported: &str) -> Result<()> {
         if self.text == supported {
             Ok(())
         } else {

@@ -191,17 +191,27 @@ impl RowPartition {
 
     /// Fetches the columns and rows that each rank requests, from a distributed field with the given number of columns. Returns
     /// the request of this rank, row by row.
+    ///
+    /// # Errors
+    /// - [`Error::Memory`](crate::Error::Memory) if the request cannot be allocated.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if the request of another rank cannot be allocated.
     pub(crate) fn fetch(
         &self,
         field: &[f64],
         columns: usize,
         wanted: impl Fn(usize) -> [Range<usize>; 2],
-    ) -> Vec<f64> {
+    ) -> Result<Vec<f64>> {
         let own = wanted(self.team.rank()).map(|range| range.len());
-        let mut found = vec![0.0; own.into_iter().product()];
-        let blocks = vec![Vec::new(); self.team.size()];
+        let room = || {
+            Ok((
+                fallible::zeros(own[0].saturating_mul(own[1]))?,
+                self.blocks(&wanted)?,
+            ))
+        };
+        // All ranks have memory before the exchange starts, so that no rank waits for the others.
+        let (mut found, blocks) = self.team.collective_result(room())?;
         self.fetch_into(field, columns, wanted, blocks, &mut found);
-        found
+        Ok(found)
     }
 
     /// Returns the number of rounds of an exchange, for about [`ROUND_WORDS`] words per round on the rank that receives most.
@@ -342,5 +352,30 @@ fn greatest_common_divisor(a: usize, b: usize) -> usize {
         a
     } else {
         greatest_common_divisor(b, a % b)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::time::Duration;
+
+    use super::*;
+    use crate::error::{Error, RankFailure};
+    use crate::parallel::ranks::Threads;
+
+    #[test]
+    fn fetch_without_memory_is_an_error_on_all_ranks() {
+        let outcomes = Threads::run(2, Duration::from_secs(60), |rank| {
+            let team = Arc::new(RankGroup::new(Arc::new(rank)));
+            let partition = RowPartition::new(&team, [1 << 40, 4]);
+            let everything = 1_usize << 60;
+            // Only the second rank requests columns, from its own rows.
+            partition.fetch(&[], 1 << 40, |rank| [0..rank * everything, 2..3])
+        });
+        assert!(matches!(
+            outcomes[0],
+            Err(Error::Ranks(RankFailure::RejectedByRank { rank: 1 }))
+        ));
+        assert!(matches!(outcomes[1], Err(Error::Memory { bytes, .. }) if bytes == 1 << 63));
     }
 }

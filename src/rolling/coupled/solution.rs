@@ -51,7 +51,7 @@ impl<'de> serde::Deserialize<'de> for CoupledRollingSolution {
             RawCoupledRollingSolution::deserialize(deserializer)?,
             |read| {
                 let grid = read.normal.grid();
-                grid.expect("rolling solution", read.rolling.grid())
+                grid.check_equal("rolling solution", read.rolling.grid())
             },
         )
     }

@@ -230,8 +230,8 @@ impl CoupledRollingSolver {
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<()> {
         let grid = self.problem.bodies.grid();
-        grid.expect("solution", solution.normal.grid())?;
-        grid.expect("solution", solution.rolling.grid())?;
+        grid.check_equal("solution", solution.normal.grid())?;
+        grid.check_equal("solution", solution.rolling.grid())?;
         let cancellation = Cancellation::default();
         let mut observer = cancellation.watch(&mut observer);
         let settings = self.problem.settings;

@@ -11,6 +11,7 @@ use crate::rolling::{RollingControl, RollingSolver};
 /// Point of a creep curve or a creep surface: creepages and spin, and the loads that they cause.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
 pub struct CreepForce {
     /// Creepages $`\xi, \eta`$ (dimensionless).
     pub creepage: [f64; 2],

@@ -296,7 +296,7 @@ impl RollingSolver {
         self.problem
             .bodies
             .grid()
-            .expect("solution", solution.grid())?;
+            .check_equal("solution", solution.grid())?;
         self.take_limits();
         self.extrapolate();
         let cancellation = Cancellation::default();

@@ -72,7 +72,7 @@ impl<'de> serde::Deserialize<'de> for Levelled {
     fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
         checked(RawLevelled::deserialize(deserializer)?, |read| {
             let grid = read.heights.grid();
-            grid.expect("form", read.form.grid())
+            grid.check_equal("form", read.form.grid())
         })
     }
 }

@@ -49,8 +49,9 @@ impl SelfAffine {
         let cells = rows.local_rows().len() * grid.nx();
         let mut heights = parallel::enter_with(cells, || -> Result<Field> {
             let waves = Waves::none_on(grid, Some(&columns));
+            let waves = rows.team().collective_result(waves)?;
             let waves = self.waves(&CropWindow::all(grid), waves)?;
-            Ok(waves.into_slab(&columns, rows))
+            waves.into_slab(&columns, rows)
         })?;
         let layout = Layout::shared(Arc::clone(rows));
         let mean = mean_over(&layout, heights.as_slice(), |z| z);

@@ -119,8 +119,9 @@ fn coupled_bodies_and_excessive_strain_are_rejected() -> Result<()> {
     let unlike = ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?;
     let hertz = HertzLine::new(&unlike, 10.0, 0.01)?;
     let refused = CattaneoMindlinLine::new(hertz, FRICTION, 1e-3);
-    let beta = unlike.dundurs_beta();
-    assert_eq!(refused, Err(Error::CoupledMaterials { beta }));
+    assert!(
+        matches!(refused, Err(Error::CoupledMaterials { beta, .. }) if beta == unlike.dundurs_beta())
+    );
     // The limit of the shift is 1 - sqrt(1 - f). With more strain the stick strip would leave the contact.
     assert!(shear_roller(0.6, 0.3675).is_ok());
     kit::assert_refused! {

@@ -5630,7 +5630,7 @@ class State:
         """
     def to_bytes(self, /) -> bytes:
         """
-        Returns the state as bytes, which this and later versions can read.
+        Returns the state as bytes, which later versions of the same minor series (such as 0.1) can read.
         """
     @property
     def entry_rule(self, /) -> EntryRule:

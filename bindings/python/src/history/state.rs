@@ -29,7 +29,7 @@ pub(crate) struct State(pub(crate) Arc<stickslip::history::State>);
 
 #[pymethods]
 impl State {
-    /// Returns the state as bytes, which this and later versions can read.
+    /// Returns the state as bytes, which later versions of the same minor series (such as 0.1) can read.
     fn to_bytes<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
         let bytes = py.detach(|| self.0.to_bytes());
         PyBytes::new(py, &bytes)
