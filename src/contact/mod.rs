@@ -3,6 +3,7 @@
 //! solve.
 
 pub(crate) mod contact_counts;
+pub(crate) mod fragments;
 pub(crate) mod map;
 
 mod elastic_solver;
