@@ -273,13 +273,14 @@ impl SolvedContact<'_> {
         }))
     }
 
-    /// Returns zero entries for the loads and motions of the model.
+    /// Returns zero entries for the loads and motions of a model with tractions along an axis, or along both axes.
     pub(super) fn without_contact(
         &self,
+        axis: Option<Axis>,
         has_reversal: bool,
         context: &mut ResponseContext<'_>,
     ) -> (TangentialStiffness, [Option<f64>; 3]) {
-        let axes = self.axis.map_or(Axis::BOTH, Axis::alone);
+        let axes = axis.map_or(Axis::BOTH, Axis::alone);
         let none = kinds(axes, self.bodies.boundary()).map(|has| has.then_some(0.0));
         let matrix = none.map(|of_load| none.map(|of_motion| of_load.and(of_motion)));
         context.finish_at_once();

@@ -55,7 +55,7 @@ impl SolvedContact<'_> {
         let (grid, boundary) = (bodies.grid(), bodies.boundary());
         bodies.joint(parallel::enter_with(grid.cells(), || {
             let Some(region) = self.region(self.windows[0], |i| pressure[i] > 0.0) else {
-                let (tangential, none) = self.without_contact(*has_reversal, &mut context);
+                let (tangential, none) = self.without_contact(None, *has_reversal, &mut context);
                 return Ok(ContactStiffness {
                     normal: NormalStiffness::NONE,
                     tangential,

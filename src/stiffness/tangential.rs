@@ -197,7 +197,7 @@ impl SolvedContact<'_> {
         let has_reversal = buffers.has_reversal;
         let Some(region) = self.region(self.windows[1], |i| self.zones[i] != Zone::Separated)
         else {
-            return Ok(self.without_contact(has_reversal, context));
+            return Ok(self.without_contact(self.axis, has_reversal, context));
         };
         let cells = &mut buffers.cells;
         cells.take_zones(&region, self.zones)?;
