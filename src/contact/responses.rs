@@ -108,12 +108,27 @@ impl<R: Row<N>, const N: usize> LinearResponse<R, N> {
         })
     }
 
+    /// Returns the tractions that cause the given displacements of the cells.
+    ///
+    /// # Errors
+    /// - [`Error::NotConverged`] if the solve does not reach the tolerance.
+    /// - [`Error::Memory`] if the memory does not suffice.
+    pub(crate) fn tractions(
+        &mut self,
+        elasticity: Elasticity<'_, N>,
+        displacement: impl Fn(usize) -> [f64; N] + Sync,
+        context: &mut ResponseContext<'_>,
+    ) -> Result<[&[f64]; N]> {
+        self.respond(0, elasticity, displacement, context)?;
+        context.check_solved()?;
+        Ok(self.linear.tractions())
+    }
+
     /// Computes the loads per unit of each of the first `count` motions, and zero for the other motions. `motion` returns the
     /// displacement of a cell for a unit of a motion, and `load` the loads of a cell under its tractions.
     ///
     /// # Errors
-    /// - [`Error::NotConverged`] if a solve does not reach the tolerance.
-    /// - [`Error::Memory`] if the memory does not suffice.
+    /// The errors of [`Self::tractions`].
     pub(crate) fn responses<const M: usize>(
         &mut self,
         elasticity: Elasticity<'_, N>,
@@ -124,8 +139,7 @@ impl<R: Row<N>, const N: usize> LinearResponse<R, N> {
     ) -> Result<[[f64; M]; M]> {
         let mut loads = [[0.0; M]; M];
         for (a, loads) in loads.iter_mut().enumerate().take(count) {
-            self.respond(0, elasticity, |cell| motion(a, cell), context)?;
-            context.check_solved()?;
+            self.tractions(elasticity, |cell| motion(a, cell), context)?;
             let tractions = self.linear.tractions();
             *loads = reduce::sum(&self.layout, |cell| load(cell, at(&tractions, cell)));
         }

@@ -194,9 +194,7 @@ impl RollingSolver {
                 let [known_x, known_y] = at(&moved, cell);
                 [x - known_x, y - known_y]
             };
-            follow.respond(0, self.elasticity(), asked, context)?;
-            context.check_solved()?;
-            let found = follow.linear.tractions();
+            let found = follow.tractions(self.elasticity(), asked, context)?;
             let (layout, before) = (self.operator.layout(), slices(&change.traction));
             let [difference, size] = reduce::sum(&layout, |cell| {
                 let (free, known) = (at(&found, cell), at(&slices(&known), cell));
@@ -298,22 +296,11 @@ impl NormalHalf {
             }
         })?;
         if is_force {
-            half.respond(|_| [1.0], context)?;
-            let [unit] = half.response.linear.tractions();
+            let elasticity = half.compliance.with_cells(CellCompliance::default());
+            let [unit] = half.response.tractions(elasticity, |_| [1.0], context)?;
             half.by_approach = Some(fallible::copied(unit)?);
         }
         Ok(half)
-    }
-
-    /// Solves for the pressures that cause the given displacements of the cells.
-    fn respond(
-        &mut self,
-        asked: impl Fn(usize) -> [f64; 1] + Sync,
-        context: &mut ResponseContext<'_>,
-    ) -> Result<()> {
-        let elasticity = self.compliance.with_cells(CellCompliance::default());
-        self.response.respond(0, elasticity, asked, context)?;
-        context.check_solved()
     }
 
     /// Computes the change of the pressure that keeps the contact closed under a lift, and the change of the gap.
@@ -327,8 +314,9 @@ impl NormalHalf {
         let window = pressed.window();
         let lift = &change.lift;
         if reduce::max(&self.response.layout, |cell| lift[window.index(cell)].abs()) > 0.0 {
-            self.respond(|cell| [-lift[window.index(cell)]], context)?;
-            let [found] = self.response.linear.tractions();
+            let elasticity = self.compliance.with_cells(CellCompliance::default());
+            let lift = |cell: usize| [-lift[window.index(cell)]];
+            let [found] = self.response.tractions(elasticity, lift, context)?;
             change.pressure.copy_from_slice(found);
         } else {
             change.pressure.fill(0.0);
