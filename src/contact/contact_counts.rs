@@ -116,19 +116,20 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
 
 /// Returns one bit per column, which is set if the column contains a label, and whether each row of `nx` cells contains one.
 fn taken(labels: &[u32], nx: usize) -> Result<(Vec<u64>, Vec<bool>)> {
-    let mut columns = fallible::zeros(nx.div_ceil(64))?;
+    // Plain loops without branches, which the compiler vectorises.
+    let mut columns: Vec<u32> = fallible::filled(0, nx)?;
     let mut rows = fallible::with_room(labels.len() / nx)?;
     for row in labels.chunks_exact(nx) {
-        let mut is_taken = false;
-        for (word, part) in columns.iter_mut().zip(row.chunks(64)) {
-            for (bit, label) in part.iter().enumerate() {
-                *word |= u64::from(*label > 0) << bit;
-                is_taken |= *label > 0;
-            }
+        for (column, label) in columns.iter_mut().zip(row) {
+            *column |= label;
         }
-        rows.push(is_taken);
+        rows.push(row.iter().fold(0, |found, label| found | label) > 0);
     }
-    Ok((columns, rows))
+    let words = columns.chunks(64).map(|part| {
+        let bits = part.iter().enumerate();
+        bits.fold(0, |word, (bit, label)| word | u64::from(*label > 0) << bit)
+    });
+    Ok((fallible::collected(nx.div_ceil(64), words)?, rows))
 }
 
 /// Returns the number of positions from the first occupied position to the last, or `None` if no position is occupied. On a
