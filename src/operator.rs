@@ -19,15 +19,6 @@ pub(crate) struct LowerBound {
     pub(crate) mean: MeanBound,
 }
 
-impl LowerBound {
-    /// No bound.
-    pub(crate) const NONE: Self = Self {
-        value: 0.0,
-        known: EigenvalueBound::Unknown,
-        mean: MeanBound::Operator,
-    };
-}
-
 /// Meaning of the bound for the energy of a uniform vector.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum MeanBound {

@@ -3,12 +3,10 @@
 use std::array::from_fn;
 
 use crate::contact::contact_counts::ContactCounts;
-use crate::error::Result;
 use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::grid::neighbours::neighbours;
 use crate::half_space::HalfSpace;
-use crate::memory::fallible;
 use crate::warning::{Resolution, Warning};
 
 /// A map of the cells that belong to a set.
@@ -155,42 +153,6 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
         });
         edge.filter(|&i| (self.contains)(i)).count()
     }
-
-    /// Calls `show` once for every cell of every spot, with the number of the spot and the cell. A spot is a set of cells
-    /// connected through cell sides. Ends at the first error of `show`, or with an error if the memory does not suffice.
-    pub(crate) fn walk_spots(
-        &self,
-        mut show: impl FnMut(usize, usize) -> Result<()>,
-    ) -> Result<()> {
-        let mut visited = fallible::filled(false, self.grid.cells())?;
-        let (mut spot, mut stack) = (0, Vec::new());
-        for seed in 0..visited.len() {
-            if visited[seed] || !(self.contains)(seed) {
-                continue;
-            }
-            visited[seed] = true;
-            fallible::push(&mut stack, seed)?;
-            while let Some(cell) = stack.pop() {
-                show(spot, cell)?;
-                for next in self.neighbours(cell).into_iter().flatten() {
-                    if !visited[next] && (self.contains)(next) {
-                        visited[next] = true;
-                        fallible::push(&mut stack, next)?;
-                    }
-                }
-            }
-            spot += 1;
-        }
-        Ok(())
-    }
-
-    /// Returns the numbers of sides of a cell along y and along x that lie on the edge of the set.
-    pub(crate) fn open_sides(&self, cell: usize) -> [usize; 2] {
-        let [left, below, right, above] = self
-            .neighbours(cell)
-            .map(|next| usize::from(next.is_none_or(|next| !(self.contains)(next))));
-        [left + right, below + above]
-    }
 }
 
 impl HalfSpace {
@@ -203,28 +165,26 @@ impl HalfSpace {
             contains,
             counted: None,
         };
-        self.sharing().map(|team| map.survey(Some(team)))
+        self.share(self.size())
+            .map(|share| map.survey(Some(&share)))
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::fragments::{Fragments, SpotSums};
 
+    /// Returns the numbers of cells of the spots, in the order of their first cells.
     fn sizes(map: &ContactMap<'_, impl Fn(usize) -> bool + Sync>) -> Vec<usize> {
-        let mut sizes = Vec::new();
-        map.walk_spots(|spot, _| {
-            sizes.resize(sizes.len().max(spot + 1), 0);
-            sizes[spot] += 1;
-            Ok(())
-        })
-        .unwrap();
+        let fragments = Fragments::of(map, None, |_| SpotSums::default()).unwrap();
+        let (_, spots) = fragments.joined().unwrap();
         let counts = map.survey(None);
-        assert_eq!(counts.spots.all, sizes.len());
+        assert_eq!(counts.spots.all, spots.len());
         assert_eq!(counts.switches, map.switches());
         assert_eq!(counts.cells_on_edge, map.cells_on_edge());
         assert_eq!(counts.cells, map.cells());
-        sizes
+        spots.iter().map(|spot| spot.cells).collect()
     }
 
     #[test]

@@ -3,12 +3,14 @@
 //! solve.
 
 pub(crate) mod contact_counts;
+pub(crate) mod fragments;
 pub(crate) mod map;
 
 mod elastic_solver;
 mod extrapolation;
 mod limits;
 mod nested_start;
+mod responses;
 mod size_cache;
 mod solver;
 mod windows;
@@ -21,6 +23,7 @@ pub(crate) use limits::{
 pub(crate) use nested_start::{
     GridTransfer, MultilevelProblem, is_worth_coarsening, known_of_start, nested_start,
 };
+pub(crate) use responses::{Elasticity, LinearResponse, ResponseColumn, ResponseContext};
 pub(crate) use size_cache::{HasSize, SizeCache};
 pub(crate) use solver::solver_methods;
 pub(crate) use windows::{PassOutcome, WindowEngine, Windows, overlap_outside};

@@ -4,11 +4,11 @@
 use crate::bodies::component::Direction;
 use crate::cgm::cone::{self, ConeMeasures, ConeProblem, ConeStart, ConeWorkspace, FrictionCone};
 use crate::cgm::{
-    AbsBound, BoundedPressure, CellCompliance, Disc, InitialGuess, Interval, Settings, Total,
-    UNLIMITED, reduce,
+    AbsBound, BoundedPressure, CellCompliance, Constraint, ConstraintSet, Disc, InitialGuess,
+    Interval, Total, UNLIMITED, reduce,
 };
 use crate::contact::{
-    ElasticSolver, SolveContext, WindowEngine, interrupted_status, with_counts_of,
+    ElasticProblem, ElasticSolver, SolveContext, WindowEngine, interrupted_status, with_counts_of,
 };
 use crate::coupled::error_bound::Contraction;
 use crate::coupled::increment::CoupledTarget;
@@ -21,7 +21,6 @@ use crate::half_space::{Compliance, ElasticOperator, HalfSpace, Region};
 use crate::memory::fallible;
 use crate::normal::Hardness;
 use crate::numerics::cell_vector::{slices, slices_mut};
-use crate::observer::Observer;
 use crate::operator::{LowerBound, MeanBound, Operator, Scratch};
 use crate::parallel::layout::Layout;
 use crate::report::{Report, Status};
@@ -117,19 +116,30 @@ pub(super) struct CoupledEngine {
     kept: [Vec<f64>; N],
     /// Linear term of a half, including the displacements due to the other half.
     linear: [Vec<f64>; N],
-    /// `kappa g` of the cells that would come into contact. `closing` is its mean over all directions and is empty if
-    /// no cell lags. `closing_deviator` is its deviator for rolling bodies.
-    closing: Vec<f64>,
-    closing_deviator: Vec<[f64; 2]>,
+    /// `kappa g` of the cells that would come into contact. Empty if no cell lags.
+    closing: CellTensors,
     enters: bool,
     /// Entry compliance `kappa g / p` for the pressure of a half. Empty if no cell comes into contact.
-    own: Vec<f64>,
-    own_deviator: Vec<[f64; 2]>,
+    own: CellTensors,
     image: [Vec<f64>; N],
     limits: Vec<f64>,
     /// Largest pressure if the limit is uniform. Otherwise `hardness_of_cells` contains the limit of each cell.
     hardness: PerCell<()>,
     hardness_of_cells: Vec<f64>,
+}
+
+/// Symmetric tensor of each cell, with a deviator for rolling bodies.
+#[derive(Debug, Clone, Default)]
+struct CellTensors {
+    /// Mean over all directions.
+    mean: Vec<f64>,
+    deviator: Vec<[f64; 2]>,
+}
+
+impl CellTensors {
+    fn view(&self) -> CellCompliance<'_> {
+        CellCompliance::new(&self.mean, &self.deviator)
+    }
 }
 
 /// Operator and buffer for products on the whole grid.
@@ -179,11 +189,9 @@ impl WindowEngine for CoupledEngine {
             asked: fallible::vector(cells)?,
             kept: Default::default(),
             linear: fallible::vector(cells)?,
-            closing: Vec::new(),
-            closing_deviator: Vec::new(),
+            closing: CellTensors::default(),
             enters: false,
-            own: Vec::new(),
-            own_deviator: Vec::new(),
+            own: CellTensors::default(),
             image: fallible::vector(cells)?,
             limits: fallible::zeros(cells)?,
             hardness: PerCell::Uniform(f64::INFINITY),
@@ -252,15 +260,16 @@ impl CoupledEngine {
         }
         self.enters = closing.is_some();
         if let Some(closing) = closing {
-            fallible::resize(&mut self.closing, self.region.cells(), 0.0)?;
+            let (cells, own) = (self.region.cells(), &mut self.closing);
+            fallible::resize(&mut own.mean, cells, 0.0)?;
             let (mean, deviator) = closing.parts();
-            self.region.gather(mean, &mut self.closing);
-            self.closing_deviator.clear();
+            self.region.gather(mean, &mut own.mean);
+            own.deviator.clear();
             if !deviator.is_empty() {
                 // Rolling bodies are not distributed, so the cells have their global numbers.
-                let cells = self.region.own().indices().map(|i| deviator[i]);
-                fallible::make_room(&mut self.closing_deviator, self.region.cells())?;
-                self.closing_deviator.extend(cells);
+                fallible::make_room(&mut own.deviator, cells)?;
+                let values = self.region.own().indices().map(|i| deviator[i]);
+                own.deviator.extend(values);
             }
         }
         let limits = task.demand.hardness.map_or(UNLIMITED, Hardness::limits);
@@ -355,9 +364,7 @@ impl CoupledEngine {
             preconditioner: &self.compliance.inverse,
             layout: &self.layout,
             linear: slices(&self.asked),
-            closing: self
-                .enters
-                .then(|| CellCompliance::new(&self.closing, &self.closing_deviator)),
+            closing: self.enters.then(|| self.closing.view()),
             hardness: self.hardness.map(|()| &*self.hardness_of_cells),
             friction,
             totals: task.totals,
@@ -416,14 +423,9 @@ impl CoupledEngine {
             .normal
             .problem([&self.linear[0]], BoundedPressure(limits));
         let problem = problem.totals([task.totals[0]]);
-        let (normal, x) = (&mut self.normal, &mut self.x[0]);
-        let solve = |settings: &Settings, observer: Observer<'_>| {
-            normal.minimise(&problem, ([x], InitialGuess::Nothing), settings, observer)
-        };
-        let ended = half(tolerance, conditions, &report.work, solve);
-        self.normal.rest();
-        report.normal.add_pass(self.normal.report());
-        ended
+        let reports = (&report.work, &mut report.normal);
+        let half = (&mut self.normal, [&mut *self.x[0]]);
+        minimise_half(half, &problem, tolerance, conditions, reports)
     }
 
     fn solve_tangential_half(
@@ -452,46 +454,30 @@ impl CoupledEngine {
         let problem = self
             .plane
             .problem([asked_x.as_slice(), asked_y], AbsBound(&self.limits))
-            .own(CellCompliance::new(&self.own, &self.own_deviator))
+            .own(self.own.view())
             .totals(totals);
-        let plane = &mut self.plane;
-        let solve = |settings: &Settings, observer: Observer<'_>| {
-            plane.minimise(
-                &problem,
-                ([x, y], InitialGuess::Nothing),
-                settings,
-                observer,
-            )
-        };
-        let ended = half(tolerance, conditions, &report.work, solve);
-        self.plane.rest();
-        report.tangential.add_pass(self.plane.report());
-        ended
+        let reports = (&report.work, &mut report.tangential);
+        let half = (&mut self.plane, [&mut **x, &mut **y]);
+        minimise_half(half, &problem, tolerance, conditions, reports)
     }
 
     /// Computes the entry compliances at the present pressure.
     fn set_own(&mut self) -> Result<()> {
-        self.own.clear();
-        self.own_deviator.clear();
-        if self.enters {
-            fallible::resize(&mut self.own, self.closing.len(), 0.0)?;
-            let cells = self.closing.iter().zip(&self.x[0]);
-            for (own, (closing, pressure)) in self.own.iter_mut().zip(cells) {
-                *own = entry_compliance(*closing, *pressure);
-            }
-            fallible::resize(
-                &mut self.own_deviator,
-                self.closing_deviator.len(),
-                [0.0; 2],
-            )?;
-            let cells = self.closing_deviator.iter().zip(&self.x[0]);
-            for (own, (closing, pressure)) in self.own_deviator.iter_mut().zip(cells) {
-                *own = if *pressure > 0.0 {
-                    closing.map(|part| part / pressure)
-                } else {
-                    [0.0; 2]
-                };
-            }
+        let (closing, own) = (&self.closing, &mut self.own);
+        let has = |values: usize| if self.enters { values } else { 0 };
+        fallible::resize(&mut own.mean, has(closing.mean.len()), 0.0)?;
+        fallible::resize(&mut own.deviator, has(closing.deviator.len()), [0.0; 2])?;
+        let pressures = &self.x[0];
+        for ((own, closing), p) in own.mean.iter_mut().zip(&closing.mean).zip(pressures) {
+            *own = entry_compliance(*closing, *p);
+        }
+        for ((own, closing), p) in own
+            .deviator
+            .iter_mut()
+            .zip(&closing.deviator)
+            .zip(pressures)
+        {
+            *own = closing.map(|part| if *p > 0.0 { part / p } else { 0.0 });
         }
         Ok(())
     }
@@ -524,15 +510,20 @@ impl CoupledEngine {
     }
 }
 
-/// Solves a half. Returns the status if the observer or the time limit ended the solve. The result of an unfinished
-/// half is also used.
-fn half(
+/// Solves a half and adds the pass to its report. Returns the status if the observer or the time limit ended the solve. The result
+/// of an unfinished half is also used.
+fn minimise_half<S: ConstraintSet<M>, const M: usize>(
+    (solver, x): (&mut ElasticSolver<S, M>, [&mut [f64]; M]),
+    problem: &ElasticProblem<'_, impl Constraint<M, Set = S>, M>,
     tolerance: f64,
     conditions: &mut SolveContext<'_, '_>,
-    done: &Report,
-    solve: impl FnOnce(&Settings, Observer<'_>) -> Result<()>,
+    (done, report): (&Report, &mut Report),
 ) -> Result<Option<Status>> {
     let settings = conditions.with_remaining_limits(done).tolerance(tolerance);
     let mut observer = with_counts_of(done, &mut *conditions.observer);
-    interrupted_status(solve(&settings, &mut observer))
+    let start = (x, InitialGuess::Nothing);
+    let ended = interrupted_status(solver.minimise(problem, start, &settings, &mut observer));
+    solver.rest();
+    report.add_pass(solver.report());
+    ended
 }

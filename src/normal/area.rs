@@ -116,17 +116,6 @@ impl NormalSolution {
         ContactMap::of(grid, self.boundary, move |i| pressure[i] > 0.0, counted)
     }
 
-    /// Returns the map of the local contact cells, without neighbours across the boundary.
-    pub(crate) fn own_map(&self) -> ContactMap<'_, impl Fn(usize) -> bool + '_> {
-        let pressure = self.pressure.as_slice();
-        ContactMap {
-            grid: self.grid(),
-            repeats: [false; 2],
-            contains: move |i| pressure[i] > 0.0,
-            counted: None,
-        }
-    }
-
     /// Returns the partition of the cells over ranks, or `None` if the grid is not distributed.
     pub(crate) fn share(&self) -> Option<&Arc<RowPartition>> {
         self.whole.as_ref().map(|whole| &whole.share)

@@ -1,7 +1,10 @@
 //! Contact spots: connected sets of contact cells, with their area, load and perimeter.
 
-mod fragments;
+#[cfg(test)]
+mod tests;
 
+use crate::contact::fragments::{Fragments, SpotSums, layout_of};
+use crate::contact::map::ContactMap;
 use crate::error::{Error, Result};
 #[cfg(feature = "serde")]
 use crate::error::{at_least, length};
@@ -11,7 +14,6 @@ use crate::history::History;
 use crate::memory::fallible::{self, unwrap_or_abort};
 use crate::normal::NormalSolution;
 use crate::parallel::ranks::RankGroup;
-use crate::spots::fragments::{Fragments, SpotSums};
 use crate::support::debug::shown;
 #[cfg(feature = "serde")]
 use crate::support::serialise::checked;
@@ -105,13 +107,35 @@ pub struct Spot {
 
 impl ContactSpots {
     fn new(normal: &NormalSolution, zones: Option<&[Zone]>) -> Result<Self> {
-        let grid = normal.grid();
-        let fragments = Fragments::of(normal, zones)?;
-        let unit = fragments.unit;
+        let (grid, share) = (normal.grid(), normal.share());
+        let pressure = normal.pressure().as_slice();
+        let largest = normal.pressure().max().max(0.0);
+        let largest = layout_of(grid, share).combined(largest, f64::max);
+        let power = f64::from_bits(largest.to_bits() & (0x7ff << 52));
+        let unit = power.max(f64::MIN_POSITIVE);
+        let map = ContactMap {
+            grid,
+            repeats: normal.boundary().repeats(),
+            contains: |cell: usize| pressure[cell] > 0.0,
+            counted: None,
+        };
+        let fragments = Fragments::of(&map, share, |cell| {
+            let sticks = zones.is_some_and(|zones| zones[cell] == Zone::Stick);
+            #[expect(
+                clippy::cast_possible_truncation,
+                clippy::cast_sign_loss,
+                reason = "no pressure is negative, and less than a part counts for nothing"
+            )]
+            let parts = (pressure[cell] / unit * PARTS) as u128;
+            SpotSums {
+                stick: usize::from(sticks),
+                parts,
+                largest: pressure[cell],
+                ..SpotSums::default()
+            }
+        })?;
         let (labels, sums) = fragments.joined()?;
-        let spots = sums
-            .iter()
-            .map(|sums| sums.spot(grid, unit, zones.is_some()));
+        let spots = sums.iter().map(|sums| spot(sums, grid, unit, zones));
         Ok(Self {
             grid,
             spots: fallible::collected(sums.len(), spots)?,
@@ -154,29 +178,32 @@ impl ContactSpots {
     }
 }
 
-impl SpotSums {
-    fn spot(&self, grid: Grid, unit: f64, has_zones: bool) -> Spot {
-        let (whole, cells) = (grid.whole().size(), self.cells as f64);
-        let (area, load) = (
-            cells * grid.cell_area(),
-            self.pressure(unit) * grid.cell_area(),
-        );
-        let centre = |axis: usize| {
-            let (count, side) = (whole[axis] as f64, [grid.dx(), grid.dy()][axis]);
-            let place = (self.place[axis] / cells + 0.5).rem_euclid(count) - 0.5;
-            (place - 0.5 * (count - 1.0)) * side
-        };
-        let [along_y, along_x] = self.open_sides.map(|sides| sides as f64);
-        Spot {
-            cells: self.cells,
-            area,
-            load,
-            mean_pressure: load / area,
-            max_pressure: self.largest,
-            centroid: [centre(0), centre(1)],
-            perimeter: along_y * grid.dy() + along_x * grid.dx(),
-            stick_ratio: has_zones.then(|| self.stick as f64 / cells),
-        }
+/// Number of fractions per unit of the pressure. The unit is the largest power of two that does not exceed the largest pressure.
+/// Therefore sums over 2^47 cells do not overflow.
+const PARTS: f64 = (1_u128 << 80) as f64;
+
+/// Returns the spot with these sums over its cells.
+fn spot(sums: &SpotSums, grid: Grid, unit: f64, zones: Option<&[Zone]>) -> Spot {
+    let (whole, cells) = (grid.whole().size(), sums.cells as f64);
+    let (area, load) = (
+        cells * grid.cell_area(),
+        sums.parts as f64 / PARTS * unit * grid.cell_area(),
+    );
+    let centre = |axis: usize| {
+        let (count, side) = (whole[axis] as f64, [grid.dx(), grid.dy()][axis]);
+        let place = (sums.place[axis] / cells + 0.5).rem_euclid(count) - 0.5;
+        (place - 0.5 * (count - 1.0)) * side
+    };
+    let [along_y, along_x] = sums.open_sides.map(|sides| sides as f64);
+    Spot {
+        cells: sums.cells,
+        area,
+        load,
+        mean_pressure: load / area,
+        max_pressure: sums.largest,
+        centroid: [centre(0), centre(1)],
+        perimeter: along_y * grid.dy() + along_x * grid.dx(),
+        stick_ratio: zones.map(|_| sums.stick as f64 / cells),
     }
 }
 

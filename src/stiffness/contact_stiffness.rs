@@ -2,20 +2,17 @@
 
 use std::ops::ControlFlow;
 
+use crate::contact::ResponseContext;
 use crate::error::{Result, positive};
-use crate::grid::boundary::Boundary;
-use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
-use crate::normal::{Hardness, NormalSolution};
+use crate::normal::NormalSolution;
 use crate::numerics::small_matrix::Small;
 use crate::observer::{Observer, unwatched};
 use crate::parallel;
 use crate::report::Iteration;
+use crate::stiffness::contact::{Pressing, SolvedContact};
 use crate::stiffness::motions::kinds;
-use crate::stiffness::normal::press;
 use crate::stiffness::system::times;
-use crate::stiffness::tangential::{LastStep, ShearedContact};
-use crate::stiffness::workspace::LinearSolveContext;
 use crate::stiffness::workspace::{StiffnessWorkspace, SystemBuffers};
 use crate::tangential::{Axis, Friction, TangentialSolution};
 
@@ -86,6 +83,14 @@ pub struct ContactStiffness {
     pub normal_by_motion: [Option<f64>; 3],
 }
 
+impl NormalStiffness {
+    /// Stiffness without contact.
+    pub(super) const NONE: Self = Self {
+        value: 0.0,
+        bound: 0.0,
+    };
+}
+
 impl TangentialStiffness {
     /// Returns the stiffness in series with springs along x and y, $`(K^{-1} + k^{-1})^{-1}`$. It consists of the derivatives of
     /// forces and moment with respect to the motion of the far ends of the springs and the twist. The stiffnesses of the springs
@@ -149,11 +154,11 @@ impl NormalSolution {
         bodies: &HalfSpace,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<NormalStiffness> {
+        let contact = SolvedContact::of(bodies);
         let mut workspace = StiffnessWorkspace::new();
-        let (mut course, SystemBuffers { normal, growth, .. }) = workspace.begin(&mut observer);
-        let on = (bodies, None);
+        let (mut context, SystemBuffers { normal, cells, .. }) = workspace.begin(&mut observer);
         bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
-            press(on, self, None, normal, &mut course, growth)
+            contact.press(self, normal, cells, &mut context)
         }))
     }
 }
@@ -192,16 +197,11 @@ impl TangentialSolution {
             .check_bodies(bodies)
             .and_then(|()| self.check_uncoupled());
         bodies.collective_result(checked)?;
-        let sheared = ShearedContact {
-            zones: self.zones(),
-            traction: self.traction(),
-            last: LastStep::from_rest(self.grid(), self.slip()),
-            window: None,
-        };
+        let contact = SolvedContact::sheared(bodies, self);
         let mut workspace = StiffnessWorkspace::new();
-        let (mut course, buffers) = workspace.begin(&mut observer);
+        let (mut context, buffers) = workspace.begin(&mut observer);
         let found = parallel::enter_with(bodies.grid().cells(), || {
-            sheared.stiffness(bodies, self.axis(), None, buffers, &mut course)
+            contact.shear(None, buffers, &mut context)
         });
         bodies.joint(found.map(|found| found.0))
     }
@@ -238,105 +238,57 @@ impl ContactStiffness {
             .check_bodies(bodies)
             .and_then(|()| shear.check_uncoupled());
         bodies.collective_result(checked)?;
-        let sheared = ShearedContact {
-            zones: shear.zones(),
-            traction: shear.traction(),
-            last: LastStep::from_rest(shear.grid(), shear.slip()),
-            window: None,
-        };
-        let (axis, workspace) = (shear.axis(), &mut StiffnessWorkspace::new());
-        let pressed = NormalContact::new(normal, friction);
-        Self::of(bodies, &pressed, &sheared, axis, workspace, &mut observer)
+        let contact = SolvedContact::sheared(bodies, shear);
+        let workspace = &mut StiffnessWorkspace::new();
+        contact.stiffness((normal, friction), workspace, &mut observer)
     }
+}
 
-    pub(crate) fn of(
-        bodies: &HalfSpace,
-        pressed: &NormalContact<'_>,
-        sheared: &ShearedContact<'_>,
-        axis: Option<Axis>,
+impl SolvedContact<'_> {
+    /// Computes the stiffness in all directions of a contact whose pressure does not depend on the shear.
+    pub(crate) fn stiffness(
+        &self,
+        pressing: Pressing<'_>,
         workspace: &mut StiffnessWorkspace,
         observer: Observer<'_>,
-    ) -> Result<Self> {
-        bodies.collective_result(pressed.friction.check(bodies.grid()))?;
+    ) -> Result<ContactStiffness> {
+        let (bodies, (normal, friction)) = (self.bodies, pressing);
+        bodies.collective_result(friction.check(bodies.grid()))?;
         workspace.check_alike(bodies)?;
-        let (mut course, buffers) = workspace.begin(observer);
+        let (mut context, buffers) = workspace.begin(observer);
         bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
-            Self::found(bodies, pressed, sheared, axis, buffers, &mut course)
+            let SystemBuffers {
+                normal: slot,
+                cells,
+                ..
+            } = &mut *buffers;
+            let normal = self.press(normal, slot, cells, &mut context)?;
+            let (tangential, by_approach) = self.shear(Some(pressing), buffers, &mut context)?;
+            Ok(ContactStiffness {
+                normal,
+                normal_by_motion: by_approach.map(|load| load.map(|_| 0.0)),
+                tangential,
+                by_approach,
+            })
         }))
     }
 
-    fn found(
-        bodies: &HalfSpace,
-        pressed: &NormalContact<'_>,
-        sheared: &ShearedContact<'_>,
+    /// Returns zero entries for the loads and motions of a model with tractions along an axis, or along both axes.
+    pub(super) fn without_contact(
+        &self,
         axis: Option<Axis>,
-        buffers: &mut SystemBuffers,
-        course: &mut LinearSolveContext<'_>,
-    ) -> Result<Self> {
-        let (contact, on) = (pressed.normal, (bodies, pressed.window));
-        let SystemBuffers { normal, growth, .. } = &mut *buffers;
-        let normal = press(on, contact, pressed.hardness, normal, course, growth)?;
-        let (tangential, by_approach) =
-            sheared.stiffness(bodies, axis, Some(pressed), buffers, course)?;
-        Ok(Self {
-            normal,
-            normal_by_motion: by_approach.map(|load| load.map(|_| 0.0)),
-            tangential,
-            by_approach,
-        })
+        has_reversal: bool,
+        context: &mut ResponseContext<'_>,
+    ) -> (TangentialStiffness, [Option<f64>; 3]) {
+        let axes = axis.map_or(Axis::BOTH, Axis::alone);
+        let none = kinds(axes, self.bodies.boundary()).map(|has| has.then_some(0.0));
+        let matrix = none.map(|of_load| none.map(|of_motion| of_load.and(of_motion)));
+        context.finish_at_once();
+        let stiffness = TangentialStiffness {
+            loading: matrix,
+            reversal: if has_reversal { matrix } else { [[None; 3]; 3] },
+            bound: 0.0,
+        };
+        (stiffness, none)
     }
-}
-
-/// Returns zero entries for the loads and motions of the model.
-pub(super) fn without_contact(
-    axis: Option<Axis>,
-    boundary: Boundary,
-    course: &mut LinearSolveContext<'_>,
-) -> (TangentialStiffness, [Option<f64>; 3]) {
-    let has = kinds(axis.map_or(Axis::BOTH, Axis::alone), boundary);
-    let none = has.map(|has| has.then_some(0.0));
-    let matrix = none.map(|of_load| none.map(|of_motion| of_load.and(of_motion)));
-    let stiffness = TangentialStiffness {
-        loading: matrix,
-        reversal: if course.has_reversal {
-            matrix
-        } else {
-            [[None; 3]; 3]
-        },
-        bound: 0.0,
-    };
-    course.finish_at_once();
-    (stiffness, none)
-}
-
-/// Pressed contact, as input of a stiffness.
-#[derive(Clone, Copy)]
-pub(crate) struct NormalContact<'a> {
-    pub(crate) normal: &'a NormalSolution,
-    /// Window in which the contact was solved, if known.
-    pub(crate) window: Option<Window>,
-    pub(crate) friction: &'a Friction,
-    pub(crate) hardness: Option<&'a Hardness>,
-    /// Whether the pressure moves the surfaces tangentially while shear does not change the pressure.
-    pub(crate) is_drawn: bool,
-}
-
-impl<'a> NormalContact<'a> {
-    /// Creates the contact of elastic bodies whose pressure moves the surfaces only normally.
-    fn new(normal: &'a NormalSolution, friction: &'a Friction) -> Self {
-        Self {
-            normal,
-            window: None,
-            friction,
-            hardness: None,
-            is_drawn: false,
-        }
-    }
-}
-
-/// Returns the window of the contact solution, whose operators exist already. If this window is unknown or does not cover the
-/// contact, returns the smallest window around the contact.
-pub(super) fn window_of(bodies: &HalfSpace, found: Option<Window>, contact: Window) -> Window {
-    let found = found.filter(|window| window.covers(contact));
-    found.unwrap_or_else(|| bodies.restrict_to_window(contact))
 }

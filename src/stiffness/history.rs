@@ -3,14 +3,13 @@
 use std::ops::ControlFlow;
 
 use crate::error::Result;
+use crate::grid::field::Field;
 use crate::grid::window::Window;
 use crate::history::History;
 use crate::numerics::cell_vector::slices;
 use crate::observer::unwatched;
 use crate::report::Iteration;
-use crate::stiffness::contact_stiffness::NormalContact;
-use crate::stiffness::coupled::Coupled;
-use crate::stiffness::tangential::{LastStep, ShearedContact};
+use crate::stiffness::contact::SolvedContact;
 use crate::stiffness::{ContactStiffness, StiffnessWorkspace};
 
 impl History {
@@ -61,43 +60,29 @@ impl History {
         workspace: &mut StiffnessWorkspace,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<ContactStiffness> {
-        let (pair, grid) = (self.bodies.pair(), self.grid());
+        let grid = self.grid();
         let memory = self.state.contact.as_ref();
         // Without contact the state contains no last step. In the stiffness of the next step, no cell has slipped or come into
         // contact yet.
         let step = memory.filter(|_| !workspace.is_of_next_step());
         let window = memory.map_or(Window::whole(grid), |memory| memory.window);
-        let last = LastStep {
-            window: window.held(grid),
+        let contact = SolvedContact {
+            hardness: self.state.hardness.as_ref(),
+            axis: self.axis(),
+            zones: self.zones(),
+            traction: self.traction().map(Field::as_slice),
             slip: step.map_or([&[]; 2], |memory| slices(&memory.slip)),
             entered: step.map_or(&[], |memory| &memory.entered),
+            last_window: window.held(grid),
+            windows: [self.state.press_window, memory.map(|memory| memory.window)],
+            is_drawn: self.state.coupling.is_one_way(self.bodies.pair()),
+            ..SolvedContact::of(&self.bodies)
         };
+        let pressing = (self.normal(), self.friction());
         if self.state.is_joint() {
-            let coupled = Coupled {
-                pressure: self.pressure(),
-                traction: self.traction(),
-                slip: step.map(|_| last.slip),
-                entered: last.entered,
-                friction: self.friction(),
-                hardness: self.state.hardness.as_ref(),
-                window: self.state.press_window,
-            };
-            return coupled.stiffness(&self.bodies, workspace, &mut observer);
+            contact.coupled_stiffness(pressing, workspace, &mut observer)
+        } else {
+            contact.stiffness(pressing, workspace, &mut observer)
         }
-        let sheared = ShearedContact {
-            zones: self.zones(),
-            traction: self.traction(),
-            last,
-            window: memory.map(|memory| memory.window),
-        };
-        let pressed = NormalContact {
-            normal: self.normal(),
-            window: self.state.press_window,
-            friction: self.friction(),
-            hardness: self.state.hardness.as_ref(),
-            is_drawn: self.state.coupling.is_one_way(pair),
-        };
-        let (bodies, axis) = (&self.bodies, self.axis());
-        ContactStiffness::of(bodies, &pressed, &sheared, axis, workspace, &mut observer)
     }
 }

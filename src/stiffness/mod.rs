@@ -64,6 +64,7 @@
 //! # Ok::<(), Error>(())
 //! ```
 
+mod contact;
 mod contact_stiffness;
 #[cfg(feature = "history")]
 mod coupled;

@@ -32,17 +32,16 @@
 //! Summing over the shifts first gives a bound on $`\sum_c \epsilon_c^2`$.
 
 use crate::cgm::reduce::{self, larger};
-use crate::cgm::{CellCompliance, FixedSetSystem, LinearWorkspace, Row};
-use crate::error::{Result, finite};
-use crate::grid::boundary::Boundary;
-use crate::half_space::{Compliance, HalfSpace};
+use crate::cgm::{CellCompliance, Row};
+use crate::contact::{LinearResponse, ResponseColumn, ResponseContext};
+use crate::error::Result;
+use crate::half_space::{Compliance, ElasticOperator, HalfSpace};
 use crate::memory::fallible;
 use crate::numerics::cell_vector::{at, dot, slices, slices_mut};
 use crate::numerics::small_matrix::Small;
 use crate::operator::Operator;
-use crate::parallel::layout::Layout;
 use crate::report::Status;
-use crate::stiffness::workspace::LinearSolveContext;
+use crate::stiffness::contact::check_open;
 use crate::stiffness::workspace::get_or_create;
 use crate::tangential::CouplingDisplacement;
 
@@ -55,29 +54,20 @@ pub(super) type Vector<const N: usize> = [Vec<f64>; N];
 /// Operator on a window, admissible motions of its cells, and buffers of the linear problem.
 #[derive(Debug)]
 pub(super) struct System<R, const N: usize> {
-    compliance: Compliance<N>,
-    layout: Layout,
-    linear: LinearWorkspace<R, N>,
+    pub(super) compliance: Compliance<N>,
+    /// Displacement of a cell under a unit traction on it.
+    pub(super) self_compliance: f64,
+    pub(super) response: LinearResponse<R, N>,
     /// Entry compliance of the cells. Empty if no cell has an entry compliance.
     own: Vec<f64>,
-    columns: [ResponseColumn<N>; 3],
     /// Number of moving cells on all ranks.
     moving: f64,
     restricted: Vec<[f64; N]>,
-    /// Tractions imposed on cells, and their displacement.
+    /// Tractions imposed on cells, and their displacement. Empty before the first [`Self::hold`].
     pub(super) forced: Vector<N>,
     pub(super) displacement: Vector<N>,
     /// Tangential displacement due to the pressure, created on first use.
     drawing: Option<CouplingDisplacement>,
-}
-
-/// Solution of `A y = P b` for the unknowns of the moving cells.
-#[derive(Debug, Default)]
-struct ResponseColumn<const N: usize> {
-    right: Vec<[f64; N]>,
-    y: Vec<[f64; N]>,
-    /// `P b - A y`.
-    left: Vec<[f64; N]>,
 }
 
 /// Derivatives of forces with respect to motions at fixed sets, for cells of unit area.
@@ -101,6 +91,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         slot: &'a mut Option<Self>,
         bodies: &HalfSpace,
         compliance: Compliance<N>,
+        self_compliance: impl FnOnce(&ElasticOperator<N>) -> Result<f64>,
     ) -> Result<&'a mut Self> {
         let Compliance { operator, inverse } = compliance.clone();
         operator.check_bounded()?;
@@ -108,15 +99,15 @@ impl<R: Row<N>, const N: usize> System<R, N> {
             own.compliance.operator.is(&operator) && own.compliance.inverse.is(&inverse)
         };
         get_or_create(slot, is_own, || {
+            let layout = operator.layout().alike(bodies.team());
             Ok(Self {
-                layout: operator.layout().alike(bodies.team()),
-                linear: LinearWorkspace::new(&operator, &inverse)?,
+                self_compliance: self_compliance(&operator)?,
+                response: LinearResponse::new(&operator, &inverse, layout)?,
                 own: Vec::new(),
-                columns: Default::default(),
                 moving: 0.0,
                 restricted: Vec::new(),
-                forced: fallible::vector(operator.cells())?,
-                displacement: fallible::vector(operator.cells())?,
+                forced: [const { Vec::new() }; N],
+                displacement: [const { Vec::new() }; N],
                 drawing: None,
                 compliance,
             })
@@ -124,78 +115,68 @@ impl<R: Row<N>, const N: usize> System<R, N> {
     }
 
     /// Sets the admissible motions of the cells and their entry compliance. The entry compliance is empty if no cell has one.
-    /// Rejects a periodic contact whose cells are all free, because such a contact resists a common motion without limit.
+    /// Rejects a periodic contact whose cells are all free.
     pub(super) fn hold(
         &mut self,
-        boundary: Boundary,
+        bodies: &HalfSpace,
         row: impl Fn(usize) -> R + Sync,
         own: &[f64],
     ) -> Result<()> {
-        let is_open = || reduce::any(&self.layout, |cell| !row(cell).is_free());
-        if boundary == Boundary::Periodic && !is_open() {
-            finite(
-                "stiffness of a contact that is closed everywhere",
-                f64::INFINITY,
-            )?;
-        }
+        let layout = &self.response.layout;
+        check_open(bodies, || reduce::any(layout, |cell| !row(cell).is_free()))?;
         self.own.clear();
         fallible::make_room(&mut self.own, own.len())?;
         self.own.extend_from_slice(own);
+        for part in self.forced.iter_mut().chain(&mut self.displacement) {
+            fallible::resize(part, layout.cells(), 0.0)?;
+        }
         let moves = |cell: usize| f64::from(u8::from(row(cell).moves()));
-        self.moving = reduce::sum(&self.layout, moves);
-        self.linear.hold(row)
-    }
-
-    /// Returns the displacement of a cell under a unit traction on it.
-    pub(super) fn self_compliance(&self) -> f64 {
-        self.compliance.operator.self_compliance()
+        self.moving = reduce::sum(layout, moves);
+        self.response.linear.hold(row)
     }
 
     /// Computes the stiffness against these motions of the cells.
     pub(super) fn stiffness(
         &mut self,
         motions: &CellMotions<impl Fn(usize, usize) -> [f64; N] + Sync>,
-        course: &mut LinearSolveContext<'_>,
+        context: &mut ResponseContext<'_>,
     ) -> Result<Stiffness> {
-        let held = FixedSetSystem {
-            operator: &self.compliance.operator,
-            preconditioner: &self.compliance.inverse,
-            layout: &self.layout,
-            own: CellCompliance::isotropic(&self.own),
-        };
-        for (a, column) in self.columns.iter_mut().enumerate().take(motions.count) {
-            self.linear
-                .restrict(|i| (motions.of_cell)(a, i), &mut column.right)?;
-            course.respond(&held, &column.right, &mut column.y, &mut self.linear)?;
-            column.left.clear();
-            fallible::make_room(&mut column.left, column.right.len())?;
-            column.left.extend_from_slice(self.linear.residual_rows());
+        let own = CellCompliance::isotropic(&self.own);
+        let elasticity = self.compliance.with_cells(own);
+        for a in 0..motions.count {
+            let motion = |cell: usize| (motions.of_cell)(a, cell);
+            self.response.respond(a, elasticity, motion, context)?;
         }
         let matrix = self.matrix(motions.count);
         let bound = self.bound(motions.count, &matrix);
         // The bound determines the status, even if round-off keeps the residuals above the tolerance.
-        course.require_eigenvalue_bound(self.compliance.operator.eigenvalue_bound());
-        course.report.status = if bound <= ALLOWED.max(course.tolerance) {
+        context.require_eigenvalue_bound(self.compliance.operator.eigenvalue_bound());
+        context.report.status = if bound <= ALLOWED.max(context.tolerance) {
             Status::Converged
         } else {
             Status::Stalled
         };
-        course.check_solved()?;
+        context.check_solved()?;
         Ok(Stiffness { matrix, bound })
     }
 
     /// Computes `y' A y + y' r + r' y`, where `A y + r = P b`. The result is the mean of `y' P b + r' y` and its transpose.
     fn matrix(&self, count: usize) -> [[f64; 3]; 3] {
         let half = self.table(count, |one, two| {
-            self.linear.product(&one.y, &two.right) + self.linear.product(&one.left, &two.y)
+            self.response.linear.product(&one.y, &two.right)
+                + self.response.linear.product(&one.left, &two.y)
         });
         [0, 1, 2].map(|a| [0, 1, 2].map(|b| 0.5 * (half[a][b] + half[b][a])))
     }
 
     /// Bounds the errors of the entries of the matrix, relative to the diagonal.
     fn bound(&self, count: usize, matrix: &[[f64; 3]; 3]) -> f64 {
-        let residuals = self.table(count, |one, two| self.linear.product(&one.left, &two.left));
-        let sums = self.table(count, |one, two| self.linear.product(&one.y, &two.left));
+        let residuals = self.table(count, |one, two| {
+            self.response.linear.product(&one.left, &two.left)
+        });
+        let sums = self.table(count, |one, two| {
+            self.response.linear.product(&one.y, &two.left)
+        });
         let (least, cells) = (self.compliance.operator.lower_bound(), self.moving.max(1.0));
         // Bound |r|^2 / lambda + |r| tau for one motion.
         let plain = |a: usize| {
@@ -228,7 +209,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
     ) -> [[f64; 3]; 3] {
         let entry = |a: usize, b: usize| {
             if a < count && b < count {
-                entry(&self.columns[a], &self.columns[b])
+                entry(&self.response.columns[a], &self.response.columns[b])
             } else {
                 0.0
             }
@@ -241,8 +222,8 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         for part in &mut self.forced {
             part.fill(0.0);
         }
-        let (unit, forced) = (&self.columns[0].y, &mut self.forced);
-        self.linear.places(|k, cell| {
+        let (unit, forced) = (&self.response.columns[0].y, &mut self.forced);
+        self.response.linear.places(|k, cell| {
             for (part, value) in forced.iter_mut().zip(unit[k]) {
                 part[cell] = value;
             }
@@ -251,10 +232,12 @@ impl<R: Row<N>, const N: usize> System<R, N> {
     }
 
     /// Computes the displacement caused by the imposed tractions.
-    pub(super) fn displace(&mut self, course: &mut LinearSolveContext<'_>) -> Result<()> {
-        course.notify_observer(&self.layout)?;
+    pub(super) fn displace(&mut self, context: &mut ResponseContext<'_>) -> Result<()> {
+        context.notify_observer(&self.response.layout)?;
         let (forced, out) = (slices(&self.forced), slices_mut(&mut self.displacement));
-        self.linear.displace(&self.compliance.operator, forced, out);
+        self.response
+            .linear
+            .displace(&self.compliance.operator, forced, out);
         Ok(())
     }
 
@@ -263,10 +246,10 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         &mut self,
         make: impl FnOnce() -> Result<CouplingDisplacement>,
         pressures: impl Iterator<Item = f64>,
-        course: &mut LinearSolveContext<'_>,
+        context: &mut ResponseContext<'_>,
     ) -> Result<()> {
         for _ in 0..N {
-            course.notify_observer(&self.layout)?;
+            context.notify_observer(&self.response.layout)?;
         }
         let drawing = get_or_create(&mut self.drawing, |_| true, make)?;
         let mut parts = self.displacement.iter_mut();
@@ -283,10 +266,15 @@ impl<R: Row<N>, const N: usize> System<R, N> {
     pub(super) fn reaction(&mut self, count: usize) -> Result<[f64; 3]> {
         let displacement = slices(&self.displacement);
         let displaced = |cell: usize| at(&displacement, cell);
-        self.linear.restrict(displaced, &mut self.restricted)?;
+        self.response
+            .linear
+            .restrict(displaced, &mut self.restricted)?;
         Ok(std::array::from_fn(|a| {
             if a < count {
-                -self.linear.product(&self.columns[a].y, &self.restricted)
+                -self
+                    .response
+                    .linear
+                    .product(&self.response.columns[a].y, &self.restricted)
             } else {
                 0.0
             }

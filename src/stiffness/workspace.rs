@@ -2,17 +2,17 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::{Disc, FixedSetSystem, Interval, LinearWorkspace, LinearisedSet, Row};
-use crate::contact::with_counts_of;
+#[cfg(feature = "history")]
+use crate::cgm::cone::ConeCellState;
+use crate::cgm::{Disc, Interval, LinearisedSet};
+use crate::contact::ResponseContext;
 use crate::error::{Error, Result, positive};
 use crate::half_space::HalfSpace;
 use crate::observer::Observer;
 use crate::parallel::layout::Layout;
 use crate::report::{EigenvalueBound, Iteration, Report, Status};
-#[cfg(feature = "history")]
-use crate::stiffness::coupled::CoupledBuffers;
+use crate::stiffness::contact::ContactCells;
 use crate::stiffness::system::System;
-use crate::stiffness::tangential::ApproachSensitivity;
 
 /// System for one type of constraint set.
 pub(super) type SystemOf<S, const N: usize> = System<<S as LinearisedSet<N>>::CellMotion, N>;
@@ -46,31 +46,39 @@ pub(super) type SystemOf<S, const N: usize> = System<<S as LinearisedSet<N>>::Ce
 #[derive(Debug)]
 pub struct StiffnessWorkspace {
     tolerance: f64,
-    has_reversal: bool,
     is_of_next_step: bool,
     report: Report,
     buffers: SystemBuffers,
 }
 
-/// Buffers for each type of contact, created with the first stiffness of this type.
-#[derive(Debug, Default)]
+/// Linear systems of each type of contact, created with the first stiffness of this type.
+#[derive(Debug)]
 pub(super) struct SystemBuffers {
+    /// Whether to compute the stiffness at reversal.
+    pub(super) has_reversal: bool,
     pub(super) normal: Option<SystemOf<Interval, 1>>,
     pub(super) along: Option<SystemOf<Interval, 1>>,
     pub(super) plane: Option<SystemOf<Disc, 2>>,
     #[cfg(feature = "history")]
-    pub(super) joint: Option<CoupledBuffers>,
-    pub(super) growth: ApproachSensitivity,
+    pub(super) joint: Option<System<ConeCellState, 3>>,
+    pub(super) cells: ContactCells,
 }
 
 impl Default for StiffnessWorkspace {
     fn default() -> Self {
         Self {
             tolerance: 1e-11,
-            has_reversal: true,
             is_of_next_step: false,
             report: Report::unsolved(),
-            buffers: SystemBuffers::default(),
+            buffers: SystemBuffers {
+                has_reversal: true,
+                normal: None,
+                along: None,
+                plane: None,
+                #[cfg(feature = "history")]
+                joint: None,
+                cells: ContactCells::default(),
+            },
         }
     }
 }
@@ -96,7 +104,7 @@ impl StiffnessWorkspace {
     /// the entries at reversal are `None`.
     #[must_use]
     pub fn reversal(mut self, has_reversal: bool) -> Self {
-        self.has_reversal = has_reversal;
+        self.buffers.has_reversal = has_reversal;
         self
     }
 
@@ -150,7 +158,11 @@ impl StiffnessWorkspace {
 
     /// Checks that all ranks use the same settings.
     pub(super) fn check_alike(&self, bodies: &HalfSpace) -> Result<()> {
-        let settings = (self.tolerance, self.has_reversal, self.is_of_next_step);
+        let settings = (
+            self.tolerance,
+            self.buffers.has_reversal,
+            self.is_of_next_step,
+        );
         bodies.collective_result_checked(Ok(()), &[("settings of the stiffness", &settings)])
     }
 
@@ -158,15 +170,14 @@ impl StiffnessWorkspace {
     pub(super) fn begin<'a>(
         &'a mut self,
         observer: Observer<'a>,
-    ) -> (LinearSolveContext<'a>, &'a mut SystemBuffers) {
+    ) -> (ResponseContext<'a>, &'a mut SystemBuffers) {
         self.report.clear();
-        let course = LinearSolveContext {
+        let context = ResponseContext {
             tolerance: self.tolerance,
-            has_reversal: self.has_reversal,
             report: &mut self.report,
             observer,
         };
-        (course, &mut self.buffers)
+        (context, &mut self.buffers)
     }
 }
 
@@ -180,36 +191,7 @@ pub(super) fn get_or_create<T>(
     Ok(slot.insert(own))
 }
 
-/// Settings of the solves, and their report.
-pub(super) struct LinearSolveContext<'a> {
-    pub(super) tolerance: f64,
-    /// Whether to compute the stiffness at reversal.
-    pub(super) has_reversal: bool,
-    pub(super) report: &'a mut Report,
-    pub(super) observer: Observer<'a>,
-}
-
-impl LinearSolveContext<'_> {
-    /// Solves for a right-hand side, to the tolerance or to the round-off limit.
-    pub(super) fn respond<R: Row<N>, const N: usize>(
-        &mut self,
-        held: &FixedSetSystem<'_, N>,
-        right: &[[f64; N]],
-        unknowns: &mut Vec<[f64; N]>,
-        workspace: &mut LinearWorkspace<R, N>,
-    ) -> Result<()> {
-        let mut observer = with_counts_of(self.report, &mut *self.observer);
-        let outcome = held.respond(right, unknowns, workspace, self.tolerance, &mut observer);
-        drop(observer);
-        let bound = self.report.eigenvalue_bound;
-        self.report.add_pass(workspace.report());
-        self.report.eigenvalue_bound = bound;
-        outcome.map_err(|error| match error {
-            Error::NotConverged(_) => Error::NotConverged(Box::new(self.report.clone())),
-            other => other,
-        })
-    }
-
+impl ResponseContext<'_> {
     /// Records the origin of the eigenvalue behind a bound. Keeps the least reliable origin so far.
     pub(super) fn require_eigenvalue_bound(&mut self, known: EigenvalueBound) {
         let report = &mut *self.report;
@@ -217,15 +199,6 @@ impl LinearSolveContext<'_> {
             EigenvalueBound::Unknown => known,
             before => before.min(known),
         };
-    }
-
-    /// Returns an error unless the last solve reached the tolerance. A stop at the round-off limit is also an error.
-    pub(super) fn check_solved(&self) -> Result<()> {
-        if self.report.is_converged() {
-            Ok(())
-        } else {
-            Err(Error::NotConverged(Box::new(self.report.clone())))
-        }
     }
 
     /// Marks the report as converged without a solve.

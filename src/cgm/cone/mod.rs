@@ -40,6 +40,7 @@ use crate::operator::{LowerBound, Operator};
 use crate::parallel::layout::Layout;
 use crate::report::Status;
 
+pub(crate) use cell_state::ConeCellState;
 pub(crate) use response::FrozenState;
 pub(crate) use workspace::ConeWorkspace;
 

@@ -2,11 +2,11 @@
 
 use crate::cgm::cone::cell_state::{ConeCellState, EntryLag};
 use crate::cgm::cone::newton::NOTHING;
-use crate::cgm::cone::{ConeProblem, ConeWorkspace, FrictionCone, N};
-use crate::cgm::linear::LinearWorkspace;
+use crate::cgm::cone::{FrictionCone, N};
 use crate::cgm::reduce;
-use crate::error::Result;
+use crate::grid::per_cell::PerCell;
 use crate::numerics::cell_vector::at;
+use crate::parallel::layout::Layout;
 
 /// State of the cells: tractions, slip of the last step, and entry compliance. The entry compliance is empty if it is zero in all
 /// cells.
@@ -15,44 +15,33 @@ pub(crate) struct FrozenState<'a> {
     pub(crate) x: [&'a [f64]; N],
     pub(crate) slip: [&'a [f64]; 2],
     pub(crate) own: &'a [f64],
+    /// Maximum pressure of each cell.
+    pub(crate) hardness: PerCell<&'a [f64]>,
     /// Whether cells at their limits continue to slip. If not, these cells stick.
     pub(crate) slips: bool,
 }
 
-impl ConeWorkspace {
-    /// Sets up the linear problem with the cells fixed in this state.
-    ///
-    /// # Errors
-    /// - [`Error::Memory`](crate::Error::Memory) if the memory does not suffice.
-    pub(crate) fn hold(
-        &mut self,
-        problem: &ConeProblem<'_, impl FrictionCone>,
-        stand: FrozenState<'_>,
-    ) -> Result<&mut LinearWorkspace<ConeCellState, N>> {
-        let FrozenState {
-            x,
-            slip,
-            own,
-            slips,
-        } = stand;
-        let limit = |i: usize| problem.friction.limit(i, x[0][i].max(0.0));
-        let least = NOTHING * reduce::max(problem.layout, limit);
-        self.linear.hold(|i| {
-            let (tractions, slope) = (at(&x, i), problem.friction.slope(i, x[0][i]));
-            let mut law = ConeCellState::of(tractions, limit(i), problem.hardness.of(i));
+impl<'a> FrozenState<'a> {
+    /// Returns the row of each cell. `self_compliance` is the displacement of a cell under a unit traction on this cell.
+    pub(crate) fn rows(
+        self,
+        layout: &Layout,
+        friction: &'a (impl FrictionCone + 'a),
+        self_compliance: f64,
+    ) -> impl Fn(usize) -> ConeCellState + Sync + 'a {
+        let limit = move |i: usize, p: f64| friction.limit(i, p.max(0.0));
+        let least = NOTHING * reduce::max(layout, |i| limit(i, self.x[0][i]));
+        move |i| {
+            let tractions @ [p, qx, qy] = at(&self.x, i);
+            let (limit, slope) = (limit(i, p), friction.slope(i, p));
+            let mut law = ConeCellState::of(tractions, limit, self.hardness.of(i));
             law.lag = EntryLag {
-                own: own.get(i).copied().unwrap_or(0.0),
+                own: self.own.get(i).copied().unwrap_or(0.0),
                 deviator: [0.0; 2],
-                ratio: problem.ratio(i, law, tractions),
+                ratio: [qx, qy].map(|q| if p > 0.0 { q / p } else { 0.0 }),
             };
-            let law = if slips { law } else { law.stuck() };
-            law.measured(
-                at(&slip, i),
-                [limit(i), slope],
-                least,
-                problem.self_compliance,
-            )
-        })?;
-        Ok(&mut self.linear)
+            let law = if self.slips { law } else { law.stuck() };
+            law.measured(at(&self.slip, i), [limit, slope], least, self_compliance)
+        }
     }
 }

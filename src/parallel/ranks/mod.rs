@@ -95,11 +95,10 @@
 //! no rank has more than twice an even share of the rows. For $`81\,920\, P`$ cells or more, no rank has more than 1.1 times an
 //! even share. Ranks without rows or columns only wait during the corresponding stage.
 //!
-//! A rank stores only counts of the whole contact. Each rank counts the spots of its slab. It joins them with the spots of the
-//! next slab in $`\lceil\log_2 P\rceil`$ exchanges of two rows. A list of all spots is created by
-//! [`NormalSolution::spots`](crate::NormalSolution::spots) and similar methods. Each rank labels the spots of its slab and sends
-//! the labels of its last row to the next rank. All ranks then gather the sums of all spots. These sums take 72 bytes for each
-//! spot, or for each fragment of a spot that the ends of the slabs cut.
+//! A rank stores only counts of the whole contact. Each rank labels the spots of its slab and sends the labels of its last row to
+//! the next rank. It counts the spots that no other slab can touch. All ranks then gather the sums of the other spots. A list of
+//! all spots is created by [`NormalSolution::spots`](crate::NormalSolution::spots) and similar methods, for which all ranks gather
+//! the sums of all spots. These sums take 104 bytes for each spot, or for each fragment of a spot that the ends of the slabs cut.
 //!
 //! # Failures
 //!

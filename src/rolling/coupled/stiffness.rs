@@ -7,8 +7,8 @@
 use std::ops::ControlFlow;
 
 use crate::bodies::component::{Component, Direction};
-use crate::cgm::{CellCompliance, FixedSetSystem, Interval, LinearWorkspace, LinearisedSet, Row};
-use crate::contact::with_counts_of;
+use crate::cgm::{CellCompliance, Interval, LinearisedSet, Row};
+use crate::contact::{LinearResponse, ResponseContext};
 use crate::error::{Error, Result};
 use crate::half_space::{Compliance, ElasticOperator};
 use crate::memory::fallible::{self, TryClone};
@@ -17,19 +17,17 @@ use crate::numerics::cell_vector::{at, slices, slices_mut};
 use crate::numerics::small_matrix::Small;
 use crate::observer::{Observer, unwatched};
 use crate::operator::{Operator, Scratch};
-use crate::parallel::layout::Layout;
 use crate::parallel::reduce;
 use crate::report::{Iteration, Report, Status};
 use crate::rolling::RollingSolver;
 use crate::rolling::coupled::CoupledRollingSolver;
 use crate::rolling::entry::entering;
-use crate::rolling::steady::stiffness::RollingSensitivity;
+use crate::rolling::steady::stiffness::{RollingSensitivity, TOLERANCE};
 use crate::tangential::{
     Axis, CouplingDisplacement, EntryCompliance, Friction, Lifting, is_at_limit,
 };
 
-/// Relative residual of each half, and relative change of the tractions that ends the iteration.
-const TOLERANCE: f64 = 1e-10;
+/// Relative change of the tractions that ends the iteration.
 const CHANGE: f64 = 1e-9;
 /// Maximum number of passes per column.
 const MOST_PASSES: usize = 200;
@@ -40,11 +38,8 @@ type IntervalMotion = <Interval as LinearisedSet<1>>::CellMotion;
 
 /// Normal half with a fixed contact area.
 struct NormalHalf {
-    linear: LinearWorkspace<IntervalMotion, 1>,
+    response: LinearResponse<IntervalMotion, 1>,
     compliance: Compliance<1>,
-    layout: Layout,
-    right: Vec<[f64; 1]>,
-    unknowns: Vec<[f64; 1]>,
     /// Derivative of the pressure with respect to the approach, if a force is prescribed.
     by_approach: Option<Vec<f64>>,
     /// Operator on the whole grid.
@@ -116,13 +111,17 @@ impl RollingSolver {
         observer: Observer<'_>,
     ) -> Result<[[f64; 3]; 3]> {
         let mut follow = self.take_follow()?;
-        let mut work = Report::unsolved();
+        let mut context = ResponseContext {
+            tolerance: TOLERANCE,
+            report: &mut Report::unsolved(),
+            observer,
+        };
         let found = self.hold_zones(&mut follow).and_then(|()| {
-            let mut half = NormalHalf::new(self, is_force, &mut work, &mut *observer)?;
+            let mut half = NormalHalf::new(self, is_force, &mut context)?;
             let mut loads = [[0.0; 3]; 3];
             for (motion, loads) in loads.iter_mut().enumerate() {
                 let tools = (&mut *lifting, &mut half, &mut follow);
-                *loads = self.column(motion, (normal, friction), tools, &mut work, observer)?;
+                *loads = self.column(motion, (normal, friction), tools, &mut context)?;
             }
             Ok(Small(loads).transposed().0)
         });
@@ -136,8 +135,7 @@ impl RollingSolver {
         motion: usize,
         (normal, friction): (&NormalSolution, &Friction),
         (lifting, half, follow): (&mut Lifting, &mut NormalHalf, &mut RollingSensitivity),
-        work: &mut Report,
-        observer: Observer<'_>,
+        context: &mut ResponseContext<'_>,
     ) -> Result<[f64; 3]> {
         let problem = &self.problem;
         let window = problem.pressed.window();
@@ -159,7 +157,7 @@ impl RollingSolver {
                 problem.pressed.region.scatter(part, whole);
             }
             lifting.lift(slices(&change.whole), &mut change.lift);
-            half.follow(self, &mut change, work, &mut *observer)?;
+            half.follow(self, &mut change, context)?;
             let turned = self.entry_change(normal, &change)?;
             // Tractions of slipping cells follow their friction limits.
             let mut known: [Vec<f64>; 2] = fallible::vector(cells)?;
@@ -196,11 +194,7 @@ impl RollingSolver {
                 let [known_x, known_y] = at(&moved, cell);
                 [x - known_x, y - known_y]
             };
-            let mut counted = with_counts_of(work, &mut *observer);
-            self.respond(asked, follow, &mut counted)?;
-            drop(counted);
-            work.add_pass(follow.linear.report());
-            let found = follow.linear.tractions();
+            let found = follow.tractions(self.elasticity(), asked, context)?;
             let (layout, before) = (self.operator.layout(), slices(&change.traction));
             let [difference, size] = reduce::sum(&layout, |cell| {
                 let (free, known) = (at(&found, cell), at(&slices(&known), cell));
@@ -217,11 +211,13 @@ impl RollingSolver {
                 }
             }
             if difference.sqrt() <= CHANGE * size.sqrt() {
-                return Ok(self.loads_of(slices(&change.traction)));
+                let traction = slices(&change.traction);
+                let load = |cell: usize| self.load_of(cell, at(&traction, cell));
+                return Ok(reduce::sum(&layout, load).map(|load| load * grid.cell_area()));
             }
         }
-        work.status = Status::Stalled;
-        Err(Error::NotConverged(Box::new(work.clone())))
+        context.report.status = Status::Stalled;
+        Err(Error::NotConverged(Box::new(context.report.clone())))
     }
 
     /// Returns the displacements that the change of the entry compliance causes under the current tractions. The
@@ -275,12 +271,7 @@ impl RollingSolver {
 }
 
 impl NormalHalf {
-    fn new(
-        of: &RollingSolver,
-        is_force: bool,
-        work: &mut Report,
-        observer: Observer<'_>,
-    ) -> Result<Self> {
+    fn new(of: &RollingSolver, is_force: bool, context: &mut ResponseContext<'_>) -> Result<Self> {
         let problem = &of.problem;
         let compliance = problem
             .bodies
@@ -288,18 +279,16 @@ impl NormalHalf {
         let whole = problem
             .bodies
             .operator_of([[Component::ZZ]], problem.bodies.grid().size())?;
+        let Compliance { operator, inverse } = &compliance;
         let mut half = Self {
-            linear: LinearWorkspace::new(&compliance.operator, &compliance.inverse)?,
-            layout: compliance.operator.layout(),
+            response: LinearResponse::new(operator, inverse, operator.layout())?,
             scratch: whole.scratch()?,
             whole,
             compliance,
-            right: Vec::new(),
-            unknowns: Vec::new(),
             by_approach: None,
         };
         let pressure = &problem.pressed.pressure;
-        half.linear.hold(|cell| {
+        half.response.linear.hold(|cell| {
             if pressure[cell] > 0.0 {
                 IntervalMotion::FREE
             } else {
@@ -307,41 +296,11 @@ impl NormalHalf {
             }
         })?;
         if is_force {
-            half.respond(|_| [1.0], work, observer)?;
-            let [unit] = half.linear.tractions();
+            let elasticity = half.compliance.with_cells(CellCompliance::default());
+            let [unit] = half.response.tractions(elasticity, |_| [1.0], context)?;
             half.by_approach = Some(fallible::copied(unit)?);
         }
         Ok(half)
-    }
-
-    /// Solves for the pressures that cause the given displacements of the cells.
-    fn respond(
-        &mut self,
-        asked: impl Fn(usize) -> [f64; 1] + Sync,
-        work: &mut Report,
-        observer: Observer<'_>,
-    ) -> Result<()> {
-        self.linear.restrict(asked, &mut self.right)?;
-        let held = FixedSetSystem {
-            operator: &self.compliance.operator,
-            preconditioner: &self.compliance.inverse,
-            layout: &self.layout,
-            own: CellCompliance::default(),
-        };
-        let mut counted = with_counts_of(work, observer);
-        held.respond(
-            &self.right,
-            &mut self.unknowns,
-            &mut self.linear,
-            TOLERANCE,
-            &mut counted,
-        )?;
-        drop(counted);
-        work.add_pass(self.linear.report());
-        if !self.linear.report().is_converged() {
-            return Err(Error::NotConverged(Box::new(self.linear.report().clone())));
-        }
-        Ok(())
     }
 
     /// Computes the change of the pressure that keeps the contact closed under a lift, and the change of the gap.
@@ -349,23 +308,23 @@ impl NormalHalf {
         &mut self,
         of: &RollingSolver,
         change: &mut Change,
-        work: &mut Report,
-        observer: Observer<'_>,
+        context: &mut ResponseContext<'_>,
     ) -> Result<()> {
         let pressed = &of.problem.pressed;
         let window = pressed.window();
         let lift = &change.lift;
-        if reduce::max(&self.layout, |cell| lift[window.index(cell)].abs()) > 0.0 {
-            self.respond(|cell| [-lift[window.index(cell)]], work, observer)?;
-            let [found] = self.linear.tractions();
+        if reduce::max(&self.response.layout, |cell| lift[window.index(cell)].abs()) > 0.0 {
+            let elasticity = self.compliance.with_cells(CellCompliance::default());
+            let lift = |cell: usize| [-lift[window.index(cell)]];
+            let [found] = self.response.tractions(elasticity, lift, context)?;
             change.pressure.copy_from_slice(found);
         } else {
             change.pressure.fill(0.0);
         }
         let mut approach = 0.0;
         if let Some(by_approach) = &self.by_approach {
-            let missing = reduce::total(&self.layout, &change.pressure);
-            approach = -missing / reduce::total(&self.layout, by_approach);
+            let missing = reduce::total(&self.response.layout, &change.pressure);
+            approach = -missing / reduce::total(&self.response.layout, by_approach);
             for (pressure, unit) in change.pressure.iter_mut().zip(by_approach) {
                 *pressure += approach * unit;
             }

@@ -6,30 +6,23 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::{CellMotion, Disc, FixedSetSystem, LinearWorkspace, LinearisedSet};
-use crate::contact::with_counts_of;
-use crate::error::{Error, Result};
+use crate::cgm::{CellMotion, Disc, LinearisedSet};
+use crate::contact::{Elasticity, LinearResponse, ResponseContext};
+use crate::error::Result;
 use crate::numerics::cell_vector::{at, slices};
 use crate::numerics::small_matrix::Small;
 use crate::observer::{Observer, unwatched};
 use crate::operator::Operator;
-use crate::parallel::layout::Layout;
-use crate::parallel::reduce;
 use crate::report::{Iteration, Report};
 use crate::rolling::RollingSolver;
 use crate::tangential::centre;
 
 /// Relative residual of the tractions.
-const TOLERANCE: f64 = 1e-10;
+pub(in crate::rolling) const TOLERANCE: f64 = 1e-10;
 
 /// Linear problem of a step with fixed zones, and its unknowns.
-#[derive(Clone)]
-pub(in crate::rolling) struct RollingSensitivity {
-    pub(in crate::rolling) linear: LinearWorkspace<<Disc as LinearisedSet<2>>::CellMotion, 2>,
-    layout: Layout,
-    right: Vec<[f64; 2]>,
-    unknowns: Vec<[f64; 2]>,
-}
+pub(in crate::rolling) type RollingSensitivity =
+    LinearResponse<<Disc as LinearisedSet<2>>::CellMotion, 2>;
 
 impl RollingSolver {
     /// Returns the derivatives of forces and moment with respect to creepages and spin at the last solution,
@@ -87,15 +80,10 @@ impl RollingSolver {
 
     /// Returns the existing linear problem, or creates it if there is none.
     pub(in crate::rolling) fn take_follow(&mut self) -> Result<RollingSensitivity> {
-        Ok(match self.follow.take() {
-            Some(follow) => follow,
-            None => RollingSensitivity {
-                linear: LinearWorkspace::new(&*self.operator, &*self.inverse)?,
-                layout: self.operator.layout(),
-                right: Vec::new(),
-                unknowns: Vec::new(),
-            },
-        })
+        self.follow.take().map_or_else(
+            || LinearResponse::new(&*self.operator, &*self.inverse, self.operator.layout()),
+            Ok,
+        )
     }
 
     /// Returns forces and moment per unit of each creepage and of spin.
@@ -105,14 +93,22 @@ impl RollingSolver {
         observer: Observer<'_>,
     ) -> Result<[[f64; 3]; 3]> {
         self.hold_zones(follow)?;
-        let (mut loads, mut work) = ([[0.0; 3]; 3], Report::unsolved());
-        for (motion, loads) in loads.iter_mut().enumerate() {
-            let mut observer = with_counts_of(&work, &mut *observer);
-            *loads = self.loads_by(motion, follow, &mut observer)?;
-            drop(observer);
-            work.add_pass(follow.linear.report());
-        }
-        Ok(loads)
+        let mut context = ResponseContext {
+            tolerance: TOLERANCE,
+            report: &mut Report::unsolved(),
+            observer,
+        };
+        let problem = &self.problem;
+        let window = problem.pressed.window();
+        let loads = follow.responses(
+            self.elasticity(),
+            3,
+            |motion, cell| problem.motions(window.index(cell))[motion],
+            |cell, traction| self.load_of(cell, traction),
+            &mut context,
+        )?;
+        let area = problem.bodies.grid().cell_area();
+        Ok(loads.map(|loads| loads.map(|load| load * area)))
     }
 
     /// Fixes each cell in its current zone.
@@ -130,56 +126,15 @@ impl RollingSolver {
         })
     }
 
-    fn loads_by(
-        &self,
-        motion: usize,
-        follow: &mut RollingSensitivity,
-        observer: Observer<'_>,
-    ) -> Result<[f64; 3]> {
-        let problem = &self.problem;
-        let index = |cell: usize| problem.pressed.window().index(cell);
-        self.respond(
-            |cell| problem.motions(index(cell))[motion],
-            follow,
-            observer,
-        )?;
-        Ok(self.loads_of(follow.linear.tractions()))
+    /// Returns the operators of a step and the entry compliance of the cells.
+    pub(in crate::rolling) fn elasticity(&self) -> Elasticity<'_, 2> {
+        (&*self.operator, &*self.inverse, self.own())
     }
 
-    /// Solves for the tractions that cause the given displacements of the cells over a step, with fixed zones.
-    pub(in crate::rolling) fn respond(
-        &self,
-        moved: impl Fn(usize) -> [f64; 2] + Sync,
-        follow: &mut RollingSensitivity,
-        observer: Observer<'_>,
-    ) -> Result<()> {
-        let RollingSensitivity {
-            linear,
-            layout,
-            right,
-            unknowns,
-        } = follow;
-        linear.restrict(moved, right)?;
-        let held = FixedSetSystem {
-            operator: &*self.operator,
-            preconditioner: &*self.inverse,
-            layout,
-            own: self.own(),
-        };
-        held.respond(right, unknowns, linear, TOLERANCE, observer)?;
-        if !linear.report().is_converged() {
-            return Err(Error::NotConverged(Box::new(linear.report().clone())));
-        }
-        Ok(())
-    }
-
-    /// Returns forces and moment of tractions of the cells of the window.
-    pub(in crate::rolling) fn loads_of(&self, tractions: [&[f64]; 2]) -> [f64; 3] {
-        let (grid, window) = (self.problem.bodies.grid(), self.problem.pressed.window());
-        let loads: [f64; 3] = reduce::sum(&self.operator.layout(), |cell| {
-            let (q, [x, y]) = (at(&tractions, cell), centre(grid, window.index(cell)));
-            [q[0], q[1], x * q[1] - y * q[0]]
-        });
-        loads.map(|load| load * grid.cell_area())
+    /// Returns forces and moment of a cell of the window, for a unit area.
+    pub(in crate::rolling) fn load_of(&self, cell: usize, [qx, qy]: [f64; 2]) -> [f64; 3] {
+        let index = self.problem.pressed.window().index(cell);
+        let [x, y] = centre(self.problem.bodies.grid(), index);
+        [qx, qy, x * qy - y * qx]
     }
 }
