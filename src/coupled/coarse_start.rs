@@ -29,19 +29,7 @@ impl CoupledIncrement {
         let hardness = hardness.map(|hardness| hardness.coarsened(&self.bodies, &bodies));
         let hardness = hardness.transpose()?;
         let mut coarse = Self::new(&bodies)?;
-        coarse.set_offset(&try_each(|axis| coarsened(self.offset()[axis]))?);
-        if self.enters {
-            (coarse.closing, coarse.enters) = (coarsened(&self.closing)?, true);
-            if !self.closing_deviator.is_empty() {
-                let cells = self.closing_deviator.len();
-                let [a, b] = try_each(|part| {
-                    let parts = self.closing_deviator.iter().map(|deviator| deviator[part]);
-                    coarsened(&fallible::collected(cells, parts)?)
-                })?;
-                let parts = a.iter().zip(&b).map(|(a, b)| [*a, *b]);
-                coarse.closing_deviator = fallible::collected(a.len(), parts)?;
-            }
-        }
+        coarse.offsets = self.offsets.coarsened(coarsened)?;
         let rough = conditions.coarse_settings(f64::INFINITY);
         let coarse_demand = CoupledTarget {
             gap: &gap,

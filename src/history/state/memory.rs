@@ -6,10 +6,9 @@ use crate::grid::Grid;
 use crate::grid::field::{Field, clone_in_place};
 use crate::grid::window::Window;
 use crate::history::state::State;
+use crate::history::step::solve::StepInput;
 use crate::memory::fallible::{self, TryClone, try_clone, try_each};
-use crate::tangential::{
-    Axis, RigidMotion, TangentialIncrement, TangentialTarget, TangentialVector, centre, zeros,
-};
+use crate::tangential::{Axis, RigidMotion, TangentialIncrement, TangentialVector, centre, zeros};
 
 /// Displacement and offset of the local cells of a window.
 #[derive(Debug)]
@@ -75,15 +74,6 @@ impl Memory {
             entered: Vec::new(),
             has_entered: false,
         })
-    }
-
-    /// Clears slip and entry compliance of the last step, after a step without contact.
-    pub(in crate::history) fn forget_step(&mut self) {
-        for part in &mut self.slip {
-            part.fill(0.0);
-        }
-        self.entered.clear();
-        self.has_entered = false;
     }
 
     /// Extends the memory to the wider window of an increment. The values of the present cells remain bitwise
@@ -156,11 +146,11 @@ impl Memory {
     pub(in crate::history) fn parts_ahead(
         &self,
         state: &State,
-        demand: &TangentialTarget,
-        is_rolled: bool,
+        step: &StepInput<'_>,
     ) -> Option<f64> {
-        let ahead = demand.remaining_load(state.force, state.motion.shift);
-        let turns = !is_rolled && demand.twist.to_bits() != state.motion.twist.to_bits();
+        let ahead = step.target.remaining_load(state.force, state.motion.shift);
+        let is_turned = step.target.twist.to_bits() != state.motion.twist.to_bits();
+        let turns = is_turned && step.travel.is_none();
         let parts = self.trend.parts(ahead);
         parts.filter(|parts| *parts > 0.0 && !turns)
     }

@@ -23,7 +23,7 @@ use crate::half_space::HalfSpace;
 use crate::history::state::memory::Memory;
 use crate::history::state::relative_displacement::RelativeDisplacementState;
 use crate::memory::fallible::{self, TryClone, try_clone};
-use crate::normal::{Hardness, NormalControl, NormalSolution, PressureSolver};
+use crate::normal::{Hardness, NormalControl, NormalSolution};
 use crate::support::debug::shown;
 use crate::tangential::EntryRule;
 use crate::tangential::{Axis, Friction, RigidMotion, Zone, check_axes};
@@ -206,16 +206,9 @@ impl State {
     pub(super) fn is_pressed_by(&self, load: NormalControl) -> bool {
         let report = self.normal.report();
         load == self.pressed_by
-            && !self.is_joint()
             && !self.is_pressure_stale
             && report.is_converged()
             && report.is_within(self.settings.tolerance)
-    }
-
-    /// Makes the pressure solver continue from this state.
-    pub(super) fn resume(&self, bodies: &HalfSpace, press: &mut PressureSolver) -> Result<()> {
-        let window = self.press_window.filter(|_| !self.is_joint());
-        press.resume(bodies, self.approach(), window, &self.trend)
     }
 
     /// Restores the memory to this window after a later widening, or removes the memory if `window` is `None`.

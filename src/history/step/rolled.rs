@@ -5,6 +5,7 @@ use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::LoadStep;
 use crate::history::state::State;
+use crate::history::step::solve::StepInput;
 use crate::rolling::LeadingEdge;
 use crate::rolling::RollingShift;
 use crate::tangential::{Axis, RigidMotion, TangentialControl, TangentialModel, TangentialTarget};
@@ -235,16 +236,23 @@ impl LoadStep {
 }
 
 impl State {
-    /// Returns the tangential load at the end of a step.
-    pub(in crate::history) fn demand(
+    /// Returns the input of a step from this state.
+    pub(in crate::history) fn input<'a>(
         &self,
-        load: &LoadStep,
+        load: &'a LoadStep,
         bodies: &HalfSpace,
-    ) -> TangentialTarget {
-        let demand = load.demand(self.motion.twist);
-        match load.rolling() {
-            Some(rolling) => rolling.compute_target(demand, self, rolling.travel(bodies).length),
-            None => demand,
+    ) -> StepInput<'a> {
+        let mut target = load.demand(self.motion.twist);
+        let rolled = load
+            .rolling()
+            .map(|rolling| (rolling, rolling.travel(bodies)));
+        if let Some((rolling, travel)) = rolled {
+            target = rolling.compute_target(target, self, travel.length);
+        }
+        StepInput {
+            load,
+            target,
+            travel: rolled.map(|(_, travel)| travel),
         }
     }
 
