@@ -107,7 +107,7 @@ impl History {
         if load.holds_shift() && !step.remarks.is_apart {
             step.remarks.lost_per_cent = lost_per_cent(force_before, step);
         }
-        step.energy = step.energy.plus(&pressing);
+        step.energy = step.energy.plus(pressing);
         let margins = travel.map_or([0; 2], |travel| travel.margins());
         narrow(bodies, state, before, press_window, margins);
     }
@@ -211,7 +211,7 @@ fn enter(
         let [traction, accumulated, slip] = vectors;
         let [path, energy, distance, dissipated, mid_step] = numbers;
         let [mut offset, mut trend, mut last_slip] = own;
-        let mut account = StepTotals::ZERO;
+        let mut totals = StepTotals::ZERO;
         for (own, i) in columns.clone().enumerate() {
             let offsets = offset.each_ref().map(|part| &*part.items);
             let q = traction.each_ref().map(|part| part.items[i]);
@@ -235,16 +235,17 @@ fn enter(
             dissipated.items[i] = cell.energy.dissipated_energy;
             energy.items[i] += dissipated.items[i];
             mid_step.items[i] = cell.energy.dissipated_energy_midpoint;
-            account = account.plus(&cell.account());
+            totals = Reduction::plus(totals, cell.totals());
         }
-        account
+        totals
     };
     let layout = answer.region.held_layout();
-    let account = layout.sweep((vectors, numbers, (zones, own)), work, |a, b| a.plus(&b));
-    state.force = account.traction.map(|sum| grid.cell_area() * sum);
-    state.moment = grid.cell_area() * account.moment;
-    step.energy = account.energy;
-    [step.stick_cells, step.slip_cells] = account.cells;
+    let totals = layout.sweep((vectors, numbers, (zones, own)), work, Reduction::plus);
+    let (traction, moment, energy, [stick, slip]) = totals;
+    state.force = traction.map(|sum| grid.cell_area() * sum);
+    state.moment = grid.cell_area() * moment;
+    step.energy = energy;
+    (step.stick_cells, step.slip_cells) = (stick, slip);
     for (memory, displacement) in memory.displacement.iter_mut().zip(answer.displacement) {
         memory.copy_from_slice(displacement);
     }
@@ -353,62 +354,12 @@ impl CellStep {
         }
     }
 
-    fn account(&self) -> StepTotals {
+    fn totals(&self) -> StepTotals {
         let [[x, y], [qx, qy]] = [self.centre, self.traction];
-        StepTotals {
-            traction: self.traction,
-            moment: x * qy - y * qx,
-            energy: self.energy,
-            cells: [Zone::Stick, Zone::Slip].map(|zone| usize::from(self.zone == zone)),
-        }
+        let cells = [Zone::Stick, Zone::Slip].map(|zone| usize::from(self.zone == zone));
+        (self.traction, x * qy - y * qx, self.energy, cells)
     }
 }
 
-/// Sums over cells.
-#[derive(Debug, Clone, Copy)]
-struct StepTotals {
-    traction: [f64; 2],
-    moment: f64,
-    energy: EnergyBalance,
-    /// Numbers of cells that stick and that slip.
-    cells: [usize; 2],
-}
-
-impl WireFormat for StepTotals {
-    const COUNT: usize = Parts::COUNT;
-    const ZERO: Self = Self {
-        traction: [0.0; 2],
-        moment: 0.0,
-        energy: EnergyBalance::ZERO,
-        cells: [0; 2],
-    };
-
-    fn write(self, words: &mut Vec<u64>) {
-        let parts: Parts = (self.traction, self.moment, self.energy, self.cells);
-        parts.write(words);
-    }
-
-    fn read(words: &mut &[u64]) -> Self {
-        let (traction, moment, energy, cells) = Parts::read(words);
-        Self {
-            traction,
-            moment,
-            energy,
-            cells,
-        }
-    }
-}
-
-/// Parts of the sums that ranks exchange.
-type Parts = ([f64; 2], f64, EnergyBalance, [usize; 2]);
-
-impl StepTotals {
-    fn plus(&self, other: &Self) -> Self {
-        Self {
-            traction: Reduction::plus(self.traction, other.traction),
-            moment: self.moment + other.moment,
-            energy: self.energy.plus(&other.energy),
-            cells: Reduction::plus(self.cells, other.cells),
-        }
-    }
-}
+/// Sums over cells: traction, its moment, energies, and the numbers of cells that stick and that slip.
+type StepTotals = ([f64; 2], f64, EnergyBalance, [usize; 2]);
