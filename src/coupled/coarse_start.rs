@@ -48,7 +48,7 @@ impl CoupledIncrement {
     /// Interpolates the coarse solution to the cells of this solver.
     fn refine(&mut self, coarse: &Self, size: [usize; 2], demand: CoupledTarget<'_>) -> Result<()> {
         let answer = coarse.answer();
-        self.set_known(coarse.approach(), answer.motion.shift);
+        (self.approach, self.last_shift) = (coarse.approach, answer.motion.shift);
         let [qx, qy] = answer.traction;
         let cells = answer.limits.len();
         let reserves = (0..cells).map(|cell| reserve([qx[cell], qy[cell]], answer.limits[cell]));
@@ -61,7 +61,9 @@ impl CoupledIncrement {
             let pressure = pressure.min(limits.of(cell));
             let (limit, q) = (demand.friction.limit(cell, pressure), [x[cell], y[cell]]);
             let [x, y] = prolongated_traction(q, limit, reserves[cell] > 0.0, [0.0; 2]);
-            self.set_cell(cell, [pressure, x, y]);
+            for (part, value) in self.tractions.iter_mut().zip([pressure, x, y]) {
+                part[cell] = value;
+            }
         }
         Ok(())
     }

@@ -42,8 +42,8 @@ pub(crate) struct CoupledIncrement {
     pub(super) linear: [Vec<f64>; N],
     motion: RigidMotion,
     /// Shift of the state from which the step starts.
-    last_shift: [f64; 2],
-    approach: f64,
+    pub(super) last_shift: [f64; 2],
+    pub(super) approach: f64,
     report: CoupledReport,
 }
 
@@ -115,10 +115,6 @@ impl CoupledIncrement {
         &self.report
     }
 
-    pub(crate) fn approach(&self) -> f64 {
-        self.approach
-    }
-
     /// Returns the displacements of the last solution along z, x and y.
     pub(super) fn displacement(&self) -> [&[f64]; N] {
         self.displacement.each_ref().map(Vec::as_slice)
@@ -142,22 +138,10 @@ impl CoupledIncrement {
         approach: f64,
         shift: [f64; 2],
     ) {
-        self.set_known(approach, shift);
+        (self.approach, self.last_shift) = (approach, shift);
         let fields = [pressure, traction[0], traction[1]];
         for (x, field) in self.tractions.iter_mut().zip(fields) {
             x.copy_from_slice(field.as_slice());
-        }
-    }
-
-    /// Sets approach and shift of the start.
-    pub(super) fn set_known(&mut self, approach: f64, shift: [f64; 2]) {
-        (self.approach, self.last_shift) = (approach, shift);
-    }
-
-    /// Sets pressure and traction of a cell as the start of the next step.
-    pub(super) fn set_cell(&mut self, cell: usize, tractions: [f64; N]) {
-        for (x, value) in self.tractions.iter_mut().zip(tractions) {
-            x[cell] = value;
         }
     }
 
@@ -194,7 +178,7 @@ impl CoupledIncrement {
         for part in &mut self.tractions {
             part.fill(0.0);
         }
-        self.set_known(0.0, [0.0; 2]);
+        (self.approach, self.last_shift) = (0.0, [0.0; 2]);
     }
 
     /// Computes pressure, tractions and the motion of body 2 at the end of a step. `before` is the motion at the start

@@ -91,16 +91,8 @@ impl TangentialIncrement {
         self.motion
     }
 
-    /// Sets the present tractions from tractions of the whole grid.
-    pub(crate) fn set_traction(&mut self, traction: [&[f64]; 2]) {
-        for axis in self.axes().iter().map(|axis| axis.index()) {
-            let part = &mut self.traction[axis];
-            self.pressed.region.gather(traction[axis], part);
-        }
-    }
-
     /// Sets the present tractions from a function of axis and cell of the grid.
-    pub(crate) fn collect_traction(&mut self, traction: impl Fn(usize, usize) -> f64) {
+    pub(crate) fn set_traction(&mut self, traction: impl Fn(usize, usize) -> f64) {
         for axis in self.axes().iter().map(|axis| axis.index()) {
             let part = &mut self.traction[axis];
             self.pressed

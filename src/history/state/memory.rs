@@ -5,7 +5,7 @@ use crate::error::Result;
 use crate::grid::Grid;
 use crate::grid::field::{Field, clone_in_place};
 use crate::grid::window::Window;
-use crate::history::state::State;
+use crate::history::state::{State, clones};
 use crate::history::step::solve::StepInput;
 use crate::memory::fallible::{self, TryClone, try_clone, try_each};
 use crate::tangential::{Axis, RigidMotion, TangentialIncrement, TangentialVector, centre, zeros};
@@ -30,17 +30,7 @@ pub(crate) struct Memory {
     pub(in crate::history) has_entered: bool,
 }
 
-clone_in_place!(Memory {
-    window,
-    displacement,
-    offset,
-    trend,
-    slip,
-    entered,
-    has_entered,
-});
-
-try_clone!(Memory { displacement, offset, trend, slip, entered } { window, has_entered });
+clones!(Memory { displacement, offset, trend, slip, entered } { window, has_entered });
 
 impl Memory {
     /// Creates the memory at the first touch of bodies without displacement.
@@ -98,7 +88,7 @@ impl Memory {
             held.spread(old, field);
         }
         self.window = increment.pressed.window();
-        increment.set_traction(traction.map(Field::as_slice));
+        increment.set_traction(|axis, cell| traction[axis].as_slice()[cell]);
         let displacement = increment.fresh_displacement()?;
         let cells = held.indices().enumerate();
         let added = cells.filter(|(_, i)| !old.contains(*i));

@@ -27,6 +27,17 @@ use crate::support::debug::shown;
 use crate::tangential::EntryRule;
 use crate::tangential::{Axis, Friction, RigidMotion, Zone, check_axes};
 
+/// Implements `Clone` and `TryClone` for a struct with the given fields: first the fields with buffers, then the fields
+/// without.
+macro_rules! clones {
+    ($type:ident { $($part:ident),* $(,)? } { $($plain:ident),* $(,)? }) => {
+        clone_in_place!($type { $($part,)* $($plain),* });
+        try_clone!($type { $($part),* } { $($plain),* });
+    };
+}
+
+use clones;
+
 /// State of a [`History`](crate::History). It contains everything that the next step starts from, except for the bodies
 /// and the buffers.
 ///
@@ -111,36 +122,7 @@ pub struct State {
 
 shown!(State: grid(), steps(), approach(), tangential_force(), shift(), twist());
 
-clone_in_place!(State {
-    axes,
-    settings,
-    friction,
-    gap,
-    hardness,
-    yielded,
-    relative,
-    normal,
-    pressed_gap,
-    is_pressure_stale,
-    pressed_by,
-    press_window,
-    trend,
-    contact,
-    traction,
-    slip,
-    accumulated_slip,
-    dissipated_energy,
-    zones,
-    motion,
-    force,
-    moment,
-    steps,
-    entry_rule,
-    coupling,
-    capacity,
-});
-
-try_clone!(State {
+clones!(State {
     friction, gap, hardness, yielded, relative, normal, pressed_gap, trend, contact, traction, slip, accumulated_slip,
     dissipated_energy, zones,
 } {
@@ -191,14 +173,6 @@ impl State {
             coupling: Coupling::default(),
             capacity: None,
         })
-    }
-
-    /// Sets the hardness and creates the permanent depth if `stays` is set.
-    pub(super) fn limited(mut self, hardness: Option<Hardness>, stays: bool) -> Result<Self> {
-        let yielded = stays.then(|| Field::try_zeros(self.grid()));
-        self.yielded = yielded.transpose()?;
-        self.hardness = hardness;
-        Ok(self)
     }
 
     /// Returns whether the pressure is the solution under this load within the present tolerance.

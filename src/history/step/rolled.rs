@@ -151,29 +151,25 @@ impl Rolling {
                 remedy,
             })
         };
-        if bodies.is_shared() {
-            let remedy = "use bodies that are not distributed";
-            return refused(
+        let unsupported = [
+            (
+                bodies.is_shared(),
                 "a grid that is distributed over ranks (value: the number of cells of the step)",
-                cells,
-                remedy,
-            );
-        }
-        if state.relative.is_some() {
-            let remedy = "build the history without a relative displacement";
-            return refused(
+                "use bodies that are not distributed",
+            ),
+            (
+                state.relative.is_some(),
                 "a relative displacement (value: the number of cells of the step)",
-                cells,
-                remedy,
-            );
-        }
-        if state.yielded.is_some() {
-            let remedy = "build the history without a permanent set";
-            return refused(
+                "build the history without a relative displacement",
+            ),
+            (
+                state.yielded.is_some(),
                 "a permanent set (value: the number of cells of the step)",
-                cells,
-                remedy,
-            );
+                "build the history without a permanent set",
+            ),
+        ];
+        if let Some((_, quantity, remedy)) = unsupported.into_iter().find(|row| row.0) {
+            return refused(quantity, cells, remedy);
         }
         if load.names_twist() {
             let twist = load.demand(0.0).twist;

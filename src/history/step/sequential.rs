@@ -181,14 +181,14 @@ impl SequentialSolver {
         }
         if let Some(travel) = &step.travel {
             increment.draw_from(|i| travel.before(i).map_or(0.0, |cell| before[cell]));
-            increment.collect_traction(|axis, cell| {
+            increment.set_traction(|axis, cell| {
                 travel.in_proportion(&state.traction[axis], pressures, cell)
             });
         } else {
             if is_pressed {
                 increment.draw_from(|i| before[i]);
             }
-            increment.set_traction(state.traction.each_ref().map(Field::as_slice));
+            increment.set_traction(|axis, cell| state.traction[axis].as_slice()[cell]);
         }
         let memory = state.contact.as_ref().filter(|_| !is_widened);
         let ahead = memory.and_then(|memory| Some((memory, memory.parts_ahead(state, step)?)));
