@@ -90,7 +90,7 @@ pub use jaeger::JaegerSuperposition;
 pub(crate) use lifting::{Lifting, lift_residual};
 pub(crate) use load::TangentialTarget;
 pub use load::{TangentialControl, TangentialLoad};
-pub(crate) use offset::Offsets;
+pub(crate) use offset::{Offsets, carry_offsets};
 pub(crate) use one_way::CouplingDisplacement;
 pub use pressure_source::PressureSource;
 pub(crate) use pressure_source::{check_bodies, contact_window};

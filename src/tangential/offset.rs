@@ -77,17 +77,6 @@ impl Offsets {
         }
     }
 
-    /// Moves the offsets with the particles of rolling bodies and adds their rotation.
-    pub(crate) fn carry(&mut self, carry: impl Fn(&mut [f64]), turned: [f64; 2]) {
-        for axis in self.axes.iter().map(|axis| axis.index()) {
-            let part = &mut self.cells[axis];
-            carry(part);
-            for offset in part {
-                *offset += turned[axis];
-            }
-        }
-    }
-
     /// Subtracts the change of a relative displacement along each axis from the offsets. `change` is a function of an
     /// axis and a local cell.
     pub(crate) fn displace(&mut self, region: &Region, change: impl Fn(usize, usize) -> f64) {
@@ -111,6 +100,20 @@ impl Offsets {
             for axis in self.axes.iter().map(|axis| axis.index()) {
                 self.cells[axis][cell] -= lag[axis];
             }
+        }
+    }
+}
+
+/// Moves offsets with the particles of rolling bodies and adds their rotation.
+pub(crate) fn carry_offsets(
+    offsets: &mut TangentialVector,
+    carry: impl Fn(&mut [f64]),
+    turned: [f64; 2],
+) {
+    for (part, turned) in offsets.iter_mut().zip(turned) {
+        carry(part);
+        for offset in part {
+            *offset += turned;
         }
     }
 }

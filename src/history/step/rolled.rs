@@ -8,7 +8,9 @@ use crate::history::state::State;
 use crate::history::step::solve::StepInput;
 use crate::rolling::LeadingEdge;
 use crate::rolling::RollingShift;
-use crate::tangential::{Axis, RigidMotion, TangentialControl, TangentialModel, TangentialTarget};
+use crate::tangential::{
+    Axis, RigidMotion, TangentialControl, TangentialModel, TangentialTarget, carry_offsets,
+};
 
 /// Rolling in a step: the number of cells, the leading edge, and the creepages and spin of body 2.
 ///
@@ -291,22 +293,12 @@ impl State {
         }
         if let Some(memory) = &mut self.contact {
             let passage = travel.through(memory.window.size);
-            for part in memory
-                .displacement
-                .iter_mut()
-                .filter(|part| !part.is_empty())
-            {
+            for part in &mut memory.displacement {
                 passage.shift_with_particles(part);
             }
             let turned = travel.rotation_correction(0.5 * (self.motion.twist + end.twist));
-            for (part, turned) in memory.offset.iter_mut().zip(turned) {
-                if !part.is_empty() {
-                    passage.shift_with_particles(part);
-                }
-                for offset in part {
-                    *offset += turned;
-                }
-            }
+            let carry = |part: &mut [f64]| passage.shift_with_particles(part);
+            carry_offsets(&mut memory.offset, carry, turned);
         }
     }
 }

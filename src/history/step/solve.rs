@@ -11,7 +11,7 @@ use crate::normal::NormalControl;
 use crate::observer::Observer;
 use crate::rolling::RollingShift;
 use crate::rolling::entry::compliance;
-use crate::tangential::{EntryCompliance, Offsets, RigidMotion, TangentialTarget};
+use crate::tangential::{EntryCompliance, Offsets, RigidMotion, TangentialTarget, carry_offsets};
 
 /// Load of a step, with the tangential target and the paths of the particles that follow from the load.
 #[derive(Debug, Clone, Copy)]
@@ -126,7 +126,11 @@ impl State {
         if let Some(travel) = &step.travel {
             let passage = travel.through(region.window().size);
             let turned = travel.rotation_correction(0.5 * (self.twist() + step.target.twist));
-            offsets.carry(|part| passage.shift_with_particles(part), turned);
+            carry_offsets(
+                &mut offsets.cells,
+                |part| passage.shift_with_particles(part),
+                turned,
+            );
         }
     }
 
