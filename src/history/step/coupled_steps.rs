@@ -65,7 +65,7 @@ impl StepSolver for CoupledIncrement {
             offsets, pressed, ..
         } = self;
         state.set_offsets(step, &pressed.region, offsets);
-        // The solver divides by the pressure, which is not known yet.
+        // The solve divides the compliances by the pressure that it computes.
         let place = (bodies, &pressed.region);
         state.set_entry(place, step, control, offsets, |_| 1.0)?;
         let (pressure, traction) = (state.pressure(), state.traction());

@@ -135,7 +135,7 @@ impl State {
     }
 
     /// Sets the entry compliances of the cells of a region for a step under this normal load. `pressure` returns the
-    /// pressure of a cell of the region at the end of the step, or one if the pressure is not known yet.
+    /// pressure of a cell of the region at the end of the step. It returns one if the same solve computes the pressure.
     pub(in crate::history) fn set_entry(
         &self,
         (bodies, region): (&HalfSpace, &Region),
