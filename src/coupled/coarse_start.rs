@@ -29,19 +29,7 @@ impl CoupledIncrement {
         let hardness = hardness.map(|hardness| hardness.coarsened(&self.bodies, &bodies));
         let hardness = hardness.transpose()?;
         let mut coarse = Self::new(&bodies)?;
-        coarse.set_offset(&try_each(|axis| coarsened(self.offset()[axis]))?);
-        if self.enters {
-            (coarse.closing, coarse.enters) = (coarsened(&self.closing)?, true);
-            if !self.closing_deviator.is_empty() {
-                let cells = self.closing_deviator.len();
-                let [a, b] = try_each(|part| {
-                    let parts = self.closing_deviator.iter().map(|deviator| deviator[part]);
-                    coarsened(&fallible::collected(cells, parts)?)
-                })?;
-                let parts = a.iter().zip(&b).map(|(a, b)| [*a, *b]);
-                coarse.closing_deviator = fallible::collected(a.len(), parts)?;
-            }
-        }
+        coarse.offsets = self.offsets.coarsened(coarsened)?;
         let rough = conditions.coarse_settings(f64::INFINITY);
         let coarse_demand = CoupledTarget {
             gap: &gap,
@@ -60,7 +48,7 @@ impl CoupledIncrement {
     /// Interpolates the coarse solution to the cells of this solver.
     fn refine(&mut self, coarse: &Self, size: [usize; 2], demand: CoupledTarget<'_>) -> Result<()> {
         let answer = coarse.answer();
-        self.set_known(coarse.approach(), answer.motion.shift);
+        (self.approach, self.last_shift) = (coarse.approach, answer.motion.shift);
         let [qx, qy] = answer.traction;
         let cells = answer.limits.len();
         let reserves = (0..cells).map(|cell| reserve([qx[cell], qy[cell]], answer.limits[cell]));
@@ -73,7 +61,9 @@ impl CoupledIncrement {
             let pressure = pressure.min(limits.of(cell));
             let (limit, q) = (demand.friction.limit(cell, pressure), [x[cell], y[cell]]);
             let [x, y] = prolongated_traction(q, limit, reserves[cell] > 0.0, [0.0; 2]);
-            self.set_cell(cell, [pressure, x, y]);
+            for (part, value) in self.tractions.iter_mut().zip([pressure, x, y]) {
+                part[cell] = value;
+            }
         }
         Ok(())
     }

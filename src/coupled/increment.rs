@@ -1,7 +1,7 @@
 //! One step of a coupled contact, in a problem from rest or in a history.
 
 use crate::bodies::component::Direction;
-use crate::cgm::{CellCompliance, Total, reduce};
+use crate::cgm::{Total, reduce};
 use crate::contact::{self, PassOutcome, SolveContext, WindowEngine, Windows, multipliers};
 use crate::coupled::window_solver::{CoupledEngine, CoupledRequest, CoupledStart};
 use crate::coupled::{CoupledReport, N};
@@ -15,8 +15,8 @@ use crate::numerics::cell_vector::slices;
 use crate::parallel;
 use crate::report::Report;
 use crate::tangential::{
-    Axis, Friction, PressureOnWindow, RigidMotion, StepSolution, TangentialTarget,
-    TangentialVector, centre, zeros,
+    Axis, Friction, Offsets, PressureOnWindow, RigidMotion, StepSolution, TangentialTarget, centre,
+    entry_compliance,
 };
 
 /// Margin of the window for the growth of the contact in a step, in cells.
@@ -36,17 +36,14 @@ pub(crate) struct CoupledIncrement {
     pub(super) tractions: [Vec<f64>; N],
     displacement: [Vec<f64>; N],
     pub(crate) pressed: PressureOnWindow,
-    pub(super) offset: TangentialVector,
+    /// Offsets of the cells, and the entry compliances $`\kappa g`$ under a unit pressure before the solve. A solve
+    /// replaces them by the entry compliances under its pressure.
+    pub(crate) offsets: Offsets,
     pub(super) linear: [Vec<f64>; N],
-    /// $`\kappa g`$ of the cells that would come into contact in this step, if such cells lag behind the motion.
-    pub(super) closing: Vec<f64>,
-    /// Deviator of $`\kappa g`$ over the directions if the bodies roll. Otherwise empty.
-    pub(super) closing_deviator: Vec<[f64; 2]>,
-    pub(super) enters: bool,
     motion: RigidMotion,
     /// Shift of the state from which the step starts.
-    last_shift: [f64; 2],
-    approach: f64,
+    pub(super) last_shift: [f64; 2],
+    pub(super) approach: f64,
     report: CoupledReport,
 }
 
@@ -94,11 +91,8 @@ impl CoupledIncrement {
             tractions: zeros_of_all()?,
             displacement: zeros_of_all()?,
             pressed: PressureOnWindow::new(bodies, Window::whole(grid))?,
-            offset: zeros(Axis::BOTH, grid.cells())?,
+            offsets: Offsets::new(Axis::BOTH, grid.cells())?,
             linear: zeros_of_all()?,
-            closing: Vec::new(),
-            closing_deviator: Vec::new(),
-            enters: false,
             motion: RigidMotion::default(),
             last_shift: [0.0; 2],
             approach: 0.0,
@@ -119,10 +113,6 @@ impl CoupledIncrement {
     /// Returns the report of the last step with the certificates of its halves.
     pub(super) fn full_report(&self) -> &CoupledReport {
         &self.report
-    }
-
-    pub(crate) fn approach(&self) -> f64 {
-        self.approach
     }
 
     /// Returns the displacements of the last solution along z, x and y.
@@ -148,22 +138,10 @@ impl CoupledIncrement {
         approach: f64,
         shift: [f64; 2],
     ) {
-        self.set_known(approach, shift);
+        (self.approach, self.last_shift) = (approach, shift);
         let fields = [pressure, traction[0], traction[1]];
         for (x, field) in self.tractions.iter_mut().zip(fields) {
             x.copy_from_slice(field.as_slice());
-        }
-    }
-
-    /// Sets approach and shift of the start.
-    pub(super) fn set_known(&mut self, approach: f64, shift: [f64; 2]) {
-        (self.approach, self.last_shift) = (approach, shift);
-    }
-
-    /// Sets pressure and traction of a cell as the start of the next step.
-    pub(super) fn set_cell(&mut self, cell: usize, tractions: [f64; N]) {
-        for (x, value) in self.tractions.iter_mut().zip(tractions) {
-            x[cell] = value;
         }
     }
 
@@ -171,8 +149,8 @@ impl CoupledIncrement {
     pub(crate) fn answer(&self) -> StepSolution<'_> {
         let [_, ux, uy] = self.displacement();
         let traction: [&[f64]; 2] = [&self.tractions[1], &self.tractions[2]];
-        let found = [traction, [ux, uy], self.offset()];
-        StepSolution::new(&self.pressed, Axis::BOTH, found, self.motion)
+        let found = [traction, [ux, uy]];
+        StepSolution::new(&self.pressed, &self.offsets, found, self.motion)
     }
 
     /// Writes the normal solution of the last step for this gap before loading and this hardness.
@@ -200,7 +178,7 @@ impl CoupledIncrement {
         for part in &mut self.tractions {
             part.fill(0.0);
         }
-        self.set_known(0.0, [0.0; 2]);
+        (self.approach, self.last_shift) = (0.0, [0.0; 2]);
     }
 
     /// Computes pressure, tractions and the motion of body 2 at the end of a step. `before` is the motion at the start
@@ -229,7 +207,7 @@ impl CoupledIncrement {
                 part.fill(0.0);
             }
             self.report.apart();
-            self.pressed.set(&self.tractions[0], demand.friction);
+            self.finish(demand.friction);
             return Ok(());
         }
         self.motion = RigidMotion {
@@ -271,9 +249,33 @@ impl CoupledIncrement {
             .map_or([0.0; N], CoupledEngine::multiplier);
         self.approach = datum + approach;
         self.motion.shift = [self.motion.shift[0] + x, self.motion.shift[1] + y];
-        self.pressed.set(&self.tractions[0], demand.friction);
-        self.subtract_entry_lag();
+        self.finish(demand.friction);
         outcome
+    }
+
+    /// Computes the friction limits, the offsets and the entry compliances under the pressure of the solution.
+    fn finish(&mut self, friction: &Friction) {
+        let [pressure, qx, qy] = &self.tractions;
+        self.pressed.set(pressure, friction);
+        let lag = |i: usize, of: &dyn Fn([f64; 2]) -> [f64; 2]| {
+            if pressure[i] > 0.0 {
+                of([qx[i], qy[i]])
+            } else {
+                [0.0; 2]
+            }
+        };
+        self.offsets
+            .subtract_lag(|i, entry| lag(i, &|q| q.map(|q| entry.mean[i] * q / pressure[i])));
+        self.offsets.subtract_lag(|i, entry| {
+            let [a, b] = entry.deviator.get(i).copied().unwrap_or_default();
+            lag(i, &|q| {
+                let [x, y] = q.map(|q| q / pressure[i]);
+                [a * x + b * y, b * x - a * y]
+            })
+        });
+        for (mean, pressure) in self.offsets.entry.mean.iter_mut().zip(pressure) {
+            *mean = entry_compliance(*mean, *pressure);
+        }
     }
 
     /// Returns the window around the pressure.
@@ -308,8 +310,8 @@ impl CoupledIncrement {
         }
         let (linear, tractions) = (&self.linear, &mut self.tractions);
         let (displacement, report) = (&mut self.displacement, &mut self.report);
-        let closing = CellCompliance::new(&self.closing, &self.closing_deviator);
-        let asked = (slices(linear), self.enters.then_some(closing));
+        let entry = &self.offsets.entry;
+        let asked = (slices(linear), entry.is_active.then(|| entry.cells()));
         self.windows.solve(bodies, |engine, _| {
             engine.take(tractions);
             let outcome = engine.solve(asked, task, start, conditions, report);
@@ -346,8 +348,8 @@ impl CoupledIncrement {
         for (i, gap) in gap.as_slice().iter().enumerate() {
             let moved = self.motion.at(centre(grid, i));
             z[i] = gap - datum;
-            x[i] = 0.0 - (self.offset[0][i] + moved[0]);
-            y[i] = 0.0 - (self.offset[1][i] + moved[1]);
+            x[i] = 0.0 - (self.offsets.cells[0][i] + moved[0]);
+            y[i] = 0.0 - (self.offsets.cells[1][i] + moved[1]);
         }
     }
 }

@@ -67,7 +67,6 @@ mod coarse_start;
 mod error_bound;
 mod growth;
 mod increment;
-mod offset;
 mod problem;
 mod report;
 mod sliding;

@@ -47,7 +47,11 @@ impl CoupledSolver {
     pub(super) fn new(problem: CoupledProblem) -> Result<Self> {
         let mut increment = CoupledIncrement::new(&problem.bodies)?;
         if let Some(relative) = &problem.relative {
-            increment.displace(|axis, cell| relative.at(axis, cell));
+            let of = |axis: usize, cell: usize| relative.at(axis, cell);
+            let CoupledIncrement {
+                offsets, pressed, ..
+            } = &mut increment;
+            offsets.displace(&pressed.region, of);
         }
         Ok(Self { problem, increment })
     }

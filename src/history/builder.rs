@@ -201,12 +201,12 @@ impl HistoryBuilder<'_> {
         let surface = (bodies.boundary(), bodies.cell_value());
         let (pair, settings) = (bodies.pair(), self.settings);
         let rule = self.entry_rule;
-        let state = State::new(gap, surface, pair, self.friction, axes, settings, rule)?;
-        let mut state = state.limited(self.hardness, self.is_set_permanent)?;
-        state.relative = self
-            .relative
-            .map(RelativeDisplacementState::new)
-            .transpose()?;
+        let mut state = State::new(gap, surface, pair, self.friction, axes, settings, rule)?;
+        if self.is_set_permanent {
+            state.yielded = Some(Field::try_zeros(bodies.grid())?);
+        }
+        let relative = self.relative.map(RelativeDisplacementState::new);
+        (state.hardness, state.relative) = (self.hardness, relative.transpose()?);
         History::from_state(bodies, state.coupled(self.coupling)?)
     }
 

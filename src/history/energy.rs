@@ -1,6 +1,6 @@
 //! Energy balance of a tangential step or of the steps of a cycle.
 
-use crate::cgm::reduce;
+use crate::cgm::reduce::{self, Reduction};
 use crate::grid::field::Field;
 use crate::normal::NormalSolution;
 use crate::parallel::layout::Layout;
@@ -103,17 +103,24 @@ impl EnergyBalance {
         }
     }
 
-    /// Returns the sum of this balance and the balance of other cells.
-    pub(super) fn plus(&self, other: &Self) -> Self {
+    /// Returns the energies in the order of [`Self::from_parts`].
+    fn parts(self) -> [f64; 7] {
+        let [before, after] = [self.elastic_before, self.elastic_after];
+        let [end, middle] = [self.dissipated_energy, self.dissipated_energy_midpoint];
+        let rest = [self.released, self.residual];
+        [self.work, before, after, end, middle, rest[0], rest[1]]
+    }
+
+    const fn from_parts(parts: [f64; 7]) -> Self {
+        let [work, before, after, end, middle, released, residual] = parts;
         Self {
-            work: self.work + other.work,
-            elastic_before: self.elastic_before + other.elastic_before,
-            elastic_after: self.elastic_after + other.elastic_after,
-            dissipated_energy: self.dissipated_energy + other.dissipated_energy,
-            dissipated_energy_midpoint: self.dissipated_energy_midpoint
-                + other.dissipated_energy_midpoint,
-            released: self.released + other.released,
-            residual: self.residual + other.residual,
+            work,
+            elastic_before: before,
+            elastic_after: after,
+            dissipated_energy: end,
+            dissipated_energy_midpoint: middle,
+            released,
+            residual,
         }
     }
 
@@ -135,49 +142,22 @@ impl EnergyBalance {
     }
 }
 
+impl Reduction for EnergyBalance {
+    /// Returns the sum of this balance and the balance of other cells.
+    fn plus(self, other: Self) -> Self {
+        Self::from_parts(self.parts().plus(other.parts()))
+    }
+}
+
 impl WireFormat for EnergyBalance {
     const COUNT: usize = <[f64; 7]>::COUNT;
-    const ZERO: Self = Self {
-        work: 0.0,
-        elastic_before: 0.0,
-        elastic_after: 0.0,
-        dissipated_energy: 0.0,
-        dissipated_energy_midpoint: 0.0,
-        released: 0.0,
-        residual: 0.0,
-    };
+    const ZERO: Self = Self::from_parts([0.0; 7]);
 
     fn write(self, words: &mut Vec<u64>) {
-        let energies = [
-            self.work,
-            self.elastic_before,
-            self.elastic_after,
-            self.dissipated_energy,
-            self.dissipated_energy_midpoint,
-            self.released,
-            self.residual,
-        ];
-        energies.write(words);
+        self.parts().write(words);
     }
 
     fn read(words: &mut &[u64]) -> Self {
-        let [
-            work,
-            elastic_before,
-            elastic_after,
-            dissipated_energy,
-            dissipated_energy_midpoint,
-            released,
-            residual,
-        ] = WireFormat::read(words);
-        Self {
-            work,
-            elastic_before,
-            elastic_after,
-            dissipated_energy,
-            dissipated_energy_midpoint,
-            released,
-            residual,
-        }
+        Self::from_parts(WireFormat::read(words))
     }
 }

@@ -24,7 +24,7 @@ pub(crate) fn compliance(
     gap: f64,
     pressure: f64,
 ) -> EntryCompliance {
-    if gap <= 0.0 {
+    if gap <= 0.0 || pressure <= 0.0 {
         return EntryCompliance::NONE;
     }
     let [through, along] = ratios_of_compliances(normal.pair(), normal.grid());

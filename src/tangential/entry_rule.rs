@@ -4,10 +4,10 @@ use crate::bodies::material::ElasticPair;
 use crate::cgm::{CellCompliance, reduce};
 use crate::error::Result;
 use crate::grid::Grid;
-use crate::half_space::HalfSpace;
+use crate::half_space::{HalfSpace, Region};
 use crate::memory::fallible;
-use crate::parallel;
-use crate::tangential::{Axis, TangentialIncrement, at};
+use crate::parallel::layout::Layout;
+use crate::tangential::Axis;
 
 /// Motion that a cell follows if it comes into contact within a step.
 ///
@@ -86,102 +86,85 @@ impl EntryCompliance {
     }
 }
 
-impl TangentialIncrement {
-    /// Sets the entry compliance $`B = \kappa\,g/p`$ of the cells that come into contact in this step. `gap` returns
-    /// the gap of each cell of the grid at the start of the step. The gap of a cell in the earlier contact is zero.
-    pub(crate) fn enter(&mut self, gap: impl Fn(usize) -> f64) -> Result<()> {
-        let (pressed, diagonal) = (&self.pressed, &mut self.diagonal);
-        fallible::resize(diagonal, pressed.region.cells(), 0.0)?;
-        pressed.region.collect(gap, diagonal);
-        let kappa = ratio_of_compliances(&self.bodies);
-        let (pressure, limits) = (&pressed.pressure, &pressed.limits.cells);
-        parallel::update(diagonal, |first, chunk| {
-            for (k, value) in (first..).zip(chunk) {
-                *value = if limits[k] > 0.0 {
-                    entry_compliance(kappa * *value, pressure[k])
-                } else {
-                    0.0
-                };
-            }
-        });
-        self.deviator.clear();
-        self.has_entered = reduce::any(pressed.region.layout(), |k| diagonal[k] > 0.0);
-        if !self.has_entered {
-            self.diagonal.clear();
-        }
-        Ok(())
-    }
+/// Entry compliances of the cells of a region in one step.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct EntryCompliances {
+    /// Mean over all directions. Empty if no cell comes into contact.
+    pub(crate) mean: Vec<f64>,
+    /// Deviators in the plane. `[a, b]` is the matrix with the rows `[a, b]` and `[b, -a]`. The vector is empty if the
+    /// compliances are the same in all directions.
+    pub(crate) deviator: Vec<[f64; 2]>,
+    /// Whether a cell of any rank may come into contact in the step.
+    pub(crate) is_active: bool,
+}
 
-    /// Sets the entry compliance for rolling, in which it depends on the direction. `own` returns the compliance of a
-    /// cell of the grid, given its pressure.
-    pub(crate) fn set_rolling_entry_compliance(
+impl EntryCompliances {
+    /// Sets the entry compliance $`B = \kappa\,g/p`$ of each cell. `gap` returns the gap of each cell of the grid at the
+    /// start of the step. The gap of a cell in the earlier contact is zero. `pressure` is a function of a cell of the
+    /// region.
+    pub(crate) fn set(
         &mut self,
-        own: impl Fn(usize, f64) -> EntryCompliance,
+        bodies: &HalfSpace,
+        region: &Region,
+        gap: impl Fn(usize) -> f64,
+        pressure: impl Fn(usize) -> f64,
     ) -> Result<()> {
-        let cells = self.pressed.region.cells();
-        fallible::resize(&mut self.diagonal, cells, 0.0)?;
+        let kappa = ratio_of_compliances(bodies);
+        fallible::resize(&mut self.mean, region.cells(), 0.0)?;
+        region.collect(|cell| kappa * gap(cell), &mut self.mean);
+        for (k, value) in self.mean.iter_mut().enumerate() {
+            *value = entry_compliance(*value, pressure(k));
+        }
         self.deviator.clear();
-        if let [_, _] = self.axes {
-            fallible::resize(&mut self.deviator, cells, [0.0; 2])?;
-        }
-        self.has_entered = false;
-        for (k, index) in self.pressed.region.own().indices().enumerate() {
-            let own = if self.pressed.limits.cells[k] > 0.0 {
-                own(index, self.pressed.pressure[k])
-            } else {
-                EntryCompliance::NONE
-            };
-            self.diagonal[k] = match self.axes {
-                [Axis::X] => own.xx,
-                [Axis::Y] => own.yy,
-                _ => own.mean(),
-            };
-            if let Some(deviator) = self.deviator.get_mut(k) {
-                *deviator = own.deviator();
-            }
-            self.has_entered |= self.diagonal[k] > 0.0;
-        }
-        if !self.has_entered {
-            self.enter_nowhere();
-        }
+        self.is_active = true;
         Ok(())
     }
 
-    /// Clears the entry compliances, because no cell comes into contact in this step.
-    pub(crate) fn enter_nowhere(&mut self) {
-        self.has_entered = false;
-        self.diagonal.clear();
+    /// Sets the entry compliances for rolling, which depend on the direction. `of` returns the compliance of a cell, given
+    /// its index in the region and its index in the grid.
+    pub(crate) fn set_rolling(
+        &mut self,
+        axes: &[Axis],
+        region: &Region,
+        of: impl Fn(usize, usize) -> EntryCompliance,
+    ) -> Result<()> {
+        let cells = region.cells();
+        self.clear();
+        fallible::make_room(&mut self.mean, cells)?;
+        if axes == Axis::BOTH {
+            fallible::make_room(&mut self.deviator, cells)?;
+        }
+        for (k, index) in region.own().indices().enumerate() {
+            let own = of(k, index);
+            match axes {
+                [Axis::X] => self.mean.push(own.xx),
+                [Axis::Y] => self.mean.push(own.yy),
+                _ => {
+                    self.mean.push(own.mean());
+                    self.deviator.push(own.deviator());
+                }
+            }
+        }
+        self.is_active = true;
+        Ok(())
+    }
+
+    /// Removes all compliances, because no cell comes into contact in the step.
+    pub(crate) fn clear(&mut self) {
+        self.is_active = false;
+        self.mean.clear();
         self.deviator.clear();
     }
 
-    /// Returns the number of cells that [`Self::write_entered`] needs room for.
-    pub(crate) fn entered_cells(&self) -> usize {
-        if self.has_entered {
-            self.pressed.region.held().cells()
-        } else {
-            0
+    /// Removes all compliances if they are zero on all ranks.
+    pub(crate) fn clear_if_zero(&mut self, layout: &Layout) {
+        if self.is_active && !reduce::any(layout, |k| self.mean[k] > 0.0) {
+            self.clear();
         }
     }
 
-    /// Writes the mean entry compliance of the cells of the window in the last step to `entered`. If no cell came into
-    /// contact, `entered` becomes empty. Returns whether a cell of any rank came into contact.
-    pub(crate) fn write_entered(&self, entered: &mut Vec<f64>) -> bool {
-        entered.clear();
-        if self.has_entered {
-            entered.extend_from_slice(&self.pressed.region.given(&self.diagonal));
-        }
-        self.has_entered
-    }
-
-    /// Subtracts the lag $`B q`$ from the offsets of the cells that came into contact. The lag is the motion that a
-    /// cell has not followed.
-    pub(super) fn subtract_entry_lag(&mut self) {
-        let own = CellCompliance::new(&self.diagonal, &self.deviator);
-        for cell in 0..self.diagonal.len() {
-            let lag = own.added([0.0; 2], 1.0, cell, at(&self.traction, cell));
-            for axis in self.axes.iter().map(|axis| axis.index()) {
-                self.offset[axis][cell] -= lag[axis];
-            }
-        }
+    /// Returns the compliances of the cells.
+    pub(crate) fn cells(&self) -> CellCompliance<'_> {
+        CellCompliance::new(&self.mean, &self.deviator)
     }
 }

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use crate::bodies::coupling::Coupling;
-use crate::cgm::{CellCompliance, Total, reduce};
+use crate::cgm::{Total, reduce};
 use crate::contact::{LoadTrend, SolveContext, multipliers};
 use crate::error::{Result, has_squares};
 use crate::half_space::HalfSpace;
@@ -12,13 +12,14 @@ use crate::numerics::cell_vector::slices;
 use crate::parallel;
 use crate::report::Report;
 use crate::tangential::load::TangentialTarget;
+use crate::tangential::offset::Offsets;
 use crate::tangential::one_way::CouplingDisplacement;
 use crate::tangential::rigid_motion::{RigidMotion, centre};
 use crate::tangential::step_solution::StepSolution;
 use crate::tangential::traction_solver::{
     TangentialEngine, TangentialRequest, TangentialVector, at, engine_along, zeros,
 };
-use crate::tangential::{Axis, PressureOnWindow};
+use crate::tangential::{Axis, PressureOnWindow, RelativeDisplacement};
 
 /// Tangential contact on a window: pressure, limits and tractions of its cells, and the solver of a step.
 ///
@@ -28,25 +29,17 @@ use crate::tangential::{Axis, PressureOnWindow};
 /// $`s = C q + B q - S - \delta`$.
 #[derive(Debug, Clone)]
 pub(crate) struct TangentialIncrement {
-    pub(super) bodies: HalfSpace,
-    pub(super) axes: &'static [Axis],
+    bodies: HalfSpace,
     pub(crate) pressed: PressureOnWindow,
-    pub(super) engine: Box<dyn TangentialEngine>,
+    engine: Box<dyn TangentialEngine>,
     /// Start of the next step and solution of the last step.
-    pub(super) traction: TangentialVector,
-    /// Offset of every cell in this step.
-    pub(super) offset: TangentialVector,
+    traction: TangentialVector,
+    /// Offsets and entry compliances of the cells in this step.
+    pub(crate) offsets: Offsets,
     /// Linear term of the solve. A solve first overwrites the term. Between solves the vector is a scratch buffer.
-    pub(super) linear: TangentialVector,
-    /// Entry compliance of the cells that come into contact in this step. Empty if no cell comes into contact.
-    pub(super) diagonal: Vec<f64>,
-    /// Deviators of the entry compliances in the plane. `[a, b]` is the matrix with the rows `[a, b]` and `[b, -a]`.
-    /// The vector is empty if the compliances are the same in all directions.
-    pub(super) deviator: Vec<[f64; 2]>,
-    /// Whether a cell of any rank comes into contact in this step.
-    pub(super) has_entered: bool,
+    linear: TangentialVector,
     /// Operator of the tangential displacement by pressure, if it is modelled.
-    pub(super) drawing: Option<CouplingDisplacement>,
+    drawing: Option<CouplingDisplacement>,
     /// Motion of body 2 at the end of the last step.
     motion: RigidMotion,
 }
@@ -76,21 +69,17 @@ impl TangentialIncrement {
         Ok(Self {
             drawing: drawing.transpose()?,
             bodies: bodies.clone(),
-            axes,
             engine: engine_along(bodies, axes, size)?,
             traction: zeros(axes, cells)?,
-            offset: zeros(axes, cells)?,
+            offsets: Offsets::new(axes, cells)?,
             linear: zeros(axes, cells)?,
-            diagonal: Vec::new(),
-            deviator: Vec::new(),
-            has_entered: false,
             motion: RigidMotion::default(),
             pressed,
         })
     }
 
     pub(crate) fn axes(&self) -> &'static [Axis] {
-        self.axes
+        self.offsets.axes()
     }
 
     pub(crate) fn report(&self) -> &Report {
@@ -102,17 +91,9 @@ impl TangentialIncrement {
         self.motion
     }
 
-    /// Sets the present tractions from tractions of the whole grid.
-    pub(crate) fn set_traction(&mut self, traction: [&[f64]; 2]) {
-        for axis in self.axes.iter().map(|axis| axis.index()) {
-            let part = &mut self.traction[axis];
-            self.pressed.region.gather(traction[axis], part);
-        }
-    }
-
     /// Sets the present tractions from a function of axis and cell of the grid.
-    pub(crate) fn collect_traction(&mut self, traction: impl Fn(usize, usize) -> f64) {
-        for axis in self.axes.iter().map(|axis| axis.index()) {
+    pub(crate) fn set_traction(&mut self, traction: impl Fn(usize, usize) -> f64) {
+        for axis in self.axes().iter().map(|axis| axis.index()) {
             let part = &mut self.traction[axis];
             self.pressed
                 .region
@@ -123,7 +104,7 @@ impl TangentialIncrement {
     /// Writes the present tractions, zero outside the window, to another increment.
     pub(crate) fn hand_over(&self, other: &mut Self) -> Result<()> {
         let mut whole = fallible::zeros(self.bodies.grid().cells())?;
-        for axis in self.axes.iter().map(|axis| axis.index()) {
+        for axis in self.axes().iter().map(|axis| axis.index()) {
             whole.fill(0.0);
             let (from, to) = (&self.pressed.region, &other.pressed.region);
             from.scatter(&self.traction[axis], &mut whole);
@@ -134,7 +115,7 @@ impl TangentialIncrement {
 
     /// Extrapolates the present tractions by `parts` times a trend of the local cells.
     pub(crate) fn extrapolate(&mut self, trend: &LoadTrend<2>, parts: f64) {
-        for axis in self.axes.iter().map(|axis| axis.index()) {
+        for axis in self.axes().iter().map(|axis| axis.index()) {
             let change = self.pressed.region.taken(&trend.change[axis]);
             parallel::update(&mut self.traction[axis], |first, chunk| {
                 for (traction, change) in chunk.iter_mut().zip(&change[first..]) {
@@ -146,9 +127,35 @@ impl TangentialIncrement {
 
     /// Returns the solution of the last step.
     pub(crate) fn answer(&self) -> StepSolution<'_> {
-        let (traction, offset) = (slices(&self.traction), slices(&self.offset));
-        let found = [traction, self.engine.product(), offset];
-        StepSolution::new(&self.pressed, self.axes, found, self.motion)
+        let found = [slices(&self.traction), self.engine.product()];
+        StepSolution::new(&self.pressed, &self.offsets, found, self.motion)
+    }
+
+    /// Subtracts the surface displacement due to the growth of the pressure from the offsets, if pressure moves the
+    /// surfaces. A cell that sticks resists this displacement by traction. `before` returns the previous pressure of a
+    /// cell of the grid.
+    pub(crate) fn draw_from(&mut self, before: impl Fn(usize) -> f64) {
+        if let Some(drawing) = &mut self.drawing {
+            let buffer = &mut self.linear[self.offsets.axes()[0].index()];
+            self.pressed.region.collect(before, buffer);
+            let cells = self.pressed.pressure.iter().zip(buffer);
+            let grown = cells.map(|(now, before)| now - *before);
+            drawing.subtract(grown, &mut self.offsets.cells);
+        }
+    }
+
+    /// Sets the offsets of bodies that were apart before the step. The offset is the negated sum of the displacement
+    /// due to the pressure and the displacement `relative`.
+    pub(crate) fn draw(&mut self, relative: Option<&RelativeDisplacement>) {
+        self.offsets.reset();
+        if let Some(drawing) = &mut self.drawing {
+            let pressure = self.pressed.pressure.iter().copied();
+            drawing.subtract(pressure, &mut self.offsets.cells);
+        }
+        if let Some(relative) = relative {
+            let of = |axis: usize, cell: usize| relative.at(axis, cell);
+            self.offsets.displace(&self.pressed.region, of);
+        }
     }
 
     /// Returns the buffers of the solve to their pools. The displacements of the solution are lost.
@@ -161,7 +168,7 @@ impl TangentialIncrement {
         // The linear term can serve as a buffer, because a solve first overwrites it.
         self.engine.apply(&self.traction, &mut self.linear)?;
         let mut held = [Cow::Borrowed(&[][..]), Cow::Borrowed(&[][..])];
-        for axis in self.axes.iter().map(|axis| axis.index()) {
+        for axis in self.axes().iter().map(|axis| axis.index()) {
             held[axis] = self.pressed.region.given(&self.linear[axis]);
         }
         Ok(held)
@@ -191,7 +198,10 @@ impl TangentialIncrement {
         let outcome = self.minimise(totals, start, conditions);
         let beyond = self.engine.multiplier();
         self.motion.shift = [0, 1].map(|axis| self.motion.shift[axis] + beyond[axis]);
-        self.subtract_entry_lag();
+        let traction = &self.traction;
+        self.offsets.subtract_lag(|cell, entry| {
+            entry.cells().added([0.0; 2], 1.0, cell, at(traction, cell))
+        });
         outcome
     }
 
@@ -204,7 +214,7 @@ impl TangentialIncrement {
         let PressureOnWindow { region, limits, .. } = &self.pressed;
         let mut task = TangentialRequest {
             limits: &limits.cells,
-            own: CellCompliance::new(&self.diagonal, &self.deviator),
+            own: self.offsets.entry.cells(),
             linear: &self.linear,
             totals,
             known: None,
@@ -219,11 +229,12 @@ impl TangentialIncrement {
             Start::Nested => {
                 let is_at_rest = self.motion == RigidMotion::default();
                 let is_drawn = |offset: [f64; 2]| offset.iter().any(|part| *part != 0.0);
-                let is_drawn = reduce::any(region.layout(), |i| is_drawn(at(&self.offset, i)));
+                let offset = &self.offsets.cells;
+                let is_drawn = reduce::any(region.layout(), |i| is_drawn(at(offset, i)));
                 let is_moved = !is_at_rest || is_drawn;
                 let is_idle = !is_moved && totals.iter().all(|total| total.is_idle());
                 self.traction = if is_idle || limits.sum <= 0.0 {
-                    zeros(self.axes, region.cells())?
+                    zeros(self.offsets.axes(), region.cells())?
                 } else {
                     let [x, y] = totals.map(|total| total.sum().unwrap_or(0.0));
                     let is_sliding = x.hypot(y) >= limits.sum;
@@ -250,7 +261,7 @@ impl TangentialIncrement {
         let limits = &self.pressed.limits;
         let sums = (limits.sum > 0.0).then(|| limits.sums(force, cell_area));
         let measured = (self.datum(), cell_area);
-        demand.compute_totals(self.axes, sums, measured, &mut self.motion)
+        demand.compute_totals(self.axes(), sums, measured, &mut self.motion)
     }
 
     /// Returns an error if the squares of the tractions or displacements that the load causes overflow or underflow. If
@@ -301,7 +312,7 @@ impl TangentialIncrement {
         let grid = self.bodies.grid().whole();
         let largest = reduce::least(region.layout(), |cell| {
             let centre = centre(grid, own.index(cell));
-            Some((-limits[cell], (at(&self.offset, cell), centre)))
+            Some((-limits[cell], (at(&self.offsets.cells, cell), centre)))
         });
         let Some((_, (shift, centre))) = largest else {
             return [0.0; 2];
@@ -317,8 +328,8 @@ impl TangentialIncrement {
     fn set_linear(&mut self) {
         let (grid, motion) = (self.bodies.grid().whole(), self.motion);
         let own = self.pressed.region.own();
-        for axis in self.axes.iter().map(|axis| axis.index()) {
-            let offset = &self.offset[axis];
+        for axis in self.axes().iter().map(|axis| axis.index()) {
+            let offset = &self.offsets.cells[axis];
             parallel::update(&mut self.linear[axis], |first, chunk| {
                 for (k, linear) in (first..).zip(chunk) {
                     let moved = motion.at(centre(grid, own.index(k)))[axis];

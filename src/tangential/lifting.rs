@@ -3,33 +3,25 @@
 use crate::bodies::component::{Component, Direction};
 use crate::cgm::reduce;
 use crate::error::Result;
-use crate::half_space::{ElasticOperator, HalfSpace};
+use crate::half_space::HalfSpace;
 use crate::memory::fallible;
-use crate::operator::{Operator, Scratch};
 use crate::parallel::layout::Layout;
 use crate::tangential::Axis;
+use crate::tangential::one_way::CrossOperator;
 
 /// Operator of the normal displacement that tractions on a window cause.
 #[derive(Debug, Clone)]
 pub(crate) struct Lifting {
-    parts: [LiftPart; 2],
+    /// Operators for the tractions along each axis.
+    parts: [CrossOperator; 2],
     displacement: Vec<f64>,
-}
-
-/// Operator of the normal displacement due to the tractions along one axis.
-#[derive(Debug, Clone)]
-struct LiftPart {
-    operator: ElasticOperator<1>,
-    scratch: Scratch,
 }
 
 impl Lifting {
     pub(crate) fn new(bodies: &HalfSpace, size: [usize; 2]) -> Result<Self> {
         let parts = fallible::try_each(|axis| {
             let component = Component::of(Direction::Z, Axis::BOTH[axis].direction());
-            let operator = bodies.operator_of([[component]], size)?;
-            let scratch = operator.scratch()?;
-            Ok(LiftPart { operator, scratch })
+            CrossOperator::new(bodies, component, size)
         })?;
         Ok(Self {
             parts,
@@ -44,8 +36,7 @@ impl Lifting {
         let added = &mut self.displacement;
         for (part, traction) in self.parts.iter_mut().zip(traction) {
             if !traction.is_empty() {
-                part.operator
-                    .apply([traction], [&mut *added], &mut part.scratch);
+                part.apply(traction, added);
                 for (lift, added) in lift.iter_mut().zip(&*added) {
                     *lift += *added;
                 }

@@ -77,7 +77,7 @@ mod zone;
 
 pub(crate) use entry_rule::EntryRule;
 pub(crate) use entry_rule::{
-    EntryCompliance, entry_compliance, ratio_of_compliances, ratios_of_compliances,
+    EntryCompliance, EntryCompliances, entry_compliance, ratios_of_compliances,
 };
 pub use friction::Friction;
 pub(crate) use friction::FrictionWithin;
@@ -90,6 +90,7 @@ pub use jaeger::JaegerSuperposition;
 pub(crate) use lifting::{Lifting, lift_residual};
 pub(crate) use load::TangentialTarget;
 pub use load::{TangentialControl, TangentialLoad};
+pub(crate) use offset::{Offsets, carry_offsets};
 pub(crate) use one_way::CouplingDisplacement;
 pub use pressure_source::PressureSource;
 pub(crate) use pressure_source::{check_bodies, contact_window};

@@ -8,33 +8,43 @@ use crate::operator::{Operator, Scratch};
 use crate::tangential::Axis;
 use crate::tangential::traction_solver::TangentialVector;
 
+/// Operator of the displacement along one direction by tractions along another direction, on a window.
+#[derive(Debug, Clone)]
+pub(super) struct CrossOperator {
+    operator: ElasticOperator<1>,
+    scratch: Scratch,
+}
+
+impl CrossOperator {
+    /// Creates the operator of a component.
+    pub(super) fn new(bodies: &HalfSpace, component: Component, size: [usize; 2]) -> Result<Self> {
+        let operator = bodies.operator_of([[component]], size)?;
+        Ok(Self {
+            scratch: operator.scratch()?,
+            operator,
+        })
+    }
+
+    /// Writes the displacement that tractions cause.
+    pub(super) fn apply(&mut self, traction: &[f64], displacement: &mut [f64]) {
+        let Self { operator, scratch } = self;
+        operator.apply([traction], [displacement], scratch);
+    }
+}
+
 /// Operator of the tangential displacement by pressures on a window, along the axes of a model.
 #[derive(Debug, Clone)]
 pub(crate) struct CouplingDisplacement {
-    parts: Vec<AxisPart>,
+    parts: Vec<(Axis, CrossOperator)>,
     pressure: Vec<f64>,
     displacement: Vec<f64>,
-}
-
-/// Operator of the displacement along one axis.
-#[derive(Debug, Clone)]
-struct AxisPart {
-    axis: Axis,
-    operator: ElasticOperator<1>,
-    scratch: Scratch,
 }
 
 impl CouplingDisplacement {
     pub(crate) fn new(bodies: &HalfSpace, axes: &[Axis], size: [usize; 2]) -> Result<Self> {
         let part = |&axis: &Axis| {
             let component = Component::of(axis.direction(), Direction::Z);
-            let operator = bodies.operator_of([[component]], size)?;
-            let scratch = operator.scratch()?;
-            Ok(AxisPart {
-                axis,
-                operator,
-                scratch,
-            })
+            Ok((axis, CrossOperator::new(bodies, component, size)?))
         };
         let cells = bodies.layout(size).cells();
         Ok(Self {
@@ -66,10 +76,9 @@ impl CouplingDisplacement {
         for (own, pressure) in self.pressure.iter_mut().zip(pressures) {
             *own = pressure;
         }
-        for part in &mut self.parts {
-            let (pressure, out) = ([&self.pressure[..]], [&mut self.displacement[..]]);
-            part.operator.apply(pressure, out, &mut part.scratch);
-            show(part.axis, &self.displacement);
+        for (axis, operator) in &mut self.parts {
+            operator.apply(&self.pressure, &mut self.displacement);
+            show(*axis, &self.displacement);
         }
     }
 }

@@ -4,7 +4,7 @@ use crate::half_space::Region;
 use crate::numerics::cell_vector::{dot, minus, slices};
 use crate::tangential::friction_limits::is_at_limit;
 use crate::tangential::traction_solver::at;
-use crate::tangential::{Axis, PressureOnWindow, RigidMotion, Zone};
+use crate::tangential::{Axis, Offsets, PressureOnWindow, RigidMotion, Zone};
 
 /// Pressure, limits, tractions and displacements at the end of a step, on the window of a contact. A component that the
 /// model omits is an empty slice.
@@ -18,27 +18,42 @@ pub(crate) struct StepSolution<'a> {
     pub(crate) displacement: [&'a [f64]; 2],
     /// Displacement minus motion of each cell while it sticks.
     pub(crate) offset: [&'a [f64]; 2],
+    /// Mean entry compliance of the cells. Empty if no cell came into contact.
+    pub(crate) entered: &'a [f64],
+    /// Whether a cell of any rank may have come into contact.
+    pub(crate) has_entered: bool,
     /// Motion of body 2 at the end of the step.
     pub(crate) motion: RigidMotion,
 }
 
 impl<'a> StepSolution<'a> {
-    /// Creates the solution from traction, displacement and offset of the cells under this pressure.
+    /// Creates the solution from traction and displacement of the cells under this pressure, with these offsets.
     pub(crate) fn new(
         pressed: &'a PressureOnWindow,
-        axes: &'static [Axis],
-        [traction, displacement, offset]: [[&'a [f64]; 2]; 3],
+        offsets: &'a Offsets,
+        [traction, displacement]: [[&'a [f64]; 2]; 2],
         motion: RigidMotion,
     ) -> Self {
         Self {
             region: &pressed.region,
-            axes,
+            axes: offsets.axes(),
             pressure: &pressed.pressure,
             limits: &pressed.limits.cells,
             traction,
             displacement,
-            offset,
+            offset: offsets.slices(),
+            entered: &offsets.entry.mean,
+            has_entered: offsets.entry.is_active,
             motion,
+        }
+    }
+
+    /// Returns the number of local cells for which [`Self::entered`] needs memory.
+    pub(crate) fn entered_cells(&self) -> usize {
+        if self.has_entered {
+            self.region.held().cells()
+        } else {
+            0
         }
     }
 
@@ -55,7 +70,13 @@ impl<'a> StepSolution<'a> {
         if !region.is_moved() {
             return work(self);
         }
-        let (pressure, limits) = (region.given(self.pressure), region.given(self.limits));
+        let cells = [self.pressure, self.limits];
+        let [pressure, limits] = cells.map(|part| region.given(part));
+        let entered = if self.has_entered {
+            region.given(self.entered)
+        } else {
+            self.entered.into()
+        };
         let [traction, displacement, offset] =
             [self.traction, self.displacement, self.offset].map(give);
         work(&StepSolution {
@@ -64,6 +85,7 @@ impl<'a> StepSolution<'a> {
             traction: slices(&traction),
             displacement: slices(&displacement),
             offset: slices(&offset),
+            entered: &entered,
             ..*self
         })
     }

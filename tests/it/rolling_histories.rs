@@ -7,7 +7,7 @@ use stickslip::rolling::RollingProblem;
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
     Axis, Boundary, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
-    LoadStep, Material, NormalControl, TangentialControl, TangentialModel, Zone, surface,
+    LoadStep, Material, NormalControl, TangentialControl, TangentialModel, Warning, Zone, surface,
 };
 
 fn similar_bodies(grid: Grid, shear_modulus: f64, poisson: f64) -> HalfSpace {
@@ -424,6 +424,27 @@ fn one_way_rolling_converges_to_steady_rolling() {
     let steady = kit::solve(problem.creepage([0.02, 0.0]).tolerance(1e-10));
     let (found, expected) = (history.tangential_force()[0], steady.force()[0]);
     assert!((found - expected).abs() < 1e-6 * 0.51, "{found} {expected}");
+}
+
+#[test]
+fn rolled_step_without_contact_has_no_lift_warning() {
+    let grid = Grid::square(20, 2.5).unwrap();
+    let soft = Material::from_shear_modulus(1.0, 0.25).unwrap();
+    let pair = ElasticPair::new(soft, Material::rigid()).unwrap();
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let ball = surface::sphere(grid, 1.0).unwrap();
+    let builder = History::builder(&bodies, &ball, Friction::coulomb(0.3).unwrap());
+    let builder = builder.model(TangentialModel::Vector);
+    let mut history = builder.coupling(Coupling::OneWay).build().unwrap();
+    let unloaded = history.state().clone();
+    history.step(&press(1.7)).unwrap();
+    let rolled = LoadStep::hold().roll(Rolling::new(1).creepage([0.05, 0.0]));
+    let is_lift = |warning: &Warning| matches!(warning, Warning::NeglectedLift { .. });
+    let in_contact = history.step(&rolled).unwrap().warnings();
+    assert!(in_contact.iter().any(is_lift));
+    history.set_state(&unloaded).unwrap();
+    let apart = history.step(&rolled).unwrap().warnings();
+    assert!(!apart.iter().any(is_lift));
 }
 
 #[test]

@@ -5,11 +5,10 @@ use crate::error::Result;
 use crate::grid::Grid;
 use crate::grid::field::{Field, clone_in_place};
 use crate::grid::window::Window;
-use crate::history::state::State;
+use crate::history::state::{State, clones};
+use crate::history::step::solve::StepInput;
 use crate::memory::fallible::{self, TryClone, try_clone, try_each};
-use crate::tangential::{
-    Axis, RigidMotion, TangentialIncrement, TangentialTarget, TangentialVector, centre, zeros,
-};
+use crate::tangential::{Axis, RigidMotion, TangentialIncrement, TangentialVector, centre, zeros};
 
 /// Displacement and offset of the local cells of a window.
 #[derive(Debug)]
@@ -31,17 +30,7 @@ pub(crate) struct Memory {
     pub(in crate::history) has_entered: bool,
 }
 
-clone_in_place!(Memory {
-    window,
-    displacement,
-    offset,
-    trend,
-    slip,
-    entered,
-    has_entered,
-});
-
-try_clone!(Memory { displacement, offset, trend, slip, entered } { window, has_entered });
+clones!(Memory { displacement, offset, trend, slip, entered } { window, has_entered });
 
 impl Memory {
     /// Creates the memory at the first touch of bodies without displacement.
@@ -77,15 +66,6 @@ impl Memory {
         })
     }
 
-    /// Clears slip and entry compliance of the last step, after a step without contact.
-    pub(in crate::history) fn forget_step(&mut self) {
-        for part in &mut self.slip {
-            part.fill(0.0);
-        }
-        self.entered.clear();
-        self.has_entered = false;
-    }
-
     /// Extends the memory to the wider window of an increment. The values of the present cells remain bitwise
     /// unchanged.
     ///
@@ -108,7 +88,7 @@ impl Memory {
             held.spread(old, field);
         }
         self.window = increment.pressed.window();
-        increment.set_traction(traction.map(Field::as_slice));
+        increment.set_traction(|axis, cell| traction[axis].as_slice()[cell]);
         let displacement = increment.fresh_displacement()?;
         let cells = held.indices().enumerate();
         let added = cells.filter(|(_, i)| !old.contains(*i));
@@ -156,11 +136,11 @@ impl Memory {
     pub(in crate::history) fn parts_ahead(
         &self,
         state: &State,
-        demand: &TangentialTarget,
-        is_rolled: bool,
+        step: &StepInput<'_>,
     ) -> Option<f64> {
-        let ahead = demand.remaining_load(state.force, state.motion.shift);
-        let turns = !is_rolled && demand.twist.to_bits() != state.motion.twist.to_bits();
+        let ahead = step.target.remaining_load(state.force, state.motion.shift);
+        let is_turned = step.target.twist.to_bits() != state.motion.twist.to_bits();
+        let turns = is_turned && step.travel.is_none();
         let parts = self.trend.parts(ahead);
         parts.filter(|parts| *parts > 0.0 && !turns)
     }

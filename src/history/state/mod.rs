@@ -15,7 +15,6 @@ use crate::cgm::Settings;
 use crate::contact::LoadTrend;
 use crate::coupled::check_joint;
 use crate::error::{Error, Result};
-use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::grid::cell_value::CellValue;
 use crate::grid::field::{Field, clone_in_place};
@@ -24,10 +23,21 @@ use crate::half_space::HalfSpace;
 use crate::history::state::memory::Memory;
 use crate::history::state::relative_displacement::RelativeDisplacementState;
 use crate::memory::fallible::{self, TryClone, try_clone};
-use crate::normal::{Hardness, NormalControl, NormalSolution, PressureSolver};
+use crate::normal::{Hardness, NormalControl, NormalSolution};
 use crate::support::debug::shown;
 use crate::tangential::EntryRule;
 use crate::tangential::{Axis, Friction, RigidMotion, Zone, check_axes};
+
+/// Implements `Clone` and `TryClone` for a struct with the given fields: first the fields with buffers, then the fields
+/// without.
+macro_rules! clones {
+    ($type:ident { $($part:ident),* $(,)? } { $($plain:ident),* $(,)? }) => {
+        clone_in_place!($type { $($part,)* $($plain),* });
+        try_clone!($type { $($part),* } { $($plain),* });
+    };
+}
+
+use clones;
 
 /// State of a [`History`](crate::History). It contains everything that the next step starts from, except for the bodies
 /// and the buffers.
@@ -113,36 +123,7 @@ pub struct State {
 
 shown!(State: grid(), steps(), approach(), tangential_force(), shift(), twist());
 
-clone_in_place!(State {
-    axes,
-    settings,
-    friction,
-    gap,
-    hardness,
-    yielded,
-    relative,
-    normal,
-    pressed_gap,
-    is_pressure_stale,
-    pressed_by,
-    press_window,
-    trend,
-    contact,
-    traction,
-    slip,
-    accumulated_slip,
-    dissipated_energy,
-    zones,
-    motion,
-    force,
-    moment,
-    steps,
-    entry_rule,
-    coupling,
-    capacity,
-});
-
-try_clone!(State {
+clones!(State {
     friction, gap, hardness, yielded, relative, normal, pressed_gap, trend, contact, traction, slip, accumulated_slip,
     dissipated_energy, zones,
 } {
@@ -195,28 +176,13 @@ impl State {
         })
     }
 
-    /// Sets the hardness and creates the permanent depth if `stays` is set.
-    pub(super) fn limited(mut self, hardness: Option<Hardness>, stays: bool) -> Result<Self> {
-        let yielded = stays.then(|| Field::try_zeros(self.grid()));
-        self.yielded = yielded.transpose()?;
-        self.hardness = hardness;
-        Ok(self)
-    }
-
     /// Returns whether the pressure is the solution under this load within the present tolerance.
     pub(super) fn is_pressed_by(&self, load: NormalControl) -> bool {
         let report = self.normal.report();
         load == self.pressed_by
-            && !self.is_joint()
             && !self.is_pressure_stale
             && report.is_converged()
             && report.is_within(self.settings.tolerance)
-    }
-
-    /// Makes the pressure solver continue from this state.
-    pub(super) fn resume(&self, bodies: &HalfSpace, press: &mut PressureSolver) -> Result<()> {
-        let window = self.press_window.filter(|_| !self.is_joint());
-        press.resume(bodies, self.approach(), window, &self.trend)
     }
 
     /// Restores the memory to this window after a later widening, or removes the memory if `window` is `None`.
@@ -252,172 +218,5 @@ impl State {
         } else {
             Err(Error::MaterialMismatch { quantity: QUANTITY })
         }
-    }
-
-    /// Returns the grid of all fields.
-    #[must_use]
-    pub fn grid(&self) -> Grid {
-        self.gap.grid()
-    }
-
-    /// Returns the boundary condition at the edge of the grid.
-    #[must_use]
-    pub fn boundary(&self) -> Boundary {
-        self.normal.boundary()
-    }
-
-    /// Returns the materials of the two bodies.
-    #[must_use]
-    pub fn pair(&self) -> &ElasticPair {
-        self.normal.pair()
-    }
-
-    /// Returns the axis of tangential load and tractions in the scalar model, or `None` in the vector model.
-    #[must_use]
-    pub fn axis(&self) -> Option<Axis> {
-        Axis::only(self.axes)
-    }
-
-    /// Returns the settings of the next step.
-    #[must_use]
-    pub fn settings(&self) -> &Settings {
-        &self.settings
-    }
-
-    /// Returns the friction of the next step.
-    #[must_use]
-    pub fn friction(&self) -> &Friction {
-        &self.friction
-    }
-
-    /// Returns the hardness, which limits the pressure of every step. Returns `None` if the history has no hardness.
-    #[must_use]
-    pub fn hardness(&self) -> Option<&Hardness> {
-        self.hardness.as_ref()
-    }
-
-    /// Returns the [relative displacement](crate::history::HistoryBuilder::relative_displacement) of body 1 after the
-    /// last step (lengths, `[x, y]`). The contact does not cause this displacement. Returns `None` if the history has
-    /// no relative displacement.
-    #[must_use]
-    pub fn relative_displacement(&self) -> Option<[&Field; 2]> {
-        let relative = self.relative.as_ref();
-        relative.map(|relative| relative.reached.fields())
-    }
-
-    /// Returns the accumulated plastic depth since the start (lengths, non-negative). Returns `None` unless the depth
-    /// is [permanent](crate::history::HistoryBuilder::permanent_set).
-    #[must_use]
-    pub fn yielded(&self) -> Option<&Field> {
-        self.yielded.as_ref()
-    }
-
-    /// Returns the gap before loading (lengths), which is the last gap set plus the [plastic depth](Self::yielded).
-    #[must_use]
-    pub fn gap(&self) -> &Field {
-        &self.gap
-    }
-
-    /// Returns the rule for the motion of cells that come into contact within a step.
-    #[must_use]
-    pub fn entry_rule(&self) -> EntryRule {
-        self.entry_rule
-    }
-
-    /// Returns the model of the coupling between pressure and traction. The model has an effect only if the bodies are
-    /// coupled ([`ElasticPair::is_coupled`]).
-    #[must_use]
-    pub fn coupling(&self) -> Coupling {
-        self.coupling
-    }
-
-    /// Returns whether the gap has changed since the pressure was solved for. A step that holds the pressure then has
-    /// the warning [`Warning::StalePressure`](crate::Warning::StalePressure).
-    #[must_use]
-    pub fn is_pressure_stale(&self) -> bool {
-        self.is_pressure_stale
-    }
-
-    /// Returns the normal contact: pressure, approach, gap under load, contact area and warnings.
-    #[must_use]
-    pub fn normal(&self) -> &NormalSolution {
-        &self.normal
-    }
-
-    /// Returns the pressure p >= 0, which is exactly zero outside the contact.
-    #[must_use]
-    pub fn pressure(&self) -> &Field {
-        self.normal.pressure()
-    }
-
-    /// Returns the approach of the bodies from the datum of the gap (a length).
-    #[must_use]
-    pub fn approach(&self) -> f64 {
-        self.normal.approach()
-    }
-
-    /// Returns the shear traction q on body 1 (pressures), positive along the axes. The traction is exactly zero
-    /// outside the contact.
-    #[must_use]
-    pub fn traction(&self) -> [&Field; 2] {
-        self.traction.each_ref()
-    }
-
-    /// Returns the sum of the signed slips of all steps (lengths). After rolling, the sums belong to the particles.
-    #[must_use]
-    pub fn slip(&self) -> [&Field; 2] {
-        self.slip.each_ref()
-    }
-
-    /// Returns the accumulated slip, the length of the slip path in all steps (lengths, non-negative). After rolling,
-    /// this length belongs to the particles.
-    #[must_use]
-    pub fn accumulated_slip(&self) -> &Field {
-        &self.accumulated_slip
-    }
-
-    /// Returns the energy that each cell has dissipated in all steps, the sum of
-    /// [`StepResult::dissipated_energy`](crate::history::StepResult::dissipated_energy) (energies, force times length,
-    /// non-negative).
-    #[must_use]
-    pub fn dissipated_energy(&self) -> &Field {
-        &self.dissipated_energy
-    }
-
-    /// Returns the zone of every cell after the last step, row-major with x fastest.
-    #[must_use]
-    pub fn zones(&self) -> &[Zone] {
-        &self.zones
-    }
-
-    /// Returns the shift of body 2 relative to body 1 since the start (lengths).
-    #[must_use]
-    pub fn shift(&self) -> [f64; 2] {
-        self.motion.shift
-    }
-
-    /// Returns the rotation of body 2 relative to body 1 since the start (radians, positive from x to y).
-    #[must_use]
-    pub fn twist(&self) -> f64 {
-        self.motion.twist
-    }
-
-    /// Returns the tangential force that body 2 exerts on body 1.
-    #[must_use]
-    pub fn tangential_force(&self) -> [f64; 2] {
-        self.force
-    }
-
-    /// Returns the moment of the tractions on body 1 about the origin of the grid (force times length, positive from x
-    /// to y).
-    #[must_use]
-    pub fn moment(&self) -> f64 {
-        self.moment
-    }
-
-    /// Returns the number of steps taken since the start.
-    #[must_use]
-    pub fn steps(&self) -> u64 {
-        self.steps
     }
 }

@@ -1,88 +1,163 @@
 //! Read access to the state of a history.
 
+use crate::bodies::coupling::Coupling;
+use crate::bodies::material::ElasticPair;
 use crate::cgm::Settings;
 use crate::error::Result;
 use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::grid::field::Field;
-use crate::history::{History, StepResult};
-use crate::normal::NormalSolution;
-use crate::tangential::{self, Axis, Friction, Zone};
+use crate::history::{History, State, StepResult};
+use crate::normal::{Hardness, NormalSolution};
+use crate::tangential::{self, Axis, EntryRule, Friction, Zone};
 
-impl History {
-    /// Returns the settings of the next step.
-    #[must_use]
-    pub fn settings(&self) -> &Settings {
-        self.state.settings()
-    }
+/// Defines methods of a state that return a value, and the same methods of a history.
+macro_rules! readers {
+    ($state:ident; $($(#[$attribute:meta])* $name:ident: $value:ty = $read:expr;)+) => {
+        impl State {
+            $(
+                $(#[$attribute])*
+                #[must_use]
+                pub fn $name(&self) -> $value {
+                    let $state = self;
+                    $read
+                }
+            )+
+        }
 
-    /// Returns the result of the last step. All its values are zero before the first step.
-    #[must_use]
-    pub fn last_step(&self) -> &StepResult {
-        &self.step
-    }
+        impl History {
+            $(
+                $(#[$attribute])*
+                #[must_use]
+                pub fn $name(&self) -> $value {
+                    self.state.$name()
+                }
+            )+
+        }
+    };
+}
 
-    /// Returns the number of steps taken since the start.
-    #[must_use]
-    pub fn steps(&self) -> u64 {
-        self.state.steps()
-    }
+readers! { state;
+    /// Returns the boundary condition at the edge of the grid.
+    boundary: Boundary = state.normal.boundary();
 
     /// Returns the grid of all fields.
-    #[must_use]
-    pub fn grid(&self) -> Grid {
-        self.bodies.grid()
-    }
-
-    /// Returns the boundary condition at the edge of the grid.
-    #[must_use]
-    pub fn boundary(&self) -> Boundary {
-        self.bodies.boundary()
-    }
+    grid: Grid = state.gap.grid();
 
     /// Returns the axis of tangential load and tractions in the scalar model, or `None` in the vector model.
-    #[must_use]
-    pub fn axis(&self) -> Option<Axis> {
-        self.state.axis()
-    }
+    axis: Option<Axis> = Axis::only(state.axes);
 
-    /// Returns the gap before loading (lengths), which is the last gap set plus the [plastic
-    /// depth](crate::history::State::yielded).
-    #[must_use]
-    pub fn gap(&self) -> &Field {
-        self.state.gap()
-    }
+    /// Returns the settings of the next step.
+    settings: &Settings = &state.settings;
 
     /// Returns the friction of the next step.
-    #[must_use]
-    pub fn friction(&self) -> &Friction {
-        self.state.friction()
-    }
+    friction: &Friction = &state.friction;
+
+    /// Returns the gap before loading (lengths), which is the last gap set plus the [plastic depth](State::yielded).
+    gap: &Field = &state.gap;
 
     /// Returns the normal contact: pressure, approach, gap under load, contact area and warnings.
-    #[must_use]
-    pub fn normal(&self) -> &NormalSolution {
-        self.state.normal()
-    }
+    normal: &NormalSolution = &state.normal;
 
     /// Returns the pressure p >= 0, which is exactly zero outside the contact.
-    #[must_use]
-    pub fn pressure(&self) -> &Field {
-        self.state.pressure()
-    }
+    pressure: &Field = state.normal.pressure();
 
     /// Returns the approach of the bodies from the datum of the gap (a length).
-    #[must_use]
-    pub fn approach(&self) -> f64 {
-        self.state.approach()
-    }
+    approach: f64 = state.normal.approach();
 
     /// Returns the shear traction q on body 1 (pressures), positive along the axes. The traction is exactly zero
     /// outside the contact.
     #[doc(alias = "shear stress")]
+    traction: [&Field; 2] = state.traction.each_ref();
+
+    /// Returns the sum of the signed slips of all steps (lengths). After rolling, the sums belong to the particles.
+    slip: [&Field; 2] = state.slip.each_ref();
+
+    /// Returns the accumulated slip, the length of the slip path in all steps (lengths, non-negative). After rolling,
+    /// this length belongs to the particles.
+    accumulated_slip: &Field = &state.accumulated_slip;
+
+    /// Returns the energy that each cell has dissipated in all steps, the sum of
+    /// [`StepResult::dissipated_energy`](crate::history::StepResult::dissipated_energy) (energies, force times length,
+    /// non-negative).
+    #[doc(alias = "dissipated energy")]
+    dissipated_energy: &Field = &state.dissipated_energy;
+
+    /// Returns the zone of every cell after the last step, row-major with x fastest.
+    zones: &[Zone] = &state.zones;
+
+    /// Returns the shift of body 2 relative to body 1 since the start (lengths).
+    shift: [f64; 2] = state.motion.shift;
+
+    /// Returns the rotation of body 2 relative to body 1 since the start (radians, positive from x to y).
+    twist: f64 = state.motion.twist;
+
+    /// Returns the tangential force that body 2 exerts on body 1.
+    tangential_force: [f64; 2] = state.force;
+
+    /// Returns the moment of the tractions on body 1 about the origin of the grid (force times length, positive from x
+    /// to y).
+    moment: f64 = state.moment;
+
+    /// Returns the number of steps taken since the start.
+    steps: u64 = state.steps;
+}
+
+impl State {
+    /// Returns the materials of the two bodies.
     #[must_use]
-    pub fn traction(&self) -> [&Field; 2] {
-        self.state.traction()
+    pub fn pair(&self) -> &ElasticPair {
+        self.normal.pair()
+    }
+
+    /// Returns the hardness, which limits the pressure of every step. Returns `None` if the history has no hardness.
+    #[must_use]
+    pub fn hardness(&self) -> Option<&Hardness> {
+        self.hardness.as_ref()
+    }
+
+    /// Returns the [relative displacement](crate::history::HistoryBuilder::relative_displacement) of body 1 after the
+    /// last step (lengths, `[x, y]`). The contact does not cause this displacement. Returns `None` if the history has
+    /// no relative displacement.
+    #[must_use]
+    pub fn relative_displacement(&self) -> Option<[&Field; 2]> {
+        let relative = self.relative.as_ref();
+        relative.map(|relative| relative.reached.fields())
+    }
+
+    /// Returns the accumulated plastic depth since the start (lengths, non-negative). Returns `None` unless the depth
+    /// is [permanent](crate::history::HistoryBuilder::permanent_set).
+    #[must_use]
+    pub fn yielded(&self) -> Option<&Field> {
+        self.yielded.as_ref()
+    }
+
+    /// Returns the rule for the motion of cells that come into contact within a step.
+    #[must_use]
+    pub fn entry_rule(&self) -> EntryRule {
+        self.entry_rule
+    }
+
+    /// Returns the model of the coupling between pressure and traction. The model has an effect only if the bodies are
+    /// coupled ([`ElasticPair::is_coupled`]).
+    #[must_use]
+    pub fn coupling(&self) -> Coupling {
+        self.coupling
+    }
+
+    /// Returns whether the gap has changed since the pressure was solved for. A step that holds the pressure then has
+    /// the warning [`Warning::StalePressure`](crate::Warning::StalePressure).
+    #[must_use]
+    pub fn is_pressure_stale(&self) -> bool {
+        self.is_pressure_stale
+    }
+}
+
+impl History {
+    /// Returns the result of the last step. All its values are zero before the first step.
+    #[must_use]
+    pub fn last_step(&self) -> &StepResult {
+        &self.step
     }
 
     /// Computes the displacement of the surface of body 1 relative to the surface of body 2 due to the tractions
@@ -94,55 +169,15 @@ impl History {
     /// - Errors of [`HalfSpace::operator`](crate::HalfSpace::operator).
     /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail.
     pub fn displacement(&self) -> Result<[Field; 2]> {
-        let joint = self.state.contact.as_ref();
-        if let Some(memory) = joint.filter(|_| self.state.is_joint()) {
+        if let Some(memory) = self
+            .state
+            .contact
+            .as_ref()
+            .filter(|_| self.state.is_joint())
+        {
             return memory.fields(self.grid());
         }
         tangential::displacement(&self.bodies, self.state.axes, self.traction())
-    }
-
-    /// Returns the sum of the signed slips of all steps (lengths).
-    #[must_use]
-    pub fn slip(&self) -> [&Field; 2] {
-        self.state.slip()
-    }
-
-    /// Returns the accumulated slip, the length of the slip path in all steps (lengths, non-negative).
-    #[must_use]
-    pub fn accumulated_slip(&self) -> &Field {
-        self.state.accumulated_slip()
-    }
-
-    /// Returns the energy that each cell has dissipated in all steps, the sum of [`StepResult::dissipated_energy`]
-    /// (energies, force times length, non-negative).
-    #[doc(alias = "dissipated energy")]
-    #[must_use]
-    pub fn dissipated_energy(&self) -> &Field {
-        self.state.dissipated_energy()
-    }
-
-    /// Returns the zone of every cell after the last step, row-major with x fastest.
-    #[must_use]
-    pub fn zones(&self) -> &[Zone] {
-        self.state.zones()
-    }
-
-    /// Returns the shift of body 2 relative to body 1 since the start (lengths).
-    #[must_use]
-    pub fn shift(&self) -> [f64; 2] {
-        self.state.shift()
-    }
-
-    /// Returns the rotation of body 2 relative to body 1 since the start (radians).
-    #[must_use]
-    pub fn twist(&self) -> f64 {
-        self.state.twist()
-    }
-
-    /// Returns the tangential force that body 2 exerts on body 1.
-    #[must_use]
-    pub fn tangential_force(&self) -> [f64; 2] {
-        self.state.tangential_force()
     }
 
     /// Returns the largest tangential force that friction can carry at the present pressure (a force), the integral of
@@ -151,12 +186,5 @@ impl History {
     pub fn friction_capacity(&self) -> f64 {
         let alone = || self.state.capacity_with(&self.bodies, self.friction());
         self.state.capacity.unwrap_or_else(alone)
-    }
-
-    /// Returns the moment of the tractions on body 1 about the origin of the grid (force times length, positive from x
-    /// to y).
-    #[must_use]
-    pub fn moment(&self) -> f64 {
-        self.state.moment()
     }
 }

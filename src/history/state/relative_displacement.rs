@@ -2,7 +2,7 @@
 
 use crate::error::{Error, Result, finite};
 use crate::grid::field::clone_in_place;
-use crate::history::state::State;
+use crate::history::state::{State, clones};
 use crate::history::{History, LoadStep};
 use crate::memory::fallible::{TryClone, try_clone};
 use crate::tangential::RelativeDisplacement;
@@ -17,13 +17,7 @@ pub(in crate::history) struct RelativeDisplacementState {
     pub(in crate::history) reached: RelativeDisplacement,
 }
 
-clone_in_place!(RelativeDisplacementState {
-    pattern,
-    amount,
-    reached,
-});
-
-try_clone!(RelativeDisplacementState { pattern, reached } { amount });
+clones!(RelativeDisplacementState { pattern, reached } { amount });
 
 impl RelativeDisplacementState {
     /// Creates a state with zero displacement.

@@ -25,7 +25,7 @@ pub(in crate::history) fn narrow(
     press_window: Option<Window>,
     margins: [usize; 2],
 ) {
-    let (grid, is_joint) = (state.grid(), state.is_joint());
+    let grid = state.grid();
     let after = state.pressure().as_slice();
     let before = before.map_or(after, Field::as_slice);
     let Some(contact) = bodies.around(|i| before[i] > 0.0 || after[i] > 0.0) else {
@@ -37,7 +37,8 @@ pub(in crate::history) fn narrow(
         needed.intersection(window).filter(|_| is_left)
     };
     // The memory of coupled bodies always covers the whole grid.
-    if let Some(memory) = state.contact.as_mut().filter(|_| !is_joint) {
+    let has_window = !state.is_joint();
+    if let Some(memory) = state.contact.as_mut().filter(|_| has_window) {
         if let Some(window) = smaller(memory.window, WASTE) {
             memory.narrow(grid, window);
         }

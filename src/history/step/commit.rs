@@ -2,51 +2,154 @@
 
 use crate::cgm::reduce::Reduction;
 use crate::grid::Grid;
-use crate::grid::field::Field;
 use crate::grid::window::Window;
-use crate::history::EnergyBalance;
 use crate::history::state::State;
 use crate::history::state::memory::Memory;
-use crate::history::step::result::StepResult;
+use crate::history::state::permanent_set::update_permanent_set;
+use crate::history::state::window_shrinking::narrow;
+use crate::history::step::diagnostics::StepDiagnostics;
+use crate::history::step::solve::StepInput;
+use crate::history::{EnergyBalance, History, StepResult};
+use crate::normal::{NormalControl, NormalSolution};
 use crate::numerics::cell_vector::{dot, minus, plus, slices};
 use crate::parallel::Blocks;
 use crate::parallel::ranks::WireFormat;
+use crate::report::Report;
 use crate::rolling::RollingShift;
 use crate::tangential::{RigidMotion, StepSolution, Zone, at, centre};
+use crate::warning::Resolution;
 
-/// Commits a step that ended with `motion` to the state and writes its results. `travel` is the path of rolling bodies.
-/// `pressure_before` is the earlier pressure if the step has changed the pressure. `written` is the window of the
-/// fields that were last written.
-pub(in crate::history) fn commit(
-    answer: Option<&StepSolution<'_>>,
+impl History {
+    /// Commits a solved step that ended with this motion to the state, and writes its results.
+    pub(in crate::history) fn commit(&mut self, input: &StepInput<'_>, motion: RigidMotion) {
+        let Self {
+            bodies,
+            state,
+            step,
+            scheme,
+            candidate,
+            ..
+        } = self;
+        let (load, control, travel) = (input.load, input.load.normal_control(), &input.travel);
+        let (mut pressing, press_window) = (EnergyBalance::default(), state.press_window);
+        let is_pressed = candidate.held().is_some();
+        match candidate.held_mut() {
+            None if control == NormalControl::Hold => {
+                step.normal_report.clone_from(&Report::unsolved());
+            }
+            None => step.normal_report.recall(state.normal.report()),
+            Some(candidate) => {
+                if state.is_joint() {
+                    let before = (&state.normal, &state.pressed_gap);
+                    let (layout, after) = (bodies.grid_layout(), (&*candidate, &state.gap));
+                    let place = |i: usize| travel.map_or(Some(i), |travel| travel.before(i));
+                    pressing = EnergyBalance::of_pressing(&layout, before, after, place);
+                }
+                std::mem::swap(&mut state.normal, candidate);
+                state.pressed_gap.clone_from(&state.gap);
+                state.is_pressure_stale = false;
+                state.pressed_by = control;
+                state.press_window = scheme.window();
+                scheme.write_trend(&mut state.trend);
+                step.normal_report.clone_from(state.normal.report());
+            }
+        }
+        step.remarks = StepDiagnostics {
+            is_pressure_stale: state.is_pressure_stale,
+            edge_cells: state.normal.cells_on_edge(),
+            is_apart: state.normal.force() <= 0.0,
+            overloaded_cells: state.normal.overloaded_cells(),
+            neglected_lift: scheme.neglected_lift(),
+            ..StepDiagnostics::default()
+        };
+        step.normal_force = state.normal.force();
+        step.approach = state.approach();
+        let found = scheme.solution();
+        let unsolved = Report::unsolved();
+        let report = found.map_or(&unsolved, |_| scheme.report());
+        step.tangential_report.clone_from(report);
+        let moved = motion.since(state.motion).shift;
+        let [x, y] = state.force;
+        let force_before = x.hypot(y);
+        let before = candidate.held().map(NormalSolution::pressure);
+        // After a return to an earlier state, the window may differ from the window of the last step.
+        let window = found.map(|found| found.region.window());
+        if self.written != window {
+            step.clear_fields();
+            self.written = window;
+        }
+        if let Some(travel) = travel {
+            // The trend of the next step describes the tractions of cells, not of particles.
+            state.keep_traction(travel, before);
+            state.shift_with_particles(travel, motion);
+        }
+        commit_tractions(found, motion, travel.as_ref(), state, step);
+        let rolled = load.rolling().zip(*travel);
+        step.creepage = rolled.map(|(rolling, travel)| rolling.reached(load, moved, travel.length));
+        let cells = step.stick_cells + step.slip_cells;
+        let zones = [step.stick_cells, step.slip_cells];
+        step.remarks.resolution = Resolution::of_contact(state.grid().whole(), cells)
+            .with_zones(zones, || state.normal.edge_sides());
+        if travel.is_some() {
+            step.remarks.resolution = step.remarks.resolution.of_rolling();
+        }
+        if let (Some(before), None) = (before, travel) {
+            let layout = bodies.grid_layout();
+            step.remarks.is_pressed_at_once = state.has_grown_at_once(before, &layout);
+        }
+        state.reach(load);
+        if is_pressed {
+            update_permanent_set(state);
+            state.gather_capacity(bodies);
+            state.normal.measure_scale(bodies, &state.pressed_gap);
+        }
+        step.remarks.scale = state.normal.scale();
+        if load.holds_shift() && !step.remarks.is_apart {
+            step.remarks.lost_per_cent = lost_per_cent(force_before, step);
+        }
+        step.energy = step.energy.plus(pressing);
+        let margins = travel.map_or([0; 2], |travel| travel.margins());
+        narrow(bodies, state, before, press_window, margins);
+    }
+}
+
+/// Returns the fraction of the tangential force that a step lost, in per cent. Returns zero for a force that is within
+/// round-off of the normal force.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the number lies between 0 and 100"
+)]
+fn lost_per_cent(before: f64, step: &StepResult) -> usize {
+    const ROUND_OFF: f64 = 1e-3;
+    let [x, y] = step.force;
+    let lost = 1.0 - x.hypot(y) / before;
+    if before > ROUND_OFF * step.normal_force && lost > 0.0 {
+        (100.0 * lost).round() as usize
+    } else {
+        0
+    }
+}
+
+/// Commits the tractions of a step that ended with `motion` to the state, and writes the results of the cells. `found`
+/// is `None` before the first contact. `travel` is the path of rolling bodies.
+fn commit_tractions(
+    found: Option<StepSolution<'_>>,
     motion: RigidMotion,
     travel: Option<&RollingShift>,
-    pressure_before: Option<&Field>,
     state: &mut State,
     step: &mut StepResult,
-    written: &mut Option<Window>,
 ) {
-    // After a return to an earlier state, the window may differ from the window of the last step.
-    let window = answer.map(|answer| answer.region.window());
-    if *written != window {
-        step.clear_fields();
-        *written = window;
-    }
     let (before, force, moment) = (state.motion, state.force, state.moment);
     let change = motion.since(before);
-    if let Some(travel) = travel {
-        // The trend of the next step describes the tractions of cells, not of particles.
-        state.keep_traction(travel, pressure_before);
-        state.shift_with_particles(travel, motion);
-    }
     let back = travel.map_or([0.0; 2], |travel| travel.back);
     (step.stick_cells, step.slip_cells) = (0, 0);
     step.energy = EnergyBalance::default();
     state.motion = motion;
     // The memory is moved out of the state so that both can be written.
     let mut contact = state.contact.take();
-    if let Some((answer, memory)) = answer.zip(contact.as_mut()) {
-        answer.with_held(|answer| enter(answer, (before, back), memory, state, step));
+    if let Some((found, memory)) = found.zip(contact.as_mut()) {
+        found.with_held(|found| enter(found, (before, back), memory, state, step));
         let by = [0, 1].map(|axis| state.force[axis] - force[axis]);
         memory.trend.by = [0, 1].map(|axis| [by[axis], change.shift[axis]]);
     }
@@ -108,7 +211,7 @@ fn enter(
         let [traction, accumulated, slip] = vectors;
         let [path, energy, distance, dissipated, mid_step] = numbers;
         let [mut offset, mut trend, mut last_slip] = own;
-        let mut account = StepTotals::ZERO;
+        let mut totals = StepTotals::ZERO;
         for (own, i) in columns.clone().enumerate() {
             let offsets = offset.each_ref().map(|part| &*part.items);
             let q = traction.each_ref().map(|part| part.items[i]);
@@ -132,19 +235,23 @@ fn enter(
             dissipated.items[i] = cell.energy.dissipated_energy;
             energy.items[i] += dissipated.items[i];
             mid_step.items[i] = cell.energy.dissipated_energy_midpoint;
-            account = account.plus(&cell.account());
+            totals = Reduction::plus(totals, cell.totals());
         }
-        account
+        totals
     };
     let layout = answer.region.held_layout();
-    let account = layout.sweep((vectors, numbers, (zones, own)), work, |a, b| a.plus(&b));
-    state.force = account.traction.map(|sum| grid.cell_area() * sum);
-    state.moment = grid.cell_area() * account.moment;
-    step.energy = account.energy;
-    [step.stick_cells, step.slip_cells] = account.cells;
+    let totals = layout.sweep((vectors, numbers, (zones, own)), work, Reduction::plus);
+    let (traction, moment, energy, [stick, slip]) = totals;
+    state.force = traction.map(|sum| grid.cell_area() * sum);
+    state.moment = grid.cell_area() * moment;
+    step.energy = energy;
+    (step.stick_cells, step.slip_cells) = (stick, slip);
     for (memory, displacement) in memory.displacement.iter_mut().zip(answer.displacement) {
         memory.copy_from_slice(displacement);
     }
+    memory.has_entered = answer.has_entered;
+    memory.entered.clear();
+    memory.entered.extend_from_slice(answer.entered);
 }
 
 /// Writes a vector to a cell, for the components that the model includes.
@@ -247,62 +354,12 @@ impl CellStep {
         }
     }
 
-    fn account(&self) -> StepTotals {
+    fn totals(&self) -> StepTotals {
         let [[x, y], [qx, qy]] = [self.centre, self.traction];
-        StepTotals {
-            traction: self.traction,
-            moment: x * qy - y * qx,
-            energy: self.energy,
-            cells: [Zone::Stick, Zone::Slip].map(|zone| usize::from(self.zone == zone)),
-        }
+        let cells = [Zone::Stick, Zone::Slip].map(|zone| usize::from(self.zone == zone));
+        (self.traction, x * qy - y * qx, self.energy, cells)
     }
 }
 
-/// Sums over cells.
-#[derive(Debug, Clone, Copy)]
-struct StepTotals {
-    traction: [f64; 2],
-    moment: f64,
-    energy: EnergyBalance,
-    /// Numbers of cells that stick and that slip.
-    cells: [usize; 2],
-}
-
-impl WireFormat for StepTotals {
-    const COUNT: usize = Parts::COUNT;
-    const ZERO: Self = Self {
-        traction: [0.0; 2],
-        moment: 0.0,
-        energy: EnergyBalance::ZERO,
-        cells: [0; 2],
-    };
-
-    fn write(self, words: &mut Vec<u64>) {
-        let parts: Parts = (self.traction, self.moment, self.energy, self.cells);
-        parts.write(words);
-    }
-
-    fn read(words: &mut &[u64]) -> Self {
-        let (traction, moment, energy, cells) = Parts::read(words);
-        Self {
-            traction,
-            moment,
-            energy,
-            cells,
-        }
-    }
-}
-
-/// Parts of the sums that ranks exchange.
-type Parts = ([f64; 2], f64, EnergyBalance, [usize; 2]);
-
-impl StepTotals {
-    fn plus(&self, other: &Self) -> Self {
-        Self {
-            traction: Reduction::plus(self.traction, other.traction),
-            moment: self.moment + other.moment,
-            energy: self.energy.plus(&other.energy),
-            cells: Reduction::plus(self.cells, other.cells),
-        }
-    }
-}
+/// Sums over cells: traction, its moment, energies, and the numbers of cells that stick and that slip.
+type StepTotals = ([f64; 2], f64, EnergyBalance, [usize; 2]);

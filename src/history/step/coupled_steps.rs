@@ -1,20 +1,21 @@
-//! Steps of bodies with coupled pressure and traction.
+//! Steps in which pressure and tractions are solved together.
 
 use crate::bodies::coupling::Coupling;
 use crate::contact::{LoadTrend, SolveContext};
 use crate::coupled::{CoupledIncrement, CoupledTarget};
-use crate::error::{Result, of_rolling};
+use crate::error::Result;
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
 use crate::history::state::memory::Memory;
-use crate::history::{History, LoadStep};
+use crate::history::step::scheme::StepSolver;
+use crate::history::step::solve::StepInput;
 use crate::memory::fallible::TryClone;
-use crate::normal::NormalControl;
+use crate::memory::pool::PooledBuffer;
+use crate::normal::{NormalControl, NormalSolution};
 use crate::observer::Observer;
-use crate::rolling::RollingShift;
-use crate::rolling::entry::compliance;
-use crate::tangential::{Axis, EntryCompliance, RigidMotion};
+use crate::report::Report;
+use crate::tangential::{Axis, RigidMotion, StepSolution};
 
 impl State {
     /// Sets the coupling. The memory of a coupled solve covers the whole grid and both axes.
@@ -42,90 +43,63 @@ impl State {
     }
 }
 
-impl History {
-    /// Solves a step with coupled pressure and traction without changing the state. Returns the motion of body 2 at the
-    /// end of the step, or `None` if the bodies are not coupled.
-    pub(in crate::history) fn find_jointly(
+impl StepSolver for CoupledIncrement {
+    fn solve(
         &mut self,
-        load: &LoadStep,
+        bodies: &HalfSpace,
+        step: &StepInput<'_>,
+        state: &mut State,
+        normal: &mut PooledBuffer<NormalSolution>,
         observer: Observer<'_>,
-    ) -> Result<Option<RigidMotion>> {
-        let (state, Some(joint)) = (&self.state, &mut self.joint) else {
-            return Ok(None);
-        };
-        let normal = match load.normal_control() {
+    ) -> Result<RigidMotion> {
+        if self.window() != state.press_window {
+            Self::resume(self, state.press_window)?;
+        }
+        let control = match step.load.normal_control() {
             NormalControl::Hold => NormalControl::Force(state.normal.force()),
             control => control,
         };
         let hardness = state.hardness.as_ref();
-        normal.check(&self.bodies, &state.gap, hardness)?;
-        if let Some(memory) = &state.contact {
-            joint.set_offset(&memory.offset);
-        }
-        if let Some(change) = state.displaced_by(load) {
-            joint.displace(change);
-        }
-        let travel = load.rolling().map(|rolling| rolling.travel(&self.bodies));
-        let motion = state.demand(load, &self.bodies);
-        match &travel {
-            Some(travel) => roll(joint, state, (&self.bodies, normal), travel, motion.twist)?,
-            None => joint.enter(state.closing(&self.bodies, normal, false))?,
-        }
+        control.check(bodies, &state.gap, hardness)?;
+        let Self {
+            offsets, pressed, ..
+        } = self;
+        state.set_offsets(step, &pressed.region, offsets);
+        // The solve divides the compliances by the pressure that it computes.
+        let place = (bodies, &pressed.region);
+        state.set_entry(place, step, control, offsets, |_| 1.0)?;
         let (pressure, traction) = (state.pressure(), state.traction());
-        joint.set_start(pressure, traction, state.approach(), state.shift());
-        let mut conditions = SolveContext::new(&state.settings, observer);
-        let demand = CoupledTarget {
+        self.set_start(pressure, traction, state.approach(), state.shift());
+        let target = CoupledTarget {
             gap: &state.gap,
             friction: &state.friction,
             hardness,
-            normal,
-            tangential: motion,
+            normal: control,
+            tangential: step.target,
         };
-        let solved = joint.solve(demand, state.motion, &mut conditions);
-        if travel.is_some() {
-            solved.map_err(of_rolling)?;
-        } else {
-            solved?;
+        let mut conditions = SolveContext::new(&state.settings, observer);
+        Self::solve(self, target, state.motion, &mut conditions)?;
+        let normal = normal.take(|| state.normal.try_clone())?;
+        self.write(&state.gap, hardness, normal);
+        if let Some(travel) = &step.travel {
+            travel.check_ahead(bodies, normal.pressure())?;
         }
-        let candidate = self.candidate.take(|| state.normal.try_clone())?;
-        joint.write(&state.gap, hardness, candidate);
-        if let Some(travel) = &travel {
-            travel.check_ahead(&self.bodies, candidate.pressure())?;
-        }
-        Ok(Some(joint.answer().motion))
+        Ok(self.answer().motion)
     }
-}
 
-/// Sets up a step that moves other particles into the cells. `twist` is the twist of body 2 at the end of the step.
-fn roll(
-    joint: &mut CoupledIncrement,
-    state: &State,
-    (bodies, control): (&HalfSpace, NormalControl),
-    travel: &RollingShift,
-    twist: f64,
-) -> Result<()> {
-    let passage = travel.through(state.grid().size());
-    let turned = travel.rotation_correction(0.5 * (state.twist() + twist));
-    joint.carry_offset(|part| passage.shift_with_particles(part), turned);
-    let Some(gap) = state.closing(bodies, control, true) else {
-        return joint.enter(None::<fn(usize) -> f64>);
-    };
-    // The compliance is set for a unit pressure, because the pressure of the cell is not known before the solve.
-    joint.set_rolling_entry_compliance(Some(|i: usize| {
-        let entered = |before| compliance(&state.normal, before, gap(before), 1.0);
-        travel.before(i).map_or(EntryCompliance::NONE, entered)
-    }))
-}
+    fn solution(&self) -> Option<StepSolution<'_>> {
+        Some(self.answer())
+    }
 
-/// Creates the solver for the steps of a coupled state. Returns `None` if the state is not coupled.
-pub(in crate::history) fn new_joint(
-    bodies: &HalfSpace,
-    state: &State,
-) -> Result<Option<Box<CoupledIncrement>>> {
-    let make = || {
-        let mut joint = CoupledIncrement::new(bodies)?;
-        joint.resume(state.press_window)?;
-        Ok(Box::new(joint))
-    };
-    state.is_joint().then(make).transpose()
+    fn report(&self) -> &Report {
+        Self::report(self)
+    }
+
+    fn window(&self) -> Option<Window> {
+        Self::window(self)
+    }
+
+    fn resume(&mut self, _: &HalfSpace, state: &State) -> Result<()> {
+        Self::resume(self, state.press_window)
+    }
 }

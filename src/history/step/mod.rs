@@ -11,36 +11,32 @@ pub(super) mod pool;
 pub(super) mod pressing;
 pub(super) mod result;
 pub(super) mod rolled;
+pub(super) mod scheme;
+pub(super) mod sequential;
 pub(super) mod solve;
 
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::cgm::{Iteration, Settings, reduce};
-use crate::coupled::CoupledIncrement;
 use crate::error::{Error, Result};
 use crate::grid::field::Field;
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::history::builder::HistoryBuilder;
 use crate::history::state::State;
-use crate::history::state::permanent_set::{add_yielded, update_permanent_set};
-use crate::history::state::window_shrinking::narrow;
-use crate::history::step::commit::commit;
-use crate::history::step::coupled_steps::new_joint;
-use crate::history::step::diagnostics::StepDiagnostics;
-use crate::history::step::neglected::StepLift;
-use crate::history::step::pool::IncrementPool;
-use crate::history::{EnergyBalance, LoadStep, StepResult};
+use crate::history::state::permanent_set::add_yielded;
+use crate::history::step::scheme::Scheme;
+use crate::history::step::solve::StepInput;
+use crate::history::{LoadStep, StepResult};
 use crate::memory::fallible::TryClone;
 use crate::memory::pool::PooledBuffer;
-use crate::normal::{NormalControl, NormalSolution, PressureSolver};
+use crate::normal::NormalSolution;
 use crate::observer::Observer;
 use crate::parallel;
-use crate::report::{Report, Status};
+use crate::report::Status;
 use crate::support::debug::shown;
-use crate::tangential::{Friction, RigidMotion, TangentialIncrement, TangentialModel};
-use crate::warning::Resolution;
+use crate::tangential::{Friction, TangentialModel};
 
 /// Two bodies in contact with a load history: pressure, traction, slip and energy after each step.
 ///
@@ -96,17 +92,10 @@ use crate::warning::Resolution;
 pub struct History {
     pub(crate) bodies: HalfSpace,
     pub(crate) state: State,
-    pub(super) press: PressureSolver,
+    scheme: Scheme,
     /// Normal contact of the present step.
-    pub(super) candidate: PooledBuffer<NormalSolution>,
-    pub(super) increments: IncrementPool,
-    /// Tangential contact of the present step.
-    pub(super) increment: Option<TangentialIncrement>,
-    /// Solver of coupled pressure and traction, which replaces `candidate` and `increment`. `None` for bodies without coupling.
-    pub(super) joint: Option<Box<CoupledIncrement>>,
+    candidate: PooledBuffer<NormalSolution>,
     pub(super) step: StepResult,
-    /// Lift due to the tractions of rolled steps with one-way coupling, or `None` before the first such step.
-    pub(super) lifting: Option<StepLift>,
     /// Window in which the fields of the step may be non-zero, or `None` if all fields are zero.
     written: Option<Window>,
 }
@@ -147,18 +136,14 @@ impl History {
             &[(ALL_BUT_FIELDS, &state.digest_on(bodies))],
         )?;
         state.gather_whole(bodies);
-        let mut press = PressureSolver::new();
-        state.resume(bodies, &mut press)?;
+        let mut scheme = Scheme::default();
+        scheme.continue_from(bodies, &state)?;
         bodies.joint(Ok(()))?;
         Ok(Self {
             bodies: bodies.clone(),
             candidate: PooledBuffer::new(bodies.pool(&[], bodies.grid().size())?),
-            press,
-            increments: IncrementPool::default(),
-            increment: None,
-            joint: new_joint(bodies, &state)?,
+            scheme,
             step: StepResult::new(state.grid())?,
-            lifting: None,
             written: None,
             state,
         })
@@ -188,8 +173,7 @@ impl History {
         if let Some(whole) = &mut whole {
             whole.gather_whole(&self.bodies);
         }
-        let Self { press, joint, .. } = self;
-        let resumed = resume(&self.bodies, state, press, joint);
+        let resumed = self.scheme.continue_from(&self.bodies, state);
         if let Err(error) = self.bodies.joint(resumed) {
             self.take_back()?;
             return Err(error);
@@ -222,8 +206,7 @@ impl History {
 
     /// Makes the solvers of the pressure start from the state again.
     pub(super) fn take_back(&mut self) -> Result<()> {
-        let Self { press, joint, .. } = self;
-        resume(&self.bodies, &self.state, press, joint)
+        self.scheme.continue_from(&self.bodies, &self.state)
     }
 
     /// Takes a step and returns its result. [`History::last_step`] returns this result later.
@@ -281,17 +264,15 @@ impl History {
         load: &LoadStep,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<&StepResult> {
-        let demand = self.state.demand(load, &self.bodies);
+        let input = self.state.input(load, &self.bodies);
         let checked = self.state.check_rolling(load, &self.bodies);
-        let checked = checked.and_then(|()| demand.check(self.state.axes, self.boundary()));
+        let checked = checked.and_then(|()| input.target.check(self.state.axes, self.boundary()));
         let checked = checked.and_then(|()| self.state.check_relative(load));
         self.bodies
             .collective_result_checked(checked, &[("load", load)])?;
         let outcome = parallel::enter_with(self.grid().cells(), || {
-            let outcome = self.take(load, &mut observer);
-            if let Some(increment) = self.increment.take() {
-                self.increments.give_back(increment);
-            }
+            let outcome = self.take(&input, &mut observer);
+            self.scheme.release();
             self.candidate.give_back();
             outcome
         });
@@ -300,122 +281,20 @@ impl History {
     }
 
     /// Takes a step whose load has been checked.
-    fn take(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<()> {
+    fn take(&mut self, step: &StepInput<'_>, observer: Observer<'_>) -> Result<()> {
         let remembered = self.state.contact.as_ref().map(|memory| memory.window);
-        let motion = self.attempt(load, observer)?;
+        let motion = self.attempt(step, observer)?;
         // On distributed bodies a copy of the state is kept, which is restored if a rank fails during the commit.
         let is_shared = self.bodies.is_shared();
         let keep = || Ok::<_, Error>((self.state.try_clone()?, self.step.try_clone()?));
         let kept = is_shared.then(keep).transpose()?;
-        self.enter(load, motion);
+        self.commit(step, motion);
         let entered = self.bodies.joint(Ok(()));
         if let (Err(_), Some(kept)) = (&entered, kept) {
             (self.state, self.step) = kept;
             self.state.crop_memory(remembered);
         }
         entered
-    }
-
-    /// Commits a solved step to the state.
-    fn enter(&mut self, load: &LoadStep, motion: RigidMotion) {
-        let Self { state, step, .. } = self;
-        let (mut pressing, press_window) = (EnergyBalance::default(), state.press_window);
-        let (control, is_pressed) = (load.normal_control(), self.candidate.held().is_some());
-        let travel = load.rolling().map(|rolling| rolling.travel(&self.bodies));
-        match self.candidate.held_mut() {
-            None if control == NormalControl::Hold => {
-                step.normal_report.clone_from(&Report::unsolved());
-            }
-            None => step.normal_report.recall(state.normal.report()),
-            Some(candidate) => {
-                let joint = self.joint.as_ref();
-                if joint.is_some() {
-                    let before = (&state.normal, &state.pressed_gap);
-                    let (layout, after) = (self.bodies.grid_layout(), (&*candidate, &state.gap));
-                    let place = |i: usize| travel.map_or(Some(i), |travel| travel.before(i));
-                    pressing = EnergyBalance::of_pressing(&layout, before, after, place);
-                }
-                std::mem::swap(&mut state.normal, candidate);
-                state.pressed_gap.clone_from(&state.gap);
-                state.is_pressure_stale = false;
-                state.pressed_by = control;
-                let alone = || self.press.window();
-                state.press_window = joint.map_or_else(alone, |joint| joint.window());
-                if joint.is_none() {
-                    self.press.write_trend(&mut state.trend);
-                }
-                step.normal_report.clone_from(state.normal.report());
-            }
-        }
-        step.remarks = StepDiagnostics {
-            is_pressed_at_once: false,
-            is_pressure_stale: state.is_pressure_stale,
-            edge_cells: state.normal.cells_on_edge(),
-            is_apart: state.normal.force() <= 0.0,
-            overloaded_cells: state.normal.overloaded_cells(),
-            neglected_lift: load
-                .rolling()
-                .and(self.lifting.as_ref())
-                .and_then(|lifting| lifting.found),
-            ..StepDiagnostics::default()
-        };
-        step.normal_force = state.normal.force();
-        step.approach = state.approach();
-        let (joint, increment) = (self.joint.as_ref(), self.increment.as_ref());
-        let solved = joint.map(|joint| (joint.answer(), joint.report()));
-        let solved = solved.or_else(|| increment.map(|part| (part.answer(), part.report())));
-        let (answer, report) = solved.unzip();
-        step.tangential_report
-            .clone_from(report.unwrap_or(&Report::unsolved()));
-        let moved = motion.since(state.motion).shift;
-        let [x, y] = state.force;
-        let force_before = x.hypot(y);
-        let before = self.candidate.held().map(NormalSolution::pressure);
-        commit(
-            answer.as_ref(),
-            motion,
-            travel.as_ref(),
-            before,
-            state,
-            step,
-            &mut self.written,
-        );
-        let rolled = load.rolling().zip(travel);
-        step.creepage = rolled.map(|(rolling, travel)| rolling.reached(load, moved, travel.length));
-        if let Some(memory) = &mut state.contact {
-            match (joint, increment) {
-                (Some(joint), _) => {
-                    memory.has_entered = joint.write_entered(&mut memory.entered);
-                }
-                (None, Some(increment)) => {
-                    memory.has_entered = increment.write_entered(&mut memory.entered);
-                }
-                (None, None) => memory.forget_step(),
-            }
-        }
-        let zones = [step.stick_cells, step.slip_cells];
-        step.remarks.resolution = Resolution::of_contact(state.grid().whole(), zones[0] + zones[1])
-            .with_zones(zones, || state.normal.edge_sides());
-        if travel.is_some() {
-            step.remarks.resolution = step.remarks.resolution.of_rolling();
-        }
-        if let (Some(before), None) = (before, travel) {
-            let layout = self.bodies.grid_layout();
-            step.remarks.is_pressed_at_once = state.has_grown_at_once(before, &layout);
-        }
-        state.reach(load);
-        if is_pressed {
-            update_permanent_set(state);
-            state.gather_capacity(&self.bodies);
-            state.normal.measure_scale(&self.bodies, &state.pressed_gap);
-        }
-        step.remarks.scale = state.normal.scale();
-        if load.holds_shift() && !step.remarks.is_apart {
-            step.remarks.lost_per_cent = lost_per_cent(force_before, step);
-        }
-        step.energy = step.energy.plus(&pressing);
-        let margins = travel.map_or([0; 2], |travel| travel.margins());
-        narrow(&self.bodies, state, before, press_window, margins);
     }
 
     /// Changes the gap before loading, for instance after wear. All other quantities are kept. The pressure changes in the first
@@ -488,17 +367,13 @@ impl History {
 impl TryClone for History {
     fn try_clone(&self) -> Result<Self> {
         let (bodies, state) = (&self.bodies, self.state.try_clone()?);
-        let (mut press, mut joint) = (PressureSolver::new(), None);
-        resume(bodies, &state, &mut press, &mut joint)?;
+        let mut scheme = Scheme::default();
+        scheme.continue_from(bodies, &state)?;
         Ok(Self {
             bodies: bodies.clone(),
             candidate: self.candidate.clone(),
-            press,
-            increments: IncrementPool::default(),
-            increment: None,
-            joint,
+            scheme,
             step: self.step.try_clone()?,
-            lifting: None,
             written: self.written,
             state,
         })
@@ -506,41 +381,5 @@ impl TryClone for History {
 
     fn has_room_for(&self, _: &Self) -> bool {
         false
-    }
-}
-
-/// Returns the fraction of the tangential force that a step lost, in per cent. Returns zero for a force that is within
-/// round-off of the normal force.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "the number lies between 0 and 100"
-)]
-fn lost_per_cent(before: f64, step: &StepResult) -> usize {
-    const ROUND_OFF: f64 = 1e-3;
-    let [x, y] = step.force;
-    let lost = 1.0 - x.hypot(y) / before;
-    if before > ROUND_OFF * step.normal_force && lost > 0.0 {
-        (100.0 * lost).round() as usize
-    } else {
-        0
-    }
-}
-
-/// Makes the solvers of the pressure continue from a state. Existing buffers are reused if they belong to the window of
-/// the state.
-fn resume(
-    bodies: &HalfSpace,
-    state: &State,
-    press: &mut PressureSolver,
-    joint: &mut Option<Box<CoupledIncrement>>,
-) -> Result<()> {
-    state.resume(bodies, press)?;
-    match joint {
-        Some(joint) if state.is_joint() => joint.resume(state.press_window),
-        joint => {
-            *joint = new_joint(bodies, state)?;
-            Ok(())
-        }
     }
 }

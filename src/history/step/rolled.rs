@@ -5,9 +5,12 @@ use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::LoadStep;
 use crate::history::state::State;
+use crate::history::step::solve::StepInput;
 use crate::rolling::LeadingEdge;
 use crate::rolling::RollingShift;
-use crate::tangential::{Axis, RigidMotion, TangentialControl, TangentialModel, TangentialTarget};
+use crate::tangential::{
+    Axis, RigidMotion, TangentialControl, TangentialModel, TangentialTarget, carry_offsets,
+};
 
 /// Rolling in a step: the number of cells, the leading edge, and the creepages and spin of body 2.
 ///
@@ -150,29 +153,25 @@ impl Rolling {
                 remedy,
             })
         };
-        if bodies.is_shared() {
-            let remedy = "use bodies that are not distributed";
-            return refused(
+        let unsupported = [
+            (
+                bodies.is_shared(),
                 "a grid that is distributed over ranks (value: the number of cells of the step)",
-                cells,
-                remedy,
-            );
-        }
-        if state.relative.is_some() {
-            let remedy = "build the history without a relative displacement";
-            return refused(
+                "use bodies that are not distributed",
+            ),
+            (
+                state.relative.is_some(),
                 "a relative displacement (value: the number of cells of the step)",
-                cells,
-                remedy,
-            );
-        }
-        if state.yielded.is_some() {
-            let remedy = "build the history without a permanent set";
-            return refused(
+                "build the history without a relative displacement",
+            ),
+            (
+                state.yielded.is_some(),
                 "a permanent set (value: the number of cells of the step)",
-                cells,
-                remedy,
-            );
+                "build the history without a permanent set",
+            ),
+        ];
+        if let Some((_, quantity, remedy)) = unsupported.into_iter().find(|row| row.0) {
+            return refused(quantity, cells, remedy);
         }
         if load.names_twist() {
             let twist = load.demand(0.0).twist;
@@ -235,16 +234,23 @@ impl LoadStep {
 }
 
 impl State {
-    /// Returns the tangential load at the end of a step.
-    pub(in crate::history) fn demand(
+    /// Returns the input of a step from this state.
+    pub(in crate::history) fn input<'a>(
         &self,
-        load: &LoadStep,
+        load: &'a LoadStep,
         bodies: &HalfSpace,
-    ) -> TangentialTarget {
-        let demand = load.demand(self.motion.twist);
-        match load.rolling() {
-            Some(rolling) => rolling.compute_target(demand, self, rolling.travel(bodies).length),
-            None => demand,
+    ) -> StepInput<'a> {
+        let mut target = load.demand(self.motion.twist);
+        let rolled = load
+            .rolling()
+            .map(|rolling| (rolling, rolling.travel(bodies)));
+        if let Some((rolling, travel)) = rolled {
+            target = rolling.compute_target(target, self, travel.length);
+        }
+        StepInput {
+            load,
+            target,
+            travel: rolled.map(|(_, travel)| travel),
         }
     }
 
@@ -287,22 +293,12 @@ impl State {
         }
         if let Some(memory) = &mut self.contact {
             let passage = travel.through(memory.window.size);
-            for part in memory
-                .displacement
-                .iter_mut()
-                .filter(|part| !part.is_empty())
-            {
+            for part in &mut memory.displacement {
                 passage.shift_with_particles(part);
             }
             let turned = travel.rotation_correction(0.5 * (self.motion.twist + end.twist));
-            for (part, turned) in memory.offset.iter_mut().zip(turned) {
-                if !part.is_empty() {
-                    passage.shift_with_particles(part);
-                }
-                for offset in part {
-                    *offset += turned;
-                }
-            }
+            let carry = |part: &mut [f64]| passage.shift_with_particles(part);
+            carry_offsets(&mut memory.offset, carry, turned);
         }
     }
 }

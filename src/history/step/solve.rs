@@ -1,22 +1,26 @@
 //! Solution of a step before it is committed to the state.
 
-use crate::contact::{Cancellation, SolveContext};
+use crate::contact::Cancellation;
 use crate::error::{Result, of_rolling};
-use crate::grid::field::Field;
 use crate::grid::window::Window;
-use crate::half_space::HalfSpace;
-use crate::history::state::memory::Memory;
-use crate::history::step::neglected::StepLift;
+use crate::half_space::{HalfSpace, Region};
+use crate::history::step::scheme::Scheme;
 use crate::history::{History, LoadStep, State};
-use crate::memory::fallible::{self, TryClone};
-use crate::normal::{NormalControl, NormalInput};
+use crate::memory::fallible;
+use crate::normal::NormalControl;
 use crate::observer::Observer;
-use crate::parallel;
 use crate::rolling::RollingShift;
 use crate::rolling::entry::compliance;
-use crate::tangential::{
-    EntryCompliance, RigidMotion, Start, TangentialIncrement, TangentialTarget,
-};
+use crate::tangential::{EntryCompliance, Offsets, RigidMotion, TangentialTarget, carry_offsets};
+
+/// Load of a step, with the tangential target and the paths of the particles that follow from the load.
+#[derive(Debug, Clone, Copy)]
+pub(in crate::history) struct StepInput<'a> {
+    pub(in crate::history) load: &'a LoadStep,
+    pub(in crate::history) target: TangentialTarget,
+    /// Paths of the particles of rolling bodies, or `None` if the step does not roll.
+    pub(in crate::history) travel: Option<RollingShift>,
+}
 
 impl History {
     /// Solves the normal and the tangential contact of a step and returns the motion of body 2 at its end. In the state
@@ -24,7 +28,7 @@ impl History {
     /// history is restored.
     pub(in crate::history) fn attempt(
         &mut self,
-        load: &LoadStep,
+        step: &StepInput<'_>,
         observer: Observer<'_>,
     ) -> Result<RigidMotion> {
         let mut attempt = StepTransaction {
@@ -35,22 +39,10 @@ impl History {
         let cancellation = Cancellation::default();
         let found = attempt
             .history
-            .find(load, &mut cancellation.watch(observer));
-        let History {
-            bodies,
-            joint,
-            increment,
-            press,
-            ..
-        } = &*attempt.history;
-        let mut outcome = cancellation.applied(bodies, found, || {
-            let of_traction = || increment.as_ref().map(TangentialIncrement::report);
-            let report = match joint {
-                Some(joint) => Some(joint.report()),
-                None => of_traction(),
-            };
-            report.unwrap_or(press.report()).clone().cancelled()
-        });
+            .find(step, &mut cancellation.watch(observer));
+        let History { bodies, scheme, .. } = &*attempt.history;
+        let mut outcome =
+            cancellation.applied(bodies, found, || scheme.report().clone().cancelled());
         if outcome.is_ok() {
             outcome = attempt.history.make_room().and(outcome);
         }
@@ -64,135 +56,29 @@ impl History {
 
     /// Reserves memory in the state for the results of a step, because the commit must not fail.
     fn make_room(&mut self) -> Result<()> {
-        let State { trend, .. } = &mut self.state;
-        let [change] = &mut trend.change;
-        fallible::make_room(change, self.press.trend_cells())?;
-        let entered = match &self.joint {
-            Some(_) => self.bodies.grid().cells(),
-            None => self
-                .increment
-                .as_ref()
-                .map_or(0, TangentialIncrement::entered_cells),
-        };
+        let found = self.scheme.solution();
         let memory = self.state.contact.as_mut();
-        memory.map_or(Ok(()), |memory| {
-            fallible::make_room(&mut memory.entered, entered)
+        found.zip(memory).map_or(Ok(()), |(found, memory)| {
+            fallible::make_room(&mut memory.entered, found.entered_cells())
         })
     }
 
-    /// Solves the normal and the tangential contact of a step.
-    fn find(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<RigidMotion> {
-        self.press.tick();
-        let joint = self.joint.as_ref();
-        let window = joint.map_or_else(|| self.press.window(), |joint| joint.window());
-        if window != self.state.press_window || joint.is_some() != self.state.is_joint() {
+    /// Solves a step with the scheme of the state.
+    fn find(&mut self, step: &StepInput<'_>, observer: Observer<'_>) -> Result<RigidMotion> {
+        if !self.scheme.is_for(&self.state) {
             self.take_back()?;
         }
-        if let Some(motion) = self.find_jointly(load, &mut *observer)? {
-            return Ok(motion);
+        let Self {
+            bodies,
+            state,
+            candidate,
+            ..
+        } = self;
+        let found = self.scheme.solve(bodies, step, state, candidate, observer);
+        if step.travel.is_some() {
+            return found.map_err(of_rolling);
         }
-        let control = load.normal_control();
-        if control != NormalControl::Hold && !self.state.is_pressed_by(control) {
-            self.find_pressure(control, &mut *observer)?;
-        }
-        self.find_tractions(load, observer)
-    }
-
-    /// Solves for the pressure of the step, which becomes the candidate.
-    fn find_pressure(&mut self, control: NormalControl, observer: Observer<'_>) -> Result<()> {
-        let state = &self.state;
-        control.check(&self.bodies, &state.gap, state.hardness.as_ref())?;
-        let of = NormalInput {
-            bodies: &self.bodies,
-            gap: &state.gap,
-            hardness: state.hardness.as_ref(),
-            control,
-            settings: &state.settings,
-        };
-        let candidate = self.candidate.take(|| state.normal.try_clone())?;
-        let pressure = candidate.pressure_mut();
-        parallel::copy(state.pressure().as_slice(), pressure);
-        self.press.solve(&of, pressure, observer)?;
-        self.press.finish(&of, candidate);
-        Ok(())
-    }
-
-    /// Solves for the tractions of the step under the pressure of the candidate. If the pressure is held, it is the
-    /// pressure of the state.
-    fn find_tractions(&mut self, load: &LoadStep, observer: Observer<'_>) -> Result<RigidMotion> {
-        let (grid, demand) = (self.bodies.grid(), self.state.demand(load, &self.bodies));
-        let travel = load.rolling().map(|rolling| rolling.travel(&self.bodies));
-        let State { axes, motion, .. } = self.state;
-        let candidate = self.candidate.held();
-        let pressed = candidate.unwrap_or(&self.state.normal);
-        let memory = &mut self.state.contact;
-        let present = memory.as_ref().map(|memory| memory.window);
-        let Some(mut window) = window_of(&self.bodies, pressed.pressure(), present) else {
-            return demand.without_contact(axes, motion);
-        };
-        if let Some(travel) = &travel {
-            let pressures = [self.state.normal.pressure(), pressed.pressure()];
-            window = travel.reach(&self.bodies, window, pressures)?;
-        }
-        let kind = (axes, self.state.coupling);
-        let increment = self.increments.take(&self.bodies, kind, window)?;
-        let increment = self.increment.insert(increment);
-        let memory = match memory {
-            Some(memory) => memory,
-            none => none.insert(Memory::first(grid, axes, window, motion)?),
-        };
-        let is_widened = memory.window != window;
-        if is_widened {
-            memory.widen(grid, increment, self.state.traction.each_ref(), motion)?;
-        }
-        increment.set_offset(&memory.offset);
-        let (state, is_pressed) = (&self.state, candidate.is_some());
-        let pressure = pressed.pressure().as_slice();
-        increment.pressed.set(pressure, &state.friction);
-        if let Some(change) = state.displaced_by(load) {
-            increment.displace(change);
-        }
-        let control = load.normal_control();
-        if let Some(travel) = &travel {
-            roll(increment, state, (&self.bodies, control), travel, &demand)?;
-            let pressures = [state.pressure(), pressed.pressure()];
-            increment.collect_traction(|axis, cell| {
-                travel.in_proportion(&state.traction[axis], pressures, cell)
-            });
-        } else {
-            press(increment, state, (&self.bodies, control), is_pressed)?;
-            increment.set_traction(state.traction.each_ref().map(Field::as_slice));
-        }
-        let mut conditions = SolveContext::new(&state.settings, observer);
-        let memory = state.contact.as_ref().filter(|_| !is_widened);
-        let is_rolled = travel.is_some();
-        let ahead = memory
-            .and_then(|memory| Some((memory, memory.parts_ahead(state, &demand, is_rolled)?)));
-        let start = match ahead {
-            Some((memory, parts)) => {
-                increment.extrapolate(&memory.trend, parts);
-                Start::Near
-            }
-            None if is_rolled => Start::Near,
-            None => Start::Present(state.shift()),
-        };
-        let solved = increment.solve(&demand, motion, start, &mut conditions);
-        if is_rolled {
-            solved.map_err(of_rolling)?;
-        } else {
-            solved?;
-        }
-        if is_rolled && state.coupling.is_one_way(self.bodies.pair()) {
-            let gap = if is_pressed {
-                &state.gap
-            } else {
-                &state.pressed_gap
-            };
-            let tolerance = state.settings.tolerance;
-            let (lifting, answer) = (&mut self.lifting, increment.answer());
-            StepLift::measure(lifting, &self.bodies, &answer, (pressed, gap), tolerance)?;
-        }
-        Ok(increment.motion())
+        found
     }
 }
 
@@ -217,74 +103,58 @@ impl Drop for StepTransaction<'_> {
     fn drop(&mut self) {
         if !self.is_over {
             self.forget();
-            let History {
-                press,
-                candidate,
-                increment,
-                joint,
-                ..
-            } = &mut *self.history;
-            press.reset();
-            *candidate = candidate.clone();
-            (*increment, *joint) = (None, None);
+            self.history.candidate = self.history.candidate.clone();
+            self.history.scheme = Scheme::default();
         }
     }
 }
 
-/// Sets up a step in which the pressure of the cells may change.
-fn press(
-    increment: &mut TangentialIncrement,
-    state: &State,
-    (bodies, control): (&HalfSpace, NormalControl),
-    is_pressed: bool,
-) -> Result<()> {
-    if is_pressed {
-        let before = state.pressure().as_slice();
-        increment.draw_from(|i| before[i]);
+impl State {
+    /// Sets the offsets of the cells of a region for a step.
+    pub(in crate::history) fn set_offsets(
+        &self,
+        step: &StepInput<'_>,
+        region: &Region,
+        offsets: &mut Offsets,
+    ) {
+        if let Some(memory) = &self.contact {
+            offsets.set(region, &memory.offset);
+        }
+        if let Some(change) = self.displaced_by(step.load) {
+            offsets.displace(region, change);
+        }
+        if let Some(travel) = &step.travel {
+            let passage = travel.through(region.window().size);
+            let turned = travel.rotation_correction(0.5 * (self.twist() + step.target.twist));
+            carry_offsets(
+                &mut offsets.cells,
+                |part| passage.shift_with_particles(part),
+                turned,
+            );
+        }
     }
-    let closing = is_pressed.then(|| state.closing(bodies, control, false));
-    let Some(gap) = closing.flatten() else {
-        increment.enter_nowhere();
-        return Ok(());
-    };
-    increment.enter(gap)
-}
 
-/// Sets up a step in which other particles move into the cells.
-fn roll(
-    increment: &mut TangentialIncrement,
-    state: &State,
-    (bodies, control): (&HalfSpace, NormalControl),
-    travel: &RollingShift,
-    demand: &TangentialTarget,
-) -> Result<()> {
-    let passage = travel.through(increment.pressed.window().size);
-    let turned = travel.rotation_correction(0.5 * (state.twist() + demand.twist));
-    increment.carry_offset(|part| passage.shift_with_particles(part), turned);
-    let pressure = state.pressure().as_slice();
-    increment.draw_from(|i| travel.before(i).map_or(0.0, |before| pressure[before]));
-    let Some(gap) = state.closing(bodies, control, true) else {
-        increment.enter_nowhere();
-        return Ok(());
-    };
-    increment.set_rolling_entry_compliance(|i, pressure| {
-        let entered = |before| compliance(&state.normal, before, gap(before), pressure);
-        travel.before(i).map_or(EntryCompliance::NONE, entered)
-    })
-}
-
-/// Returns the window for the tractions under a pressure, or `None` before the first contact. The present window is
-/// returned if it contains the contact or if there is no contact. Otherwise the window is wider, with a margin for
-/// further growth. The window of the first contact has no margin.
-fn window_of(bodies: &HalfSpace, pressure: &Field, present: Option<Window>) -> Option<Window> {
-    let (grid, samples) = (bodies.grid(), pressure.as_slice());
-    let Some(contact) = bodies.around(|i| samples[i] > 0.0) else {
-        return present;
-    };
-    let contact = bodies.restrict_to_window(contact);
-    Some(match present {
-        Some(window) if window.covers(contact) => window,
-        Some(window) => window.union(contact.widened(grid)),
-        None => contact,
-    })
+    /// Sets the entry compliances of the cells of a region for a step under this normal load. `pressure` returns the
+    /// pressure of a cell of the region at the end of the step. It returns one if the same solve computes the pressure.
+    pub(in crate::history) fn set_entry(
+        &self,
+        (bodies, region): (&HalfSpace, &Region),
+        step: &StepInput<'_>,
+        control: NormalControl,
+        offsets: &mut Offsets,
+        pressure: impl Fn(usize) -> f64,
+    ) -> Result<()> {
+        let Some(gap) = self.closing(bodies, control, step.travel.is_some()) else {
+            offsets.entry.clear();
+            return Ok(());
+        };
+        let Some(travel) = &step.travel else {
+            return offsets.entry.set(bodies, region, gap, pressure);
+        };
+        let axes = offsets.axes();
+        offsets.entry.set_rolling(axes, region, |k, cell| {
+            let entered = |before| compliance(&self.normal, before, gap(before), pressure(k));
+            travel.before(cell).map_or(EntryCompliance::NONE, entered)
+        })
+    }
 }
