@@ -78,12 +78,7 @@ pub(super) struct ProjectionOutcome {
 }
 
 /// State of one solve.
-#[expect(
-    missing_debug_implementations,
-    unnameable_types,
-    reason = "it appears in the sealed traits of the sets alone"
-)]
-pub struct ActiveSetSolve<'a, 'b, K: Constraint<N>, const N: usize> {
+pub(super) struct ActiveSetSolve<'a, 'b, K: Constraint<N>, const N: usize> {
     pub(super) problem: &'a Posed<'b, K, N>,
     pub(super) monitor: Monitor<'a>,
     pub(super) x: [&'a mut [f64]; N],

@@ -5,12 +5,8 @@ use crate::cgm::law::state::{CellMotion, Row};
 use crate::numerics::cell_vector::{dot, norm};
 
 /// Motion of a cell of a disc.
-#[expect(
-    unnameable_types,
-    reason = "it appears in the sealed traits of the sets alone"
-)]
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum DiscMotion {
+pub(crate) enum DiscMotion {
     /// The cell sticks and moves in any direction.
     Free,
     /// The cell slips and moves along the circle.
@@ -44,12 +40,8 @@ pub enum DiscMotion {
 /// tests $`e`$ was two fifths to three fifths of $`c_1`$. The value of $`c_1`$ was four to six times the least eigenvalue of a
 /// half-space. The number of steps changed by 2 %. The square root of this weight would require a tenth more steps, or a third
 /// more if cells come into contact.
-#[expect(
-    unnameable_types,
-    reason = "it appears in the sealed traits of the sets alone"
-)]
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Weight {
+pub(crate) struct Weight {
     /// Factor of the input and of the result of the inverse operator.
     pattern: f64,
     /// Factor of the residual in the term of the single cell.

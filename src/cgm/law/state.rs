@@ -4,22 +4,18 @@
 //! inside its set moves freely. A cell on a curved bound moves along the tangent, and the curvature of the bound adds a
 //! stiffness.
 
-use crate::cgm::active_set_solve::ActiveSetSolve;
 use crate::cgm::{Constraint, ConstraintSet};
 use crate::error::Result;
 use crate::parallel::layout::Layout;
-use crate::report::Status;
 
 /// Row of one cell in the linear problem of an outer step.
 ///
 /// A change `v` of the unknowns changes the tractions by [`extend`](Self::extend). [`restrict`](Self::restrict) forms the
 /// equations of the cell from the resulting displacements `w`. If the problem is the optimality condition of a minimum, the two
 /// maps are transposes of each other.
-#[expect(
-    unnameable_types,
-    reason = "it appears in the sealed traits of the sets alone"
-)]
-pub trait Row<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
+pub(crate) trait Row<const N: usize>:
+    Copy + std::fmt::Debug + Send + Sync + 'static
+{
     /// Whether some cell that can move has fewer free directions than components.
     const IS_CURVED: bool;
     /// Whether the same cells move throughout the solve: all cells whose set has more than one point.
@@ -60,11 +56,7 @@ pub trait Row<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
 }
 
 /// Motion of one cell of a set.
-#[expect(
-    unnameable_types,
-    reason = "it appears in the sealed traits of the sets alone"
-)]
-pub trait CellMotion<const N: usize>: Row<N> {
+pub(crate) trait CellMotion<const N: usize>: Row<N> {
     /// Passes the current stiffness to the preconditioner. The arguments are the [compliance](crate::Operator::self_compliance)
     /// of a cell in the operator and the additional compliance `diagonal` of this cell.
     #[must_use]
@@ -77,12 +69,8 @@ pub trait CellMotion<const N: usize>: Row<N> {
 }
 
 /// Position of prescribed sums in the range that the sets allow.
-#[expect(
-    unnameable_types,
-    reason = "it appears in the sealed traits of the sets alone"
-)]
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum TotalFeasibility<const N: usize> {
+pub(crate) enum TotalFeasibility<const N: usize> {
     /// The sums are strictly between the extremes: multipliers exist.
     Inside,
     /// The sums require every cell at the extreme point of its set along this direction.
@@ -90,15 +78,11 @@ pub enum TotalFeasibility<const N: usize> {
 }
 
 /// Interface of a type of set for the solver, in addition to [`ConstraintSet`].
-#[expect(
-    unnameable_types,
-    reason = "it appears in the sealed traits of the sets alone"
-)]
-pub trait LinearisedSet<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
+pub(crate) trait LinearisedSet<const N: usize>:
+    Copy + std::fmt::Debug + Send + Sync + 'static
+{
     /// Motion of a cell of this set.
     type CellMotion: CellMotion<N>;
-    /// Whether [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer) is defined for the set.
-    const HAS_SINGLE_LOOP: bool;
 
     /// Returns an error if the set is empty.
     fn check(self, cell: usize) -> Result<()>;
@@ -164,14 +148,6 @@ pub trait LinearisedSet<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 
         preferred: impl Fn(usize) -> bool + Sync,
         sums: [Option<f64>; N],
     ) -> bool
-    where
-        Self: ConstraintSet<N>;
-
-    /// Runs the iteration of [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer). Returns the final status, or `None` if
-    /// the sets cycle.
-    fn single_loop<K: Constraint<N, Set = Self>>(
-        run: &mut ActiveSetSolve<'_, '_, K, N>,
-    ) -> Option<Status>
     where
         Self: ConstraintSet<N>;
 }
