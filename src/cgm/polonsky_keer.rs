@@ -7,7 +7,7 @@
 use std::ops::ControlFlow;
 
 use crate::cgm::active_set_solve::{ActiveSetSolve, Precision};
-use crate::cgm::law::state::{CellMotion, LinearisedSet, Row};
+use crate::cgm::law::state::{LinearisedSet, Row};
 use crate::cgm::reduce::Reduction;
 use crate::cgm::{Constraint, ConstraintSet, MotionOf, reduce};
 use crate::numerics::cell_vector::{

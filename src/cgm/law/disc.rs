@@ -15,7 +15,7 @@
 
 use crate::cgm::law::disc_motion::DiscMotion;
 use crate::cgm::law::interval::EDGE;
-use crate::cgm::law::state::{CellMotion, LinearisedSet, TotalFeasibility};
+use crate::cgm::law::state::{LinearisedSet, Row, TotalFeasibility};
 use crate::cgm::{Constraint, ConstraintSet, reduce};
 use crate::error::{Error, Result, SLIDE, non_negative};
 use crate::numerics::cell_vector::{at, dot, norm, plus, slices, update_cells};

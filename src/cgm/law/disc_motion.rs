@@ -1,7 +1,7 @@
 //! Motion of a cell of a disc in the semismooth Newton step. The motion is free while the cell sticks, and along the circle while
 //! it slips.
 
-use crate::cgm::law::state::{CellMotion, Row};
+use crate::cgm::law::state::Row;
 use crate::numerics::cell_vector::{dot, norm};
 
 /// Motion of a cell of a disc.
@@ -98,7 +98,6 @@ impl DiscMotion {
 }
 
 impl Row<2> for DiscMotion {
-    const IS_CURVED: bool = true;
     const IS_STEADY: bool = true;
     const FREE: Self = Self::Free;
     const FIXED: Self = Self::Fixed;
@@ -109,12 +108,6 @@ impl Row<2> for DiscMotion {
 
     fn is_free(self) -> bool {
         self == Self::Free
-    }
-
-    /// The unknowns are a vector along the tangent.
-    #[inline]
-    fn extend(self, v: [f64; 2]) -> [f64; 2] {
-        v
     }
 
     #[inline]
@@ -155,9 +148,7 @@ impl Row<2> for DiscMotion {
             Self::Fixed => [0.0; 2],
         }
     }
-}
 
-impl CellMotion<2> for DiscMotion {
     fn with_preconditioner_weight(mut self, self_compliance: f64, diagonal: f64) -> Self {
         if let Self::Tangential {
             stiffness, weight, ..
@@ -165,10 +156,6 @@ impl CellMotion<2> for DiscMotion {
         {
             *weight = Weight::new(*stiffness + diagonal, self_compliance);
         }
-        self
-    }
-
-    fn released_from_bound(self, _: [f64; 2]) -> Self {
         self
     }
 }

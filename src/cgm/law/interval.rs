@@ -1,6 +1,6 @@
 //! Intervals: one unknown per cell between two bounds, with the updates of the primal-dual active-set method.
 
-use crate::cgm::law::state::{CellMotion, LinearisedSet, Row, TotalFeasibility};
+use crate::cgm::law::state::{LinearisedSet, Row, TotalFeasibility};
 use crate::cgm::{Constraint, ConstraintSet, reduce};
 use crate::error::{Error, Result};
 use crate::numerics::cell_vector::update_cells;
@@ -30,7 +30,6 @@ pub(crate) enum IntervalMotion {
 
 impl Row<1> for IntervalMotion {
     const IS_CURVED: bool = false;
-    const IS_STEADY: bool = false;
     const FREE: Self = Self::Free;
     const FIXED: Self = Self::Fixed;
 
@@ -41,37 +40,6 @@ impl Row<1> for IntervalMotion {
 
     fn is_free(self) -> bool {
         self == Self::Free
-    }
-
-    #[inline]
-    fn extend(self, v: [f64; 1]) -> [f64; 1] {
-        v
-    }
-
-    #[inline]
-    fn restrict(self, w: [f64; 1]) -> [f64; 1] {
-        w
-    }
-
-    #[inline]
-    fn bend(self, _: [f64; 1]) -> [f64; 1] {
-        [0.0]
-    }
-
-    #[inline]
-    fn weighted(self, r: [f64; 1]) -> [f64; 1] {
-        r
-    }
-
-    #[inline]
-    fn preconditioned(self, answer: [f64; 1], _: [f64; 1]) -> [f64; 1] {
-        answer
-    }
-}
-
-impl CellMotion<1> for IntervalMotion {
-    fn with_preconditioner_weight(self, _: f64, _: f64) -> Self {
-        self
     }
 
     fn released_from_bound(self, [g]: [f64; 1]) -> Self {
@@ -173,10 +141,6 @@ impl LinearisedSet<1> for Interval {
         } else {
             IntervalMotion::Free
         }
-    }
-
-    fn measured(self, motion: IntervalMotion, _: [f64; 1]) -> IntervalMotion {
-        motion
     }
 
     #[inline]

@@ -6,7 +6,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::{CellMotion, Disc, FixedSetSystem, LinearWorkspace, LinearisedSet};
+use crate::cgm::{Disc, FixedSetSystem, LinearWorkspace, LinearisedSet, Row};
 use crate::contact::with_counts_of;
 use crate::error::{Error, Result};
 use crate::numerics::cell_vector::{at, slices};
