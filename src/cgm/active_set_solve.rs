@@ -147,9 +147,9 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
     pub(super) fn find_bound_of_mean(&mut self) {
         let (least, layout) = (self.lower_bound.value, self.layout());
         let cells = layout.of_all_ranks();
-        let springs = self.problem.totals.map(|total| match total {
-            Total::Spring { .. } => total.uniform_compliance(cells),
-            Total::Free | Total::Sum(_) => None,
+        let springs = self.problem.totals.map(|total| {
+            let compliance = total.compliance();
+            compliance.map(|compliance| cells as f64 * compliance)
         });
         for (component, spring) in springs.iter().enumerate() {
             if spring.is_none_or(|compliance| compliance >= least) {
