@@ -21,6 +21,9 @@ const REFRESH: usize = 25;
 /// Number of steps without halving the residual after which the loop is stuck.
 const PATIENCE: usize = 200;
 
+/// Unknowns and states of the cells of a task.
+type StepBlocks<'a, K, const N: usize> = ([Blocks<'a, f64>; N], Blocks<'a, MotionOf<K, N>>);
+
 /// Sets with one unknown per cell only: [`Problem`](crate::cgm::Problem) rejects the method for other sets.
 impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     /// Runs the single loop. Returns the final status, or `None` if the sets cycle.
@@ -164,8 +167,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         let w = &mut *self.workspace;
         let (gradient, direction) = (slices(&w.gradient), slices(&w.linear.direction));
         let multiplier = w.multiplier;
-        type States<'a, K, const N: usize> = Blocks<'a, MotionOf<K, N>>;
-        let work = |task: usize, (mut x, state): ([Blocks<'_, f64>; N], States<'_, K, N>)| {
+        let work = |task: usize, (mut x, state): StepBlocks<'_, K, N>| {
             let (mut clipped, mut entered) = (0_usize, 0_usize);
             for (place, state) in state.items.iter_mut().enumerate() {
                 let i = task * layout.chunk() + place;
@@ -175,15 +177,12 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
                     let moved = plus(value, -length, at(&direction, i));
                     *state = set.motion(moved);
                     let is_clipped = !state.is_free();
-                    put(
-                        &mut x,
-                        place,
-                        if is_clipped {
-                            set.project(moved)
-                        } else {
-                            moved
-                        },
-                    );
+                    let next = if is_clipped {
+                        set.project(moved)
+                    } else {
+                        moved
+                    };
+                    put(&mut x, place, next);
                     clipped += usize::from(is_clipped);
                 } else if state.released_from_bound(r).is_free() {
                     put(&mut x, place, set.project(plus(value, -length, r)));
