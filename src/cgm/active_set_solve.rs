@@ -8,7 +8,7 @@ use crate::cgm::linear::{Linear, UpdatedIterate};
 use crate::cgm::monitor::{INNER_REDUCTION, Monitor, Progress};
 use crate::cgm::problem::Posed;
 use crate::cgm::totals::{Total, TotalsSystem, sums_of};
-use crate::cgm::{Constraint, ConstraintSet, MotionOf, Settings, Workspace, reduce};
+use crate::cgm::{Constraint, ConstraintSet, InitialGuess, MotionOf, Settings, Workspace, reduce};
 use crate::numerics::cell_vector::{at, dot, minus, norm, plus, slices, slices_mut, update_cells};
 use crate::observer::Observer;
 use crate::operator::{LowerBound, MeanBound, Operator, Scratch};
@@ -59,16 +59,6 @@ impl Precision {
     }
 }
 
-/// Knowledge about the iterate with which Newton's method starts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum IterateStart {
-    Unknown,
-    /// The iterate is feasible and its product is up to date.
-    Verified,
-    /// The gradient of the iterate identifies the cells that become free.
-    Near,
-}
-
 /// Outcome of moving an iterate into its sets.
 pub(super) struct ProjectionOutcome {
     /// Whether all cells keep their motion states.
@@ -78,12 +68,7 @@ pub(super) struct ProjectionOutcome {
 }
 
 /// State of one solve.
-#[expect(
-    missing_debug_implementations,
-    unnameable_types,
-    reason = "it appears in the sealed traits of the sets alone"
-)]
-pub struct ActiveSetSolve<'a, 'b, K: Constraint<N>, const N: usize> {
+pub(super) struct ActiveSetSolve<'a, 'b, K: Constraint<N>, const N: usize> {
     pub(super) problem: &'a Posed<'b, K, N>,
     pub(super) monitor: Monitor<'a>,
     pub(super) x: [&'a mut [f64]; N],
@@ -93,7 +78,8 @@ pub struct ActiveSetSolve<'a, 'b, K: Constraint<N>, const N: usize> {
     pub(super) product_error: f64,
     /// Error bound of the gradient alone, which is updated by the steps of the linear problem.
     pub(super) gradient_error: f64,
-    pub(super) start: IterateStart,
+    /// Knowledge about the iterate with which the method starts. A previous solution is feasible and its product is up to date.
+    pub(super) start: InitialGuess<N>,
     /// Lower bound of the eigenvalues on the unknowns that the totals allow.
     pub(super) lower_bound: LowerBound,
     /// Displacement of a cell under a unit traction on this cell.
@@ -140,7 +126,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
             workspace,
             product_error: f64::INFINITY,
             gradient_error: f64::INFINITY,
-            start: IterateStart::Unknown,
+            start: InitialGuess::Nothing,
             inner_reduction: INNER_REDUCTION,
             restraint: 0.0,
             stiff: f64::INFINITY,
@@ -161,9 +147,9 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
     pub(super) fn find_bound_of_mean(&mut self) {
         let (least, layout) = (self.lower_bound.value, self.layout());
         let cells = layout.of_all_ranks();
-        let springs = self.problem.totals.map(|total| match total {
-            Total::Spring { .. } => total.uniform_compliance(cells),
-            Total::Free | Total::Sum(_) => None,
+        let springs = self.problem.totals.map(|total| {
+            let compliance = total.compliance();
+            compliance.map(|compliance| cells as f64 * compliance)
         });
         for (component, spring) in springs.iter().enumerate() {
             if spring.is_none_or(|compliance| compliance >= least) {
@@ -195,7 +181,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
     /// Projects the start onto its sets and determines the motion of every cell. Keeps the product if the start was examined.
     pub(super) fn mark_start(&mut self) {
         let constraint = self.problem.constraint;
-        if std::mem::replace(&mut self.start, IterateStart::Unknown) != IterateStart::Verified {
+        let start = std::mem::replace(&mut self.start, InitialGuess::Nothing);
+        if !matches!(start, InitialGuess::PreviousSolution(_)) {
             update_cells(&mut self.x, |i, x| constraint.of(i).project(x));
             self.product_error = f64::INFINITY;
         }

@@ -161,7 +161,7 @@ pub(crate) fn measure<const N: usize>(
         totals,
         multiplier,
     } = *iterate;
-    let (sums, found) = reduce::fold(
+    let ((energy, squares_of_all, sum, magnitude), found) = reduce::fold(
         layout,
         |range| {
             let [x, product] = [&x, &product].map(|vector| within(vector, &range));
@@ -172,29 +172,25 @@ pub(crate) fn measure<const N: usize>(
                 let g = std::array::from_fn(|c| u[c] + (b[c] - datum[c]) - multiplier[c]);
                 found.add(at(&x, k), u, g, constraint.of(cell), lower_bound);
             }
-            (CertificateSums::of(&x, &product), found)
+            (sums_in_lanes(&x, &product), found)
         },
         |a, b| (a.0.plus(b.0), a.1.merge(b.1)),
     );
     let missing: [f64; N] =
-        std::array::from_fn(|c| totals[c].sum().map_or(0.0, |total| sums.sum[c] - total));
+        std::array::from_fn(|c| totals[c].sum().map_or(0.0, |total| sum[c] - total));
     let cells = layout.of_all_ranks() as f64;
-    let squares = (0..N).fold(found.squares, |squares, c| match totals[c] {
-        Total::Spring { compliance, .. } => {
+    let squares = (0..N).fold(found.squares, |squares, c| {
+        totals[c].compliance().map_or(squares, |compliance| {
             squares + by_spring(found.pushed[c], cells, compliance, (lower_bound, mean))
-        }
-        Total::Free | Total::Sum(_) => squares,
+        })
     });
     let bound = 0.5 * squares.sqrt() + (0.25 * squares + found.dual).sqrt();
     // An operator that maps constants to zero gives uniform unknowns neither displacement nor energy as a scale. The stretch of a
     // spring, or the displacement computed from the smallest eigenvalue, then serves as the scale.
-    let springs = totals.iter().filter_map(|total| match total {
-        Total::Spring { compliance, .. } => Some(*compliance),
-        Total::Free | Total::Sum(_) => None,
-    });
+    let springs = totals.into_iter().filter_map(Total::compliance);
     let stretch = springs
         .reduce(f64::min)
-        .map(|compliance| compliance * sums.magnitude);
+        .map(|compliance| compliance * magnitude);
     let least_displacement = stretch.unwrap_or(lower_bound * found.largest);
     // A single periodic cell does not deform at all. The gradient itself is then the scale.
     let is_rigid = found.displacement == 0.0 && least_displacement == 0.0 && found.largest > 0.0;
@@ -220,9 +216,9 @@ pub(crate) fn measure<const N: usize>(
         sizes: found.sizes,
         least_displacement: larger(least_displacement, slope),
         bound,
-        energy: sums.energy,
-        least_energy: larger(lower_bound * sums.squares, slope * sums.magnitude),
-        load_error: ratio(norm(missing), sums.magnitude),
+        energy,
+        least_energy: larger(lower_bound * squares_of_all, slope * magnitude),
+        load_error: ratio(norm(missing), magnitude),
         free: found.free,
     }
 }
@@ -249,79 +245,30 @@ fn by_spring(
     (1.0 + 1e-12_f64.copysign(change)) * (pushed * pushed / cells * change)
 }
 
-/// Sums over all cells.
-#[derive(Clone, Copy)]
-struct CertificateSums<const N: usize> {
-    /// `x' C x`.
-    energy: f64,
-    squares: f64,
-    sum: [f64; N],
-    /// `sum |x|`.
-    magnitude: f64,
-}
+/// Sums over all cells: `x' C x`, the squares, each component and the magnitudes.
+type CertificateSums<const N: usize> = (f64, f64, [f64; N], f64);
 
-impl<const N: usize> Reduction for CertificateSums<N> {
-    #[inline]
-    fn plus(self, other: Self) -> Self {
-        Self {
-            energy: self.energy + other.energy,
-            squares: self.squares + other.squares,
-            sum: self.sum.plus(other.sum),
-            magnitude: self.magnitude + other.magnitude,
+/// Computes the sums in lanes, so that several additions overlap.
+fn sums_in_lanes<const N: usize>(x: &[&[f64]; N], product: &[&[f64]; N]) -> CertificateSums<N> {
+    const LANES: usize = 4;
+    let of = |x: [f64; N], u: [f64; N]| (dot(x, u), dot(x, x), x, norm(x));
+    let cells = x[0].len();
+    let whole = cells - cells % LANES;
+    let mut lanes = [CertificateSums::ZERO; LANES];
+    for first in (0..whole).step_by(LANES) {
+        // Slicing once avoids a bounds check for every cell of the group.
+        let group = first..first + LANES;
+        let [x, product] = [x, product].map(|vector| within(vector, &group));
+        for (k, lane) in lanes.iter_mut().enumerate() {
+            *lane = lane.plus(of(at(&x, k), at(&product, k)));
         }
     }
-}
-
-impl<const N: usize> CertificateSums<N> {
-    /// Computes the sums in lanes, so that several additions overlap.
-    fn of(x: &[&[f64]; N], product: &[&[f64]; N]) -> Self {
-        const LANES: usize = 4;
-        let of = |x: [f64; N], u: [f64; N]| Self {
-            energy: dot(x, u),
-            squares: dot(x, x),
-            sum: x,
-            magnitude: norm(x),
-        };
-        let cells = x[0].len();
-        let whole = cells - cells % LANES;
-        let mut lanes = [Self::ZERO; LANES];
-        for first in (0..whole).step_by(LANES) {
-            // Slicing once avoids a bounds check for every cell of the group.
-            let group = first..first + LANES;
-            let [x, product] = [x, product].map(|vector| within(vector, &group));
-            for (k, lane) in lanes.iter_mut().enumerate() {
-                *lane = lane.plus(of(at(&x, k), at(&product, k)));
-            }
-        }
-        for (k, lane) in (whole..cells).zip(&mut lanes) {
-            *lane = lane.plus(of(at(x, k), at(product, k)));
-        }
-        lanes.into_iter().fold(Self::ZERO, Self::plus)
+    for (k, lane) in (whole..cells).zip(&mut lanes) {
+        *lane = lane.plus(of(at(x, k), at(product, k)));
     }
-}
-
-impl<const N: usize> WireFormat for CertificateSums<N> {
-    const COUNT: usize = 3 + N;
-    const ZERO: Self = Self {
-        energy: 0.0,
-        squares: 0.0,
-        sum: [0.0; N],
-        magnitude: 0.0,
-    };
-
-    fn write(self, words: &mut Vec<u64>) {
-        (self.energy, self.squares, self.sum, self.magnitude).write(words);
-    }
-
-    fn read(words: &mut &[u64]) -> Self {
-        let (energy, squares, sum, magnitude) = WireFormat::read(words);
-        Self {
-            energy,
-            squares,
-            sum,
-            magnitude,
-        }
-    }
+    lanes
+        .into_iter()
+        .fold(CertificateSums::ZERO, Reduction::plus)
 }
 
 /// Measures of the cells that can move.

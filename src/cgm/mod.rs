@@ -126,7 +126,7 @@ pub(crate) use diagonal::CellCompliance;
 pub(crate) use law::check as check_constraint;
 pub use law::disc::Disc;
 pub use law::interval::Interval;
-pub(crate) use law::state::{CellMotion, LinearisedSet, Row};
+pub(crate) use law::state::{LinearisedSet, Row};
 pub use law::{AbsBound, Ball, Bounds, Constraint, ConstraintSet, NonNegative, NormBound};
 pub(crate) use law::{BoundedPressure, UNLIMITED};
 pub(crate) use linear::{FixedSetSystem, LinearWorkspace};

@@ -9,13 +9,13 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::active_set_solve::{ActiveSetSolve, IterateStart, SINGLE};
+use crate::cgm::active_set_solve::{ActiveSetSolve, SINGLE};
 use crate::cgm::degenerate::BoundState;
-use crate::cgm::law::state::{CellMotion, LinearisedSet, Row};
+use crate::cgm::law::state::{LinearisedSet, Row};
 use crate::cgm::linear::BASES;
 use crate::cgm::monitor::Progress;
 use crate::cgm::totals::Total;
-use crate::cgm::{Constraint, MotionOf, reduce};
+use crate::cgm::{Constraint, InitialGuess, MotionOf, reduce};
 use crate::numerics::cell_vector::{at, chunks, held, minus, norm, put, slices, within};
 use crate::parallel;
 use crate::report::Status;
@@ -82,7 +82,7 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for ActiveSetSolve<'_, '_, K,
             CYCLE
         };
         self.progress = Progress::new(cycle, self.inner_reduction);
-        self.is_near = self.start == IterateStart::Near;
+        self.is_near = self.start == InitialGuess::Interpolated;
         self.mark_and_measure()
     }
 

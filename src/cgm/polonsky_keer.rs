@@ -7,11 +7,12 @@
 use std::ops::ControlFlow;
 
 use crate::cgm::active_set_solve::{ActiveSetSolve, Precision};
-use crate::cgm::law::interval::{IntervalMotion, shift_to_total};
-use crate::cgm::law::state::CellMotion;
+use crate::cgm::law::state::{LinearisedSet, Row};
 use crate::cgm::reduce::Reduction;
-use crate::cgm::{Constraint, ConstraintSet, Interval, reduce};
-use crate::numerics::cell_vector::{at, plus, slices, update_cells};
+use crate::cgm::{Constraint, ConstraintSet, MotionOf, reduce};
+use crate::numerics::cell_vector::{
+    at, chunks, dot, held, minus, plus, put, slices, slices_mut, update_cells,
+};
 use crate::parallel::Blocks;
 use crate::report::Status;
 
@@ -20,13 +21,11 @@ const REFRESH: usize = 25;
 /// Number of steps without halving the residual after which the loop is stuck.
 const PATIENCE: usize = 200;
 
-/// Number of entries that changed sets in a step.
-struct SetChanges {
-    clipped: usize,
-    entered: usize,
-}
+/// Unknowns and states of the cells of a task.
+type StepBlocks<'a, K, const N: usize> = ([Blocks<'a, f64>; N], Blocks<'a, MotionOf<K, N>>);
 
-impl<K: Constraint<1, Set = Interval>> ActiveSetSolve<'_, '_, K, 1> {
+/// Sets with one unknown per cell only: [`Problem`](crate::cgm::Problem) rejects the method for other sets.
+impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     /// Runs the single loop. Returns the final status, or `None` if the sets cycle.
     pub(super) fn polonsky_keer(&mut self) -> Option<Status> {
         self.mark_start();
@@ -70,9 +69,9 @@ impl<K: Constraint<1, Set = Interval>> ActiveSetSolve<'_, '_, K, 1> {
             self.linear().apply(Precision::Double);
             self.count_step();
             let length = self.length_of_free();
-            let moves = self.step_and_clip(length);
-            conjugate = moves.entered == 0 && squares > 0.0;
-            if moves.clipped + moves.entered > 0 {
+            let [clipped, entered] = self.step_and_clip(length);
+            conjugate = entered == 0 && squares > 0.0;
+            if clipped + entered > 0 {
                 self.restore_total();
                 since_refresh = REFRESH;
             } else {
@@ -83,14 +82,14 @@ impl<K: Constraint<1, Set = Interval>> ActiveSetSolve<'_, '_, K, 1> {
     }
 
     /// Returns `r_i`, the gradient minus the multiplier (eq 19), on a free entry and zero on other entries.
-    fn residual_if_free(&self) -> impl Fn(usize) -> f64 + Sync {
+    fn residual_if_free(&self) -> impl Fn(usize) -> [f64; N] + Sync {
         let w = &*self.workspace;
-        let (state, [gradient], [multiplier]) = (&w.linear.rows, &w.gradient, w.multiplier);
+        let (state, gradient, multiplier) = (&w.linear.rows, slices(&w.gradient), w.multiplier);
         move |i| {
-            if state[i] == IntervalMotion::Free {
-                gradient[i] - multiplier
+            if state[i].is_free() {
+                minus(at(&gradient, i), multiplier)
             } else {
-                0.0
+                [0.0; N]
             }
         }
     }
@@ -98,16 +97,17 @@ impl<K: Constraint<1, Set = Interval>> ActiveSetSolve<'_, '_, K, 1> {
     /// Sets the multiplier of a prescribed total to the mean gradient on the free entries (eq 18). Returns the number of free
     /// entries.
     fn set_mean_of_free(&mut self) -> usize {
+        let has_total = self.sums() != [None; N];
         let w = &mut *self.workspace;
-        let [gradient] = &w.gradient;
+        let gradient = slices(&w.gradient);
         let (count, sum) = reduce::over_chunks(self.problem.layout, |range| {
-            let free = range.filter(|&i| w.linear.rows[i] == IntervalMotion::Free);
-            free.fold((0_usize, 0.0), |(count, sum), i| {
-                (count + 1, sum + gradient[i])
+            let free = range.filter(|&i| w.linear.rows[i].is_free());
+            free.fold((0_usize, [0.0; N]), |(count, sum), i| {
+                (count + 1, plus(sum, 1.0, at(&gradient, i)))
             })
         });
-        if self.problem.totals[0].sum().is_some() && count > 0 {
-            w.multiplier = [sum / count as f64];
+        if has_total && count > 0 {
+            w.multiplier = sum.map(|sum| sum / count as f64);
         }
         count
     }
@@ -115,29 +115,30 @@ impl<K: Constraint<1, Set = Interval>> ActiveSetSolve<'_, '_, K, 1> {
     /// Returns `R = sum r^2` over the free entries (eq 20).
     fn squares_of_free(&self) -> f64 {
         let r = self.residual_if_free();
-        reduce::sum(self.layout(), |i| r(i).powi(2))
+        reduce::sum(self.layout(), |i| dot(r(i), r(i)))
     }
 
     fn set_direction_of_free(&mut self, conjugation: f64, free: usize) {
-        let has_total = self.sums() != [None];
+        let has_total = self.sums() != [None; N];
         let w = &mut *self.workspace;
-        let (state, [gradient], [multiplier]) = (&w.linear.rows, &w.gradient, w.multiplier);
-        update_cells(&mut w.linear.direction, |i, [d]| {
-            [if state[i] == IntervalMotion::Free {
-                gradient[i] - multiplier + conjugation * d
+        let (state, gradient, multiplier) = (&w.linear.rows, slices(&w.gradient), w.multiplier);
+        update_cells(&mut w.linear.direction, |i, d| {
+            if state[i].is_free() {
+                plus(minus(at(&gradient, i), multiplier), conjugation, d)
             } else {
-                0.0
-            }]
+                [0.0; N]
+            }
         });
         if has_total && free > 0 {
-            let [direction] = &w.linear.direction;
-            let mean = reduce::sum(self.problem.layout, |i| direction[i]) / free as f64;
-            update_cells(&mut w.linear.direction, |i, [d]| {
-                [if state[i] == IntervalMotion::Free {
-                    d - mean
+            let direction = slices(&w.linear.direction);
+            let sum: [f64; N] = reduce::sum(self.problem.layout, |i| at(&direction, i));
+            let mean = sum.map(|sum| sum / free as f64);
+            update_cells(&mut w.linear.direction, |i, d| {
+                if state[i].is_free() {
+                    minus(d, mean)
                 } else {
                     d
-                }]
+                }
             });
         }
     }
@@ -145,14 +146,11 @@ impl<K: Constraint<1, Set = Interval>> ActiveSetSolve<'_, '_, K, 1> {
     /// Returns the length of a step along the direction, `tau = r'd / d'Cd` (eq 21).
     fn length_of_free(&self) -> f64 {
         let w = &*self.workspace;
-        let ([direction], [image], r) = (
-            &w.linear.direction,
-            &w.linear.image,
-            self.residual_if_free(),
-        );
+        let (direction, image) = (slices(&w.linear.direction), slices(&w.linear.image));
+        let r = self.residual_if_free();
         let [along, curvature, square] = reduce::sum(self.layout(), |i| {
-            let d = direction[i];
-            [r(i) * d, d * image[i], d * d]
+            let d = at(&direction, i);
+            [dot(r(i), d), dot(d, at(&image, i)), dot(d, d)]
         });
         let curvature = self.slide(curvature, square).unwrap_or(curvature);
         if curvature > 0.0 && along.is_finite() {
@@ -163,50 +161,43 @@ impl<K: Constraint<1, Set = Interval>> ActiveSetSolve<'_, '_, K, 1> {
     }
 
     /// Computes `x -= tau d` on the free entries, clipped (eq 21'). An entry at a bound whose residual points inward moves along
-    /// its residual and becomes free (eqs 22, 23).
-    fn step_and_clip(&mut self, length: f64) -> SetChanges {
+    /// its residual and becomes free (eqs 22, 23). Returns the number of clipped entries and of entries that became free.
+    fn step_and_clip(&mut self, length: f64) -> [usize; 2] {
         let (constraint, layout) = (self.problem.constraint, self.problem.layout);
         let w = &mut *self.workspace;
-        let ([gradient], [direction], [multiplier]) =
-            (&w.gradient, &w.linear.direction, w.multiplier);
-        let work = |task: usize, (x, state): (Blocks<'_, f64>, Blocks<'_, IntervalMotion>)| {
-            let mut moves = SetChanges {
-                clipped: 0,
-                entered: 0,
-            };
-            for ((i, x), state) in (task * layout.chunk()..).zip(x.items).zip(state.items) {
-                let r = gradient[i] - multiplier;
-                let interval = constraint.of(i);
-                match *state {
-                    IntervalMotion::Free => {
-                        *x -= length * direction[i];
-                        if *x <= interval.lower || *x >= interval.upper {
-                            *state = if *x <= interval.lower {
-                                IntervalMotion::Lower
-                            } else {
-                                IntervalMotion::Upper
-                            };
-                            [*x] = interval.project([*x]);
-                            moves.clipped += 1;
-                        }
-                    }
-                    IntervalMotion::Lower | IntervalMotion::Upper
-                        if state.released_from_bound([r]) == IntervalMotion::Free =>
-                    {
-                        [*x] = interval.project([*x - length * r]);
-                        *state = IntervalMotion::Free;
-                        moves.entered += 1;
-                    }
-                    _ => {}
+        let (gradient, direction) = (slices(&w.gradient), slices(&w.linear.direction));
+        let multiplier = w.multiplier;
+        let work = |task: usize, (mut x, state): StepBlocks<'_, K, N>| {
+            let (mut clipped, mut entered) = (0_usize, 0_usize);
+            for (place, state) in state.items.iter_mut().enumerate() {
+                let i = task * layout.chunk() + place;
+                let (set, value) = (constraint.of(i), held(&x, place));
+                let r = minus(at(&gradient, i), multiplier);
+                if state.is_free() {
+                    let moved = plus(value, -length, at(&direction, i));
+                    *state = set.motion(moved);
+                    let is_clipped = !state.is_free();
+                    let next = if is_clipped {
+                        set.project(moved)
+                    } else {
+                        moved
+                    };
+                    put(&mut x, place, next);
+                    clipped += usize::from(is_clipped);
+                } else if state.released_from_bound(r).is_free() {
+                    put(&mut x, place, set.project(plus(value, -length, r)));
+                    *state = Row::FREE;
+                    entered += 1;
                 }
             }
-            [moves.clipped, moves.entered]
+            [clipped, entered]
         };
-        let [x] = &mut self.x;
-        let data = (layout.blocks(x), layout.blocks(&mut w.linear.rows));
+        let data = (
+            chunks(layout, &mut self.x),
+            layout.blocks(&mut w.linear.rows),
+        );
         self.product_error = f64::INFINITY;
-        let [clipped, entered] = layout.sweep(data, work, Reduction::plus);
-        SetChanges { clipped, entered }
+        layout.sweep(data, work, Reduction::plus)
     }
 
     /// Updates product and gradient after a step that clipped nothing, without a new product.
@@ -221,20 +212,10 @@ impl<K: Constraint<1, Set = Interval>> ActiveSetSolve<'_, '_, K, 1> {
     /// Shifts the free entries within the bounds such that the total is met (eqs 25, 26). Shifts all entries if the free entries
     /// do not suffice.
     fn restore_total(&mut self) {
-        let [Some(total)] = self.sums() else {
-            return;
-        };
         let (state, constraint) = (&self.workspace.linear.rows, self.problem.constraint);
-        let layout = self.problem.layout;
-        let [x] = &mut self.x;
-        if !shift_to_total(
-            layout,
-            x,
-            constraint,
-            |i| state[i] == IntervalMotion::Free,
-            total,
-        ) {
-            shift_to_total(layout, x, constraint, |_| true, total);
+        let (layout, sums) = (self.problem.layout, self.sums());
+        let is_free = |i: usize| state[i].is_free();
+        if !K::Set::restore(layout, slices_mut(&mut self.x), constraint, is_free, sums) {
             self.mark_start();
         }
     }

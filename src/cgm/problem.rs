@@ -253,7 +253,7 @@ impl<'a, K: Constraint<N>, const N: usize> Posed<'a, K, N> {
         let has_spring = self.totals.iter().any(|total| total.is_spring());
         let quantity = if has_spring {
             "springs"
-        } else if !K::Set::HAS_SINGLE_LOOP {
+        } else if N > 1 {
             "several components per cell"
         } else if !self.operator.is_symmetric() {
             "non-symmetric operators"
@@ -405,7 +405,7 @@ const GRADIENTS: [usize; 2] = [32, 64];
 fn iterate<K: Constraint<N>, const N: usize>(run: &mut ActiveSetSolve<'_, '_, K, N>) -> Status {
     let once = |run: &mut ActiveSetSolve<'_, '_, K, N>| match run.monitor.settings.method {
         Method::ActiveSet => newton(run),
-        Method::PolonskyKeer => K::Set::single_loop(run),
+        Method::PolonskyKeer => run.polonsky_keer(),
     };
     // Without symmetry there is no objective to decrease.
     let is_symmetric = run.problem.operator.is_symmetric();

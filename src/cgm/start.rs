@@ -1,7 +1,7 @@
 //! Warm start from an earlier solution. If the problem has not changed, the certificate of one product shows that the earlier
 //! solution is still valid.
 
-use crate::cgm::active_set_solve::{ActiveSetSolve, IterateStart};
+use crate::cgm::active_set_solve::ActiveSetSolve;
 use crate::cgm::totals::{Total, sums_of};
 use crate::cgm::{Constraint, LinearisedSet, reduce};
 use crate::numerics::cell_vector::{at, slices};
@@ -25,19 +25,15 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     /// Examines the start with the multipliers of its earlier solve. Returns the final status if the start is feasible and its
     /// merit is within the tolerance. Otherwise returns `None`. In this case the product is up to date if the start is feasible.
     pub(super) fn verify_start(&mut self, known: InitialGuess<N>) -> Option<Status> {
-        let multiplier = match known {
-            InitialGuess::PreviousSolution(multiplier) => multiplier,
-            InitialGuess::Interpolated => {
-                self.start = IterateStart::Near;
-                return None;
-            }
-            InitialGuess::Nothing => return None,
+        let InitialGuess::PreviousSolution(multiplier) = known else {
+            self.start = known;
+            return None;
         };
         if !self.is_feasible(multiplier) {
             return None;
         }
         self.refresh();
-        self.start = IterateStart::Verified;
+        self.start = known;
         self.workspace.multiplier = multiplier;
         let findings = self.certificate();
         let merit = self.merit(&findings);

@@ -136,8 +136,16 @@ impl Total {
         }
     }
 
+    /// Returns the compliance of a spring, or `None` for other totals.
+    pub(super) fn compliance(self) -> Option<f64> {
+        match self {
+            Self::Spring { compliance, .. } => Some(compliance),
+            Self::Free | Self::Sum(_) => None,
+        }
+    }
+
     pub(super) fn is_spring(self) -> bool {
-        matches!(self, Self::Spring { .. })
+        self.compliance().is_some()
     }
 
     /// Returns the admissible multiplier nearest to the given multiplier. For a spring the result is within round-off of the
@@ -223,9 +231,9 @@ impl<const N: usize> TotalsSystem<N> {
     /// Returns the curvature that the springs add along a direction with this change of the multipliers.
     pub(super) fn curvature(&self, change: [f64; N]) -> f64 {
         let springs = self.totals.iter().zip(change);
-        springs.fold(0.0, |sum, (total, change)| match total {
-            Total::Spring { compliance, .. } => sum + change * change / compliance,
-            Total::Free | Total::Sum(_) => sum,
+        springs.fold(0.0, |sum, (total, change)| {
+            let added = |compliance| sum + change * change / compliance;
+            total.compliance().map_or(sum, added)
         })
     }
 
@@ -280,7 +288,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             system.patterns.transposed()
         };
         for (a, total) in system.totals.iter().enumerate() {
-            if let Total::Spring { compliance, .. } = total {
+            if let Some(compliance) = total.compliance() {
                 matrix.0[a][a] += 1.0 / compliance;
             }
         }

@@ -1,6 +1,6 @@
 //! Tangential stiffness of a contact, and derivatives of its loads with respect to the approach.
 
-use crate::cgm::{Ball, CellMotion, LinearisedSet, NormBound, Row, reduce};
+use crate::cgm::{Ball, LinearisedSet, NormBound, Row, reduce};
 use crate::contact::ResponseContext;
 use crate::error::Result;
 use crate::half_space::{ElasticOperator, Region};

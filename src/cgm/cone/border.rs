@@ -47,7 +47,7 @@ impl<F: FrictionCone> ConeRun<'_, '_, F> {
             for (row, added) in border.matrix.0.iter_mut().zip(added) {
                 row[a] = added;
             }
-            if let Total::Spring { compliance, .. } = totals[a] {
+            if let Some(compliance) = totals[a].compliance() {
                 border.matrix.0[a][a] += 1.0 / compliance;
             }
             border.active[a] = border.matrix.0[a][a] != 0.0;

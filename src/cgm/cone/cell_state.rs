@@ -1,5 +1,6 @@
 //! State of a cell of the friction cone in the semismooth Newton method: apart, frictionless, sticking or slipping.
 
+use crate::cgm::Disc;
 use crate::cgm::cone::{FrictionCone, N};
 use crate::cgm::law::disc_motion::Weight;
 use crate::cgm::law::state::Row;
@@ -94,9 +95,6 @@ pub(super) struct Noise {
     pub(super) hardness: f64,
 }
 
-/// Relative distance from the limit within which a traction counts as at the limit.
-const RIM: f64 = 1e-12;
-
 /// Returns a traction of length `size` in the direction of `v`, which must not be zero.
 fn along(v: [f64; 2], size: f64) -> [f64; 2] {
     let scale = size / norm(v);
@@ -122,7 +120,7 @@ impl ConeCellState {
             CellKind::Open
         } else if limit <= 0.0 {
             CellKind::Frictionless
-        } else if norm(q) >= limit * (1.0 - RIM) {
+        } else if (Disc { radius: limit }).is_at_limit(q) {
             Slip::along(along(q, 1.0))
         } else {
             CellKind::Stick
@@ -246,8 +244,6 @@ impl ConeCellState {
 }
 
 impl Row<N> for ConeCellState {
-    const IS_CURVED: bool = true;
-    const IS_STEADY: bool = false;
     const HAS_LAG: bool = true;
     const FREE: Self = Self::new(CellKind::Stick, false);
     const FIXED: Self = Self::OPEN;

@@ -13,17 +13,14 @@
 //! the traction. Without this term, iterations of clipped gradients stall (Zhao, Vollebregt & Oosterlee, report 14-02 of the
 //! Delft Institute of Applied Mathematics, 2014).
 
-use crate::cgm::active_set_solve::ActiveSetSolve;
 use crate::cgm::law::disc_motion::DiscMotion;
 use crate::cgm::law::interval::EDGE;
-use crate::cgm::law::state::{CellMotion, LinearisedSet, TotalFeasibility};
-use crate::cgm::newton::newton;
+use crate::cgm::law::state::{LinearisedSet, Row, TotalFeasibility};
 use crate::cgm::{Constraint, ConstraintSet, reduce};
 use crate::error::{Error, Result, SLIDE, non_negative};
 use crate::numerics::cell_vector::{at, dot, norm, plus, slices, update_cells};
 use crate::numerics::small_matrix::Small;
 use crate::parallel::layout::Layout;
-use crate::report::Status;
 
 /// Vectors whose length is at most `radius`. The radius must be finite and not negative. A zero radius fixes the cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -62,7 +59,6 @@ impl ConstraintSet<2> for Disc {
 
 impl LinearisedSet<2> for Disc {
     type CellMotion = DiscMotion;
-    const HAS_SINGLE_LOOP: bool = false;
 
     fn check(self, _: usize) -> Result<()> {
         non_negative("radius of a disc", self.radius).map(|_| ())
@@ -220,13 +216,6 @@ impl LinearisedSet<2> for Disc {
         });
         // Every cell keeps its previous motion.
         true
-    }
-
-    /// Unreachable: [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer) is rejected for discs before the solve starts.
-    fn single_loop<K: Constraint<2, Set = Self>>(
-        run: &mut ActiveSetSolve<'_, '_, K, 2>,
-    ) -> Option<Status> {
-        newton(run)
     }
 }
 

@@ -1,16 +1,12 @@
 //! Motion of a cell of a disc in the semismooth Newton step. The motion is free while the cell sticks, and along the circle while
 //! it slips.
 
-use crate::cgm::law::state::{CellMotion, Row};
+use crate::cgm::law::state::Row;
 use crate::numerics::cell_vector::{dot, norm};
 
 /// Motion of a cell of a disc.
-#[expect(
-    unnameable_types,
-    reason = "it appears in the sealed traits of the sets alone"
-)]
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum DiscMotion {
+pub(crate) enum DiscMotion {
     /// The cell sticks and moves in any direction.
     Free,
     /// The cell slips and moves along the circle.
@@ -44,12 +40,8 @@ pub enum DiscMotion {
 /// tests $`e`$ was two fifths to three fifths of $`c_1`$. The value of $`c_1`$ was four to six times the least eigenvalue of a
 /// half-space. The number of steps changed by 2 %. The square root of this weight would require a tenth more steps, or a third
 /// more if cells come into contact.
-#[expect(
-    unnameable_types,
-    reason = "it appears in the sealed traits of the sets alone"
-)]
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Weight {
+pub(crate) struct Weight {
     /// Factor of the input and of the result of the inverse operator.
     pattern: f64,
     /// Factor of the residual in the term of the single cell.
@@ -106,7 +98,6 @@ impl DiscMotion {
 }
 
 impl Row<2> for DiscMotion {
-    const IS_CURVED: bool = true;
     const IS_STEADY: bool = true;
     const FREE: Self = Self::Free;
     const FIXED: Self = Self::Fixed;
@@ -117,12 +108,6 @@ impl Row<2> for DiscMotion {
 
     fn is_free(self) -> bool {
         self == Self::Free
-    }
-
-    /// The unknowns are a vector along the tangent.
-    #[inline]
-    fn extend(self, v: [f64; 2]) -> [f64; 2] {
-        v
     }
 
     #[inline]
@@ -163,9 +148,7 @@ impl Row<2> for DiscMotion {
             Self::Fixed => [0.0; 2],
         }
     }
-}
 
-impl CellMotion<2> for DiscMotion {
     fn with_preconditioner_weight(mut self, self_compliance: f64, diagonal: f64) -> Self {
         if let Self::Tangential {
             stiffness, weight, ..
@@ -173,10 +156,6 @@ impl CellMotion<2> for DiscMotion {
         {
             *weight = Weight::new(*stiffness + diagonal, self_compliance);
         }
-        self
-    }
-
-    fn released_from_bound(self, _: [f64; 2]) -> Self {
         self
     }
 }

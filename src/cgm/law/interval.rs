@@ -1,12 +1,10 @@
 //! Intervals: one unknown per cell between two bounds, with the updates of the primal-dual active-set method.
 
-use crate::cgm::active_set_solve::ActiveSetSolve;
-use crate::cgm::law::state::{CellMotion, LinearisedSet, Row, TotalFeasibility};
+use crate::cgm::law::state::{LinearisedSet, Row, TotalFeasibility};
 use crate::cgm::{Constraint, ConstraintSet, reduce};
 use crate::error::{Error, Result};
 use crate::numerics::cell_vector::update_cells;
 use crate::parallel::layout::Layout;
-use crate::report::Status;
 
 /// The interval from `lower` to `upper`. Equal bounds fix the cell.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,12 +16,8 @@ pub struct Interval {
 }
 
 /// State of a cell in its interval.
-#[expect(
-    unnameable_types,
-    reason = "it appears in the sealed traits of the sets alone"
-)]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum IntervalMotion {
+pub(crate) enum IntervalMotion {
     /// Between the bounds, or released from a bound.
     Free,
     /// Fixed at the lower bound.
@@ -36,7 +30,6 @@ pub enum IntervalMotion {
 
 impl Row<1> for IntervalMotion {
     const IS_CURVED: bool = false;
-    const IS_STEADY: bool = false;
     const FREE: Self = Self::Free;
     const FIXED: Self = Self::Fixed;
 
@@ -47,37 +40,6 @@ impl Row<1> for IntervalMotion {
 
     fn is_free(self) -> bool {
         self == Self::Free
-    }
-
-    #[inline]
-    fn extend(self, v: [f64; 1]) -> [f64; 1] {
-        v
-    }
-
-    #[inline]
-    fn restrict(self, w: [f64; 1]) -> [f64; 1] {
-        w
-    }
-
-    #[inline]
-    fn bend(self, _: [f64; 1]) -> [f64; 1] {
-        [0.0]
-    }
-
-    #[inline]
-    fn weighted(self, r: [f64; 1]) -> [f64; 1] {
-        r
-    }
-
-    #[inline]
-    fn preconditioned(self, answer: [f64; 1], _: [f64; 1]) -> [f64; 1] {
-        answer
-    }
-}
-
-impl CellMotion<1> for IntervalMotion {
-    fn with_preconditioner_weight(self, _: f64, _: f64) -> Self {
-        self
     }
 
     fn released_from_bound(self, [g]: [f64; 1]) -> Self {
@@ -98,7 +60,6 @@ impl ConstraintSet<1> for Interval {
 
 impl LinearisedSet<1> for Interval {
     type CellMotion = IntervalMotion;
-    const HAS_SINGLE_LOOP: bool = true;
 
     fn check(self, index: usize) -> Result<()> {
         let Self { lower, upper } = self;
@@ -182,10 +143,6 @@ impl LinearisedSet<1> for Interval {
         }
     }
 
-    fn measured(self, motion: IntervalMotion, _: [f64; 1]) -> IntervalMotion {
-        motion
-    }
-
     #[inline]
     fn next(
         self,
@@ -249,12 +206,6 @@ impl LinearisedSet<1> for Interval {
         }
         suffices
     }
-
-    fn single_loop<K: Constraint<1, Set = Self>>(
-        run: &mut ActiveSetSolve<'_, '_, K, 1>,
-    ) -> Option<Status> {
-        run.polonsky_keer()
-    }
 }
 
 /// Relative distance from an extreme total within which a total counts as the extreme.
@@ -262,7 +213,7 @@ pub(in crate::cgm) const EDGE: f64 = 1e-12;
 
 /// Moves the selected cells to the nearest points of their intervals at which the total is met. The new values are
 /// `x_i = P_i(x_i + t)` with the same `t` for all cells. Returns whether the total was reached.
-pub(in crate::cgm) fn shift_to_total(
+fn shift_to_total(
     layout: &Layout,
     x: &mut [f64],
     constraint: &impl Constraint<1, Set = Interval>,

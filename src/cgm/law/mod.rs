@@ -53,6 +53,7 @@ pub trait Constraint<const N: usize = 1>: Sync {
 /// A closed convex set: an [`Interval`] for one component, a [`Disc`] for two components.
 ///
 /// The trait is sealed because the solver linearises each type of set in a different way.
+#[expect(private_bounds, reason = "the bound seals the trait")]
 pub trait ConstraintSet<const N: usize>: LinearisedSet<N> {
     /// Returns the nearest point of the set.
     #[must_use]

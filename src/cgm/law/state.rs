@@ -4,26 +4,22 @@
 //! inside its set moves freely. A cell on a curved bound moves along the tangent, and the curvature of the bound adds a
 //! stiffness.
 
-use crate::cgm::active_set_solve::ActiveSetSolve;
 use crate::cgm::{Constraint, ConstraintSet};
 use crate::error::Result;
 use crate::parallel::layout::Layout;
-use crate::report::Status;
 
 /// Row of one cell in the linear problem of an outer step.
 ///
 /// A change `v` of the unknowns changes the tractions by [`extend`](Self::extend). [`restrict`](Self::restrict) forms the
 /// equations of the cell from the resulting displacements `w`. If the problem is the optimality condition of a minimum, the two
 /// maps are transposes of each other.
-#[expect(
-    unnameable_types,
-    reason = "it appears in the sealed traits of the sets alone"
-)]
-pub trait Row<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
+pub(crate) trait Row<const N: usize>:
+    Copy + std::fmt::Debug + Send + Sync + 'static
+{
     /// Whether some cell that can move has fewer free directions than components.
-    const IS_CURVED: bool;
+    const IS_CURVED: bool = true;
     /// Whether the same cells move throughout the solve: all cells whose set has more than one point.
-    const IS_STEADY: bool;
+    const IS_STEADY: bool = false;
     /// Whether a row can have an additional displacement of its cell (see [`lag`](Self::lag)).
     const HAS_LAG: bool = false;
     /// Row of a cell that moves in any direction.
@@ -38,13 +34,22 @@ pub trait Row<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
     fn is_free(self) -> bool;
 
     /// Returns the change of the tractions for a change of the unknowns.
-    fn extend(self, v: [f64; N]) -> [f64; N];
+    #[inline]
+    fn extend(self, v: [f64; N]) -> [f64; N] {
+        v
+    }
 
     /// Returns the residual of the equations of the cell for these displacements.
-    fn restrict(self, w: [f64; N]) -> [f64; N];
+    #[inline]
+    fn restrict(self, w: [f64; N]) -> [f64; N] {
+        w
+    }
 
     /// Returns the term that the curvature of a bound adds to the equations for a change of the unknowns.
-    fn bend(self, v: [f64; N]) -> [f64; N];
+    #[inline]
+    fn bend(self, _v: [f64; N]) -> [f64; N] {
+        [0.0; N]
+    }
 
     /// Returns the additional displacement of the cell under a change `d` of its tractions. The displacement that the operator
     /// computes is not included.
@@ -53,36 +58,35 @@ pub trait Row<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
     }
 
     /// Returns the tractions that the inverse operator receives for a residual.
-    fn weighted(self, r: [f64; N]) -> [f64; N];
+    #[inline]
+    fn weighted(self, r: [f64; N]) -> [f64; N] {
+        r
+    }
 
     /// Returns the preconditioned residual, where `answer` is the result of the inverse operator.
-    fn preconditioned(self, answer: [f64; N], r: [f64; N]) -> [f64; N];
-}
+    #[inline]
+    fn preconditioned(self, answer: [f64; N], _r: [f64; N]) -> [f64; N] {
+        answer
+    }
 
-/// Motion of one cell of a set.
-#[expect(
-    unnameable_types,
-    reason = "it appears in the sealed traits of the sets alone"
-)]
-pub trait CellMotion<const N: usize>: Row<N> {
     /// Passes the current stiffness to the preconditioner. The arguments are the [compliance](crate::Operator::self_compliance)
     /// of a cell in the operator and the additional compliance `diagonal` of this cell.
     #[must_use]
-    fn with_preconditioner_weight(self, self_compliance: f64, diagonal: f64) -> Self;
+    fn with_preconditioner_weight(self, _self_compliance: f64, _diagonal: f64) -> Self {
+        self
+    }
 
     /// Returns the motion of a cell after a gradient `g` has released the cell from its bound. If `g` does not push the cell away
     /// from the bound, the motion is unchanged.
     #[must_use]
-    fn released_from_bound(self, g: [f64; N]) -> Self;
+    fn released_from_bound(self, _g: [f64; N]) -> Self {
+        self
+    }
 }
 
 /// Position of prescribed sums in the range that the sets allow.
-#[expect(
-    unnameable_types,
-    reason = "it appears in the sealed traits of the sets alone"
-)]
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum TotalFeasibility<const N: usize> {
+pub(crate) enum TotalFeasibility<const N: usize> {
     /// The sums are strictly between the extremes: multipliers exist.
     Inside,
     /// The sums require every cell at the extreme point of its set along this direction.
@@ -90,15 +94,11 @@ pub enum TotalFeasibility<const N: usize> {
 }
 
 /// Interface of a type of set for the solver, in addition to [`ConstraintSet`].
-#[expect(
-    unnameable_types,
-    reason = "it appears in the sealed traits of the sets alone"
-)]
-pub trait LinearisedSet<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 'static {
+pub(crate) trait LinearisedSet<const N: usize>:
+    Copy + std::fmt::Debug + Send + Sync + 'static
+{
     /// Motion of a cell of this set.
-    type CellMotion: CellMotion<N>;
-    /// Whether [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer) is defined for the set.
-    const HAS_SINGLE_LOOP: bool;
+    type CellMotion: Row<N>;
 
     /// Returns an error if the set is empty.
     fn check(self, cell: usize) -> Result<()>;
@@ -130,7 +130,10 @@ pub trait LinearisedSet<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 
     fn motion(self, x: [f64; N]) -> Self::CellMotion;
 
     /// Returns the motion with the curvature of the bound for a gradient `g`.
-    fn measured(self, motion: Self::CellMotion, g: [f64; N]) -> Self::CellMotion;
+    #[inline]
+    fn measured(self, motion: Self::CellMotion, _g: [f64; N]) -> Self::CellMotion {
+        motion
+    }
 
     /// Returns the next motion of the cell and its projected unknowns. `x` are the unknowns and `g` is the gradient from the
     /// solution of the linear system. A gradient of the wrong sign below `noise` is ignored. `weighing` determines the weight of
@@ -164,14 +167,6 @@ pub trait LinearisedSet<const N: usize>: Copy + std::fmt::Debug + Send + Sync + 
         preferred: impl Fn(usize) -> bool + Sync,
         sums: [Option<f64>; N],
     ) -> bool
-    where
-        Self: ConstraintSet<N>;
-
-    /// Runs the iteration of [`Method::PolonskyKeer`](crate::cgm::Method::PolonskyKeer). Returns the final status, or `None` if
-    /// the sets cycle.
-    fn single_loop<K: Constraint<N, Set = Self>>(
-        run: &mut ActiveSetSolve<'_, '_, K, N>,
-    ) -> Option<Status>
     where
         Self: ConstraintSet<N>;
 }

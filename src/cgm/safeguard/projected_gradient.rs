@@ -125,9 +125,9 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             (dot(d, at(&image, i)), d)
         });
         let springs = self.problem.totals.iter().zip(sums);
-        springs.fold(bodies, |curvature, (total, sum)| match total {
-            Total::Spring { compliance, .. } => curvature + compliance * sum * sum,
-            Total::Free | Total::Sum(_) => curvature,
+        springs.fold(bodies, |curvature, (total, sum)| {
+            let added = |compliance| curvature + compliance * sum * sum;
+            total.compliance().map_or(curvature, added)
         })
     }
 

@@ -6,7 +6,7 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::{CellMotion, Disc, LinearisedSet};
+use crate::cgm::{Disc, LinearisedSet, Row};
 use crate::contact::{Elasticity, LinearResponse, ResponseContext};
 use crate::error::Result;
 use crate::numerics::cell_vector::{at, slices};
