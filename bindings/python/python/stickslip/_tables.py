@@ -1,9 +1,31 @@
-"""Tables of pandas, which is imported only if a table is requested."""
+"""Attributes as dictionaries and as tables of pandas, which is imported only if a table is requested."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Any
+
+import numpy as np
+
+
+def record(target: object, names: Iterable[str]) -> dict[str, Any]:
+    """Returns attributes by name; a pair (x, y) becomes two entries."""
+    values: dict[str, Any] = {}
+    for name in names:
+        value = getattr(target, name)
+        if isinstance(value, tuple):
+            values |= {f"{name}_{axis}": part for axis, part in zip("xy", value)}
+        else:
+            values[name] = value
+    return values
+
+
+def columns(entries: Iterable[object], names: Iterable[str]) -> dict[str, Any]:
+    """Returns attributes of all entries as arrays by name; ``None`` becomes NaN."""
+    rows = [record(entry, names) for entry in entries]
+    # Without entries, the names of pairs are not known, and there is no number to collect.
+    keys = list(rows[0]) if rows else list(names)
+    return {key: np.array([np.nan if row[key] is None else row[key] for row in rows]) for key in keys}
 
 
 def _pandas() -> Any:
