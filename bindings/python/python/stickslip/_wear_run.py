@@ -290,7 +290,8 @@ def run(
         # The last entry of a complete run describes the gap from which the run continues.
         if rows and rows[-1][1] == 0.0:
             rows.pop()
-    cycle, snapshots = Cycle(history), []
+    cycle = Cycle(history)
+    snapshots: list[WearSnapshot] = []
     snapshot = WearSnapshot(history.state(), done, depth, total_energy, tuple(rows))
     with cycle_bar(cycles, done, progress is True) as bar:
         try:
