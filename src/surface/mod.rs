@@ -13,16 +13,20 @@
 //! Heights `z(x, y)` point out of the body. NaN marks a missing height. To obtain a gap from a measurement:
 //!
 //! 1. Level the surface with [`level`](level()).
-//! 2. Remove the noise of the instrument with a [`GaussianFilter`].
-//! 3. Fill the holes with [`fill_missing`].
-//! 4. Select a part with [`crop()`] or [`resample()`].
-//! 5. Compute the gap to a plane with [`gap_from_heights`], or to a second surface with [`gap_between`].
+//! 2. Remove spikes with an [`OutlierFilter`].
+//! 3. Remove the noise of the instrument with a [`GaussianFilter`].
+//! 4. Fill the holes with [`fill_missing`].
+//! 5. Select a part with [`crop()`] or [`resample()`].
+//! 6. Compute the gap to a plane with [`gap_from_heights`], or to a second surface with [`gap_between`].
 //!
-//! [`Statistics`] and [`PowerSpectrum`] characterise the surface.
+//! [`Statistics`], [`MaterialRatio`], [`Autocorrelation`] and [`PowerSpectrum`] characterise the surface. The first three
+//! contain the parameters of ISO 25178-2 and skip missing heights.
 
 #[cfg(feature = "roughness")]
 mod slabs;
 
+#[cfg(feature = "roughness")]
+mod autocorrelation;
 #[cfg(feature = "roughness")]
 mod crop;
 #[cfg(feature = "roughness")]
@@ -35,6 +39,10 @@ mod gap;
 mod heights;
 #[cfg(feature = "roughness")]
 mod level;
+#[cfg(feature = "roughness")]
+mod material_ratio;
+#[cfg(feature = "roughness")]
+mod outliers;
 #[cfg(feature = "roughness")]
 mod power_spectrum;
 #[cfg(feature = "roughness")]
@@ -51,6 +59,9 @@ mod waves;
 
 #[cfg(feature = "roughness")]
 #[cfg_attr(docsrs, doc(cfg(feature = "roughness")))]
+pub use autocorrelation::Autocorrelation;
+#[cfg(feature = "roughness")]
+#[cfg_attr(docsrs, doc(cfg(feature = "roughness")))]
 pub use crop::crop;
 #[cfg(feature = "roughness")]
 #[cfg_attr(docsrs, doc(cfg(feature = "roughness")))]
@@ -64,6 +75,12 @@ pub(crate) use level::level_slab;
 #[cfg(feature = "roughness")]
 #[cfg_attr(docsrs, doc(cfg(feature = "roughness")))]
 pub use level::{Form, Levelled, level};
+#[cfg(feature = "roughness")]
+#[cfg_attr(docsrs, doc(cfg(feature = "roughness")))]
+pub use material_ratio::MaterialRatio;
+#[cfg(feature = "roughness")]
+#[cfg_attr(docsrs, doc(cfg(feature = "roughness")))]
+pub use outliers::{OutlierFilter, WithoutOutliers};
 #[cfg(feature = "roughness")]
 #[cfg_attr(docsrs, doc(cfg(feature = "roughness")))]
 pub use power_spectrum::PowerSpectrum;

@@ -114,7 +114,7 @@ impl PowerSpectrum {
         slab.layout()
             .collective_result(complete("height", heights))?;
         let waves = parallel::enter_with(heights.grid().cells(), || {
-            let (deviations, _) = about_mean(heights, slab);
+            let (deviations, _) = about_mean(heights, slab, slab.whole().cells());
             Waves::of_slab(&deviations, slab)
         })?;
         let grid = slab.whole();

@@ -3,11 +3,11 @@
 use std::fmt;
 
 use super::differences::{developed_area_ratio, rms_slopes};
-use super::heights::{about_mean, complete};
+use super::heights::{about_mean, finite_or_missing, measured_points, or_zero};
 use super::power_spectrum::moments;
 use super::slab::Slab;
 use super::waves::Waves;
-use crate::error::{Result, finite};
+use crate::error::{Error, Result, finite};
 use crate::grid::field::Field;
 use crate::parallel;
 use crate::parallel::reduce;
@@ -16,7 +16,7 @@ use crate::parallel::reduce;
 ///
 /// Heights point out of the body, so that a peak is positive. The heights are not filtered, and no form except the mean
 /// is removed. Apply [`level`](super::level()) first to a tilted or curved surface. The heights $`z`$ are relative to
-/// the mean, and $`\langle\,\rangle`$ is the mean over the cells:
+/// the mean, and $`\langle\,\rangle`$ is the mean over the measured points:
 ///
 /// ```math
 /// S_a = \langle |z| \rangle, \quad S_q^2 = \langle z^2 \rangle, \quad
@@ -24,6 +24,11 @@ use crate::parallel::reduce;
 /// ```
 ///
 /// The kurtosis is not the excess kurtosis: its value is 3 for a Gaussian surface.
+///
+/// # Missing heights
+/// Missing heights (NaN) have no weight. [`measured_points`](Statistics::measured_points) is the number of the other
+/// heights. Slopes use pairs of measured neighbours, and the developed area uses groups of four measured neighbours. The
+/// spectral slope requires a complete surface and is otherwise NaN; see [`fill_missing`](super::fill_missing).
 ///
 /// # Slopes
 /// On a grid the slope depends on the method of differentiation. The effect is stronger for shorter waves. Each method
@@ -49,6 +54,7 @@ use crate::parallel::reduce;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Statistics {
+    measured_points: usize,
     mean_height: f64,
     arithmetic_mean_height: f64,
     rms_height: f64,
@@ -58,8 +64,11 @@ pub struct Statistics {
     kurtosis: f64,
     highest_peak: f64,
     deepest_valley: f64,
+    #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::array"))]
     profile_rms_slope: [f64; 2],
+    #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     developed_area_ratio: f64,
+    #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     spectral_rms_slope: f64,
 }
 
@@ -68,7 +77,8 @@ impl Statistics {
     /// [`HalfSpace::statistics`](crate::HalfSpace::statistics).
     ///
     /// # Errors
-    /// - [`Error::Sample`](crate::Error::Sample) with the first height that is missing or infinite.
+    /// - [`Error::Sample`](crate::Error::Sample) with the first infinite height.
+    /// - [`Error::Undetermined`](crate::Error::Undetermined) if all heights are missing.
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if the range of the heights or the square of their slopes
     ///   overflows.
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
@@ -79,8 +89,17 @@ impl Statistics {
     /// Computes the statistics of a surface from its local slab. The surface may be distributed over ranks.
     pub(crate) fn of_slab(heights: &Field, slab: &Slab) -> Result<Self> {
         slab.layout()
-            .collective_result(complete("height", heights))?;
-        let (deviations, mean_height) = about_mean(heights, slab);
+            .collective_result(finite_or_missing(heights))?;
+        let measured_points = measured_points(heights, slab);
+        let cells = slab.whole().cells();
+        if measured_points == 0 {
+            return Err(Error::Undetermined {
+                quantity: "surface",
+                unknowns: cells,
+                known: 0,
+            });
+        }
+        let (deviations, mean_height) = about_mean(heights, slab, measured_points);
         let highest_peak = slab.layout().combined(deviations.max(), f64::max);
         let deepest_valley = -slab.layout().combined(deviations.min(), f64::min);
         let z = deviations.as_slice();
@@ -88,13 +107,17 @@ impl Statistics {
         let largest = highest_peak.max(deepest_valley);
         let unit = if largest > 0.0 { largest } else { 1.0 };
         let [first, second, third, fourth] = reduce::sum(slab.layout(), |i| {
-            let z = z[i] / unit;
+            let z = or_zero(z[i] / unit);
             [z.abs(), z * z, z * z * z, (z * z) * (z * z)]
         })
-        .map(|sum| sum / slab.whole().cells() as f64);
-        let [_, m2, _] = parallel::enter_with(heights.grid().cells(), || {
-            Waves::of_slab(&deviations, slab).map(|waves| moments(&waves))
-        })?;
+        .map(|sum| sum / measured_points as f64);
+        let is_complete = measured_points == cells;
+        let m2 = if is_complete {
+            let waves = || Waves::of_slab(&deviations, slab).map(|waves| moments(&waves)[1]);
+            parallel::enter_with(heights.grid().cells(), waves)?
+        } else {
+            f64::NAN
+        };
         let z = slab.with_next_row(&deviations)?;
         let profile_rms_slope = rms_slopes(&z, slab);
         let developed_area_ratio = developed_area_ratio(&z, slab);
@@ -106,9 +129,13 @@ impl Statistics {
             ("slope along y", profile_rms_slope[1]),
             ("developed area ratio", developed_area_ratio),
         ] {
-            finite(quantity, value)?;
+            let is_undetermined = value.is_nan() && !is_complete;
+            if !is_undetermined {
+                finite(quantity, value)?;
+            }
         }
         Ok(Self {
+            measured_points,
             mean_height,
             arithmetic_mean_height: unit * first,
             rms_height: unit * second.sqrt(),
@@ -120,6 +147,12 @@ impl Statistics {
             developed_area_ratio,
             spectral_rms_slope: (2.0 * m2).sqrt(),
         })
+    }
+
+    /// Returns the number of measured heights, on which the parameters are based.
+    #[must_use]
+    pub fn measured_points(&self) -> usize {
+        self.measured_points
     }
 
     /// Returns the mean of the original heights (a length), the datum of all other parameters.
@@ -185,8 +218,10 @@ impl Statistics {
     ///          + \frac{1}{n_x\,(n_y-1)} \sum \left(\frac{z_{i,j+1}-z_{ij}}{\Delta y}\right)^2 ,
     /// ```
     ///
-    /// over the pairs of neighbours within the grid, without pairs across its edge. This is the definition for a
-    /// measured surface, which is not periodic. The slope along an axis of one cell is zero.
+    /// over the pairs of measured neighbours within the grid, without pairs across its edge. The formula is for a
+    /// complete surface. This is the definition for a measured surface, which is not periodic. The slope along an axis of
+    /// one cell is zero. It is NaN along an axis without a pair of measured neighbours.
+    #[doc(alias = "Sdq")]
     #[doc(alias = "rms slope")]
     #[doc(alias = "rms gradient")]
     #[must_use]
@@ -200,7 +235,7 @@ impl Statistics {
     ///
     /// A wave of two cells per period contributes the full mean square of its samples. The samples do not determine the
     /// phase of this wave and hence not its slope. If the heights are not periodic, the step at the edge of the grid is
-    /// included. See [`PowerSpectrum`](super::PowerSpectrum).
+    /// included. The slope is NaN if a height is missing. See [`PowerSpectrum`](super::PowerSpectrum).
     #[doc(alias = "rms slope")]
     #[must_use]
     pub fn spectral_rms_slope(&self) -> f64 {
@@ -220,7 +255,9 @@ impl Statistics {
     /// its projection, as a fraction of the projected area. It is not a percentage.
     ///
     /// Every four neighbouring heights span two triangles, which are separated by one of the two diagonals. The result
-    /// is the mean over both diagonals. For small slopes the ratio is half the square of the slope.
+    /// is the mean over both diagonals. For small slopes the ratio is half the square of the slope. It is NaN if no four
+    /// neighbouring heights are measured.
+    #[doc(alias = "Sdr")]
     #[must_use]
     pub fn developed_area_ratio(&self) -> f64 {
         self.developed_area_ratio

@@ -102,6 +102,43 @@ fn surfaces_on_ranks_match_one_process() {
 }
 
 #[test]
+fn statistics_with_missing_heights_are_identical_on_all_ranks() {
+    let grid = Grid::new(40, 30, 0.3, 0.2).unwrap();
+    let holed = |bodies: &HalfSpace| {
+        let is_missing = |x: f64, y: f64| (3.0 * x + 7.0 * y).sin() > 0.8;
+        Field::from_fn(bodies.grid(), |x, y| {
+            if is_missing(x, y) {
+                f64::NAN
+            } else {
+                height(x, y)
+            }
+        })
+    };
+    let numbers = |bodies: &HalfSpace| {
+        let found = bodies.statistics(&holed(bodies)).unwrap();
+        let [along_x, along_y] = found.profile_rms_slope();
+        let points = found.measured_points() as f64;
+        [
+            points,
+            found.mean_height(),
+            found.rms_height(),
+            along_x,
+            along_y,
+            found.developed_area_ratio(),
+        ]
+    };
+    let [alone] = &on_ranks(1, grid, |bodies, _| numbers(bodies))[..] else {
+        panic!("one rank has one result");
+    };
+    assert!(alone[0] < grid.cells() as f64 && alone.iter().all(|number| number.is_finite()));
+    for count in [2, 3] {
+        for found in on_ranks(count, grid, |bodies, _| numbers(bodies)) {
+            assert_eq!(bits(&found), bits(alone));
+        }
+    }
+}
+
+#[test]
 fn invalid_surfaces_are_rejected_by_all_ranks() {
     let grid = Grid::new(40, 300, 0.3, 0.2).unwrap();
     let outcomes = on_ranks(3, grid, |bodies, rank| {

@@ -326,3 +326,91 @@ fn missing_heights_are_rejected_with_index() {
         }
     }
 }
+
+#[test]
+fn missing_heights_have_no_weight() {
+    let grid = Grid::new(7, 5, 0.5, 0.25).unwrap();
+    let mut heights = Field::from_fn(grid, |x, y| (3.0 * x + 1.0).sin() + x * y);
+    for cell in [0, 9, 16, 34] {
+        heights.as_mut_slice()[cell] = f64::NAN;
+    }
+    let found = Statistics::of(&heights).unwrap();
+    assert_eq!(found.measured_points(), 31);
+    let measured: Vec<f64> = heights.iter().copied().filter(|z| !z.is_nan()).collect();
+    let mean_of = |f: &dyn Fn(f64) -> f64| measured.iter().map(|&z| f(z)).sum::<f64>() / 31.0;
+    let mean = mean_of(&|z| z);
+    let rms = mean_of(&|z| (z - mean).powi(2)).sqrt();
+    assert_equal("mean", found.mean_height(), mean);
+    assert_equal(
+        "Sa",
+        found.arithmetic_mean_height(),
+        mean_of(&|z| (z - mean).abs()),
+    );
+    assert_equal("Sq", found.rms_height(), rms);
+    assert_equal(
+        "Ssk",
+        found.skewness(),
+        mean_of(&|z| (z - mean).powi(3)) / rms.powi(3),
+    );
+    assert_equal(
+        "Sku",
+        found.kurtosis(),
+        mean_of(&|z| (z - mean).powi(4)) / rms.powi(4),
+    );
+    let highest = measured.iter().copied().fold(f64::MIN, f64::max);
+    let deepest = measured.iter().copied().fold(f64::MAX, f64::min);
+    assert_equal("Sz", found.height_range(), highest - deepest);
+    // Slopes between pairs of measured neighbours.
+    let at = |ix: usize, iy: usize| heights.get(ix, iy).unwrap_or(f64::NAN);
+    let rms_of = |slopes: Vec<f64>| {
+        let known: Vec<f64> = slopes.into_iter().filter(|s| !s.is_nan()).collect();
+        (known.iter().map(|s| s * s).sum::<f64>() / known.len() as f64).sqrt()
+    };
+    let cells = || (0..7).flat_map(|ix| (0..5).map(move |iy| (ix, iy)));
+    let along_x = rms_of(
+        cells()
+            .map(|(ix, iy)| (at(ix + 1, iy) - at(ix, iy)) / 0.5)
+            .collect(),
+    );
+    let along_y = rms_of(
+        cells()
+            .map(|(ix, iy)| (at(ix, iy + 1) - at(ix, iy)) / 0.25)
+            .collect(),
+    );
+    assert_equal("x", found.profile_rms_slope()[0], along_x);
+    assert_equal("y", found.profile_rms_slope()[1], along_y);
+    assert!(found.spectral_rms_slope().is_nan());
+    // A plane has its slope and area whatever is missing.
+    let plane = Field::from_fn(grid, |x, y| 0.3 * x - 0.4 * y);
+    let complete = Statistics::of(&plane).unwrap();
+    let holed = plane.iter().zip(heights.iter());
+    let holed = holed.map(|(z, mask)| if mask.is_nan() { f64::NAN } else { *z });
+    let holed = Statistics::of(&Field::from_vec(grid, holed.collect()).unwrap()).unwrap();
+    assert_equal("Sdq", holed.finite_difference_rms_slope(), 0.5);
+    assert_equal(
+        "Sdr",
+        holed.developed_area_ratio(),
+        complete.developed_area_ratio(),
+    );
+}
+
+#[test]
+fn surface_without_measured_heights_or_pairs_is_undetermined() {
+    let grid = Grid::new(4, 3, 1.0, 1.0).unwrap();
+    let mut heights = Field::constant(grid, f64::NAN);
+    let nothing = Statistics::of(&heights);
+    assert!(matches!(nothing, Err(Error::Undetermined { known: 0, .. })));
+    heights.as_mut_slice()[5] = 2.0;
+    let single = Statistics::of(&heights).unwrap();
+    assert_eq!(
+        (
+            single.measured_points(),
+            single.mean_height(),
+            single.rms_height()
+        ),
+        (1, 2.0, 0.0)
+    );
+    assert!(
+        single.finite_difference_rms_slope().is_nan() && single.developed_area_ratio().is_nan()
+    );
+}

@@ -3015,8 +3015,9 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_surface_self_affine_observed
 
-        ! Computes the statistics of count heights (lengths) on a grid. Returns STICKSLIP_SAMPLE for the first height that is NaN
-        ! or infinite, and STICKSLIP_NOT_FINITE if the range of heights or the square of the slopes overflows.
+        ! Computes the statistics of count heights (lengths) on a grid. Missing heights (NaN) have no weight; the spectral slope is
+        ! then NaN. Returns STICKSLIP_SAMPLE for the first infinite height, STICKSLIP_INVALID_ARGUMENT if all heights are missing, and
+        ! STICKSLIP_NOT_FINITE if the range of heights or the square of the slopes overflows.
         function stickslip_surface_statistics(grid, heights, count, statistics) result(answer) bind(c)
             import
             type(stickslip_grid), intent(in), optional :: grid

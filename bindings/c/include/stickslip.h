@@ -2360,8 +2360,9 @@ stickslip_status stickslip_surface_self_affine_observed(const stickslip_grid *gr
                                                         double *heights,
                                                         size_t count);
 
-// Computes the statistics of count heights (lengths) on a grid. Returns STICKSLIP_SAMPLE for the first height that is NaN
-// or infinite, and STICKSLIP_NOT_FINITE if the range of heights or the square of the slopes overflows.
+// Computes the statistics of count heights (lengths) on a grid. Missing heights (NaN) have no weight; the spectral slope is
+// then NaN. Returns STICKSLIP_SAMPLE for the first infinite height, STICKSLIP_INVALID_ARGUMENT if all heights are missing, and
+// STICKSLIP_NOT_FINITE if the range of heights or the square of the slopes overflows.
 stickslip_status stickslip_surface_statistics(const stickslip_grid *grid,
                                               const double *heights,
                                               size_t count,

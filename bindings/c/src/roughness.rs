@@ -196,8 +196,9 @@ impl From<Statistics> for stickslip_statistics {
     }
 }
 
-/// Computes the statistics of count heights (lengths) on a grid. Returns STICKSLIP_SAMPLE for the first height that is NaN
-/// or infinite, and STICKSLIP_NOT_FINITE if the range of heights or the square of the slopes overflows.
+/// Computes the statistics of count heights (lengths) on a grid. Missing heights (NaN) have no weight; the spectral slope is
+/// then NaN. Returns STICKSLIP_SAMPLE for the first infinite height, STICKSLIP_INVALID_ARGUMENT if all heights are missing, and
+/// STICKSLIP_NOT_FINITE if the range of heights or the square of the slopes overflows.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_surface_statistics(
     grid: *const stickslip_grid,

@@ -9,6 +9,7 @@ use crate::digits::short;
 use crate::error::OrRaise;
 use crate::grid::Grid;
 use crate::pickle::picklable;
+use crate::readers::readers;
 use crate::spots::ContactSpots;
 
 /// The edge of a contact or of its stick zone with sub-cell resolution, returned by :meth:`NormalSolution.edges`,
@@ -22,26 +23,17 @@ use crate::spots::ContactSpots;
 #[derive(Clone, PartialEq)]
 pub(crate) struct Edges(pub(crate) stickslip::edges::Edges);
 
+readers! { Edges.0:
+    /// Grid of the cells.
+    grid(): Grid => Grid,
+    /// Area of the contact or stick zone, with the covered parts of the cells at the edge (a length squared).
+    area(): f64,
+    /// Fraction of the cells at the edge whose fit was rejected.
+    unfitted_fraction(): f64,
+}
+
 #[pymethods]
 impl Edges {
-    /// Grid of the cells.
-    #[getter]
-    fn grid(&self) -> Grid {
-        Grid(self.0.grid())
-    }
-
-    /// Area of the contact or stick zone, with the covered parts of the cells at the edge (a length squared).
-    #[getter]
-    fn area(&self) -> f64 {
-        self.0.area()
-    }
-
-    /// Fraction of the cells at the edge whose fit was rejected.
-    #[getter]
-    fn unfitted_fraction(&self) -> f64 {
-        self.0.unfitted_fraction()
-    }
-
     /// Values at the centres of all cells, shape (ny, nx): the pressure for a contact, or the margin to the friction
     /// limit for a stick zone (pressures).
     #[getter]
@@ -107,14 +99,21 @@ picklable!(Edges: stickslip::edges::Edges);
 #[derive(Clone, PartialEq)]
 pub(crate) struct TangentialEdges(pub(crate) stickslip::edges::TangentialEdges);
 
+readers! { TangentialEdges.0:
+    /// Grid of the cells.
+    grid(): Grid => Grid,
+    /// The largest traction at the centre of a cell (a pressure).
+    peak_traction(): f64,
+    /// Area of the stick zone, with the covered parts of the cells at its edge (a length squared).
+    stick_area(): f64,
+    /// Contact area minus stick area.
+    slip_area(): f64,
+    /// Ratio of stick area to contact area.
+    stick_ratio(): f64,
+}
+
 #[pymethods]
 impl TangentialEdges {
-    /// Grid of the cells.
-    #[getter]
-    fn grid(&self) -> Grid {
-        Grid(self.0.grid())
-    }
-
     /// The edge of the contact.
     #[getter]
     fn contact(&self) -> Edges {
@@ -137,30 +136,6 @@ impl TangentialEdges {
     #[getter]
     fn mean_traction<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
         view(slf, |edges| edges.0.mean_traction())
-    }
-
-    /// The largest traction at the centre of a cell (a pressure).
-    #[getter]
-    fn peak_traction(&self) -> f64 {
-        self.0.peak_traction()
-    }
-
-    /// Area of the stick zone, with the covered parts of the cells at its edge (a length squared).
-    #[getter]
-    fn stick_area(&self) -> f64 {
-        self.0.stick_area()
-    }
-
-    /// Contact area minus stick area.
-    #[getter]
-    fn slip_area(&self) -> f64 {
-        self.0.slip_area()
-    }
-
-    /// Ratio of stick area to contact area.
-    #[getter]
-    fn stick_ratio(&self) -> f64 {
-        self.0.stick_ratio()
     }
 
     fn __repr__(&self) -> String {

@@ -9,6 +9,7 @@ use crate::array::Array;
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::pickle::picklable;
+use crate::readers::readers;
 use crate::real::{Count, Real};
 
 /// A rectangular grid of equal cells, centred on the origin.
@@ -34,6 +35,25 @@ use crate::real::{Count, Real};
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Grid(pub(crate) stickslip::Grid);
 
+readers! { Grid.0:
+    /// Number of cells along x.
+    nx(): usize,
+    /// Number of cells along y.
+    ny(): usize,
+    /// Side of a cell along x (a length).
+    dx(): f64,
+    /// Side of a cell along y (a length).
+    dy(): f64,
+    /// Number of cells.
+    cells(): usize,
+    /// Area of a cell (a length squared).
+    cell_area(): f64,
+    /// Area of all cells (a length squared).
+    area(): f64,
+    /// The whole grid if this grid is a slab of its rows, created by :meth:`HalfSpace.distributed`; otherwise this grid.
+    whole(): Self => Self,
+}
+
 #[pymethods]
 impl Grid {
     #[new]
@@ -57,52 +77,10 @@ impl Grid {
         stickslip::Grid::line(n.0, dx.0).or_raise(py).map(Self)
     }
 
-    /// Number of cells along x.
-    #[getter]
-    fn nx(&self) -> usize {
-        self.0.nx()
-    }
-
-    /// Number of cells along y.
-    #[getter]
-    fn ny(&self) -> usize {
-        self.0.ny()
-    }
-
-    /// Side of a cell along x (a length).
-    #[getter]
-    fn dx(&self) -> f64 {
-        self.0.dx()
-    }
-
-    /// Side of a cell along y (a length).
-    #[getter]
-    fn dy(&self) -> f64 {
-        self.0.dy()
-    }
-
     /// Shape of the arrays on the grid, (ny, nx).
     #[getter]
     pub(crate) fn shape(&self) -> (usize, usize) {
         (self.0.ny(), self.0.nx())
-    }
-
-    /// Number of cells.
-    #[getter]
-    fn cells(&self) -> usize {
-        self.0.cells()
-    }
-
-    /// Area of a cell (a length squared).
-    #[getter]
-    fn cell_area(&self) -> f64 {
-        self.0.cell_area()
-    }
-
-    /// Area of all cells (a length squared).
-    #[getter]
-    fn area(&self) -> f64 {
-        self.0.area()
     }
 
     /// Coordinates of the cell centres along x (lengths).
@@ -136,12 +114,6 @@ impl Grid {
             rows.end.try_into()?,
             1,
         ))
-    }
-
-    /// The whole grid if this grid is a slab of its rows, created by :meth:`HalfSpace.distributed`; otherwise this grid.
-    #[getter]
-    fn whole(&self) -> Self {
-        Self(self.0.whole())
     }
 
     fn __repr__(&self) -> String {

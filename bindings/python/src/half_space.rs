@@ -13,6 +13,7 @@ use crate::function::raising;
 use crate::grid::{Grid, size};
 use crate::material::{Bodies, ElasticPair};
 use crate::ranks::Communicator;
+use crate::readers::readers;
 
 /// A pair of half-spaces on a grid. Its influence coefficients and buffers are created on first use and shared. Two pairs
 /// with equal grid, bodies, boundary and cell value are equal.
@@ -42,6 +43,15 @@ use crate::ranks::Communicator;
 #[pyclass(frozen, module = "stickslip", from_py_object)]
 #[derive(Clone)]
 pub(crate) struct HalfSpace(pub(crate) stickslip::HalfSpace);
+
+readers! { HalfSpace.0:
+    /// The grid; for :meth:`distributed` bodies, the local rows.
+    grid(): Grid => Grid,
+    /// Boundary condition at the edge of the grid.
+    boundary(): Boundary => Boundary,
+    /// Meaning of the pressure and the traction of a cell.
+    cell_value(): Choice<stickslip::CellValue> => Choice,
+}
 
 #[pymethods]
 impl HalfSpace {
@@ -126,28 +136,10 @@ impl HalfSpace {
         made.or_raise(py).map(Self)
     }
 
-    /// The grid; for :meth:`distributed` bodies, the local rows.
-    #[getter]
-    fn grid(&self) -> Grid {
-        Grid(self.0.grid())
-    }
-
     /// The two bodies.
     #[getter]
     fn pair(&self) -> ElasticPair {
         self.0.pair().into()
-    }
-
-    /// Boundary condition at the edge of the grid.
-    #[getter]
-    fn boundary(&self) -> Boundary {
-        Boundary(self.0.boundary())
-    }
-
-    /// Meaning of the pressure and the traction of a cell.
-    #[getter]
-    fn cell_value(&self) -> Choice<stickslip::CellValue> {
-        Choice(self.0.cell_value())
     }
 
     fn __eq__(&self, other: &Self) -> bool {

@@ -6,6 +6,7 @@ use stickslip::layers;
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::pickle::picklable;
+use crate::readers::readers;
 use crate::real::Real;
 
 /// An elastic, isotropic layer bonded to the layer or body below it.
@@ -34,6 +35,17 @@ use crate::real::Real;
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Layer(pub(crate) layers::Layer);
 
+readers! { Layer.0:
+    /// Young's modulus (a pressure).
+    youngs_modulus(): f64,
+    /// Poisson's ratio.
+    poisson_ratio(): f64,
+    /// Thickness (a length).
+    thickness(): f64,
+    /// Shear modulus (a pressure).
+    shear_modulus(): f64,
+}
+
 #[pymethods]
 impl Layer {
     #[new]
@@ -46,30 +58,6 @@ impl Layer {
         layers::Layer::new(youngs_modulus.0, poisson_ratio.0, thickness.0)
             .or_raise(py)
             .map(Self)
-    }
-
-    /// Young's modulus (a pressure).
-    #[getter]
-    fn youngs_modulus(&self) -> f64 {
-        self.0.youngs_modulus()
-    }
-
-    /// Poisson's ratio.
-    #[getter]
-    fn poisson_ratio(&self) -> f64 {
-        self.0.poisson_ratio()
-    }
-
-    /// Thickness (a length).
-    #[getter]
-    fn thickness(&self) -> f64 {
-        self.0.thickness()
-    }
-
-    /// Shear modulus (a pressure).
-    #[getter]
-    fn shear_modulus(&self) -> f64 {
-        self.0.shear_modulus()
     }
 
     /// Equal layers have equal hashes.
@@ -100,33 +88,20 @@ pub(crate) fn numbers(layer: &layers::Layer) -> [f64; 3] {
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct WaveResponse(pub(crate) layers::Response);
 
-#[pymethods]
-impl WaveResponse {
+readers! { WaveResponse.0:
     /// Normal displacement due to pressure.
-    #[getter]
-    fn normal(&self) -> f64 {
-        self.0.normal
-    }
-
+    normal: f64,
     /// Tangential displacement along the wave vector due to traction along it.
-    #[getter]
-    fn along(&self) -> f64 {
-        self.0.along
-    }
-
+    along: f64,
     /// Tangential displacement across the wave vector due to traction across it.
-    #[getter]
-    fn across(&self) -> f64 {
-        self.0.across
-    }
-
+    across: f64,
     /// Normal displacement due to traction along the wave vector, and displacement along the wave vector due to pressure,
     /// up to a factor i.
-    #[getter]
-    fn coupling(&self) -> f64 {
-        self.0.coupling
-    }
+    coupling: f64,
+}
 
+#[pymethods]
+impl WaveResponse {
     fn __repr__(&self) -> String {
         let of = self.0;
         let [normal, along, across, coupling] =

@@ -30,6 +30,7 @@ mod pickle;
 mod pool;
 mod progress;
 mod ranks;
+mod readers;
 mod real;
 mod report;
 mod rolling;
@@ -120,9 +121,10 @@ mod _stickslip {
         stiffness::{ContactStiffness, NormalStiffness, TangentialStiffness},
         subsurface::{Plane, Planes, PointResult, PointResults, Principal, Stress, at_points},
         surface::{
-            Filled, Filtered, Levelled, PowerSpectrum, RoughSurface, SelfAffine, Statistics,
-            bisinusoidal, cone, crop, cylinder, ellipsoid, fill_missing, flat_punch, gap_between,
-            gap_from_heights, gaussian_filter, inverted, level, mirror_x, paraboloid, resample,
+            Autocorrelation, Filled, Filtered, Levelled, MaterialRatio, PowerSpectrum,
+            RoughSurface, SelfAffine, Statistics, WithoutOutliers, bisinusoidal, cone, crop,
+            cylinder, ellipsoid, fill_missing, flat_punch, gap_between, gap_from_heights,
+            gaussian_filter, inverted, level, mirror_x, paraboloid, remove_outliers, resample,
             sinusoidal, sphere, sum,
         },
         tangential::{

@@ -13,6 +13,7 @@ use crate::error::OrRaise;
 use crate::kernel::Kernel;
 use crate::layers::{Layer, WaveResponse, numbers};
 use crate::pickle::picklable;
+use crate::readers::readers;
 use crate::real::Real;
 
 /// A linear elastic, isotropic half-space, homogeneous or :meth:`coated`.
@@ -40,6 +41,21 @@ use crate::real::Real;
 #[pyclass(frozen, eq, module = "stickslip", from_py_object)]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Material(pub(crate) stickslip::Material);
+
+readers! { Material.0:
+    /// Young's modulus (a pressure); infinite for a rigid body.
+    youngs_modulus(): f64,
+    /// Shear modulus (a pressure); infinite for a rigid body.
+    shear_modulus(): f64,
+    /// Poisson's ratio; zero for a rigid body.
+    poisson_ratio(): f64,
+    /// The stated hardness (a pressure); infinite if it is not stated.
+    hardness(): f64,
+    /// Whether the body is rigid.
+    is_rigid(): bool,
+    /// Whether the body is coated.
+    is_coated(): bool,
+}
 
 #[pymethods]
 impl Material {
@@ -75,36 +91,6 @@ impl Material {
         Self(stickslip::Material::rigid())
     }
 
-    /// Young's modulus (a pressure); infinite for a rigid body.
-    #[getter]
-    fn youngs_modulus(&self) -> f64 {
-        self.0.youngs_modulus()
-    }
-
-    /// Shear modulus (a pressure); infinite for a rigid body.
-    #[getter]
-    fn shear_modulus(&self) -> f64 {
-        self.0.shear_modulus()
-    }
-
-    /// Poisson's ratio; zero for a rigid body.
-    #[getter]
-    fn poisson_ratio(&self) -> f64 {
-        self.0.poisson_ratio()
-    }
-
-    /// The stated hardness (a pressure); infinite if it is not stated.
-    #[getter]
-    fn hardness(&self) -> f64 {
-        self.0.hardness()
-    }
-
-    /// Whether the body is rigid.
-    #[getter]
-    fn is_rigid(&self) -> bool {
-        self.0.is_rigid()
-    }
-
     /// Returns this body with layers bonded on top of it and of its existing layers, outermost first. On a rigid body,
     /// the layers are elastic layers on a rigid base. The moduli of a coated body are the moduli of the body below the
     /// layers. A hardness that was set earlier is kept.
@@ -126,12 +112,6 @@ impl Material {
     #[getter]
     fn layers(&self) -> Vec<Layer> {
         self.0.layers().iter().copied().map(Layer).collect()
-    }
-
-    /// Whether the body is coated.
-    #[getter]
-    fn is_coated(&self) -> bool {
-        self.0.is_coated()
     }
 
     /// Returns the strain along x, stress (1 - nu^2) / E, of a body that cannot contract along y under a stress along x
@@ -216,6 +196,30 @@ impl From<&stickslip::ElasticPair> for ElasticPair {
     }
 }
 
+readers! { ElasticPair.0:
+    /// The hardness of the softer body (a pressure); infinite if none is stated.
+    hardness(): f64,
+    /// Contact modulus E* (a pressure), 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
+    contact_modulus(): f64,
+    /// Tangential modulus G* (a pressure), 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2.
+    tangential_modulus(): f64,
+    /// Shear modulus G of the single body with the compliance of both bodies (a pressure), 1/G = 1/G_1 + 1/G_2. It is
+    /// half of the modulus of each of two equal bodies.
+    equivalent_shear_modulus(): f64,
+    /// Poisson's ratio of the single body with the compliance of both bodies, nu = G (nu_1/G_1 + nu_2/G_2).
+    equivalent_poisson_ratio(): f64,
+    /// Dundurs' second parameter, which measures the coupling of pressure and traction; zero if they are not coupled.
+    ///
+    /// beta = ((1 - 2 nu_1) / G_1 - (1 - 2 nu_2) / G_2) / (2 ((1 - nu_1) / G_1 + (1 - nu_2) / G_2)). It is positive if
+    /// body 1 has the larger value of (1 - 2 nu) / G, and an exchange of the bodies reverses its sign. It is zero for
+    /// bodies of the same material, for two incompressible bodies, and for an incompressible body on a rigid body.
+    dundurs_beta(): f64,
+    /// Whether pressure and traction are coupled.
+    is_coupled(): bool,
+    /// Whether one of the bodies is coated.
+    is_coated(): bool,
+}
+
 #[pymethods]
 impl ElasticPair {
     #[new]
@@ -229,59 +233,6 @@ impl ElasticPair {
     #[getter]
     fn bodies(&self) -> (Material, Material) {
         self.0.bodies().map(Material).into()
-    }
-
-    /// The hardness of the softer body (a pressure); infinite if none is stated.
-    #[getter]
-    fn hardness(&self) -> f64 {
-        self.0.hardness()
-    }
-
-    /// Contact modulus E* (a pressure), 1/E* = (1 - nu_1^2)/E_1 + (1 - nu_2^2)/E_2.
-    #[getter]
-    fn contact_modulus(&self) -> f64 {
-        self.0.contact_modulus()
-    }
-
-    /// Tangential modulus G* (a pressure), 1/G* = (2 - nu_1)/G_1 + (2 - nu_2)/G_2.
-    #[getter]
-    fn tangential_modulus(&self) -> f64 {
-        self.0.tangential_modulus()
-    }
-
-    /// Shear modulus G of the single body with the compliance of both bodies (a pressure), 1/G = 1/G_1 + 1/G_2. It is
-    /// half of the modulus of each of two equal bodies.
-    #[getter]
-    fn equivalent_shear_modulus(&self) -> f64 {
-        self.0.equivalent_shear_modulus()
-    }
-
-    /// Poisson's ratio of the single body with the compliance of both bodies, nu = G (nu_1/G_1 + nu_2/G_2).
-    #[getter]
-    fn equivalent_poisson_ratio(&self) -> f64 {
-        self.0.equivalent_poisson_ratio()
-    }
-
-    /// Dundurs' second parameter, which measures the coupling of pressure and traction; zero if they are not coupled.
-    ///
-    /// beta = ((1 - 2 nu_1) / G_1 - (1 - 2 nu_2) / G_2) / (2 ((1 - nu_1) / G_1 + (1 - nu_2) / G_2)). It is positive if
-    /// body 1 has the larger value of (1 - 2 nu) / G, and an exchange of the bodies reverses its sign. It is zero for
-    /// bodies of the same material, for two incompressible bodies, and for an incompressible body on a rigid body.
-    #[getter]
-    fn dundurs_beta(&self) -> f64 {
-        self.0.dundurs_beta()
-    }
-
-    /// Whether pressure and traction are coupled.
-    #[getter]
-    fn is_coupled(&self) -> bool {
-        self.0.is_coupled()
-    }
-
-    /// Whether one of the bodies is coated.
-    #[getter]
-    fn is_coated(&self) -> bool {
-        self.0.is_coated()
     }
 
     /// Returns the response of the relative displacement u_1 - u_2 to waves of traction of the wave number k > 0 (one

@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 use crate::choice::Choice;
 use crate::digits::{counted, in_python, rough};
 use crate::pickle::picklable;
+use crate::readers::{readers, record};
 
 /// One step of an iteration, as passed to a progress callback.
 ///
@@ -15,38 +16,21 @@ use crate::pickle::picklable;
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Iteration(pub(crate) stickslip::Iteration);
 
+readers! { Iteration.0:
+    /// Number of conjugate-gradient steps so far.
+    iteration: usize,
+    /// Number of products with the operator in double precision so far.
+    double_precision_products: usize,
+    /// Number of products in single precision so far.
+    single_precision_products: usize,
+    /// Largest complementarity residual, relative to the largest displacement.
+    residual: f64,
+    /// Number of entries strictly between their bounds: contact cells, or cells that stick.
+    free: usize,
+}
+
 #[pymethods]
 impl Iteration {
-    /// Number of conjugate-gradient steps so far.
-    #[getter]
-    fn iteration(&self) -> usize {
-        self.0.iteration
-    }
-
-    /// Number of products with the operator in double precision so far.
-    #[getter]
-    fn double_precision_products(&self) -> usize {
-        self.0.double_precision_products
-    }
-
-    /// Number of products in single precision so far.
-    #[getter]
-    fn single_precision_products(&self) -> usize {
-        self.0.single_precision_products
-    }
-
-    /// Largest complementarity residual, relative to the largest displacement.
-    #[getter]
-    fn residual(&self) -> f64 {
-        self.0.residual
-    }
-
-    /// Number of entries strictly between their bounds: contact cells, or cells that stick.
-    #[getter]
-    fn free(&self) -> usize {
-        self.0.free
-    }
-
     fn __repr__(&self) -> String {
         format!(
             "Iteration(iteration={}, residual={}, free={})",
@@ -72,82 +56,41 @@ impl Report {
     }
 }
 
-#[pymethods]
-impl Report {
+readers! { Report.0:
     /// Reason for the end of the iteration.
-    #[getter]
-    fn status(&self) -> Choice<stickslip::Status> {
-        Choice(self.0.status)
-    }
-
+    status: Choice<stickslip::Status> => Choice,
     /// Number of conjugate-gradient steps.
-    #[getter]
-    fn iterations(&self) -> usize {
-        self.0.iterations
-    }
-
+    iterations: usize,
     /// Number of products with the operator in double precision, including the final check.
-    #[getter]
-    fn double_precision_products(&self) -> usize {
-        self.0.double_precision_products
-    }
-
+    double_precision_products: usize,
     /// Number of products in single precision.
-    #[getter]
-    fn single_precision_products(&self) -> usize {
-        self.0.single_precision_products
-    }
-
+    single_precision_products: usize,
     /// Number of products in both precisions.
-    #[getter]
-    fn products(&self) -> usize {
-        self.0.products()
-    }
-
+    products(): usize,
     /// Largest complementarity residual, relative to the largest displacement.
-    #[getter]
-    fn residual(&self) -> f64 {
-        self.0.residual
-    }
-
+    residual: f64,
     /// Certified bound on the squared relative error in the energy norm.
-    #[getter]
-    fn duality_gap(&self) -> f64 {
-        self.0.duality_gap
-    }
-
+    duality_gap: f64,
     /// Certified bound on the relative error in the energy norm, the square root of the duality gap.
     /// On a periodic grid under a prescribed approach or shift, the bound is relative to the contact under the computed
     /// force and excludes the error of this force.
-    #[getter]
-    fn energy_error_bound(&self) -> f64 {
-        self.0.energy_error_bound()
-    }
-
+    energy_error_bound(): f64,
     /// Origin of the bound on the smallest eigenvalue that :attr:`duality_gap` depends on: "proven"; "estimated", on the
     /// safe side, for stiff coatings on long grids; or "unknown". If it is "unknown", the error bound, the square root of
     /// the duality gap of the problem, decreases only with the square root of the residual.
-    #[getter]
-    fn eigenvalue_bound(&self) -> Choice<stickslip::EigenvalueBound> {
-        Choice(self.0.eigenvalue_bound)
-    }
-
+    eigenvalue_bound: Choice<stickslip::EigenvalueBound> => Choice,
     /// Relative error of the prescribed total; zero if no total is prescribed.
-    #[getter]
-    fn load_error(&self) -> f64 {
-        self.0.load_error
-    }
+    load_error: f64,
+    /// Whether the tolerance was reached.
+    is_converged(): bool,
+}
 
+#[pymethods]
+impl Report {
     /// Wall time of the solve (s).
     #[getter]
     fn time(&self) -> f64 {
         Duration::as_secs_f64(&self.0.time)
-    }
-
-    /// Whether the tolerance was reached.
-    #[getter]
-    fn is_converged(&self) -> bool {
-        self.0.is_converged()
     }
 
     /// All iterates whose residual was measured, in order.
@@ -162,6 +105,9 @@ impl Report {
 }
 
 picklable!(Report: stickslip::Report);
+
+record!(Report: status, iterations, double_precision_products, single_precision_products, products, residual,
+    duality_gap, energy_error_bound, eigenvalue_bound, load_error, time, is_converged);
 
 /// A warning about a converged solution that might mislead.
 ///

@@ -9,6 +9,7 @@ use crate::choice::Choice;
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::pickle::picklable;
+use crate::readers::readers;
 use crate::real::{Count, Real};
 
 /// Method, tolerance and limits of an iteration. Every problem, solver and history accepts them together as ``settings``,
@@ -32,6 +33,15 @@ use crate::real::{Count, Real};
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Settings(pub(crate) stickslip::cgm::Settings);
 
+readers! { Settings.0:
+    /// Tolerance of the error.
+    tolerance: f64,
+    /// Method of the iteration.
+    method: Choice<stickslip::cgm::Method> => Choice,
+    /// Maximum number of conjugate-gradient steps.
+    max_iterations: usize,
+}
+
 #[pymethods]
 impl Settings {
     #[new]
@@ -46,24 +56,6 @@ impl Settings {
         let settings = chosen(None, tolerance, method, max_iterations, time_limit)?;
         settings.check().or_raise(py)?;
         Ok(Self(settings))
-    }
-
-    /// Tolerance of the error.
-    #[getter]
-    fn tolerance(&self) -> f64 {
-        self.0.tolerance
-    }
-
-    /// Method of the iteration.
-    #[getter]
-    fn method(&self) -> Choice<stickslip::cgm::Method> {
-        Choice(self.0.method)
-    }
-
-    /// Maximum number of conjugate-gradient steps.
-    #[getter]
-    fn max_iterations(&self) -> usize {
-        self.0.max_iterations
     }
 
     /// Maximum wall time (s), or ``None``.

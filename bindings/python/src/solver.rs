@@ -8,11 +8,11 @@ use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use stickslip::{Iteration, Result};
 
-use crate::error::with_iterate;
+use crate::error::{OrRaise, with_iterate};
 use crate::progress::Progress;
 use crate::report::warn;
 use crate::solution_pool::{Spare, lock};
-use crate::work::{solve, unobserved_on};
+use crate::work::{Observer, solve, unobserved_on};
 
 /// Solver of the crate.
 pub(crate) trait Solver: Send + Sized {
@@ -121,6 +121,22 @@ impl<S: Solver> Reused<S> {
         let mut held = self.lock()?;
         let solver = &mut held.0;
         unobserved_on(py, self.grid, || work(solver))
+    }
+
+    /// Runs long work with the solver that returns no solution, and that a signal or the progress callback can end.
+    pub(crate) fn observed<'py, T: Send>(
+        &self,
+        py: Python<'py>,
+        progress: Option<&Bound<'py, PyAny>>,
+        work: impl FnOnce(&mut S, Observer<'_>) -> Result<T> + Send,
+    ) -> PyResult<T> {
+        let progress = Progress::of(progress)?;
+        let mut held = self.lock()?;
+        let solver = &mut held.0;
+        let outcome = solve(py, self.grid.cells(), progress, |observer| {
+            work(solver, observer)
+        })?;
+        outcome.or_raise_on(py, self.grid)
     }
 
     /// Solves after the problem of the solve has been set.

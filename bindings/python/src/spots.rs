@@ -6,6 +6,7 @@ use crate::array::{Array, labels};
 use crate::digits::{counted, short, tuple};
 use crate::grid::Grid;
 use crate::pickle::picklable;
+use crate::readers::{frame, readers, record};
 use crate::sequence::{Entries, entry, pair};
 
 /// A connected spot of contact cells.
@@ -13,56 +14,27 @@ use crate::sequence::{Entries, entry, pair};
 #[derive(Clone, PartialEq)]
 pub(crate) struct Spot(stickslip::Spot);
 
+readers! { Spot.0:
+    /// Number of cells of the spot.
+    cells: usize,
+    /// Area of the spot (a length squared).
+    area: f64,
+    /// Force that the spot carries.
+    load: f64,
+    /// Ratio of load to area.
+    mean_pressure: f64,
+    /// Largest pressure in the spot.
+    max_pressure: f64,
+    /// Mean position of the cells (lengths).
+    centroid: (f64, f64) => pair,
+    /// Length of the edge of the spot along the sides of cells.
+    perimeter: f64,
+    /// Ratio of stick cells to all cells of the spot; ``None`` without a tangential contact.
+    stick_ratio: Option<f64>,
+}
+
 #[pymethods]
 impl Spot {
-    /// Number of cells of the spot.
-    #[getter]
-    fn cells(&self) -> usize {
-        self.0.cells
-    }
-
-    /// Area of the spot (a length squared).
-    #[getter]
-    fn area(&self) -> f64 {
-        self.0.area
-    }
-
-    /// Force that the spot carries.
-    #[getter]
-    fn load(&self) -> f64 {
-        self.0.load
-    }
-
-    /// Ratio of load to area.
-    #[getter]
-    fn mean_pressure(&self) -> f64 {
-        self.0.mean_pressure
-    }
-
-    /// Largest pressure in the spot.
-    #[getter]
-    fn max_pressure(&self) -> f64 {
-        self.0.max_pressure
-    }
-
-    /// Mean position of the cells (lengths).
-    #[getter]
-    fn centroid(&self) -> (f64, f64) {
-        pair(self.0.centroid)
-    }
-
-    /// Length of the edge of the spot along the sides of cells.
-    #[getter]
-    fn perimeter(&self) -> f64 {
-        self.0.perimeter
-    }
-
-    /// Ratio of stick cells to all cells of the spot; ``None`` without a tangential contact.
-    #[getter]
-    fn stick_ratio(&self) -> Option<f64> {
-        self.0.stick_ratio
-    }
-
     fn __repr__(&self) -> String {
         format!(
             "Spot(cells={}, load={}, centroid={})",
@@ -75,12 +47,17 @@ impl Spot {
 
 picklable!(Spot: stickslip::Spot);
 
+record!(Spot: cells, area, load, mean_pressure, max_pressure, centroid, perimeter, stick_ratio);
+
 /// The connected spots of a contact: a sequence of :class:`Spot`.
 #[pyclass(frozen, eq, module = "stickslip", sequence)]
 #[derive(PartialEq)]
 pub(crate) struct ContactSpots(pub(crate) stickslip::ContactSpots);
 
 picklable!(ContactSpots: stickslip::ContactSpots);
+
+frame!(ContactSpots, columns:
+    cells, area, load, mean_pressure, max_pressure, centroid, perimeter, stick_ratio);
 
 impl ContactSpots {
     pub(crate) fn of(spots: stickslip::ContactSpots) -> Self {

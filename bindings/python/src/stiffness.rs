@@ -9,6 +9,7 @@ use crate::friction::AnyFriction;
 use crate::half_space::HalfSpace;
 use crate::normal::NormalSolution;
 use crate::pickle::picklable;
+use crate::readers::readers;
 use crate::tangential::TangentialSolution;
 use crate::work::{observed_on, watch};
 
@@ -18,21 +19,16 @@ use crate::work::{observed_on, watch};
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct NormalStiffness(pub(crate) stickslip::stiffness::NormalStiffness);
 
-#[pymethods]
-impl NormalStiffness {
+readers! { NormalStiffness.0:
     /// Value of the derivative (a force over a length); zero without contact.
-    #[getter]
-    fn value(&self) -> f64 {
-        self.0.value
-    }
-
+    value: f64,
     /// Bound on the relative error of the linear solve; infinite if pressure and traction are solved simultaneously. It
     /// excludes the effect of errors of the pressure.
-    #[getter]
-    fn bound(&self) -> f64 {
-        self.0.bound
-    }
+    bound: f64,
+}
 
+#[pymethods]
+impl NormalStiffness {
     fn __float__(&self) -> f64 {
         self.0.value
     }
@@ -132,6 +128,13 @@ picklable!(TangentialStiffness: stickslip::stiffness::TangentialStiffness);
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct ContactStiffness(pub(crate) stickslip::stiffness::ContactStiffness);
 
+readers! { ContactStiffness.0:
+    /// Derivative of the normal force with respect to the approach.
+    normal: NormalStiffness => NormalStiffness,
+    /// Derivatives of the tangential forces and the moment with respect to the shifts and the twist.
+    tangential: TangentialStiffness => TangentialStiffness,
+}
+
 #[pymethods]
 impl ContactStiffness {
     #[new]
@@ -152,18 +155,6 @@ impl ContactStiffness {
             )
         });
         found.map(Self)
-    }
-
-    /// Derivative of the normal force with respect to the approach.
-    #[getter]
-    fn normal(&self) -> NormalStiffness {
-        NormalStiffness(self.0.normal)
-    }
-
-    /// Derivatives of the tangential forces and the moment with respect to the shifts and the twist.
-    #[getter]
-    fn tangential(&self) -> TangentialStiffness {
-        TangentialStiffness(self.0.tangential)
     }
 
     /// Derivatives of the tangential forces (forces over lengths) and the moment (a force) with respect to the

@@ -31,6 +31,7 @@ ELSEWHERE = {
     "enum rolling::SpinControl": "rolling.RollingProblem",  # spin= and moment=
     "enum surface::Form": "surface.level",  # 'mean', 'plane' or a degree
     "struct surface::GaussianFilter": "surface.gaussian_filter",  # s=, l=, periodic=, along=
+    "struct surface::OutlierFilter": "surface.remove_outliers",  # threshold=, radius=
     "enum io::Sides": "io.npy.read",  # cell= or size=
     "enum io::vti::Array": "io.vti.write",  # a field or a pair of fields
     "struct io::csv::Options": "io.csv.read",  # missing=, skip_rows= and others
@@ -136,6 +137,8 @@ METHODS = {
     "subsurface::Plane": {"map": "arrays of NumPy", "stresses": "arrays of NumPy"},
     "subsurface::Planes": {"through": "solve of each in turn"},
     "subsurface::Tractions": {"with_traction": "(pressure, (x, y))"},
+    "surface::Autocorrelation": {"of_periodic": "periodic="},
+    "surface::OutlierFilter": {"apply": "the function"},
     "surface::GaussianFilter": {
         **dict.fromkeys(["apply", "sl"], "the function"),
         **dict.fromkeys(["along_x", "along_y"], "along="),

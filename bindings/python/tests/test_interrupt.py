@@ -181,3 +181,39 @@ print(len(seen), step.normal_force)
     answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=TIMEOUT, check=True)
     count, force = answer.stdout.split()
     assert count == "1" and float(force) == pytest.approx(0.3)
+
+
+CREEP = """
+import os, signal, threading
+import stickslip as ss
+grid = ss.Grid.square({cells}, 0.4e-3)
+steel = ss.Material(213e9, 0.29)
+bodies = ss.HalfSpace(grid, (steel, steel))
+normal = ss.NormalProblem(bodies, ss.surface.sphere(grid, 3.5e-3), force=100.0).solve()
+solver = ss.rolling.RollingProblem(bodies, normal, 0.5, creepage_x=1e-4).solver()
+points = [(1e-4 * (1 + k % 40), 0.0, 0.0) for k in range(10**5)]
+calls = []
+def interrupt(iteration):
+    calls.append(iteration)
+    if len(calls) == 200:
+        os.kill(os.getpid(), signal.SIGINT)
+try:
+    solver.creep_forces(points, progress=interrupt)
+    print("completed")
+except KeyboardInterrupt:
+    print("interrupted", len(calls) < 300)
+print(solver.creep_forces(points[:3])[2].force[0] > 0.0)
+threading.Timer(0.5, lambda: os.kill(os.getpid(), signal.SIGINT)).start()
+try:
+    solver.creep_forces(points)
+    print("completed")
+except KeyboardInterrupt:
+    print("interrupted")
+"""
+
+
+@pytest.mark.parametrize("cells", [24, 96])  # on the calling thread, and in the pool
+def test_ctrl_c_ends_creep_forces_between_points(cells):
+    code = CREEP.format(cells=cells)
+    answer = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, timeout=TIMEOUT)
+    assert answer.stdout.split() == ["interrupted", "True", "True", "interrupted"], answer.stderr

@@ -250,7 +250,7 @@ def test_sample_message_has_row_column_and_remedy(scene):
     for call in (
         lambda: ss.surface.gap_between(scene.ball, holed),
         lambda: ss.surface.resample(holed, ss.Grid.square(7, 0.1e-3)),
-        lambda: ss.surface.Statistics(holed),
+        lambda: ss.surface.PowerSpectrum(holed),
         lambda: scene.history().set_gap(holed),
     ):
         with pytest.raises(ss.errors.Sample, match=r"row 3, column 5 .*\(surface.fill_missing"):

@@ -68,7 +68,8 @@ def test_closed_forms_and_statistics_round_trip(scene):
         forms.MindlinDeresiewicz(hertz, 0.5, [30.0, -30.0, 10.0]), forms.MindlinFullStick(pair, 1e-3, 1.0),
         forms.NoSlipPunch(pair, 1e-3, 10.0), forms.NoSlipSphere(pair, 1e-2, 10.0), forms.SpencePressing.round(pair, 0.3),
         forms.RoughSphere(hertz, 0.1), forms.RoundedPunch(pair, 1e-3, 1e-2, 1e4), forms.WestergaardPartialSlip(waves, 0.5, 1e6),
-        forms.PopovLimitingShape(pair, 3.5e-3, 1e-6, 1e-5), ss.surface.Statistics(scene.ball), ss.NormalProblem(
+        forms.PopovLimitingShape(pair, 3.5e-3, 1e-6, 1e-5), ss.surface.Statistics(scene.ball),
+        ss.surface.MaterialRatio(scene.ball), ss.surface.Autocorrelation(scene.ball), ss.NormalProblem(
             scene.bodies, scene.ball, force=FORCE).solve().spots,
     ]  # fmt: skip
     assert {type(form) for form in made} >= {form for form in vars(forms).values() if isinstance(form, type)}

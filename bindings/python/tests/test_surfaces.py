@@ -73,6 +73,116 @@ def test_surfaces_keep_unit(tmp_path):
         rough.to_unit("furlong")
 
 
+def test_statistics_have_iso_names_and_skip_missing_heights():
+    grid = ss.Grid.square(32, 32.0)
+    surface = wave(grid, 8.0) + 0.1 * np.random.default_rng(3).normal(size=grid.shape)
+    found = ss.surface.Statistics(surface)
+    assert (found.Sa, found.Sq, found.Ssk, found.Sku) == (
+        found.arithmetic_mean_height, found.rms_height, found.skewness, found.kurtosis,
+    )  # fmt: skip
+    assert (found.Sp, found.Sv, found.Sz) == (found.highest_peak, found.deepest_valley, found.height_range)
+    assert (found.Sdq, found.Sdr) == (found.finite_difference_rms_slope, found.developed_area_ratio)
+    slopes = [np.diff(surface.array, axis=1).ravel(), np.diff(surface.array, axis=0).ravel()]
+    assert found.Sdq == pytest.approx(np.sqrt(sum(np.mean(slope**2) for slope in slopes)))
+    assert list(found.to_dict())[:3] == ["measured_points", "mean_height", "spectral_rms_slope"]
+    assert found.to_dict()["Sq"] == found.Sq and found.measured_points == grid.cells
+
+    heights = surface.array.copy()
+    heights[5:9, 7] = np.nan
+    holed = ss.surface.Statistics(ss.Field(grid, heights))
+    measured = heights[~np.isnan(heights)]
+    assert holed.measured_points == grid.cells - 4 == measured.size
+    assert holed.mean_height == pytest.approx(measured.mean()) and holed.Sq == pytest.approx(measured.std())
+    assert np.isnan(holed.spectral_rms_slope) and holed.Sdq == pytest.approx(found.Sdq, rel=0.05)
+    with pytest.raises(ss.errors.Undetermined):
+        ss.surface.Statistics(ss.Field(grid, np.nan))
+
+
+def test_material_ratio_of_gaussian_heights():
+    stats = pytest.importorskip("scipy.stats")
+    grid = ss.Grid.square(256, 1.0)
+    heights = np.random.default_rng(5).normal(scale=2.0, size=grid.shape)
+    heights[0, :3] = np.nan
+    found = ss.surface.MaterialRatio(ss.Field(grid, heights))
+    assert found.measured_points == grid.cells - 3 and found.core_height == found.Sk
+    # Sk of a normal distribution is 2.574 standard deviations; the limits of the core are at half of it.
+    assert found.Sk == pytest.approx(2.574 * 2.0, rel=0.02)
+    tail = stats.norm.sf(2.574 / 2)
+    assert found.Smr1 == pytest.approx(tail, abs=5e-3) and found.Smr2 == pytest.approx(1.0 - tail, abs=5e-3)
+    peak = 2.0 * 2.0 * (stats.norm.pdf(2.574 / 2) / tail - 2.574 / 2)
+    assert found.Spk == pytest.approx(peak, rel=0.05) and found.Svk == pytest.approx(peak, rel=0.05)
+    ratios = np.array([0.1, 0.5, 0.9])
+    assert np.allclose(found.height(ratios), stats.norm.isf(ratios, scale=2.0), atol=0.05)
+    assert np.allclose(found.material_ratio(found.height(ratios)), ratios, atol=1e-4)
+    assert isinstance(found.height(0.5), float)
+    assert set(found.to_dict()) == {"measured_points", "Sk", "Spk", "Svk", "Smr1", "Smr2"}
+
+
+def test_autocorrelation_of_waves_and_thresholds():
+    grid = ss.Grid.square(128, 128.0)
+    crossed = ss.Field(grid, np.cos(np.pi * grid.x / 32.0) + np.cos(np.pi * grid.y / 32.0)[:, None], "um")
+    found = ss.surface.Autocorrelation(crossed, periodic=True)
+    k = np.pi / 32.0
+    assert found.Sal == found.decay_length() == pytest.approx(np.sqrt(2.0) * np.arccos(0.2) / k, rel=2e-3)
+    assert found.Str == found.texture_aspect_ratio() == pytest.approx(found.Sal * k / np.arccos(-0.6), rel=3e-3)
+    assert found.decay_length(0.5) < found.Sal and found.decay_length(-1.1) is None
+    lags = found.values
+    assert lags.shape == (129, 129) and lags[64, 64] == 1.0
+    expected = 0.5 * (np.cos(k * lags.grid.x) + np.cos(k * lags.grid.y)[:, None])
+    assert np.allclose(lags, expected, rtol=0, atol=1e-12)
+    assert found.to_dict() == {"Sal": found.Sal, "Str": found.Str}
+    # A surface with edges has no pairs beyond them.
+    assert ss.surface.Autocorrelation(crossed).Sal == pytest.approx(found.Sal, rel=0.1)
+    everything = ss.surface.parameters(crossed, periodic=True)
+    assert everything["Sal"] == found.Sal and everything["Sq"] == pytest.approx(1.0) and "Smr1" in everything
+
+
+def test_outliers_are_removed_or_interpolated():
+    grid = ss.Grid.square(64, 64.0)
+    clean = wave(grid, 32.0, "um") + 0.01 * np.random.default_rng(7).normal(size=grid.shape)
+    heights = clean.array.copy()
+    spikes = [(3, 4), (20, 30), (20, 31), (50, 9)]
+    for row, column in spikes:
+        heights[row, column] += 2.0
+    heights[10, 10] = np.nan
+    found = ss.surface.remove_outliers(ss.Field(grid, heights, "um"), threshold=8.0)
+    assert sorted(zip(*np.nonzero(found.outliers))) == sorted(spikes) and found.outlier_cells == len(spikes)
+    assert found.heights.unit == "um" and np.isnan(found.heights).sum() == len(spikes) + 1
+    interpolated = found.interpolated()
+    assert interpolated.unit == "um" and np.isnan(interpolated[10, 10]) and np.isnan(interpolated).sum() == 1
+    assert np.abs(interpolated - clean)[found.outliers].max() < 0.1
+    assert np.array_equal(np.asarray(found), found.heights, equal_nan=True) and repr(found) == "WithoutOutliers(4 outliers)"
+    again = pickle.loads(pickle.dumps(found))
+    assert np.array_equal(again.outliers, found.outliers) and again.heights.unit == "um"
+    with pytest.raises(ss.errors.BelowMinimum, match="radius"):
+        ss.surface.remove_outliers(clean, radius=0)
+
+
+def test_numbers_convert_to_tables(scene):
+    pandas = pytest.importorskip("pandas")
+    contact = scene.normal()
+    series = ss.surface.Statistics(wave(ss.Grid.square(16, 16.0), 8.0)).to_series()
+    assert isinstance(series, pandas.Series) and series.name == "Statistics" and series["Sq"] == pytest.approx(0.5**0.5)
+    report = contact.report.to_dict()
+    assert report["status"] == contact.report.status and report["products"] == contact.report.products
+    assert contact.report.to_series()["time"] == contact.report.time
+    spots = contact.spots.to_frame()
+    assert list(spots.columns)[:2] == ["cells", "area"] and spots["load"].sum() == pytest.approx(contact.force)
+    assert np.isnan(spots["stick_ratio"][0]) and spots["centroid_x"][0] == contact.spots[0].centroid[0]
+    assert contact.spots[0].to_dict()["centroid_y"] == contact.spots[0].centroid[1]
+
+    history = scene.history(tolerance=1e-6)
+    history.step(normal_force=100.0)
+    path = ss.history.LoadPath.triangle((1e-6, 0.0), 4)
+    loop = ss.history.FrettingLoop(path, lambda shift: ss.LoadStep(normal_force=100.0, shift=shift))
+    cycle = loop.run(history, 1).last
+    frame = cycle.points.to_frame()
+    assert np.array_equal(frame["force_x"], cycle.points.force[0]) and len(frame) == 5
+    assert cycle.energy.to_dict()["work"] == cycle.energy.work
+    worn = ss.wear.run(history, loop, ss.wear.EnergyLaw(1e-13), 100).history
+    assert np.array_equal(worn.to_frame()["cycles"], worn.cycles)
+
+
 def test_unknown_units_are_rejected(tmp_path):
     grid = ss.Grid.square(4, 4.0)
 

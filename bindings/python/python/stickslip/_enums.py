@@ -137,6 +137,14 @@ class StopReason(_Name):
     STOPPED = "stopped"
 
 
+class WearEnding(_Name):
+    """Reason for the end of :func:`stickslip.wear.run`."""
+
+    CYCLE_LIMIT = "cycle_limit"
+    DEPTH = "depth"
+    STOPPED = "stopped"
+
+
 class Body(_Name):
     """One of the two bodies; z points into body one."""
 

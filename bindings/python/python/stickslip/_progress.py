@@ -2,21 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from . import Iteration
 
 
+def _tqdm(**options: Any) -> Any:
+    try:
+        from tqdm.auto import tqdm  # type: ignore[import-untyped]
+    except ImportError as error:
+        raise ImportError("progress=True requires tqdm: pip install 'stickslip[progress]'") from error
+    return tqdm(**options)
+
+
 class Bar:
     """Progress bar of tqdm that shows products and residual of a solve."""
 
     def __init__(self) -> None:
-        try:
-            from tqdm.auto import tqdm  # type: ignore[import-untyped]
-        except ImportError as error:
-            raise ImportError("progress=True requires tqdm: pip install 'stickslip[progress]'") from error
-        self._bar: Any = tqdm(unit=" products")
+        self._bar = _tqdm(unit=" products")
 
     def __call__(self, iteration: Iteration) -> None:
         self._bar.update(1)
@@ -24,3 +30,16 @@ class Bar:
 
     def close(self) -> None:
         self._bar.close()
+
+
+@contextmanager
+def cycle_bar(cycles: int, done: int, is_shown: bool) -> Iterator[Callable[[int], object]]:
+    """Provides a function that advances a progress bar by the given number of cycles, or does nothing."""
+    if not is_shown:
+        yield lambda advance: None
+        return
+    bar = _tqdm(total=cycles, initial=done, unit=" cycles")
+    try:
+        yield bar.update
+    finally:
+        bar.close()

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
     "AdaptiveSteps",
+    "Autocorrelation",
     "BentallJohnson",
     "Boundary",
     "Carter",
@@ -64,6 +65,7 @@ __all__ = [
     "LoopPoints",
     "LubkinTorsion",
     "Material",
+    "MaterialRatio",
     "MindlinDeresiewicz",
     "MindlinFullStick",
     "Minimum",
@@ -76,14 +78,15 @@ __all__ = [
     "Persson",
     "Plane",
     "Planes",
+    "PointResult",
+    "PointResults",
     "PopovLimitingShape",
     "PowerSpectrum",
     "Principal",
+    "PvdWriter",
     "Rectangle",
     "RelativeDisplacement",
     "Report",
-    "PointResult",
-    "PointResults",
     "Rolling",
     "RollingProblem",
     "RollingSolution",
@@ -92,7 +95,6 @@ __all__ = [
     "RoughSurface",
     "RoundedPunch",
     "SelfAffine",
-    "PvdWriter",
     "Settings",
     "SpencePressing",
     "Spot",
@@ -115,6 +117,7 @@ __all__ = [
     "WaveResponse",
     "Westergaard",
     "WestergaardPartialSlip",
+    "WithoutOutliers",
     "__version__",
     "_from_bytes",
     "_restore",
@@ -152,6 +155,7 @@ __all__ = [
     "num_threads",
     "paraboloid",
     "read",
+    "remove_outliers",
     "resample",
     "sdf_parse",
     "sdf_read",
@@ -227,6 +231,73 @@ class AdaptiveSteps:
         ------
         GridMismatch, StepTooLong
             In addition to the exceptions of :meth:`History.step`.
+        """
+
+@final
+class Autocorrelation:
+    """
+    The autocorrelation function of a surface, with the spatial parameters of ISO 25178-2.
+
+    The function is the mean product of the heights of all pairs of measured points at a lag, relative to its value without a
+    lag. Lags extend to half the length of the grid along each axis. Level the surface first.
+
+    Parameters
+    ----------
+    heights : Field or topography
+        The heights (lengths). Missing heights (NaN) form no pairs.
+    periodic : bool, default False
+        Whether the surface continues periodically beyond its edges.
+
+    Raises
+    ------
+    Sample, Undetermined, Memory
+
+    Examples
+    --------
+    >>> import numpy as np, stickslip as ss
+    >>> grid = ss.Grid.square(256, 256.0)
+    >>> wave = ss.Field(grid, np.tile(np.sin(2.0 * np.pi * grid.x / 128.0), (256, 1)))
+    >>> correlation = ss.surface.Autocorrelation(wave, periodic=True)
+    >>> round(correlation.Sal / 128.0, 3), round(float(np.arccos(0.2) / (2.0 * np.pi)), 3)
+    (0.218, 0.218)
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __new__(cls, /, heights: Field | ArrayLike, *, periodic: bool = False) -> Autocorrelation: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def Sal(self, /) -> float | None:
+        """
+        Autocorrelation length (ISO 25178-2) for the threshold 0.2: :meth:`decay_length`.
+        """
+    @property
+    def Str(self, /) -> float | None:
+        """
+        Texture aspect ratio (ISO 25178-2) for the threshold 0.2: :meth:`texture_aspect_ratio`.
+        """
+    def decay_length(self, /, threshold: float = ...) -> float | None:
+        """
+        Returns the autocorrelation length Sal (a length): the smallest distance over which the function falls to a
+        threshold; ``None`` if it remains above the threshold at all lags.
+        """
+    def texture_aspect_ratio(self, /, threshold: float = ...) -> float | None:
+        """
+        Returns the texture aspect ratio Str, from 0 to 1: the smallest divided by the largest distance over which the
+        function falls to a threshold; ``None`` if it remains above the threshold at all lags. In directions in which the
+        function does not fall to the threshold, the largest lag is used, so the true ratio is smaller.
+        """
+    def to_dict(self, /) -> dict[str, Any]:
+        """
+        """
+    def to_series(self, /) -> Any:
+        """
+        """
+    @property
+    def values(self, /) -> Field:
+        """
+        The function on a grid of lags; the lag of a cell is its position, and the lag zero is in the middle. NaN at lags
+        without a pair of measured points.
         """
 
 @final
@@ -819,6 +890,12 @@ class ContactSpots:
         """
         The spot with the largest area.
         """
+    def to_dict(self, /) -> dict[str, Any]:
+        """
+        """
+    def to_frame(self, /) -> Any:
+        """
+        """
 
 @final
 class ContactStiffness:
@@ -1385,6 +1462,12 @@ class CreepForces:
         """
         Ratio of stick cells to contact cells.
         """
+    def to_dict(self, /) -> dict[str, Any]:
+        """
+        """
+    def to_frame(self, /) -> Any:
+        """
+        """
 
 @final
 class Cycle:
@@ -1782,6 +1865,12 @@ class EnergyBalance:
         not change and the load does not turn within the step, this value is exact for any length of the step.
         """
     @property
+    def dissipated_energy_midpoint(self, /) -> float:
+        """
+        Dissipated energy, computed from the mean of the tractions before and after the step. This value closes the
+        balance. It is not negative if pressure and friction do not change.
+        """
+    @property
     def elastic_after(self, /) -> float:
         """
         Elastic energy of shear after the step or cycle; energy of pressure and traction if both are solved
@@ -1799,12 +1888,6 @@ class EnergyBalance:
         Deficit of the balance, relative to its largest term.
         """
     @property
-    def dissipated_energy_midpoint(self, /) -> float:
-        """
-        Dissipated energy, computed from the mean of the tractions before and after the step. This value closes the
-        balance. It is not negative if pressure and friction do not change.
-        """
-    @property
     def released(self, /) -> float:
         """
         Energy released by the tractions of cells that leave the contact.
@@ -1813,6 +1896,12 @@ class EnergyBalance:
     def residual(self, /) -> float:
         """
         Work on the residual motion that the tolerance permits in stick cells.
+        """
+    def to_dict(self, /) -> dict[str, Any]:
+        """
+        """
+    def to_series(self, /) -> Any:
+        """
         """
     @property
     def work(self, /) -> float:
@@ -3525,6 +3614,12 @@ class LoopPoints:
         """
         Shift since the start of the history, along x and y (lengths).
         """
+    def to_dict(self, /) -> dict[str, Any]:
+        """
+        """
+    def to_frame(self, /) -> Any:
+        """
+        """
     @property
     def twist(self, /) -> NDArray[float64]:
         """
@@ -3697,6 +3792,109 @@ class Material:
     def youngs_modulus(self, /) -> float:
         """
         Young's modulus (a pressure); infinite for a rigid body.
+        """
+
+@final
+class MaterialRatio:
+    """
+    The areal material ratio curve (Abbott-Firestone curve) of a surface, and the parameters of its core, peaks and valleys
+    according to ISO 25178-2. Heights are relative to the mean, and ratios are fractions, not percentages.
+
+    The equivalent straight line is a least-squares line through the 40 % of the points in which the curve is flattest, that
+    is, where the secant over 40 % of the material ratio has the smallest height difference. The core is the part between the
+    heights of this line at the material ratios 0 and 1.
+
+    Parameters
+    ----------
+    heights : Field or topography
+        The heights (lengths). Missing heights (NaN) have no weight.
+
+    Raises
+    ------
+    Sample, Undetermined, NotFinite, Memory
+
+    Examples
+    --------
+    >>> import numpy as np, stickslip as ss
+    >>> grid = ss.Grid(1000, 1, 0.002, 1.0)
+    >>> ramp = ss.surface.MaterialRatio(ss.Field(grid, grid.x[None, :]))  # heights from -1 to 1, uniformly distributed
+    >>> round(ramp.Sk, 9), ramp.Spk, ramp.Svk, round(float(ramp.height(0.75)), 9)
+    (2.0, 0.0, 0.0, -0.5)
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __new__(cls, /, heights: Field | ArrayLike) -> MaterialRatio: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def Sk(self, /) -> float:
+        """
+        ISO 25178-2 name of :attr:`core_height`.
+        """
+    @property
+    def Smr1(self, /) -> float:
+        """
+        ISO 25178-2 name of :attr:`peak_material_ratio`.
+        """
+    @property
+    def Smr2(self, /) -> float:
+        """
+        ISO 25178-2 name of :attr:`valley_material_ratio`.
+        """
+    @property
+    def Spk(self, /) -> float:
+        """
+        ISO 25178-2 name of :attr:`reduced_peak_height`.
+        """
+    @property
+    def Svk(self, /) -> float:
+        """
+        ISO 25178-2 name of :attr:`reduced_valley_depth`.
+        """
+    @property
+    def core_height(self, /) -> float:
+        """
+        Core height (a length): the height difference of the equivalent straight line.
+        """
+    def height(self, /, material_ratio: ArrayLike) -> Any:
+        """
+        Returns the inverse areal material ratio Smc(p): the heights above the mean (lengths) at material ratios from 0 to 1.
+        """
+    def material_ratio(self, /, height: ArrayLike) -> Any:
+        """
+        Returns the areal material ratio Smr(c): the fraction of the points that are at least as high as each of the given
+        heights above the mean (lengths).
+        """
+    @property
+    def measured_points(self, /) -> int:
+        """
+        Number of measured heights, on which the parameters are based.
+        """
+    @property
+    def peak_material_ratio(self, /) -> float:
+        """
+        Material ratio that separates the peaks from the core (a fraction).
+        """
+    @property
+    def reduced_peak_height(self, /) -> float:
+        """
+        Reduced peak height (a length): the height of a right triangle with the area of the peaks above the core.
+        """
+    @property
+    def reduced_valley_depth(self, /) -> float:
+        """
+        Reduced valley depth (a length): the height of a right triangle with the area of the valleys below the core.
+        """
+    def to_dict(self, /) -> dict[str, Any]:
+        """
+        """
+    def to_series(self, /) -> Any:
+        """
+        """
+    @property
+    def valley_material_ratio(self, /) -> float:
+        """
+        Material ratio that separates the core from the valleys (a fraction).
         """
 
 @final
@@ -4765,6 +4963,12 @@ class Report:
         """
         Wall time of the solve (s).
         """
+    def to_dict(self, /) -> dict[str, Any]:
+        """
+        """
+    def to_series(self, /) -> Any:
+        """
+        """
 
 @final
 class PointResult:
@@ -5036,17 +5240,19 @@ class RollingSolver:
     :meth:`RollingProblem.solver`.
     """
     def __repr__(self, /) -> str: ...
-    def creep_forces(self, /, points: ArrayLike) -> CreepForces:
+    def creep_forces(self, /, points: ArrayLike, *, progress: Any | None = None) -> CreepForces:
         """
         Computes the loads at all points of a creep curve, or of a creep surface row by row. Each solve starts from the
-        solution of the previous point. The last point remains prescribed. All points are checked before the first solve;
-        Ctrl-C takes effect after the last solve.
+        solution of the previous point. The last point remains prescribed. All points are checked before the first solve.
+        After Ctrl-C, the point whose solve was ended remains prescribed.
 
         Parameters
         ----------
         points : array_like of shape (n, 3)
             Points ``(creepage_x, creepage_y, spin)`` (dimensionless, dimensionless, one over a length). Consecutive
             points should be close to each other.
+        progress : optional
+            See :meth:`NormalProblem.solve`.
 
         Returns
         -------
@@ -5503,6 +5709,12 @@ class Spot:
         """
         Ratio of stick cells to all cells of the spot; ``None`` without a tangential contact.
         """
+    def to_dict(self, /) -> dict[str, Any]:
+        """
+        """
+    def to_series(self, /) -> Any:
+        """
+        """
 
 @final
 class State:
@@ -5661,13 +5873,73 @@ class State:
 @final
 class Statistics:
     """
-    Parameters of a surface according to ISO 25178-2.
+    Height and slope parameters of a surface according to ISO 25178-2. Heights are relative to their mean, and are neither
+    filtered nor levelled.
 
     Parameters
     ----------
     heights : Field or topography
-        The heights (lengths), without missing values.
+        The heights (lengths). Missing heights (NaN) have no weight: slopes use pairs of measured neighbours, the developed
+        area uses groups of four measured neighbours, and the spectral slope is NaN.
+
+    Raises
+    ------
+    Sample, Undetermined, NotFinite
+
+    Examples
+    --------
+    >>> import numpy as np, stickslip as ss
+    >>> grid = ss.Grid.square(64, 64.0)
+    >>> wave = ss.Field(grid, np.tile(2.0 * np.cos(2.0 * np.pi * grid.x / 8.0), (64, 1)))
+    >>> found = ss.surface.Statistics(wave)
+    >>> round(found.Sq, 6), round(found.Sku, 6), found.measured_points
+    (1.414214, 1.5, 4096)
     """
+    @property
+    def Sa(self, /) -> float:
+        """
+        ISO 25178-2 name of :attr:`arithmetic_mean_height`.
+        """
+    @property
+    def Sdq(self, /) -> float:
+        """
+        ISO 25178-2 name of :attr:`finite_difference_rms_slope`.
+        """
+    @property
+    def Sdr(self, /) -> float:
+        """
+        ISO 25178-2 name of :attr:`developed_area_ratio`.
+        """
+    @property
+    def Sku(self, /) -> float:
+        """
+        ISO 25178-2 name of :attr:`kurtosis`.
+        """
+    @property
+    def Sp(self, /) -> float:
+        """
+        ISO 25178-2 name of :attr:`highest_peak`.
+        """
+    @property
+    def Sq(self, /) -> float:
+        """
+        ISO 25178-2 name of :attr:`rms_height`.
+        """
+    @property
+    def Ssk(self, /) -> float:
+        """
+        ISO 25178-2 name of :attr:`skewness`.
+        """
+    @property
+    def Sv(self, /) -> float:
+        """
+        ISO 25178-2 name of :attr:`deepest_valley`.
+        """
+    @property
+    def Sz(self, /) -> float:
+        """
+        ISO 25178-2 name of :attr:`height_range`.
+        """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
     def __new__(cls, /, heights: Field | ArrayLike) -> Statistics: ...
@@ -5691,7 +5963,7 @@ class Statistics:
     @property
     def finite_difference_rms_slope(self, /) -> float:
         """
-        Root mean square slope from finite differences of neighbouring cells, Sdq.
+        Root mean square gradient Sdq, from the differences of neighbouring heights along x and y.
         """
     @property
     def height_range(self, /) -> float:
@@ -5714,6 +5986,11 @@ class Statistics:
         Mean height (a length).
         """
     @property
+    def measured_points(self, /) -> int:
+        """
+        Number of measured heights, on which the parameters are based.
+        """
+    @property
     def profile_rms_slope(self, /) -> tuple[float, float]:
         """
         Root mean square slopes of profiles along x and y.
@@ -5732,6 +6009,12 @@ class Statistics:
     def spectral_rms_slope(self, /) -> float:
         """
         Root mean square slope from the spectrum, for a periodic surface.
+        """
+    def to_dict(self, /) -> dict[str, Any]:
+        """
+        """
+    def to_series(self, /) -> Any:
+        """
         """
 
 @final
@@ -6713,6 +6996,41 @@ class WestergaardPartialSlip:
         a crest, or zero outside the contact.
         """
 
+@final
+class WithoutOutliers:
+    """
+    A surface without its outliers.
+    """
+    def __array__(self, /, dtype: Any | None = None, copy: bool | None = None) -> Any: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def heights(self, /) -> Field:
+        """
+        The heights (lengths), with NaN at the outliers; missing heights remain missing.
+        """
+    def interpolated(self, /) -> Field:
+        """
+        Returns the heights (lengths) with interpolated heights at the outliers, as by :func:`fill_missing`. Heights that were
+        missing before remain missing.
+
+        Raises
+        ------
+        Undetermined
+            If no measured height remains.
+        NotConverged
+        """
+    @property
+    def outlier_cells(self, /) -> int:
+        """
+        Number of outliers.
+        """
+    @property
+    def outliers(self, /) -> NDArray[bool_]:
+        """
+        Mask of the outliers, booleans of shape (ny, nx).
+        """
+
 def _from_bytes(kind: type, *arguments: Any) -> Any:
     """
     Restores objects with their own byte format; called by pickle.
@@ -7165,6 +7483,48 @@ def read(path: str | PathLike[str]) -> Field:
     """
     Reads a surface from a file whose format is given by its extension: ASC, SDF, SUR, X3P or XYZ. Lengths are in metres,
     except for XYZ, where they are in the unit of the file; :func:`stickslip.io.xyz.read` accepts this unit.
+    """
+
+def remove_outliers(heights: Field | ArrayLike, *, threshold: float = ..., radius: int = ...) -> WithoutOutliers:
+    """
+    Removes outliers from a surface: points that are not typical of the heights around them, such as spikes of an optical
+    instrument.
+
+    The deviation of a point is its height minus the median of the means of pairs. A pair consists of two measured points on
+    opposite sides of the point, so a tilt causes no deviation. The scale is 1.4826 times the median of the absolute
+    deviations of all points, an estimate of the standard deviation that outliers hardly affect. A point is an outlier if its
+    absolute deviation exceeds ``threshold`` times the scale (Hampel, 1974), also relative to the pairs without larger
+    outliers. ISO 25178-2 defines outliers and leaves the method open.
+
+    Parameters
+    ----------
+    heights : Field or topography
+        The heights (lengths); NaN marks missing heights.
+    threshold : float, default 6
+        Threshold in estimated standard deviations. For normally distributed deviations, 3 removes 0.3 % of the points, and 6
+        removes 2 in 1e9.
+    radius : int, default 2
+        Largest distance of the points of a pair along each axis, in cells, at least 1. A group of outliers that affects half
+        of the pairs is not detected.
+
+    Returns
+    -------
+    WithoutOutliers
+        ``heights`` contains NaN at the outliers; ``interpolated()`` contains interpolated heights there.
+
+    Raises
+    ------
+    NegativeOrNotFinite, BelowMinimum, Sample
+
+    Examples
+    --------
+    >>> import numpy as np, stickslip as ss
+    >>> grid = ss.Grid.square(32, 32.0)
+    >>> heights = np.tile(np.sin(0.3 * grid.x), (32, 1))
+    >>> heights[5, 7] += 40.0
+    >>> cleaned = ss.surface.remove_outliers(ss.Field(grid, heights))
+    >>> cleaned.outlier_cells, bool(np.isnan(cleaned.heights[5, 7])), bool(abs(cleaned.interpolated()[5, 7]) < 1.0)
+    (1, True, True)
     """
 
 def resample(heights: Field | ArrayLike, grid: Grid) -> Field:

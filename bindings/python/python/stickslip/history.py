@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from . import wear
 from ._enums import LeadingEdge, StopReason, Regime, EntryRule
+from ._progress import cycle_bar
 from ._remarks import warn
 from ._stickslip import (
     AdaptiveSteps,
@@ -38,7 +39,7 @@ class FrettingResult:
     ending: StopReason
     """Reason for the end of the loop."""
     last: Cycle
-    """The last cycle; incomplete if the observer stopped the loop."""
+    """The last cycle; incomplete if the observer stopped the loop within it."""
 
 
 class FrettingLoop:
@@ -110,6 +111,8 @@ class FrettingLoop:
         history: History,
         cycles: int,
         observer: Callable[[History, Cycle], object] | None = None,
+        *,
+        progress: Callable[[int, Cycle], object] | bool | None = None,
     ) -> FrettingResult:
         """Takes the given number of cycles, or fewer if the loop becomes steady earlier.
 
@@ -122,6 +125,9 @@ class FrettingLoop:
         observer : callable, optional
             A function that is called after every step with the history and the current cycle. It may change the gap by
             wear, change the friction or write output; it stops the loop by returning ``False``.
+        progress : callable or bool, optional
+            A function that is called after every complete cycle with the number of complete cycles and the cycle; it
+            stops the loop by returning ``False``. ``True`` shows a progress bar of the cycles (requires tqdm).
 
         Raises
         ------
@@ -133,11 +139,16 @@ class FrettingLoop:
             error.argument = "cycles"
             raise error
         last = Cycle(history)
-        for done in range(cycles):
-            if not self._pass(history, last, observer):
-                return FrettingResult(done, StopReason.STOPPED, last)
-            if self._until_steady is not None and last.cyclic_residual <= self._until_steady:
-                return FrettingResult(done + 1, StopReason.STEADY, last)
+        with cycle_bar(cycles, 0, progress is True) as bar:
+            for done in range(1, cycles + 1):
+                if not self._pass(history, last, observer):
+                    return FrettingResult(done - 1, StopReason.STOPPED, last)
+                bar(1)
+                is_stopped = callable(progress) and progress(done, last) is False
+                if self._until_steady is not None and last.cyclic_residual <= self._until_steady:
+                    return FrettingResult(done, StopReason.STEADY, last)
+                if is_stopped:
+                    return FrettingResult(done, StopReason.STOPPED, last)
         return FrettingResult(cycles, StopReason.CYCLE_LIMIT, last)
 
     # FrettingLoop::run_observed of the crate is not used here. It borrows the history, so an observer could not change

@@ -8,15 +8,18 @@ import numpy as np
 
 from ._enums import Amplitudes
 from ._stickslip import (
+    Autocorrelation,
     Field,
     Filled,
     Filtered,
     Grid,
     Levelled,
+    MaterialRatio,
     PowerSpectrum,
     RoughSurface,
     SelfAffine,
     Statistics,
+    WithoutOutliers,
     bisinusoidal,
     cone,
     crop,
@@ -31,6 +34,7 @@ from ._stickslip import (
     level,
     mirror_x,
     paraboloid,
+    remove_outliers,
     resample,
     sinusoidal,
     sphere,
@@ -76,15 +80,43 @@ def from_topography(topography: Any) -> Field:
     return Field(grid, np.ascontiguousarray(heights.filled(np.nan).T), None if unit is None else str(unit))
 
 
+def parameters(heights: Any, *, periodic: bool = False) -> dict[str, Any]:
+    """Computes all parameters of ISO 25178-2 of a surface, by their ISO names.
+
+    The dictionary contains those of :class:`Statistics`, :class:`MaterialRatio` and :class:`Autocorrelation`. Missing heights
+    (NaN) have no weight; ``measured_points`` is the number of the other heights.
+
+    Parameters
+    ----------
+    heights : Field or topography
+        The heights (lengths).
+    periodic : bool, default False
+        Whether the surface continues periodically beyond its edges, for ``Sal`` and ``Str``.
+
+    Examples
+    --------
+    >>> import stickslip as ss
+    >>> rough = ss.surface.SelfAffine(rms_height=0.5, seed=1).generate(ss.Grid.square(64, 100.0))
+    >>> found = ss.surface.parameters(rough.heights, periodic=True)
+    >>> round(found["Sq"], 6), found["measured_points"], found["Smr1"] < found["Smr2"]
+    (0.5, 4096, True)
+    """
+    spatial = Autocorrelation(heights, periodic=periodic)
+    return {**Statistics(heights).to_dict(), **MaterialRatio(heights).to_dict(), **spatial.to_dict()}
+
+
 __all__ = [
     "Amplitudes",
+    "Autocorrelation",
     "Filled",
     "Filtered",
     "Levelled",
+    "MaterialRatio",
     "PowerSpectrum",
     "RoughSurface",
     "SelfAffine",
     "Statistics",
+    "WithoutOutliers",
     "bisinusoidal",
     "cone",
     "crop",
@@ -99,7 +131,9 @@ __all__ = [
     "inverted",
     "level",
     "mirror_x",
+    "parameters",
     "paraboloid",
+    "remove_outliers",
     "resample",
     "sinusoidal",
     "sphere",

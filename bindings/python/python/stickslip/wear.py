@@ -1,9 +1,25 @@
-"""Wear laws, and jumps over cycles. ``stickslip.history.wear`` is the same module.
+"""Wear laws, jumps over cycles, and a driver of wear over many cycles. ``stickslip.history.wear`` is the same module.
 
-The laws return a new array of depths. Arrays, such as those of a :class:`~stickslip.history.Cycle`, do not contain the
-size of their cells, so the energy laws require ``grid=history.grid`` with such arrays.
+:func:`run` wears the gap of a history over many cycles. The functions of the laws return a new array of depths. Arrays,
+such as those of a :class:`~stickslip.history.Cycle`, do not contain the size of their cells, so the energy laws require
+``grid=history.grid`` with such arrays.
 """
 
+from ._enums import WearEnding
 from ._stickslip import CycleJump, archard, energy, max_stable_cycles, threshold_energy
+from ._wear_run import ArchardLaw, EnergyLaw, WearHistory, WearResult, WearSnapshot, run
 
-__all__ = ["CycleJump", "archard", "energy", "max_stable_cycles", "threshold_energy"]
+__all__ = [
+    "ArchardLaw",
+    "CycleJump",
+    "EnergyLaw",
+    "WearEnding",
+    "WearHistory",
+    "WearResult",
+    "WearSnapshot",
+    "archard",
+    "energy",
+    "max_stable_cycles",
+    "run",
+    "threshold_energy",
+]

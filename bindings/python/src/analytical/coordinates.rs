@@ -27,7 +27,7 @@ impl FromPyObject<'_, '_> for Coordinates {
 
 impl Coordinates {
     /// Evaluates a function at these coordinates.
-    pub(super) fn along(self, function: impl Fn(f64) -> f64) -> Values {
+    pub(crate) fn along(self, function: impl Fn(f64) -> f64) -> Values {
         Values(self.0.mapv_into(function))
     }
 

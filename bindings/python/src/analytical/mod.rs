@@ -1,7 +1,7 @@
 //! Closed-form solutions for comparison.
 
 mod closed_form;
-mod coordinates;
+pub(crate) mod coordinates;
 mod hertz;
 mod no_slip;
 mod partial_slip;

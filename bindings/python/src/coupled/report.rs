@@ -4,6 +4,7 @@ use pyo3::prelude::*;
 
 use crate::digits::{in_python, rough};
 use crate::pickle::picklable;
+use crate::readers::readers;
 use crate::report::Report;
 use crate::sequence::pair;
 
@@ -12,20 +13,15 @@ use crate::sequence::pair;
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct ErrorEstimate(stickslip::coupled::ErrorEstimate);
 
+readers! { ErrorEstimate.0:
+    /// Estimated error of the pressure.
+    pressure: f64,
+    /// Estimated error of the traction.
+    traction: f64,
+}
+
 #[pymethods]
 impl ErrorEstimate {
-    /// Estimated error of the pressure.
-    #[getter]
-    fn pressure(&self) -> f64 {
-        self.0.pressure
-    }
-
-    /// Estimated error of the traction.
-    #[getter]
-    fn traction(&self) -> f64 {
-        self.0.traction
-    }
-
     fn __repr__(&self) -> String {
         format!(
             "ErrorEstimate(pressure={}, traction={})",
@@ -48,6 +44,15 @@ impl CoupledReport {
     }
 }
 
+readers! { CoupledReport.0:
+    /// Bound on the error of the pressure for the tractions of the solution.
+    pressure_error_bound: f64,
+    /// Bound on the error of the tractions for the pressure of the solution.
+    traction_error_bound: f64,
+    /// Whether the tolerance was reached.
+    is_converged(): bool,
+}
+
 #[pymethods]
 impl CoupledReport {
     /// Report of the whole solve: reason for its end, products with the full operator, residual and time.
@@ -68,18 +73,6 @@ impl CoupledReport {
         Report::of(&self.0.tangential)
     }
 
-    /// Bound on the error of the pressure for the tractions of the solution.
-    #[getter]
-    fn pressure_error_bound(&self) -> f64 {
-        self.0.pressure_error_bound
-    }
-
-    /// Bound on the error of the tractions for the pressure of the solution.
-    #[getter]
-    fn traction_error_bound(&self) -> f64 {
-        self.0.traction_error_bound
-    }
-
     /// Bounds on the errors of pressure and traction of the coupled problem; ``None`` unless friction is weak enough for
     /// such bounds.
     #[getter]
@@ -91,12 +84,6 @@ impl CoupledReport {
     #[getter]
     fn error_estimate(&self) -> Option<ErrorEstimate> {
         self.0.error_estimate.map(ErrorEstimate)
-    }
-
-    /// Whether the tolerance was reached.
-    #[getter]
-    fn is_converged(&self) -> bool {
-        self.0.is_converged()
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {

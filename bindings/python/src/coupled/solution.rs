@@ -11,6 +11,7 @@ use crate::friction::AnyFriction;
 use crate::half_space::HalfSpace;
 use crate::normal::NormalSolution;
 use crate::pickle::picklable;
+use crate::readers::readers;
 use crate::report::{Warning, ending};
 use crate::stiffness::ContactStiffness;
 use crate::tangential::TangentialSolution;
@@ -30,6 +31,15 @@ impl From<Arc<stickslip::CoupledSolution>> for CoupledSolution {
 }
 
 picklable!(CoupledSolution: stickslip::CoupledSolution);
+
+readers! { CoupledSolution.0:
+    /// Elastic energy of both bodies.
+    elastic_energy(): f64,
+    /// Termination, cost and error bounds of the solve.
+    report(): CoupledReport => CoupledReport::of,
+    /// Warnings about a result that might mislead; empty if there are none.
+    warnings(): Vec<Warning> => Warning::all,
+}
 
 #[pymethods]
 impl CoupledSolution {
@@ -59,24 +69,6 @@ impl CoupledSolution {
             view(slf, |solution| solution.0.displacement()[1]),
             view(slf, |solution| solution.0.displacement()[2]),
         )
-    }
-
-    /// Elastic energy of both bodies.
-    #[getter]
-    fn elastic_energy(&self) -> f64 {
-        self.0.elastic_energy()
-    }
-
-    /// Termination, cost and error bounds of the solve.
-    #[getter]
-    fn report(&self) -> CoupledReport {
-        CoupledReport::of(self.0.report())
-    }
-
-    /// Warnings about a result that might mislead; empty if there are none.
-    #[getter]
-    fn warnings(&self) -> Vec<Warning> {
-        Warning::all(self.0.warnings())
     }
 
     /// Returns the derivatives of the forces and the moment with respect to approach, shift and twist, with the friction

@@ -10,6 +10,7 @@ use crate::history::{Cycle, History, builder};
 use crate::load::StepArgument;
 use crate::pickle::picklable;
 use crate::progress::Progress;
+use crate::readers::readers;
 use crate::real::Real;
 use crate::report;
 use crate::sequence::pair;
@@ -21,32 +22,19 @@ use crate::work::{solve, unless_broken_off, unobserved};
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct StepErrorEstimate(stickslip::history::StepErrorEstimate);
 
+readers! { StepErrorEstimate.0:
+    /// Sum of the magnitudes of the traction differences, relative to the sum of the friction limits.
+    traction: f64,
+    /// Difference of the tangential force.
+    force: (f64, f64) => pair,
+    /// Difference of the shift (lengths).
+    shift: (f64, f64) => pair,
+    /// Difference of the dissipated energy.
+    dissipated_energy: f64,
+}
+
 #[pymethods]
 impl StepErrorEstimate {
-    /// Sum of the magnitudes of the traction differences, relative to the sum of the friction limits.
-    #[getter]
-    fn traction(&self) -> f64 {
-        self.0.traction
-    }
-
-    /// Difference of the tangential force.
-    #[getter]
-    fn force(&self) -> (f64, f64) {
-        pair(self.0.force)
-    }
-
-    /// Difference of the shift (lengths).
-    #[getter]
-    fn shift(&self) -> (f64, f64) {
-        pair(self.0.shift)
-    }
-
-    /// Difference of the dissipated energy.
-    #[getter]
-    fn dissipated_energy(&self) -> f64 {
-        self.0.dissipated_energy
-    }
-
     fn __repr__(&self) -> String {
         format!(
             "StepErrorEstimate(traction={}, dissipated_energy={})",

@@ -10,6 +10,7 @@ use crate::digits::{counted, rough, short, tuple};
 use crate::error::OrRaise;
 use crate::history::{EnergyBalance, History};
 use crate::pickle::{Reduced, Stored, picklable, reduced};
+use crate::readers::{frame, readers};
 use crate::report::{Warning, remarks};
 use crate::sequence::{Entries, entry, pair};
 use crate::solution_pool::lock;
@@ -19,32 +20,19 @@ use crate::solution_pool::lock;
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct LoopPoint(stickslip::history::LoopPoint);
 
+readers! { LoopPoint.0:
+    /// Tangential force on body 1 along x and y.
+    force: (f64, f64) => pair,
+    /// Shift since the start of the history, along x and y (lengths).
+    shift: (f64, f64) => pair,
+    /// Moment about z (a force times a length, positive from x to y).
+    moment: f64,
+    /// Rotation since the start of the history (radians, positive from x to y).
+    twist: f64,
+}
+
 #[pymethods]
 impl LoopPoint {
-    /// Tangential force on body 1 along x and y.
-    #[getter]
-    fn force(&self) -> (f64, f64) {
-        pair(self.0.force)
-    }
-
-    /// Shift since the start of the history, along x and y (lengths).
-    #[getter]
-    fn shift(&self) -> (f64, f64) {
-        pair(self.0.shift)
-    }
-
-    /// Moment about z (a force times a length, positive from x to y).
-    #[getter]
-    fn moment(&self) -> f64 {
-        self.0.moment
-    }
-
-    /// Rotation since the start of the history (radians, positive from x to y).
-    #[getter]
-    fn twist(&self) -> f64 {
-        self.0.twist
-    }
-
     fn __repr__(&self) -> String {
         format!(
             "LoopPoint(force={}, shift={})",
@@ -122,6 +110,8 @@ impl LoopPoints {
 }
 
 picklable!(LoopPoints: Vec<stickslip::history::LoopPoint>);
+
+frame!(LoopPoints, record: force, shift, moment, twist);
 
 /// Slip, energy and the force-shift loop, accumulated over the steps of a cycle from the present state of the history.
 /// The arrays are copies.

@@ -15,6 +15,7 @@ use crate::grid::Grid;
 use crate::material::ElasticPair;
 use crate::normal::{Hardness, NormalSolution};
 use crate::pickle::{Standalone, by_itself};
+use crate::readers::readers;
 use crate::sequence::pair;
 use crate::settings::Settings;
 
@@ -26,6 +27,31 @@ type Saved<'py> = (Bound<'py, PyType>, Bound<'py, PyBytes>);
 /// Vectors are (x, y). The guide page ``embedding`` states the number of bytes per cell.
 #[pyclass(frozen, module = "stickslip.history")]
 pub(crate) struct State(pub(crate) Arc<stickslip::history::State>);
+
+readers! { State.0:
+    /// Grid of the fields.
+    grid(): Grid => Grid,
+    /// Boundary condition at the edge of the grid.
+    boundary(): Boundary => Boundary,
+    /// Rule for the part of the motion of a step that a cell follows if it comes into contact within the step.
+    entry_rule(): Choice<stickslip::history::EntryRule> => Choice,
+    /// Coupling between pressure and traction in the model.
+    coupling(): Choice<stickslip::Coupling> => Choice,
+    /// Whether the pressure was computed for an earlier gap.
+    is_pressure_stale(): bool,
+    /// Approach of the bodies from the datum of the gap (a length).
+    approach(): f64,
+    /// Shift of body 2 relative to body 1 since the start, along x and y (lengths).
+    shift(): (f64, f64) => pair,
+    /// Rotation of body 2 relative to body 1 since the start (radians, positive from x to y).
+    twist(): f64,
+    /// Tangential force that body 2 exerts on body 1 along x and y.
+    tangential_force(): (f64, f64) => pair,
+    /// Moment about z, at the origin of the grid, on body 1 (a force times a length, positive from x to y).
+    moment(): f64,
+    /// Number of steps since the start.
+    steps(): u64,
+}
 
 #[pymethods]
 impl State {
@@ -40,18 +66,6 @@ impl State {
     fn from_bytes(py: Python<'_>, bytes: &[u8]) -> PyResult<Self> {
         let state = stickslip::history::State::from_bytes(bytes).or_raise(py)?;
         Ok(Self(Arc::new(state)))
-    }
-
-    /// Grid of the fields.
-    #[getter]
-    fn grid(&self) -> Grid {
-        Grid(self.0.grid())
-    }
-
-    /// Boundary condition at the edge of the grid.
-    #[getter]
-    fn boundary(&self) -> Boundary {
-        Boundary(self.0.boundary())
     }
 
     /// The two bodies.
@@ -104,24 +118,6 @@ impl State {
         view(slf, |state| state.0.gap())
     }
 
-    /// Rule for the part of the motion of a step that a cell follows if it comes into contact within the step.
-    #[getter]
-    fn entry_rule(&self) -> Choice<stickslip::history::EntryRule> {
-        Choice(self.0.entry_rule())
-    }
-
-    /// Coupling between pressure and traction in the model.
-    #[getter]
-    fn coupling(&self) -> Choice<stickslip::Coupling> {
-        Choice(self.0.coupling())
-    }
-
-    /// Whether the pressure was computed for an earlier gap.
-    #[getter]
-    fn is_pressure_stale(&self) -> bool {
-        self.0.is_pressure_stale()
-    }
-
     /// The normal solution, which shares the memory of the state.
     #[getter]
     fn normal(&self) -> NormalSolution {
@@ -138,12 +134,6 @@ impl State {
     #[getter]
     fn contact<'py>(&self, py: Python<'py>) -> Array<'py, bool> {
         contact(py, self.0.pressure())
-    }
-
-    /// Approach of the bodies from the datum of the gap (a length).
-    #[getter]
-    fn approach(&self) -> f64 {
-        self.0.approach()
     }
 
     /// Shear traction on body 1 along x and y (pressures).
@@ -180,36 +170,6 @@ impl State {
     #[getter]
     fn zones<'py>(&self, py: Python<'py>) -> Array<'py, u8> {
         zones(py, self.0.grid(), self.0.zones())
-    }
-
-    /// Shift of body 2 relative to body 1 since the start, along x and y (lengths).
-    #[getter]
-    fn shift(&self) -> (f64, f64) {
-        pair(self.0.shift())
-    }
-
-    /// Rotation of body 2 relative to body 1 since the start (radians, positive from x to y).
-    #[getter]
-    fn twist(&self) -> f64 {
-        self.0.twist()
-    }
-
-    /// Tangential force that body 2 exerts on body 1 along x and y.
-    #[getter]
-    fn tangential_force(&self) -> (f64, f64) {
-        pair(self.0.tangential_force())
-    }
-
-    /// Moment about z, at the origin of the grid, on body 1 (a force times a length, positive from x to y).
-    #[getter]
-    fn moment(&self) -> f64 {
-        self.0.moment()
-    }
-
-    /// Number of steps since the start.
-    #[getter]
-    fn steps(&self) -> u64 {
-        self.0.steps()
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Standalone<'py, Saved<'py>>> {

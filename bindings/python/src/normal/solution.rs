@@ -13,6 +13,7 @@ use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::material::ElasticPair;
 use crate::pickle::{Reduced, Stored, reduced};
+use crate::readers::readers;
 use crate::report::{Report, Warning, ending};
 use crate::sequence::pair;
 use crate::spots::ContactSpots;
@@ -65,14 +66,45 @@ impl Stored for NormalSolution {
     }
 }
 
+readers! { NormalSolution.get():
+    /// Grid of the fields.
+    grid(): Grid => Grid,
+    /// Approach of the bodies from the datum of the initial gap (a length). On a grid that is periodic along x and y, it
+    /// is the mean initial gap minus the mean gap under load.
+    approach(): f64,
+    /// Normal force, the integral of the pressure.
+    force(): f64,
+    /// Moments about x and y, at the origin of the grid, that the pressure exerts on body 1 (forces times lengths).
+    moments(): (f64, f64) => pair,
+    /// Number of contact cells.
+    contact_cells(): usize,
+    /// Contact area from counting cells. The property ``mean_pressure``, the stick ratio and the areas of spots are
+    /// based on this area of the discrete contact. Its relative excess is about 0.3 times the ratio of cell side to
+    /// contact radius.
+    contact_area(): f64,
+    /// Contact area minus the excess of cell counting along the perimeter. This area should be compared with theory and
+    /// with other grids; its error is smaller than the error of ``contact_area`` by a factor of about four (Yastrebov,
+    /// Anciaux & Molinari 2017).
+    contact_area_corrected(): f64,
+    /// Ratio of normal force to contact area; zero without contact.
+    mean_pressure(): f64,
+    /// Number of cells at their hardness.
+    yielded_cells(): usize,
+    /// Boundary condition at the edge of the grid.
+    boundary(): Boundary => Boundary,
+    /// Meaning of the value of a cell.
+    cell_value(): Choice<stickslip::CellValue> => Choice,
+    /// Estimate of the discretisation error of the pressure: the sum of the absolute differences from the exact cell
+    /// means, relative to the sum of the pressure; ``None`` without contact, or for one slab of a distributed grid.
+    discretisation_estimate(): Option<f64>,
+    /// Termination, cost and error bound of the solve.
+    report(): Report => Report::of,
+    /// Warnings about a result that might mislead; empty if there are none.
+    warnings(): Vec<Warning> => Warning::all,
+}
+
 #[pymethods]
 impl NormalSolution {
-    /// Grid of the fields.
-    #[getter]
-    fn grid(&self) -> Grid {
-        Grid(self.get().grid())
-    }
-
     /// Pressure p >= 0, shape (ny, nx); exactly zero outside the contact.
     #[getter]
     fn pressure<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
@@ -83,25 +115,6 @@ impl NormalSolution {
     #[getter]
     fn gap<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
         view(slf, |solution| solution.get().gap())
-    }
-
-    /// Approach of the bodies from the datum of the initial gap (a length). On a grid that is periodic along x and y, it
-    /// is the mean initial gap minus the mean gap under load.
-    #[getter]
-    fn approach(&self) -> f64 {
-        self.get().approach()
-    }
-
-    /// Normal force, the integral of the pressure.
-    #[getter]
-    fn force(&self) -> f64 {
-        self.get().force()
-    }
-
-    /// Moments about x and y, at the origin of the grid, that the pressure exerts on body 1 (forces times lengths).
-    #[getter]
-    fn moments(&self) -> (f64, f64) {
-        pair(self.get().moments())
     }
 
     /// Point where the normal force acts (lengths); ``None`` without contact.
@@ -117,63 +130,10 @@ impl NormalSolution {
         contact(py, self.get().pressure())
     }
 
-    /// Number of contact cells.
-    #[getter]
-    fn contact_cells(&self) -> usize {
-        self.get().contact_cells()
-    }
-
-    /// Contact area from counting cells. The property ``mean_pressure``, the stick ratio and the areas of spots are
-    /// based on this area of the discrete contact. Its relative excess is about 0.3 times the ratio of cell side to
-    /// contact radius.
-    #[getter]
-    fn contact_area(&self) -> f64 {
-        self.get().contact_area()
-    }
-
-    /// Contact area minus the excess of cell counting along the perimeter. This area should be compared with theory and
-    /// with other grids; its error is smaller than the error of ``contact_area`` by a factor of about four (Yastrebov,
-    /// Anciaux & Molinari 2017).
-    #[getter]
-    fn contact_area_corrected(&self) -> f64 {
-        self.get().contact_area_corrected()
-    }
-
     /// Sides of the bounding box of the contact along x and y (lengths); ``None`` without contact.
     #[getter]
     fn contact_extent(&self) -> Option<(f64, f64)> {
         self.get().contact_extent().map(pair)
-    }
-
-    /// Ratio of normal force to contact area; zero without contact.
-    #[getter]
-    fn mean_pressure(&self) -> f64 {
-        self.get().mean_pressure()
-    }
-
-    /// Number of cells at their hardness.
-    #[getter]
-    fn yielded_cells(&self) -> usize {
-        self.get().yielded_cells()
-    }
-
-    /// Boundary condition at the edge of the grid.
-    #[getter]
-    fn boundary(&self) -> Boundary {
-        Boundary(self.get().boundary())
-    }
-
-    /// Meaning of the value of a cell.
-    #[getter]
-    fn cell_value(&self) -> Choice<stickslip::CellValue> {
-        Choice(self.get().cell_value())
-    }
-
-    /// Estimate of the discretisation error of the pressure: the sum of the absolute differences from the exact cell
-    /// means, relative to the sum of the pressure; ``None`` without contact, or for one slab of a distributed grid.
-    #[getter]
-    fn discretisation_estimate(&self) -> Option<f64> {
-        self.get().discretisation_estimate()
     }
 
     /// Returns the edge of the contact inside the cells, and the pressure there.
@@ -186,18 +146,6 @@ impl NormalSolution {
     #[getter]
     fn pair(&self) -> ElasticPair {
         self.get().pair().into()
-    }
-
-    /// Termination, cost and error bound of the solve.
-    #[getter]
-    fn report(&self) -> Report {
-        Report::of(self.get().report())
-    }
-
-    /// Warnings about a result that might mislead; empty if there are none.
-    #[getter]
-    fn warnings(&self) -> Vec<Warning> {
-        Warning::all(self.get().warnings())
     }
 
     /// The individual contact spots. With distributed bodies, the call is collective.

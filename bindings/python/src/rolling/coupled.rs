@@ -19,13 +19,14 @@ use crate::half_space::HalfSpace;
 use crate::load;
 use crate::normal::NormalSolution;
 use crate::pickle::{Recipe, picklable};
+use crate::readers::readers;
 use crate::real::{Count, Real};
 use crate::report::{Report, Warning, ending};
 use crate::rolling::RollingSolution;
 use crate::rolling::control::Keywords;
 use crate::settings::{Settings, chosen};
 use crate::solver::{Reused, solve_once, solver};
-use crate::work::unobserved_on;
+use crate::work::{unobserved_on, watch};
 
 /// Bodies, gap, friction and loads of steady rolling in which the tractions change the pressure.
 ///
@@ -289,8 +290,9 @@ impl CoupledRollingSolver {
     /// NotConverged
     ///     Before the first solve, or if the solve of a column does not converge.
     fn stiffness(&self, py: Python<'_>) -> PyResult<[[f64; 3]; 3]> {
-        self.0
-            .unobserved(py, rolling::CoupledRollingSolver::stiffness)
+        self.0.observed(py, None, |solver, observer| {
+            solver.stiffness_observed(watch(observer))
+        })
     }
 
     /// Report of the last solve.
@@ -356,6 +358,24 @@ picklable!(CoupledRollingSolution: rolling::CoupledRollingSolution);
 #[derive(Clone, PartialEq)]
 pub(crate) struct CoupledRollingReport(rolling::CoupledRollingReport);
 
+readers! { CoupledRollingReport.0:
+    /// Number of passes: solves of the pressure, each followed by a solve of the tractions.
+    passes: usize,
+    /// Residual of the coupling: the lift within the contact added by the last pass, relative to the largest normal
+    /// displacement.
+    coupling_residual: f64,
+    /// Relative change of the pressure in the last pass (ratio of root mean squares).
+    pressure_change: f64,
+    /// Bound on the relative error of the pressure in the energy norm, for the tractions of the solution.
+    pressure_error_bound: f64,
+    /// Bound on the relative error of the tractions, for the pressure of the solution.
+    traction_error_bound: f64,
+    /// Estimate of the relative error of the pressure of the coupled problem, if available.
+    error_estimate: Option<f64>,
+    /// Whether the tolerance was reached.
+    is_converged(): bool,
+}
+
 #[pymethods]
 impl CoupledRollingReport {
     /// Report of all passes: status, steps, products, and the largest residual of the normal and the tangential part.
@@ -374,49 +394,6 @@ impl CoupledRollingReport {
     #[getter]
     fn rolling(&self) -> Report {
         Report::of(&self.0.rolling)
-    }
-
-    /// Number of passes: solves of the pressure, each followed by a solve of the tractions.
-    #[getter]
-    fn passes(&self) -> usize {
-        self.0.passes
-    }
-
-    /// Residual of the coupling: the lift within the contact added by the last pass, relative to the largest normal
-    /// displacement.
-    #[getter]
-    fn coupling_residual(&self) -> f64 {
-        self.0.coupling_residual
-    }
-
-    /// Relative change of the pressure in the last pass (ratio of root mean squares).
-    #[getter]
-    fn pressure_change(&self) -> f64 {
-        self.0.pressure_change
-    }
-
-    /// Bound on the relative error of the pressure in the energy norm, for the tractions of the solution.
-    #[getter]
-    fn pressure_error_bound(&self) -> f64 {
-        self.0.pressure_error_bound
-    }
-
-    /// Bound on the relative error of the tractions, for the pressure of the solution.
-    #[getter]
-    fn traction_error_bound(&self) -> f64 {
-        self.0.traction_error_bound
-    }
-
-    /// Estimate of the relative error of the pressure of the coupled problem, if available.
-    #[getter]
-    fn error_estimate(&self) -> Option<f64> {
-        self.0.error_estimate
-    }
-
-    /// Whether the tolerance was reached.
-    #[getter]
-    fn is_converged(&self) -> bool {
-        self.0.is_converged()
     }
 
     fn __repr__(&self, py: Python<'_>) -> PyResult<String> {

@@ -6,6 +6,7 @@ use stickslip::rolling;
 use crate::array::Array;
 use crate::digits::{counted, short, tuple};
 use crate::pickle::picklable;
+use crate::readers::{frame, readers};
 use crate::sequence::{Entries, entry, pair};
 
 /// Point of a creep curve or a creep surface: creepages, spin and the resulting loads.
@@ -13,38 +14,21 @@ use crate::sequence::{Entries, entry, pair};
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct CreepForce(rolling::CreepForce);
 
+readers! { CreepForce.0:
+    /// The creepages along x and y (dimensionless).
+    creepage: (f64, f64) => pair,
+    /// The spin (one over a length, positive from x to y).
+    spin: f64,
+    /// Tangential force on body 1 along x and y.
+    force: (f64, f64) => pair,
+    /// Moment on body 1 about the origin of the grid (a force times a length, positive from x to y).
+    moment: f64,
+    /// Ratio of stick cells to contact cells.
+    stick_ratio: f64,
+}
+
 #[pymethods]
 impl CreepForce {
-    /// The creepages along x and y (dimensionless).
-    #[getter]
-    fn creepage(&self) -> (f64, f64) {
-        pair(self.0.creepage)
-    }
-
-    /// The spin (one over a length, positive from x to y).
-    #[getter]
-    fn spin(&self) -> f64 {
-        self.0.spin
-    }
-
-    /// Tangential force on body 1 along x and y.
-    #[getter]
-    fn force(&self) -> (f64, f64) {
-        pair(self.0.force)
-    }
-
-    /// Moment on body 1 about the origin of the grid (a force times a length, positive from x to y).
-    #[getter]
-    fn moment(&self) -> f64 {
-        self.0.moment
-    }
-
-    /// Ratio of stick cells to contact cells.
-    #[getter]
-    fn stick_ratio(&self) -> f64 {
-        self.0.stick_ratio
-    }
-
     fn __repr__(&self) -> String {
         format!(
             "CreepForce(creepage={}, spin={}, force={})",
@@ -135,3 +119,5 @@ impl CreepForces {
 }
 
 picklable!(CreepForces: Vec<rolling::CreepForce>);
+
+frame!(CreepForces, record: creepage, spin, force, moment, stick_ratio);

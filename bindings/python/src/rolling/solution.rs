@@ -10,6 +10,7 @@ use crate::digits::{short, tuple};
 use crate::error::OrRaise;
 use crate::grid::Grid;
 use crate::pickle::picklable;
+use crate::readers::readers;
 use crate::report::{Report, Warning, ending};
 use crate::sequence::pair;
 
@@ -24,14 +25,32 @@ impl From<Arc<rolling::RollingSolution>> for RollingSolution {
     }
 }
 
+readers! { RollingSolution.0:
+    /// Grid of the fields.
+    grid(): Grid => Grid,
+    /// The creepages along x and y, prescribed or caused by the force (dimensionless).
+    creepage(): (f64, f64) => pair,
+    /// The spin, prescribed or caused by the moment (one over a length, positive from x to y).
+    spin(): f64,
+    /// Tangential force that body 2 exerts on body 1 along x and y.
+    force(): (f64, f64) => pair,
+    /// Moment about z, at the origin of the grid, on body 1 (a force times a length, positive from x to y).
+    moment(): f64,
+    /// Work of creepages and spin per unit length rolled (a force). The displacement of a particle due to the spin is
+    /// evaluated at the midpoint of its path, and so is the moment in this work. Between bodies of the same material,
+    /// all of the work is dissipated. Between bodies of different materials, the pressure also does work, which is not
+    /// included.
+    work(): f64,
+    /// Ratio of stick cells to contact cells; zero without contact.
+    stick_ratio(): f64,
+    /// Termination, cost and error bound of the solve.
+    report(): Report => Report::of,
+    /// Warnings about a result that might mislead; empty if there are none.
+    warnings(): Vec<Warning> => Warning::all,
+}
+
 #[pymethods]
 impl RollingSolution {
-    /// Grid of the fields.
-    #[getter]
-    fn grid(&self) -> Grid {
-        Grid(self.0.grid())
-    }
-
     /// Traction on body 1 along x and y (pressures); zero outside the contact.
     #[getter]
     fn traction<'py>(slf: &Bound<'py, Self>) -> (Array<'py>, Array<'py>) {
@@ -58,39 +77,6 @@ impl RollingSolution {
         zones(py, self.0.grid(), self.0.zones())
     }
 
-    /// The creepages along x and y, prescribed or caused by the force (dimensionless).
-    #[getter]
-    fn creepage(&self) -> (f64, f64) {
-        pair(self.0.creepage())
-    }
-
-    /// The spin, prescribed or caused by the moment (one over a length, positive from x to y).
-    #[getter]
-    fn spin(&self) -> f64 {
-        self.0.spin()
-    }
-
-    /// Tangential force that body 2 exerts on body 1 along x and y.
-    #[getter]
-    fn force(&self) -> (f64, f64) {
-        pair(self.0.force())
-    }
-
-    /// Moment about z, at the origin of the grid, on body 1 (a force times a length, positive from x to y).
-    #[getter]
-    fn moment(&self) -> f64 {
-        self.0.moment()
-    }
-
-    /// Work of creepages and spin per unit length rolled (a force). The displacement of a particle due to the spin is
-    /// evaluated at the midpoint of its path, and so is the moment in this work. Between bodies of the same material,
-    /// all of the work is dissipated. Between bodies of different materials, the pressure also does work, which is not
-    /// included.
-    #[getter]
-    fn work(&self) -> f64 {
-        self.0.work()
-    }
-
     /// Energy dissipated by slip in each cell per unit length rolled (a pressure), the input of the energy law of wear.
     /// Between bodies of the same material, the integral of this energy is less than the work; the difference decreases
     /// with the cell size.
@@ -98,24 +84,6 @@ impl RollingSolution {
     fn dissipation<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         let dissipation = self.0.dissipation().or_raise(py)?;
         Ok(copy(py, &dissipation))
-    }
-
-    /// Ratio of stick cells to contact cells; zero without contact.
-    #[getter]
-    fn stick_ratio(&self) -> f64 {
-        self.0.stick_ratio()
-    }
-
-    /// Termination, cost and error bound of the solve.
-    #[getter]
-    fn report(&self) -> Report {
-        Report::of(self.0.report())
-    }
-
-    /// Warnings about a result that might mislead; empty if there are none.
-    #[getter]
-    fn warnings(&self) -> Vec<Warning> {
-        Warning::all(self.0.warnings())
     }
 
     fn __repr__(&self) -> String {

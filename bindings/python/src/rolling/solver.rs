@@ -14,6 +14,7 @@ use crate::rolling::control::Keywords;
 use crate::rolling::{CreepForces, RollingSolution};
 use crate::solver::{Reused, solver};
 use crate::tangential::pressure::Pressure;
+use crate::work::watch;
 
 /// Solves for successive creepages, forces or spins, each time from the last solution; created by
 /// :meth:`RollingProblem.solver`.
@@ -150,18 +151,22 @@ impl RollingSolver {
     /// Before the first solve, all cells stick, and the entries are Kalker's coefficients times G a b and powers of a
     /// length.
     fn stiffness(&self, py: Python<'_>) -> PyResult<[[f64; 3]; 3]> {
-        self.0.unobserved(py, rolling::RollingSolver::stiffness)
+        self.0.observed(py, None, |solver, observer| {
+            solver.stiffness_observed(watch(observer))
+        })
     }
 
     /// Computes the loads at all points of a creep curve, or of a creep surface row by row. Each solve starts from the
-    /// solution of the previous point. The last point remains prescribed. All points are checked before the first solve;
-    /// Ctrl-C takes effect after the last solve.
+    /// solution of the previous point. The last point remains prescribed. All points are checked before the first solve.
+    /// After Ctrl-C, the point whose solve was ended remains prescribed.
     ///
     /// Parameters
     /// ----------
     /// points : array_like of shape (n, 3)
     ///     Points ``(creepage_x, creepage_y, spin)`` (dimensionless, dimensionless, one over a length). Consecutive
     ///     points should be close to each other.
+    /// progress : optional
+    ///     See :meth:`NormalProblem.solve`.
     ///
     /// Returns
     /// -------
@@ -174,14 +179,16 @@ impl RollingSolver {
     ///     If any of the points is invalid; the solver is then unchanged.
     /// NotConverged
     ///     At the first point that fails, which remains prescribed.
-    fn creep_forces(
+    #[pyo3(signature = (points, *, progress=None))]
+    fn creep_forces<'py>(
         &self,
-        py: Python<'_>,
+        py: Python<'py>,
         points: conversion::CreepPoints,
+        progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<CreepForces> {
-        let found = self
-            .0
-            .unobserved(py, |solver| solver.creep_forces(points.0));
+        let found = self.0.observed(py, progress.as_ref(), |solver, observer| {
+            solver.creep_forces_observed(points.0, watch(observer))
+        });
         found.map(CreepForces::from)
     }
 

@@ -13,6 +13,7 @@ use crate::digits::{counted, short};
 use crate::error::OrRaise;
 use crate::grid::{Grid, size};
 use crate::half_space::HalfSpace;
+use crate::readers::readers;
 use crate::real::Count;
 use crate::report::{Warning, warn};
 use crate::sequence::place;
@@ -36,32 +37,22 @@ impl Plane {
     }
 }
 
+readers! { Plane.0:
+    /// Grid of the plane.
+    grid(): Grid => Grid,
+    /// The body that contains the plane.
+    body(): Choice<Body> => Choice,
+    /// Depth below the surface of the body (a length).
+    depth(): f64,
+    /// Position along z (a length), negative in body two.
+    z(): f64,
+    /// Warnings about values that might mislead; empty if there are none. A plane nearer to the surface than a cell
+    /// side has a warning if shear tractions end at the edge of a contact.
+    warnings(): Vec<Warning> => Warning::all,
+}
+
 #[pymethods]
 impl Plane {
-    /// Grid of the plane.
-    #[getter]
-    fn grid(&self) -> Grid {
-        Grid(self.0.grid())
-    }
-
-    /// The body that contains the plane.
-    #[getter]
-    fn body(&self) -> Choice<Body> {
-        Choice(self.0.body())
-    }
-
-    /// Depth below the surface of the body (a length).
-    #[getter]
-    fn depth(&self) -> f64 {
-        self.0.depth()
-    }
-
-    /// Position along z (a length), negative in body two.
-    #[getter]
-    fn z(&self) -> f64 {
-        self.0.z()
-    }
-
     /// Components xx, yy and zz (pressures, tensile positive).
     #[getter]
     fn normal_stress<'py>(slf: &Bound<'py, Self>) -> (Array<'py>, Array<'py>, Array<'py>) {
@@ -87,13 +78,6 @@ impl Plane {
     fn displacement<'py>(&self, py: Python<'py>) -> Option<(Array<'py>, Array<'py>, Array<'py>)> {
         let fields = self.0.displacement()?;
         Some(fields.map(|field| copy(py, field)).into())
-    }
-
-    /// Warnings about values that might mislead; empty if there are none. A plane nearer to the surface than a cell
-    /// side has a warning if shear tractions end at the edge of a contact.
-    #[getter]
-    fn warnings(&self) -> Vec<Warning> {
-        Warning::all(self.0.warnings())
     }
 
     /// Returns the stress of a cell, given by column and row, or ``None`` outside the grid.

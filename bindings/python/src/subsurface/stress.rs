@@ -4,6 +4,7 @@ use pyo3::prelude::*;
 
 use crate::digits::{short, tuple};
 use crate::pickle::picklable;
+use crate::readers::readers;
 use crate::real::Real;
 
 /// Principal stresses, the largest first, with their unit vectors.
@@ -51,6 +52,29 @@ picklable!(Principal: stickslip::subsurface::Principal);
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Stress(pub(crate) stickslip::subsurface::Stress);
 
+readers! { Stress.0:
+    /// Component xx.
+    xx: f64,
+    /// Component yy.
+    yy: f64,
+    /// Component zz.
+    zz: f64,
+    /// Component xy.
+    xy: f64,
+    /// Component xz.
+    xz: f64,
+    /// Component yz.
+    yz: f64,
+    /// Von Mises' equivalent stress (a pressure).
+    von_mises(): f64,
+    /// Mean of the normal stresses (a pressure, tensile positive).
+    hydrostatic(): f64,
+    /// Largest shear stress (a pressure).
+    max_shear(): f64,
+    /// Principal stresses with their directions.
+    principal(): Principal => Principal,
+}
+
 #[pymethods]
 impl Stress {
     #[new]
@@ -65,66 +89,6 @@ impl Stress {
             xz: xz.0,
             yz: yz.0,
         })
-    }
-
-    /// Component xx.
-    #[getter]
-    fn xx(&self) -> f64 {
-        self.0.xx
-    }
-
-    /// Component yy.
-    #[getter]
-    fn yy(&self) -> f64 {
-        self.0.yy
-    }
-
-    /// Component zz.
-    #[getter]
-    fn zz(&self) -> f64 {
-        self.0.zz
-    }
-
-    /// Component xy.
-    #[getter]
-    fn xy(&self) -> f64 {
-        self.0.xy
-    }
-
-    /// Component xz.
-    #[getter]
-    fn xz(&self) -> f64 {
-        self.0.xz
-    }
-
-    /// Component yz.
-    #[getter]
-    fn yz(&self) -> f64 {
-        self.0.yz
-    }
-
-    /// Von Mises' equivalent stress (a pressure).
-    #[getter]
-    fn von_mises(&self) -> f64 {
-        self.0.von_mises()
-    }
-
-    /// Mean of the normal stresses (a pressure, tensile positive).
-    #[getter]
-    fn hydrostatic(&self) -> f64 {
-        self.0.hydrostatic()
-    }
-
-    /// Largest shear stress (a pressure).
-    #[getter]
-    fn max_shear(&self) -> f64 {
-        self.0.max_shear()
-    }
-
-    /// Principal stresses with their directions.
-    #[getter]
-    fn principal(&self) -> Principal {
-        Principal(self.0.principal())
     }
 
     /// Adds a stress.

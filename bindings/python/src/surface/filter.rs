@@ -4,95 +4,47 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use stickslip::surface::{self, GaussianFilter};
 
-use crate::array::view;
 use crate::digits::short;
-use crate::field::{Field, Samples, as_numpy};
-use crate::pickle::{Reduced, Stored, reduced};
+use crate::field::{Field, Samples};
 use crate::real::Real;
+use crate::surface::processed::processed;
 use crate::unit::Unit;
 use crate::work::unobserved_on;
 
 /// A filtered surface and the removed components: the three add up to the given surface.
 #[pyclass(frozen, module = "stickslip.surface")]
-pub(crate) struct Filtered {
-    parts: surface::Filtered,
-    unit: Option<Unit>,
-    valid_range: ((usize, usize), (usize, usize)),
-}
+pub(crate) struct Filtered(surface::Filtered, Option<Unit>, [usize; 4]);
 
-impl Filtered {
-    fn field(&self, field: &stickslip::Field) -> Field {
-        Field::made(field.clone(), self.unit.clone())
-    }
+processed! { Filtered: surface::Filtered, [usize; 4];
+    /// The remaining heights (lengths); missing heights remain missing.
 }
 
 #[pymethods]
 impl Filtered {
-    /// The remaining heights (lengths); missing heights remain missing.
-    #[getter]
-    fn heights(&self) -> Field {
-        self.field(self.parts.heights())
-    }
-
-    #[pyo3(signature = (dtype=None, copy=None))]
-    fn __array__<'py>(
-        slf: &Bound<'py, Self>,
-        dtype: Option<Bound<'py, PyAny>>,
-        copy: Option<bool>,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        as_numpy(view(slf, |surface| surface.parts.heights()).0, dtype, copy)
-    }
-
     /// Short waves removed by the S filter (lengths), such as noise; ``None`` without an S filter.
     #[getter]
     fn short_waves(&self) -> Option<Field> {
-        self.parts.short_waves().map(|field| self.field(field))
+        self.0.short_waves().map(|field| self.with_unit(field))
     }
 
     /// Long waves removed by the L filter (lengths), the waviness; ``None`` without an L filter.
     #[getter]
     fn long_waves(&self) -> Option<Field> {
-        self.parts.long_waves().map(|field| self.field(field))
+        self.0.long_waves().map(|field| self.with_unit(field))
     }
 
     /// Columns and rows that are not affected by an edge: those at least half a nesting index away from each edge, in the
     /// form that :func:`crop` accepts.
     #[getter]
     fn valid_range(&self) -> ((usize, usize), (usize, usize)) {
-        self.valid_range
-    }
-
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
-        let ((first, end), (low, high)) = self.valid_range;
-        reduced::<Self>(
-            py,
-            &(
-                self.parts.clone(),
-                self.unit.as_deref().map(String::from),
-                [first, end, low, high],
-            ),
-        )
+        let [first, end, low, high] = self.2;
+        ((first, end), (low, high))
     }
 
     fn __repr__(&self) -> String {
-        let heights = self.parts.heights();
+        let heights = self.0.heights();
         let (low, high) = (short(heights.min()), short(heights.max()));
         format!("Filtered(heights from {low} to {high})")
-    }
-}
-
-impl Stored for Filtered {
-    type Content = (surface::Filtered, Option<String>, [usize; 4]);
-
-    const KIND: &'static str = "Filtered";
-
-    fn of_content((parts, unit, range): Self::Content) -> Self {
-        let [first, end, low, high] = range;
-        Self {
-            parts,
-            unit: unit.map(Unit::from),
-            valid_range: ((first, end), (low, high)),
-        }
     }
 }
 
@@ -160,9 +112,6 @@ pub(crate) fn gaussian_filter(
     let filter = if periodic { filter.periodic() } else { filter };
     let parts = unobserved_on(py, heights.grid(), || filter.apply(&heights))?;
     let [columns, rows] = filter.valid_range(heights.grid());
-    Ok(Filtered {
-        parts,
-        unit,
-        valid_range: ((columns.start, columns.end), (rows.start, rows.end)),
-    })
+    let range = [columns.start, columns.end, rows.start, rows.end];
+    Ok(Filtered(parts, unit, range))
 }

@@ -4,14 +4,14 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use stickslip::surface;
 
-use crate::array::view;
 use crate::conversion;
 use crate::digits::short;
 use crate::error::OrRaise;
-use crate::field::{Field, Samples, as_numpy, one_unit};
+use crate::field::{Field, Samples, one_unit};
 use crate::grid::Grid;
-use crate::pickle::{Reduced, Stored, reduced};
 use crate::progress::Progress;
+use crate::readers::readers;
+use crate::surface::processed::processed;
 use crate::unit::Unit;
 use crate::work::{solve, unobserved_on};
 
@@ -103,45 +103,19 @@ pub(crate) fn resample(py: Python<'_>, heights: Samples<'_>, grid: &Grid) -> PyR
 #[pyclass(frozen, module = "stickslip.surface")]
 pub(crate) struct Filled(surface::Filled, Option<Unit>);
 
-#[pymethods]
-impl Filled {
+processed! { Filled: surface::Filled;
     /// All heights (lengths).
-    #[getter]
-    fn heights(&self) -> Field {
-        Field::made(self.0.heights().clone(), self.1.clone())
-    }
-
-    #[pyo3(signature = (dtype=None, copy=None))]
-    fn __array__<'py>(
-        slf: &Bound<'py, Self>,
-        dtype: Option<Bound<'py, PyAny>>,
-        copy: Option<bool>,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        as_numpy(view(slf, |surface| surface.0.heights()).0, dtype, copy)
-    }
-
-    /// Number of heights that were missing.
-    #[getter]
-    fn filled_cells(&self) -> usize {
-        self.0.filled_cells()
-    }
-
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
-        reduced::<Self>(py, &(self.0.clone(), self.1.as_deref().map(String::from)))
-    }
-
-    fn __repr__(&self) -> String {
-        format!("Filled(filled_cells={})", self.0.filled_cells())
-    }
 }
 
-impl Stored for Filled {
-    type Content = (surface::Filled, Option<String>);
+readers! { Filled.0:
+    /// Number of heights that were missing.
+    filled_cells(): usize,
+}
 
-    const KIND: &'static str = "Filled";
-
-    fn of_content((surface, unit): Self::Content) -> Self {
-        Self(surface, unit.map(Unit::from))
+#[pymethods]
+impl Filled {
+    fn __repr__(&self) -> String {
+        format!("Filled(filled_cells={})", self.0.filled_cells())
     }
 }
 
@@ -165,46 +139,21 @@ pub(crate) fn fill_missing(py: Python<'_>, heights: Samples<'_>) -> PyResult<Fil
 #[pyclass(frozen, module = "stickslip.surface")]
 pub(crate) struct Levelled(surface::Levelled, Option<Unit>);
 
+processed! { Levelled: surface::Levelled;
+    /// The remaining heights (lengths).
+}
+
 #[pymethods]
 impl Levelled {
-    /// The remaining heights (lengths).
-    #[getter]
-    fn heights(&self) -> Field {
-        Field::made(self.0.heights().clone(), self.1.clone())
-    }
-
-    #[pyo3(signature = (dtype=None, copy=None))]
-    fn __array__<'py>(
-        slf: &Bound<'py, Self>,
-        dtype: Option<Bound<'py, PyAny>>,
-        copy: Option<bool>,
-    ) -> PyResult<Bound<'py, PyAny>> {
-        as_numpy(view(slf, |surface| surface.0.heights()).0, dtype, copy)
-    }
-
     /// The removed form (lengths).
     #[getter]
     fn form(&self) -> Field {
-        Field::made(self.0.form().clone(), self.1.clone())
-    }
-
-    fn __reduce__<'py>(&self, py: Python<'py>) -> PyResult<Reduced<'py>> {
-        reduced::<Self>(py, &(self.0.clone(), self.1.as_deref().map(String::from)))
+        self.with_unit(self.0.form())
     }
 
     fn __repr__(&self) -> String {
         let (low, high) = (self.0.heights().min(), self.0.heights().max());
         format!("Levelled(heights from {} to {})", short(low), short(high))
-    }
-}
-
-impl Stored for Levelled {
-    type Content = (surface::Levelled, Option<String>);
-
-    const KIND: &'static str = "Levelled";
-
-    fn of_content((surface, unit): Self::Content) -> Self {
-        Self(surface, unit.map(Unit::from))
     }
 }
 

@@ -14,6 +14,7 @@ use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::normal::NormalSolution;
 use crate::pickle::{Reduced, Stored, reduced};
+use crate::readers::readers;
 use crate::report::{Report, Warning, ending};
 use crate::sequence::pair;
 use crate::spots::ContactSpots;
@@ -61,14 +62,44 @@ impl Stored for TangentialSolution {
     }
 }
 
+readers! { TangentialSolution.get():
+    /// Grid of the fields.
+    grid(): Grid => Grid,
+    /// Shift along x and y (lengths): the rigid motion of body 2 relative to body 1 far from the contact, with the sign
+    /// of the force.
+    shift(): (f64, f64) => pair,
+    /// Rotation of body 2 relative to body 1 about the origin of the grid (radians, positive from x to y).
+    twist(): f64,
+    /// Tangential force that body 2 exerts on body 1 along x and y.
+    force(): (f64, f64) => pair,
+    /// Moment about z, at the origin of the grid, on body 1 (a force times a length, positive from x to y).
+    moment(): f64,
+    /// Whether the whole contact slips.
+    is_gross_slip(): bool,
+    /// Ratio of stick area to contact area, from counting cells.
+    stick_ratio(): f64,
+    /// Area of the stick zone, from counting cells.
+    stick_area(): f64,
+    /// Area of the slip zone, from counting cells.
+    slip_area(): f64,
+    /// Energy dissipated by the step (a force times a length), not negative.
+    dissipated_energy(): f64,
+    /// Boundary condition at the edge of the grid.
+    boundary(): Boundary => Boundary,
+    /// Meaning of the value of a cell.
+    cell_value(): Choice<stickslip::CellValue> => Choice,
+    /// Estimate of the discretisation error of the tractions: the sum over the cells of the magnitudes of the differences
+    /// from the exact means, relative to the sum of the magnitudes of the tractions; ``None`` without traction, or for
+    /// one slab of a distributed grid.
+    discretisation_estimate(): Option<f64>,
+    /// Termination, cost and error bound of the solve.
+    report(): Report => Report::of,
+    /// Warnings about a result that might mislead; empty if there are none.
+    warnings(): Vec<Warning> => Warning::all,
+}
+
 #[pymethods]
 impl TangentialSolution {
-    /// Grid of the fields.
-    #[getter]
-    fn grid(&self) -> Grid {
-        Grid(self.get().grid())
-    }
-
     /// Shear traction on body 1 along x and y (pressures); exactly zero outside the contact.
     #[getter]
     fn traction<'py>(slf: &Bound<'py, Self>) -> (Array<'py>, Array<'py>) {
@@ -99,81 +130,6 @@ impl TangentialSolution {
         self.get().axis().map(Choice)
     }
 
-    /// Shift along x and y (lengths): the rigid motion of body 2 relative to body 1 far from the contact, with the sign
-    /// of the force.
-    #[getter]
-    fn shift(&self) -> (f64, f64) {
-        pair(self.get().shift())
-    }
-
-    /// Rotation of body 2 relative to body 1 about the origin of the grid (radians, positive from x to y).
-    #[getter]
-    fn twist(&self) -> f64 {
-        self.get().twist()
-    }
-
-    /// Tangential force that body 2 exerts on body 1 along x and y.
-    #[getter]
-    fn force(&self) -> (f64, f64) {
-        pair(self.get().force())
-    }
-
-    /// Moment about z, at the origin of the grid, on body 1 (a force times a length, positive from x to y).
-    #[getter]
-    fn moment(&self) -> f64 {
-        self.get().moment()
-    }
-
-    /// Whether the whole contact slips.
-    #[getter]
-    fn is_gross_slip(&self) -> bool {
-        self.get().is_gross_slip()
-    }
-
-    /// Ratio of stick area to contact area, from counting cells.
-    #[getter]
-    fn stick_ratio(&self) -> f64 {
-        self.get().stick_ratio()
-    }
-
-    /// Area of the stick zone, from counting cells.
-    #[getter]
-    fn stick_area(&self) -> f64 {
-        self.get().stick_area()
-    }
-
-    /// Area of the slip zone, from counting cells.
-    #[getter]
-    fn slip_area(&self) -> f64 {
-        self.get().slip_area()
-    }
-
-    /// Energy dissipated by the step (a force times a length), not negative.
-    #[getter]
-    fn dissipated_energy(&self) -> f64 {
-        self.get().dissipated_energy()
-    }
-
-    /// Boundary condition at the edge of the grid.
-    #[getter]
-    fn boundary(&self) -> Boundary {
-        Boundary(self.get().boundary())
-    }
-
-    /// Meaning of the value of a cell.
-    #[getter]
-    fn cell_value(&self) -> Choice<stickslip::CellValue> {
-        Choice(self.get().cell_value())
-    }
-
-    /// Estimate of the discretisation error of the tractions: the sum over the cells of the magnitudes of the differences
-    /// from the exact means, relative to the sum of the magnitudes of the tractions; ``None`` without traction, or for
-    /// one slab of a distributed grid.
-    #[getter]
-    fn discretisation_estimate(&self) -> Option<f64> {
-        self.get().discretisation_estimate()
-    }
-
     /// Returns the edges of the contact and of the stick zone inside the cells, for the pressure and the friction of the
     /// problem.
     fn edges(
@@ -186,18 +142,6 @@ impl TangentialSolution {
         let friction = friction.on(py, solution.grid())?;
         let found = unobserved_on(py, solution.grid(), || solution.edges(normal, &friction));
         found.map(TangentialEdges)
-    }
-
-    /// Termination, cost and error bound of the solve.
-    #[getter]
-    fn report(&self) -> Report {
-        Report::of(self.get().report())
-    }
-
-    /// Warnings about a result that might mislead; empty if there are none.
-    #[getter]
-    fn warnings(&self) -> Vec<Warning> {
-        Warning::all(self.get().warnings())
     }
 
     /// Returns the contact spots of the underlying normal contact, with their stick ratios.

@@ -7,6 +7,7 @@ use crate::digits::short;
 use crate::error::OrRaise;
 use crate::material::ElasticPair;
 use crate::normal::NormalSolution;
+use crate::readers::readers;
 use crate::real::Real;
 
 /// Jaeger's superposition: the traction of a contact under one force as the difference of two pressures.
@@ -26,6 +27,13 @@ use crate::real::Real;
 /// NegativeOrNotFinite, GridMismatch, BoundaryMismatch, MaterialMismatch, NotConverged, EmptyContact
 #[pyclass(frozen, module = "stickslip.tangential")]
 pub(crate) struct JaegerSuperposition(stickslip::tangential::JaegerSuperposition);
+
+readers! { JaegerSuperposition.0:
+    /// The shift, the rigid motion of body 2 relative to body 1 (a length).
+    shift(): f64,
+    /// The tangential force, mu times the difference of the two loads.
+    force(): f64,
+}
 
 #[pymethods]
 impl JaegerSuperposition {
@@ -53,18 +61,6 @@ impl JaegerSuperposition {
     #[getter]
     fn zones<'py>(&self, py: Python<'py>) -> Array<'py, u8> {
         zones(py, self.0.traction().grid(), self.0.zones())
-    }
-
-    /// The shift, the rigid motion of body 2 relative to body 1 (a length).
-    #[getter]
-    fn shift(&self) -> f64 {
-        self.0.shift()
-    }
-
-    /// The tangential force, mu times the difference of the two loads.
-    #[getter]
-    fn force(&self) -> f64 {
-        self.0.force()
     }
 
     fn __repr__(&self) -> String {

@@ -1,0 +1,46 @@
+"""Attributes as dictionaries and as tables of pandas, which is imported only if a table is requested."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+import numpy as np
+
+
+def record(target: object, names: Iterable[str]) -> dict[str, Any]:
+    """Returns attributes by name; a pair (x, y) becomes two entries."""
+    values: dict[str, Any] = {}
+    for name in names:
+        value = getattr(target, name)
+        if isinstance(value, tuple):
+            values |= {f"{name}_{axis}": part for axis, part in zip("xy", value)}
+        else:
+            values[name] = value
+    return values
+
+
+def columns(entries: Iterable[object], names: Iterable[str]) -> dict[str, Any]:
+    """Returns attributes of all entries as arrays by name; ``None`` becomes NaN."""
+    rows = [record(entry, names) for entry in entries]
+    # Without entries, the names of pairs are not known, and there is no number to collect.
+    keys = list(rows[0]) if rows else list(names)
+    return {key: np.array([np.nan if row[key] is None else row[key] for row in rows]) for key in keys}
+
+
+def _pandas() -> Any:
+    try:
+        import pandas  # type: ignore[import-untyped, unused-ignore]
+    except ImportError as error:
+        raise ImportError("tables require pandas: pip install pandas") from error
+    return pandas
+
+
+def to_frame(columns: Mapping[str, Any]) -> Any:
+    """Returns a :class:`pandas.DataFrame` of columns by name."""
+    return _pandas().DataFrame(dict(columns))
+
+
+def to_series(values: Mapping[str, Any], name: str) -> Any:
+    """Returns a :class:`pandas.Series` of values by name."""
+    return _pandas().Series(dict(values), name=name, dtype=object)

@@ -1,0 +1,368 @@
+"""Wear of the gap over many cycles, with jumps over cycles that equal the last cycle."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass, fields
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ._enums import WearEnding
+from ._progress import cycle_bar
+from ._stickslip import CycleJump, Cycle, Field, HalfSpace, History, State, archard, energy
+from ._tables import to_frame
+from .errors import ArgumentRange
+
+if TYPE_CHECKING:
+    from .history import FrettingLoop
+
+
+@dataclass(frozen=True)
+class EnergyLaw:
+    """Wear law of :func:`run`: the depth of a cycle by :func:`energy`, from the energy dissipated in each cell."""
+
+    coefficient: ArrayLike
+    """Volume removed per dissipated energy (one over a pressure), a number or an array of shape (ny, nx)."""
+
+    def __call__(self, history: History, cycle: Cycle) -> NDArray[Any]:
+        return energy(self.coefficient, cycle.dissipated_energy, grid=history.grid)
+
+
+@dataclass(frozen=True)
+class ArchardLaw:
+    """Wear law of :func:`run`: the depth of a cycle by :func:`archard`, from slip pressure and slip distance."""
+
+    coefficient: ArrayLike
+    """Volume removed per normal force and slip distance (one over a pressure), a number or an array of shape (ny, nx)."""
+
+    def __call__(self, history: History, cycle: Cycle) -> NDArray[Any]:
+        return archard(self.coefficient, cycle.slip_pressure, cycle.slip_distance, grid=history.grid)
+
+
+@dataclass(frozen=True, eq=False)
+class WearHistory:
+    """Quantities during wear, as arrays with one entry per computed gap.
+
+    Each entry describes the cycle that was computed on this gap. The last entry describes the final gap, unless the run was
+    stopped or interrupted before its cycle was computed.
+    """
+
+    cycles: NDArray[Any]
+    """Number of cycles that wore the gap."""
+    jump: NDArray[Any]
+    """Number of cycles that the computed cycle represents; zero in the last entry of a complete run."""
+    computed_cycles: NDArray[Any]
+    """Number of cycles that were computed on this gap until one closed."""
+    worn_volume: NDArray[Any]
+    """Volume removed so far."""
+    max_depth: NDArray[Any]
+    """Largest depth removed so far (a length)."""
+    dissipated_energy: NDArray[Any]
+    """Energy dissipated so far, including the cycles jumped over."""
+    energy_per_cycle: NDArray[Any]
+    """Energy dissipated in the cycle."""
+    contact_area: NDArray[Any]
+    """Area of the contact at the end of the cycle, with the correction of ``contact_area_corrected``."""
+    contact_radius: NDArray[Any]
+    """Radius of a circle with this area (a length)."""
+    approach: NDArray[Any]
+    """Approach at the end of the cycle (a length)."""
+    normal_force: NDArray[Any]
+    """Normal force at the end of the cycle."""
+    force_amplitude_x: NDArray[Any]
+    """Half the range of the tangential force along x."""
+    force_amplitude_y: NDArray[Any]
+    """Half the range of the tangential force along y."""
+    shift_amplitude_x: NDArray[Any]
+    """Half the range of the shift along x (a length)."""
+    shift_amplitude_y: NDArray[Any]
+    """Half the range of the shift along y (a length)."""
+    cyclic_residual: NDArray[Any]
+    """:attr:`Cycle.cyclic_residual` of the cycle."""
+
+    @staticmethod
+    def _of(rows: tuple[tuple[float, ...], ...]) -> WearHistory:
+        names = [field.name for field in fields(WearHistory)]
+        columns = np.array(rows, dtype=float).reshape(len(rows), len(names)).T
+        whole = {"cycles", "jump", "computed_cycles"}
+        return WearHistory(*(column.astype(int) if name in whole else column for name, column in zip(names, columns)))
+
+    def __len__(self) -> int:
+        return len(self.cycles)
+
+    def to_dict(self) -> dict[str, NDArray[Any]]:
+        """Returns the arrays by name."""
+        return {field.name: getattr(self, field.name) for field in fields(self)}
+
+    def to_frame(self) -> Any:
+        """Returns a :class:`pandas.DataFrame` with one row per computed gap (requires pandas)."""
+        return to_frame(self.to_dict())
+
+    def __repr__(self) -> str:
+        return f"WearHistory({len(self)} gaps)"
+
+
+@dataclass(frozen=True, eq=False)
+class WearSnapshot:
+    """State of a run between two cycles, from which :func:`run` resumes with bitwise identical results.
+
+    Snapshots can be pickled, and saved to a file by :meth:`save`.
+    """
+
+    state: State
+    """State of the history, with the worn gap."""
+    cycles: int
+    """Number of cycles that wore the gap."""
+    depth: NDArray[Any]
+    """Depth removed from both bodies together since the start (lengths)."""
+    dissipated_energy: float
+    """Energy dissipated so far, including the cycles jumped over."""
+    rows: tuple[tuple[float, ...], ...]
+    """Entries of :class:`WearHistory`."""
+
+    @property
+    def history(self) -> WearHistory:
+        """The quantities during wear so far."""
+        return WearHistory._of(self.rows)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Saves the snapshot to a file, which is replaced completely or not at all."""
+        partial = f"{os.fspath(path)}.partial"
+        with open(partial, "wb") as file:
+            np.savez_compressed(
+                file,
+                state=np.frombuffer(self.state.to_bytes(), np.uint8),
+                cycles=self.cycles,
+                depth=self.depth,
+                dissipated_energy=self.dissipated_energy,
+                rows=np.array(self.rows, dtype=float),
+            )
+        os.replace(partial, path)
+
+    @staticmethod
+    def load(path: str | os.PathLike[str]) -> WearSnapshot:
+        """Loads a snapshot written by :meth:`save`."""
+        with np.load(path, allow_pickle=False) as file:
+            return WearSnapshot(
+                State.from_bytes(file["state"].tobytes()),
+                int(file["cycles"]),
+                file["depth"],
+                float(file["dissipated_energy"]),
+                tuple(tuple(map(float, row)) for row in file["rows"]),
+            )
+
+    def restored(self, bodies: HalfSpace) -> History:
+        """Returns a history in the state of the snapshot, on the same bodies."""
+        return History.from_state(bodies, self.state)
+
+    def __repr__(self) -> str:
+        return f"WearSnapshot(cycles={self.cycles}, max_depth={self.depth.max():g})"
+
+
+@dataclass(frozen=True, eq=False)
+class WearResult:
+    """Result of :func:`run`."""
+
+    ending: WearEnding
+    """Reason for the end."""
+    last: Cycle
+    """The last computed cycle."""
+    snapshot: WearSnapshot
+    """The state at the end."""
+    snapshots: tuple[WearSnapshot, ...]
+    """The snapshots requested by ``snapshot_every``."""
+
+    @property
+    def cycles(self) -> int:
+        """Number of cycles that wore the gap."""
+        return self.snapshot.cycles
+
+    @property
+    def depth(self) -> NDArray[Any]:
+        """Depth removed from both bodies together since the start (lengths)."""
+        return self.snapshot.depth
+
+    @property
+    def history(self) -> WearHistory:
+        """The quantities during wear."""
+        return self.snapshot.history
+
+    def __repr__(self) -> str:
+        return f"WearResult(cycles={self.cycles}, ending='{self.ending}', {len(self.snapshot.rows)} gaps)"
+
+
+def run(
+    history: History,
+    loop: FrettingLoop,
+    law: Callable[[History, Cycle], ArrayLike],
+    cycles: int,
+    *,
+    max_depth: float | None = None,
+    largest_depth: float | Callable[[History], float] | None = None,
+    largest_jump: int | None = None,
+    max_residual: float = 0.05,
+    settling: int = 10,
+    snapshot_every: int | None = None,
+    progress: Callable[[WearSnapshot], object] | bool | None = None,
+    resume: WearSnapshot | None = None,
+) -> WearResult:
+    """Wears the gap of a history over many cycles, with jumps over cycles that equal the last computed cycle.
+
+    On every gap, cycles are computed until one closes; it represents the following cycles. :class:`CycleJump` returns their
+    number, limited by the stability of the worn gap and by the arguments. The depth of these cycles is removed from both
+    bodies together, that is, it is added to the gap. Without slip, as in full stick, the depth is zero, and the remaining
+    cycles are jumped over at once.
+
+    Parameters
+    ----------
+    history : History
+        A history that has been pressed. Its gap is worn, and it ends in the state of the result.
+    loop : FrettingLoop
+        The steps of a cycle. Every step must prescribe the normal load, because the gap changes. ``until_steady`` has no
+        effect; ``max_residual`` replaces it.
+    law : callable
+        A function of history and cycle that returns the depth that the cycle removes in each cell (lengths, not negative),
+        such as :class:`EnergyLaw` or :class:`ArchardLaw`. The depth of a jump is this depth times the number of cycles.
+    cycles : int
+        Number of cycles, including those of ``resume``.
+    max_depth : float, optional
+        The run ends when the largest depth removed since the start has reached this value (a length). The last jump is
+        shortened to whole cycles, and exceeds the value by less than the depth of one cycle.
+    largest_depth : float or callable, optional
+        The largest depth that a jump may remove in any cell (a length), or a function of the history that returns it, such
+        as ``lambda history: 0.05 * history.approach``. By default, only the stability limits a jump.
+    largest_jump : int, optional
+        The largest number of cycles of a jump.
+    max_residual : float, default 0.05
+        The largest :attr:`Cycle.cyclic_residual` of a cycle that represents the following cycles.
+    settling : int, default 10
+        The largest number of cycles that are computed on a gap until one closes.
+    snapshot_every : int, optional
+        Number of cycles after which a snapshot is added to :attr:`WearResult.snapshots`, at the next end of a jump.
+    progress : callable or bool, optional
+        A function that is called after each jump with a :class:`WearSnapshot`, and stops the run by returning ``False``.
+        ``True`` shows a progress bar of the cycles (requires tqdm).
+    resume : WearSnapshot, optional
+        A snapshot from which the run continues. The state of the history is replaced by that of the snapshot.
+
+    Returns
+    -------
+    WearResult
+
+    Raises
+    ------
+    ArgumentRange
+        If the number of cycles, ``settling``, ``largest_jump`` or ``snapshot_every`` is out of range.
+    CycleNotClosed
+        If no cycle closed among the cycles computed on a gap.
+    NoWholeCycle
+        If one cycle removes more than the limit.
+
+    Notes
+    -----
+    After an exception, also after Ctrl-C, the history is in the state after the last jump, and the attribute ``snapshot``
+    of the exception contains it. Pass it as ``resume`` to continue.
+
+    Examples
+    --------
+    >>> import stickslip as ss
+    >>> grid = ss.Grid.square(32, 0.3e-3)
+    >>> steel = ss.Material(213e9, 0.29)
+    >>> history = ss.History(ss.HalfSpace(grid, (steel, steel)), ss.surface.sphere(grid, 3.5e-3), 0.5)
+    >>> step = history.step(normal_force=100.0)
+    >>> path = ss.history.LoadPath.triangle((1e-6, 0.0), 8)
+    >>> loop = ss.history.FrettingLoop(path, lambda shift: ss.LoadStep(normal_force=100.0, shift=shift))
+    >>> result = ss.wear.run(history, loop, ss.wear.EnergyLaw(1e-13), 2000)
+    >>> result.cycles, str(result.ending), bool(result.history.worn_volume[-1] > 0.0)
+    (2000, 'cycle_limit', True)
+    """
+    _check(cycles, settling, largest_jump, snapshot_every)
+    if resume is None:
+        done, rows, total_energy = 0, [], 0.0
+        depth = np.zeros(history.grid.shape)
+    else:
+        history.set_state(resume.state)
+        done, rows, total_energy = resume.cycles, list(resume.rows), resume.dissipated_energy
+        depth = resume.depth.copy()
+        # The last entry of a complete run describes the gap from which the run continues.
+        if rows and rows[-1][1] == 0.0:
+            rows.pop()
+    cycle = Cycle(history)
+    snapshots: list[WearSnapshot] = []
+    snapshot = WearSnapshot(history.state(), done, depth, total_energy, tuple(rows))
+    with cycle_bar(cycles, done, progress is True) as bar:
+        try:
+            while True:
+                computed = _settle(history, loop, cycle, settling, max_residual)
+                row = _row(history, cycle, done, computed, depth, total_energy)
+                is_worn_out = max_depth is not None and depth.max() >= max_depth
+                if done >= cycles or is_worn_out:
+                    ending = WearEnding.DEPTH if is_worn_out else WearEnding.CYCLE_LIMIT
+                    rows.append(row)
+                    snapshot = WearSnapshot(history.state(), done, depth, total_energy, tuple(rows))
+                    return WearResult(ending, cycle, snapshot, tuple(snapshots))
+                of_cycle = np.asarray(law(history, cycle), dtype=float)
+                left = min(cycles - done, largest_jump or cycles, _until_depth(max_depth, depth, of_cycle, cycles))
+                limit = largest_depth(history) if callable(largest_depth) else largest_depth
+                limits = {"largest_depth": limit, "max_residual": max_residual, "cycles_left": left}
+                jump = CycleJump(history.bodies, cycle, of_cycle, **limits).cycles()
+                assert jump is not None  # `cycles_left` is finite
+                depth = depth + jump * of_cycle
+                history.set_gap(Field(history.grid, history.gap + jump * of_cycle))
+                done += jump
+                total_energy += jump * cycle.energy.dissipated_energy
+                rows.append((row[0], float(jump), *row[2:]))
+                snapshot = WearSnapshot(history.state(), done, depth, total_energy, tuple(rows))
+                if snapshot_every is not None and done // snapshot_every > (done - jump) // snapshot_every:
+                    snapshots.append(snapshot)
+                bar(jump)
+                if callable(progress) and progress(snapshot) is False:
+                    return WearResult(WearEnding.STOPPED, cycle, snapshot, tuple(snapshots))
+        except BaseException as error:
+            history.set_state(snapshot.state)
+            error.snapshot = snapshot  # type: ignore[attr-defined]
+            raise
+
+
+def _check(cycles: int, settling: int, largest_jump: int | None, snapshot_every: int | None) -> None:
+    least = {"cycles": (cycles, 0), "settling": (settling, 1)}
+    least |= {"largest_jump": (largest_jump or 1, 1) if largest_jump != 0 else (0, 1)}
+    least |= {"snapshot_every": (snapshot_every or 1, 1) if snapshot_every != 0 else (0, 1)}
+    for name, (value, smallest) in least.items():
+        if value < smallest:
+            error = ArgumentRange(f"{name} must be at least {smallest}, got {value}")
+            error.argument = name
+            raise error
+
+
+def _settle(history: History, loop: FrettingLoop, cycle: Cycle, settling: int, max_residual: float) -> int:
+    """Computes cycles until one closes, and returns their number."""
+    for computed in range(1, settling + 1):
+        loop.cycle(history, cycle)
+        if cycle.cyclic_residual <= max_residual:
+            return computed
+    return settling
+
+
+def _until_depth(max_depth: float | None, depth: NDArray[Any], of_cycle: NDArray[Any], cycles: int) -> int:
+    """Returns the number of cycles until a cell reaches the largest depth."""
+    if max_depth is None or not (of_cycle > 0.0).any():
+        return cycles
+    worn = of_cycle > 0.0
+    return int(min(cycles, np.ceil(((max_depth - depth[worn]) / of_cycle[worn]).min())))
+
+
+def _row(
+    history: History, cycle: Cycle, done: int, computed: int, depth: NDArray[Any], total_energy: float
+) -> tuple[float, ...]:
+    normal = history.normal
+    area = normal.contact_area_corrected
+    forces, shifts = cycle.force_amplitude, cycle.shift_amplitude
+    volume = float(depth.sum()) * history.grid.cell_area
+    contact = (area, float(np.sqrt(area / np.pi)), history.approach, normal.force)
+    energies = (total_energy, cycle.energy.dissipated_energy)
+    wear = (float(done), 0.0, float(computed), volume, float(depth.max()))
+    return (*wear, *energies, *contact, *forces, *shifts, cycle.cyclic_residual)

@@ -1,0 +1,56 @@
+//! Surfaces that a function of the package returns with their unit.
+
+/// Declares the parts that classes of processed surfaces share: heights with a unit, the conversion to an array, and pickling.
+/// A class is a tuple of the surface, its unit, and optionally further data.
+macro_rules! processed {
+    ($class:ident: $content:ty $(, $extra:ty)?; $(#[$doc:meta])+) => {
+        #[pyo3::pymethods]
+        impl $class {
+            $(#[$doc])+
+            #[getter]
+            fn heights(&self) -> crate::field::Field {
+                self.with_unit(self.0.heights())
+            }
+
+            #[pyo3(signature = (dtype=None, copy=None))]
+            fn __array__<'py>(
+                slf: &pyo3::Bound<'py, Self>,
+                dtype: Option<pyo3::Bound<'py, pyo3::PyAny>>,
+                copy: Option<bool>,
+            ) -> pyo3::PyResult<pyo3::Bound<'py, pyo3::PyAny>> {
+                let heights = crate::array::view(slf, |surface| surface.0.heights());
+                crate::field::as_numpy(heights.0, dtype, copy)
+            }
+
+            fn __reduce__<'py>(
+                &self,
+                py: pyo3::Python<'py>,
+            ) -> pyo3::PyResult<crate::pickle::Reduced<'py>> {
+                let unit = self.1.as_deref().map(String::from);
+                crate::pickle::reduced::<Self>(py, &(self.0.clone(), unit $(, <$extra>::from(self.2))?))
+            }
+        }
+
+        impl $class {
+            fn with_unit(&self, field: &stickslip::Field) -> crate::field::Field {
+                crate::field::Field::made(field.clone(), self.1.clone())
+            }
+        }
+
+        impl crate::pickle::Stored for $class {
+            type Content = ($content, Option<String> $(, $extra)?);
+
+            const KIND: &'static str = stringify!($class);
+
+            fn of_content(content: Self::Content) -> Self {
+                Self(
+                    content.0,
+                    content.1.map(crate::unit::Unit::from)
+                    $(, <$extra>::from(content.2))?
+                )
+            }
+        }
+    };
+}
+
+pub(super) use processed;

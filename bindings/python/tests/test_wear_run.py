@@ -1,0 +1,207 @@
+"""Wear over many cycles: limits, endings, resumption and interruption of ``wear.run``, and progress of loops."""
+
+import os
+import pickle
+import signal
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import stickslip as ss
+
+FORCE, COEFFICIENT = 100.0, 1e-13
+TIMEOUT = 120
+
+GRID = ss.Grid.square(32, 0.3e-3)
+STEEL = ss.Material(213e9, 0.29)
+BODIES = ss.HalfSpace(GRID, (STEEL, STEEL))
+
+
+def load(shift):
+    return ss.LoadStep(normal_force=FORCE, shift=shift)
+
+
+def loop(amplitude=1e-6, steps=8):
+    return ss.history.FrettingLoop(ss.history.LoadPath.triangle((amplitude, 0.0), steps), load)
+
+
+def history():
+    history = ss.History(BODIES, ss.surface.sphere(GRID, 3.5e-3), 0.5, tolerance=1e-6)
+    history.step(normal_force=FORCE)
+    return history
+
+
+def five_percent(history):
+    return 0.05 * history.approach
+
+
+LAW = ss.wear.EnergyLaw(COEFFICIENT)
+
+
+def test_wear_agrees_with_loop_written_by_hand():
+    worn, by_hand = history(), history()
+    result = ss.wear.run(worn, loop(), LAW, 2000, largest_depth=five_percent, settling=2, max_residual=0.2)
+
+    cycle, done, depth = ss.history.Cycle(by_hand), 0, np.zeros(GRID.shape)
+    while True:
+        loop().cycle(by_hand, cycle)
+        if cycle.cyclic_residual > 0.2:
+            loop().cycle(by_hand, cycle)
+        if done == 2000:
+            break
+        of_cycle = ss.wear.energy(COEFFICIENT, cycle.dissipated_energy, grid=GRID)
+        limits = {"largest_depth": five_percent(by_hand), "cycles_left": 2000 - done, "max_residual": 0.2}
+        jump = ss.wear.CycleJump(BODIES, cycle, of_cycle, **limits).cycles()
+        depth = depth + jump * of_cycle
+        by_hand.set_gap(by_hand.gap + jump * of_cycle)
+        done += jump
+    assert np.array_equal(result.depth, depth) and worn.to_bytes() == by_hand.to_bytes()
+    assert result.ending == ss.wear.WearEnding.CYCLE_LIMIT == "cycle_limit" and result.cycles == 2000
+    assert np.allclose(worn.gap, ss.surface.sphere(GRID, 3.5e-3) + depth, rtol=0, atol=1e-18)
+
+
+def test_histories_are_consistent():
+    worn = history()
+    result = ss.wear.run(worn, loop(5e-6), LAW, 300, largest_depth=five_percent)
+    found = result.history
+    assert found.cycles[0] == 0 and found.cycles[-1] == 300 == found.jump.sum() and found.jump[-1] == 0
+    assert np.array_equal(np.diff(found.cycles), found.jump[:-1]) and found.cycles.dtype.kind == "i"
+    # Energy and volume are sums over the cycles; the energy law links them.
+    assert np.allclose(np.diff(found.dissipated_energy), found.jump[:-1] * found.energy_per_cycle[:-1], rtol=1e-12)
+    assert np.allclose(found.worn_volume, COEFFICIENT * found.dissipated_energy, rtol=1e-10)
+    assert found.worn_volume[-1] == pytest.approx(result.depth.sum() * GRID.cell_area)
+    assert found.max_depth[-1] == result.depth.max()
+    assert np.allclose(found.normal_force, FORCE, rtol=1e-5)
+    # Gross slip: the amplitude of the force is that of sliding. The contact of a worn ball grows.
+    assert np.allclose(found.force_amplitude_x, 0.5 * FORCE, rtol=1e-3) and np.allclose(found.shift_amplitude_x, 5e-6)
+    assert (found.cyclic_residual <= 0.05).all() and found.contact_area[-1] > 1.05 * found.contact_area[0]
+    assert np.allclose(np.pi * found.contact_radius**2, found.contact_area)
+    assert list(found.to_dict()) == list(ss.wear.WearHistory.__dataclass_fields__)
+    assert len(found) == len(found.cycles) and repr(result).startswith("WearResult(cycles=300, ending='cycle_limit'")
+
+
+def test_full_stick_jumps_over_all_cycles_at_once():
+    result = ss.wear.run(history(), loop(1e-10), LAW, 10**9, largest_depth=1e-9, max_depth=1e-9)
+    assert list(result.history.cycles) == [0, 10**9] and result.history.worn_volume[-1] == 0.0
+    assert result.last.regime == ss.history.Regime.FULL_STICK and result.ending == "cycle_limit"
+
+
+def test_depth_and_jumps_are_limited():
+    result = ss.wear.run(history(), loop(), LAW, 10**6, max_depth=2e-8, largest_depth=3e-9)
+    found = result.history
+    assert result.ending == ss.wear.WearEnding.DEPTH and result.cycles < 10**6
+    first = LAW(history(), result.last).max()
+    assert 2e-8 <= found.max_depth[-1] < 2e-8 + 2.0 * first
+    assert (np.diff(found.max_depth) <= 3e-9 * (1.0 + 1e-12)).all()
+    short = ss.wear.run(history(), loop(), LAW, 100, largest_jump=30)
+    assert list(short.history.jump) == [30, 30, 30, 10, 0]
+
+
+def test_archard_law_agrees_with_energy_law_by_friction():
+    one = ss.wear.run(history(), loop(), LAW, 500)
+    other = ss.wear.run(history(), loop(), ss.wear.ArchardLaw(0.5 * COEFFICIENT), 500)
+    assert np.allclose(one.depth, other.depth, rtol=1e-3, atol=1e-4 * one.depth.max())
+
+
+def test_stopped_run_resumes_with_identical_results(tmp_path):
+    whole = ss.wear.run(history(), loop(), LAW, 3000, largest_depth=five_percent)
+    seen = []
+
+    def stop(snapshot):
+        seen.append(snapshot.cycles)
+        return len(seen) < 3
+
+    first = ss.wear.run(history(), loop(), LAW, 3000, largest_depth=five_percent, progress=stop)
+    assert first.ending == ss.wear.WearEnding.STOPPED and first.cycles == seen[-1] and len(seen) == 3
+    file = tmp_path / "snapshot.npz"
+    first.snapshot.save(file)
+    assert [path.name for path in tmp_path.iterdir()] == ["snapshot.npz"]
+    for snapshot in (first.snapshot, pickle.loads(pickle.dumps(first.snapshot)), ss.wear.WearSnapshot.load(file)):
+        restored = snapshot.restored(BODIES)
+        rest = ss.wear.run(restored, loop(), LAW, 3000, largest_depth=five_percent, resume=snapshot)
+        assert np.array_equal(rest.depth, whole.depth) and rest.cycles == 3000
+        for name, column in whole.history.to_dict().items():
+            assert np.array_equal(column, rest.history.to_dict()[name]), name
+
+
+def test_complete_run_continues_with_more_cycles():
+    worn = history()
+    first = ss.wear.run(worn, loop(), LAW, 1000, snapshot_every=400, largest_jump=100)
+    assert [snapshot.cycles for snapshot in first.snapshots] == [400, 800]
+    rest = ss.wear.run(worn, loop(), LAW, 1500, resume=first.snapshot, largest_jump=100)
+    assert list(rest.history.cycles) == list(range(0, 1501, 100))
+    from_middle = ss.wear.run(worn, loop(), LAW, 1000, resume=first.snapshots[0], largest_jump=100)
+    assert np.array_equal(from_middle.depth, first.depth)
+
+
+def test_failure_leaves_history_in_state_after_last_jump():
+    worn, calls = history(), []
+
+    def law(history, cycle):
+        calls.append(history.to_bytes())
+        if len(calls) == 3:
+            raise ZeroDivisionError("from the law")
+        return LAW(history, cycle)
+
+    with pytest.raises(ZeroDivisionError, match="from the law") as caught:
+        ss.wear.run(worn, loop(), law, 3000, largest_depth=five_percent)
+    snapshot = caught.value.snapshot
+    assert len(snapshot.history) == 2 and snapshot.cycles == snapshot.history.jump.sum()
+    assert worn.state().to_bytes() == snapshot.state.to_bytes()
+    rest = ss.wear.run(worn, loop(), LAW, 3000, largest_depth=five_percent, resume=snapshot)
+    whole = ss.wear.run(history(), loop(), LAW, 3000, largest_depth=five_percent)
+    assert np.array_equal(rest.depth, whole.depth)
+
+
+def test_arguments_and_limits_are_checked():
+    for name, value in (("cycles", -1), ("settling", 0), ("largest_jump", 0), ("snapshot_every", 0)):
+        arguments = {"cycles": 10, name: value}
+        with pytest.raises(ss.errors.ArgumentRange, match=name) as caught:
+            ss.wear.run(history(), loop(), LAW, **arguments)
+        assert caught.value.argument == name
+    with pytest.raises(ss.errors.NoWholeCycle):
+        ss.wear.run(history(), loop(), ss.wear.EnergyLaw(1e-9), 10)
+    with pytest.raises(ss.errors.CycleNotClosed):
+        ss.wear.run(history(), loop(), LAW, 10, settling=1, max_residual=1e-12)
+    assert ss.wear.run(history(), loop(), LAW, 0).cycles == 0
+
+
+def test_ctrl_c_ends_wear_with_state_after_last_jump(tmp_path):
+    code = """
+import sys
+sys.path.insert(0, {tests!r})
+import test_wear_run as t
+import stickslip as ss, os
+worn = t.history()
+def progress(snapshot):
+    print("jump", snapshot.cycles, flush=True)
+try:
+    ss.wear.run(worn, t.loop(steps=400), t.LAW, 10**7, largest_jump=1, progress=progress)
+except KeyboardInterrupt as error:
+    same = worn.state().to_bytes() == error.snapshot.state.to_bytes()
+    print("interrupted", error.snapshot.cycles == error.snapshot.history.jump.sum() > 0, same)
+"""
+    code = code.format(tests=os.path.dirname(__file__))
+    process = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True)
+    for _ in range(3):
+        assert process.stdout.readline().startswith("jump")
+    process.send_signal(signal.SIGINT)
+    rest, _ = process.communicate(timeout=TIMEOUT)
+    assert rest.splitlines()[-1] == "interrupted True True"
+
+
+def test_loop_reports_progress_and_stops():
+    seen = []
+    outcome = loop().run(history(), 4, progress=lambda done, cycle: seen.append((done, cycle.steps)))
+    assert seen == [(1, 8), (2, 8), (3, 8), (4, 8)] and outcome.ending == "cycle_limit"
+    stopped = loop().run(history(), 4, progress=lambda done, cycle: done < 2)
+    assert stopped.cycles == 2 and stopped.ending == "stopped" and stopped.last.steps == 8
+
+
+def test_progress_bars_count_cycles(capsys):
+    loop().run(history(), 3, progress=True)
+    assert "3/3" in capsys.readouterr().err
+    ss.wear.run(history(), loop(), LAW, 700, progress=True)
+    assert "700/700" in capsys.readouterr().err
