@@ -189,6 +189,7 @@ pub use bodies::kernel;
 pub use bodies::kernel::Kernel;
 pub use bodies::layers;
 pub use bodies::material::{ElasticPair, Material};
+pub use contact::{Contact, Solver};
 #[cfg(feature = "history")]
 #[cfg_attr(docsrs, doc(cfg(feature = "history")))]
 pub use coupled::{CoupledProblem, CoupledSolution, CoupledSolver};

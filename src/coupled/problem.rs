@@ -8,7 +8,7 @@ use crate::coupled::{CoupledSolution, CoupledSolver};
 use crate::error::Result;
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
-use crate::memory::fallible::{TryClone, try_clone};
+use crate::memory::fallible::try_clone;
 use crate::normal::{Hardness, NormalControl};
 use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, TangentialModel};
 
@@ -58,15 +58,8 @@ try_clone!(CoupledProblem { friction, hardness, relative } { bodies, gap, normal
 /// Options of a [`CoupledProblem`], all with defaults.
 #[derive(Debug, Clone)]
 #[must_use = "a builder does nothing until build() is called"]
-pub struct CoupledProblemBuilder<'a> {
-    bodies: &'a HalfSpace,
-    gap: Arc<Field>,
-    friction: Friction,
-    hardness: Option<Hardness>,
-    normal: NormalControl,
-    tangential: TangentialLoad,
-    relative: Option<RelativeDisplacement>,
-    settings: Settings,
+pub struct CoupledProblemBuilder {
+    problem: CoupledProblem,
 }
 
 impl CoupledProblem {
@@ -83,16 +76,18 @@ impl CoupledProblem {
         friction: Friction,
         normal: NormalControl,
         tangential: TangentialLoad,
-    ) -> CoupledProblemBuilder<'_> {
+    ) -> CoupledProblemBuilder {
         CoupledProblemBuilder {
-            bodies,
-            gap: gap.into(),
-            friction,
-            hardness: None,
-            normal,
-            tangential,
-            relative: None,
-            settings: Settings::default(),
+            problem: Self {
+                bodies: bodies.clone(),
+                gap: gap.into(),
+                friction,
+                hardness: None,
+                normal,
+                tangential,
+                relative: None,
+                settings: Settings::default(),
+            },
         }
     }
 
@@ -104,10 +99,7 @@ impl CoupledProblem {
     /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) for a force that slides the contact.
     /// - Errors of [`HalfSpace::operator`].
     pub fn solve(&self) -> Result<CoupledSolution> {
-        let mut solver = CoupledSolver::new(self.try_clone()?)?;
-        let mut solution = solver.try_new_solution()?;
-        solver.solve_into(&mut solution)?;
-        Ok(solution)
+        CoupledSolver::solve_once(self)
     }
 
     /// Creates a reusable solver, which owns its buffers and lets gap, friction and loads change.
@@ -117,14 +109,33 @@ impl CoupledProblem {
     pub fn into_solver(self) -> Result<CoupledSolver> {
         CoupledSolver::new(self)
     }
+
+    /// Checks the input that a rank can check without the other ranks.
+    fn check(&self) -> Result<()> {
+        check_joint(&self.bodies)?;
+        let grid = self.bodies.grid();
+        self.gap.check("gap", grid)?;
+        self.friction.check(grid)?;
+        if let Some(hardness) = &self.hardness {
+            hardness.check(grid)?;
+        }
+        self.tangential
+            .demand()
+            .check(Axis::BOTH, self.bodies.boundary())?;
+        if let Some(relative) = &self.relative {
+            relative.check(&self.bodies, Axis::BOTH)?;
+        }
+        self.settings.check()?;
+        TangentialModel::Vector.check(&self.settings)
+    }
 }
 
-impl CoupledProblemBuilder<'_> {
-    settings_methods!();
+impl CoupledProblemBuilder {
+    settings_methods!(problem.settings);
 
     /// Sets a displacement of body 1 relative to body 2 that the contact does not cause (default: none).
     pub fn relative_displacement(mut self, relative: RelativeDisplacement) -> Self {
-        self.relative = Some(relative);
+        self.problem.relative = Some(relative);
         self
     }
 
@@ -145,7 +156,7 @@ impl CoupledProblemBuilder<'_> {
     /// # Ok::<(), Error>(())
     /// ```
     pub fn hardness(mut self, hardness: Hardness) -> Self {
-        self.hardness = Some(hardness);
+        self.problem.hardness = Some(hardness);
         self
     }
 
@@ -166,47 +177,22 @@ impl CoupledProblemBuilder<'_> {
     ///   of range.
     /// - [`Ranks`](crate::Error::Ranks) if ranks fail or pass different input.
     pub fn build(self) -> Result<CoupledProblem> {
-        self.bodies.collective_result_checked(
-            self.check(),
+        let problem = self.problem;
+        let hardness = problem.hardness.as_ref();
+        problem.bodies.collective_result_checked(
+            problem.check(),
             &[
-                ("normal load", &self.normal),
-                ("tangential load", &self.tangential),
-                ("friction", &self.friction.common()),
-                ("hardness", &self.hardness.as_ref().map(Hardness::common)),
-                ("relative displacement", &self.relative.is_some()),
-                ("settings", &self.settings.common()),
+                ("normal load", &problem.normal),
+                ("tangential load", &problem.tangential),
+                ("friction", &problem.friction.common()),
+                ("hardness", &hardness.map(Hardness::common)),
+                ("relative displacement", &problem.relative.is_some()),
+                ("settings", &problem.settings.common()),
             ],
         )?;
-        self.normal
-            .check(self.bodies, &self.gap, self.hardness.as_ref())?;
-        Ok(CoupledProblem {
-            bodies: self.bodies.clone(),
-            gap: self.gap,
-            friction: self.friction,
-            hardness: self.hardness,
-            normal: self.normal,
-            tangential: self.tangential,
-            relative: self.relative,
-            settings: self.settings,
-        })
-    }
-
-    /// Checks the input that a rank can check without the other ranks.
-    fn check(&self) -> Result<()> {
-        check_joint(self.bodies)?;
-        let grid = self.bodies.grid();
-        self.gap.check("gap", grid)?;
-        self.friction.check(grid)?;
-        if let Some(hardness) = &self.hardness {
-            hardness.check(grid)?;
-        }
-        self.tangential
-            .demand()
-            .check(Axis::BOTH, self.bodies.boundary())?;
-        if let Some(relative) = &self.relative {
-            relative.check(self.bodies, Axis::BOTH)?;
-        }
-        self.settings.check()?;
-        TangentialModel::Vector.check(&self.settings)
+        problem
+            .normal
+            .check(&problem.bodies, &problem.gap, hardness)?;
+        Ok(problem)
     }
 }

@@ -1,15 +1,15 @@
 //! Reusable solver of a coupled contact.
 
-use crate::cgm::solver_settings;
-use crate::contact::{Cancellation, SolveContext, has_iterate, solver_methods};
+use crate::cgm::Settings;
+use crate::contact::{Cancellation, Contact, Model, SolveContext, Solver, has_iterate};
 use crate::coupled::increment::{CoupledIncrement, CoupledTarget};
 use crate::coupled::{CoupledProblem, CoupledSolution};
 use crate::error::{Error, Result};
 use crate::grid::field::{self, Field};
+use crate::half_space::HalfSpace;
 use crate::memory::fallible::TryClone;
 use crate::normal::NormalControl;
 use crate::observer::Observer;
-use crate::support::debug::shown;
 use crate::tangential::{Axis, Friction, RigidMotion, TangentialLoad, TangentialModel};
 
 /// Solver of a sequence of coupled contacts, each from rest in one step. Each solve starts from the last solution.
@@ -35,23 +35,9 @@ use crate::tangential::{Axis, Friction, RigidMotion, TangentialLoad, TangentialM
 /// assert!(shifts.is_sorted() && shifts[2] > 2.0 * shifts[1]);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone)]
-pub struct CoupledSolver {
-    problem: CoupledProblem,
-    increment: CoupledIncrement,
-}
-
-shown!(CoupledSolver: problem);
+pub type CoupledSolver = Solver<CoupledProblem>;
 
 impl CoupledSolver {
-    pub(super) fn new(problem: CoupledProblem) -> Result<Self> {
-        let mut increment = CoupledIncrement::new(&problem.bodies)?;
-        if let Some(relative) = &problem.relative {
-            increment.displace(|axis, cell| relative.at(axis, cell));
-        }
-        Ok(Self { problem, increment })
-    }
-
     /// Changes the normal and the tangential load of the next solve.
     ///
     /// # Errors
@@ -101,32 +87,54 @@ impl CoupledSolver {
         self.problem.friction.try_clone_from(friction)?;
         Ok(())
     }
+}
 
-    solver_settings!(problem.settings, problem.bodies, |_, settings| {
+impl Contact for CoupledProblem {
+    type Solution = CoupledSolution;
+}
+
+impl Model<CoupledSolution> for CoupledProblem {
+    type Engine = CoupledIncrement;
+
+    fn bodies(&self) -> &HalfSpace {
+        &self.bodies
+    }
+
+    fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    fn settings_mut(&mut self) -> &mut Settings {
+        &mut self.settings
+    }
+
+    fn check_settings(&self, settings: &Settings) -> Result<()> {
         TangentialModel::Vector.check(settings)
-    });
-
-    /// Discards the last solution. The next solve starts in the same way as the first.
-    pub fn reset(&mut self) {
-        self.increment.forget();
     }
 
-    solver_methods!(CoupledSolution.normal(), problem.bodies);
-
-    /// Creates a solution like [`Self::new_solution`], but returns an error if memory runs out.
-    ///
-    /// # Errors
-    /// - [`Error::Memory`] if memory runs out.
-    pub fn try_new_solution(&self) -> Result<CoupledSolution> {
-        CoupledSolution::empty(&self.problem.bodies, &self.problem.gap)
+    fn engine(&self) -> Result<CoupledIncrement> {
+        let mut increment = CoupledIncrement::new(&self.bodies)?;
+        if let Some(relative) = &self.relative {
+            increment.displace(|axis, cell| relative.at(axis, cell));
+        }
+        Ok(increment)
     }
 
-    fn solve_checked(
-        &mut self,
+    fn empty_solution(&self) -> Result<CoupledSolution> {
+        CoupledSolution::empty(&self.bodies, &self.gap)
+    }
+
+    fn check_solution(&self, solution: &CoupledSolution) -> Result<()> {
+        let (grid, boundary) = (solution.normal().grid(), solution.normal().boundary());
+        self.bodies.check_host("solution", grid, boundary)
+    }
+
+    fn solve(
+        solver: &mut CoupledSolver,
         solution: &mut CoupledSolution,
         observer: Observer<'_>,
     ) -> Result<()> {
-        let problem = &self.problem;
+        let (problem, increment) = (&solver.problem, &mut solver.engine);
         let cancellation = Cancellation::default();
         let mut observer = cancellation.watch(observer);
         let mut conditions = SolveContext::new(&problem.settings, &mut observer);
@@ -137,20 +145,22 @@ impl CoupledSolver {
             normal: problem.normal,
             tangential: problem.tangential.demand(),
         };
-        let outcome = self
-            .increment
-            .solve(demand, RigidMotion::default(), &mut conditions);
-        let report = self.increment.report_mut();
+        let outcome = increment.solve(demand, RigidMotion::default(), &mut conditions);
+        let report = increment.report_mut();
         let outcome = cancellation.applied(&problem.bodies, outcome, || report.cancelled());
         if has_iterate(&outcome) {
-            solution.fill(problem, &self.increment);
+            solution.fill(problem, increment);
         }
         // The next solve must not start from NaN. If memory ran out, it must not start from the incomplete state
         // either.
-        let is_broken = outcome.is_err() && !self.increment.report().residual.is_finite();
+        let is_broken = outcome.is_err() && !increment.report().residual.is_finite();
         if is_broken || matches!(outcome, Err(Error::Memory { .. })) {
-            self.increment.forget();
+            increment.forget();
         }
         outcome
+    }
+
+    fn reset(solver: &mut CoupledSolver) {
+        solver.engine.forget();
     }
 }

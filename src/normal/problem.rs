@@ -125,12 +125,8 @@ try_clone!(NormalProblem { hardness } { bodies, gap, load, settings });
 /// Options of a [`NormalProblem`], all with defaults.
 #[derive(Debug, Clone)]
 #[must_use = "a builder does nothing until build() is called"]
-pub struct NormalProblemBuilder<'a> {
-    bodies: &'a HalfSpace,
-    gap: Arc<Field>,
-    load: NormalControl,
-    hardness: Option<Hardness>,
-    settings: Settings,
+pub struct NormalProblemBuilder {
+    problem: NormalProblem,
 }
 
 impl NormalProblem {
@@ -140,13 +136,15 @@ impl NormalProblem {
         bodies: &HalfSpace,
         gap: impl Into<Arc<Field>>,
         load: NormalControl,
-    ) -> NormalProblemBuilder<'_> {
+    ) -> NormalProblemBuilder {
         NormalProblemBuilder {
-            bodies,
-            gap: gap.into(),
-            load,
-            hardness: None,
-            settings: Settings::default(),
+            problem: Self {
+                bodies: bodies.clone(),
+                gap: gap.into(),
+                load,
+                hardness: None,
+                settings: Settings::default(),
+            },
         }
     }
 
@@ -159,6 +157,16 @@ impl NormalProblem {
             control: self.load,
             settings: &self.settings,
         }
+    }
+
+    /// Checks the input that a rank can check without the other ranks.
+    fn check(&self) -> Result<()> {
+        self.bodies.check_directions([Direction::Z], false)?;
+        check_gap(&self.bodies, &self.gap)?;
+        if let Some(hardness) = &self.hardness {
+            hardness.check(self.bodies.grid())?;
+        }
+        self.settings.check()
     }
 
     /// Solves the contact once with temporary buffers.
@@ -180,13 +188,13 @@ impl NormalProblem {
     }
 }
 
-impl NormalProblemBuilder<'_> {
-    settings_methods!();
+impl NormalProblemBuilder {
+    settings_methods!(problem.settings);
 
     /// Sets the largest pressure that the cells can carry (default: no limit). A force beyond the capacity of all cells
     /// is an error. An approach may bring all cells to their limit.
     pub fn hardness(mut self, hardness: Hardness) -> Self {
-        self.hardness = Some(hardness);
+        self.problem.hardness = Some(hardness);
         self
     }
 
@@ -203,33 +211,20 @@ impl NormalProblemBuilder<'_> {
     ///   1e-130 to 1e130.
     /// - [`Error::Ranks`] if ranks fail or pass different input.
     pub fn build(self) -> Result<NormalProblem> {
-        let hardness = self.hardness.as_ref();
-        self.bodies.collective_result_checked(
-            self.check(),
+        let problem = self.problem;
+        let hardness = problem.hardness.as_ref();
+        problem.bodies.collective_result_checked(
+            problem.check(),
             &[
-                ("normal load", &self.load),
+                ("normal load", &problem.load),
                 ("hardness", &hardness.map(Hardness::common)),
-                ("settings", &self.settings.common()),
+                ("settings", &problem.settings.common()),
             ],
         )?;
-        self.load.check(self.bodies, &self.gap, hardness)?;
-        Ok(NormalProblem {
-            bodies: self.bodies.clone(),
-            gap: self.gap,
-            load: self.load,
-            hardness: self.hardness,
-            settings: self.settings,
-        })
-    }
-
-    /// Checks the input that a rank can check without the other ranks.
-    fn check(&self) -> Result<()> {
-        self.bodies.check_directions([Direction::Z], false)?;
-        check_gap(self.bodies, &self.gap)?;
-        if let Some(hardness) = &self.hardness {
-            hardness.check(self.bodies.grid())?;
-        }
-        self.settings.check()
+        problem
+            .load
+            .check(&problem.bodies, &problem.gap, hardness)?;
+        Ok(problem)
     }
 }
 

@@ -3,17 +3,17 @@
 use std::ops::ControlFlow;
 
 use crate::bodies::component::Direction;
-use crate::cgm::solver_settings;
-use crate::contact::{has_iterate, solver_methods};
+use crate::cgm::Settings;
+use crate::contact::{Contact, Model, Solver, has_iterate};
 use crate::error::Result;
 use crate::grid::field::{self, Field};
+use crate::half_space::HalfSpace;
 use crate::memory::fallible;
 use crate::normal::pressure_solver::PressureSolver;
 use crate::normal::problem::check_gap;
 use crate::normal::{NormalControl, NormalProblem, NormalSolution};
 use crate::observer::Observer;
 use crate::parallel;
-use crate::support::debug::shown;
 
 /// Solver of a sequence of normal contacts on one grid.
 ///
@@ -36,29 +36,16 @@ use crate::support::debug::shown;
 /// }
 /// # Ok::<(), stickslip::Error>(())
 /// ```
+pub type NormalSolver = Solver<NormalProblem>;
+
 #[derive(Clone)]
-pub struct NormalSolver {
-    problem: NormalProblem,
+pub(crate) struct NormalBuffers {
     press: PressureSolver,
     /// Last pressure on the whole grid, the start of the next solve.
     pressure: Vec<f64>,
 }
 
-shown!(NormalSolver: problem);
-
 impl NormalSolver {
-    pub(super) fn new(problem: NormalProblem) -> Result<Self> {
-        let (bodies, grid) = (&problem.bodies, problem.bodies.grid());
-        // An error of the kernel is returned here rather than by the first solve.
-        bodies.compliance([Direction::Z], grid.whole().size())?;
-        let pressure = bodies.collective_result(fallible::zeros(grid.cells()))?;
-        Ok(Self {
-            problem,
-            press: PressureSolver::new(),
-            pressure,
-        })
-    }
-
     /// Returns the load of the next solve.
     pub(crate) fn load(&self) -> NormalControl {
         self.problem.load
@@ -100,50 +87,82 @@ impl NormalSolver {
         field::replace(&mut self.problem.gap, gap)
     }
 
-    solver_settings!(problem.settings, problem.bodies, |_, _| Ok(()));
+    /// Solves once and keeps only the solution.
+    pub(super) fn into_solution(self) -> Result<NormalSolution> {
+        let Self {
+            problem,
+            mut engine,
+        } = self;
+        let (bodies, of) = (&problem.bodies, problem.pressing());
+        bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
+            let unwatched = &mut |_: &_| ControlFlow::Continue(());
+            engine.press.solve(&of, &mut engine.pressure, unwatched)?;
+            engine.press.into_solution(&of, engine.pressure)
+        }))
+    }
+}
 
-    /// Discards the last solution. The next solve starts in the same way as the first.
-    pub fn reset(&mut self) {
-        self.press.reset();
+impl Contact for NormalProblem {
+    type Solution = NormalSolution;
+}
+
+impl Model<NormalSolution> for NormalProblem {
+    type Engine = NormalBuffers;
+
+    fn bodies(&self) -> &HalfSpace {
+        &self.bodies
     }
 
-    solver_methods!(NormalSolution, problem.bodies);
-
-    /// Creates a solution like [`Self::new_solution`], but returns an error if memory runs out.
-    ///
-    /// # Errors
-    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
-    pub fn try_new_solution(&self) -> Result<NormalSolution> {
-        let bodies = &self.problem.bodies;
-        let surface = (bodies.boundary(), bodies.cell_value());
-        NormalSolution::empty(&self.problem.gap, surface, bodies.pair())
+    fn settings(&self) -> &Settings {
+        &self.settings
     }
 
-    fn solve_checked(
-        &mut self,
+    fn settings_mut(&mut self) -> &mut Settings {
+        &mut self.settings
+    }
+
+    fn check_settings(&self, _: &Settings) -> Result<()> {
+        Ok(())
+    }
+
+    fn engine(&self) -> Result<NormalBuffers> {
+        let (bodies, grid) = (&self.bodies, self.bodies.grid());
+        // An error of the kernel is returned here rather than by the first solve.
+        bodies.compliance([Direction::Z], grid.whole().size())?;
+        Ok(NormalBuffers {
+            press: PressureSolver::new(),
+            pressure: bodies.collective_result(fallible::zeros(grid.cells()))?,
+        })
+    }
+
+    fn empty_solution(&self) -> Result<NormalSolution> {
+        let surface = (self.bodies.boundary(), self.bodies.cell_value());
+        NormalSolution::empty(&self.gap, surface, self.bodies.pair())
+    }
+
+    fn check_solution(&self, solution: &NormalSolution) -> Result<()> {
+        let (grid, boundary) = (solution.grid(), solution.boundary());
+        self.bodies.check_host("solution", grid, boundary)
+    }
+
+    fn solve(
+        solver: &mut NormalSolver,
         solution: &mut NormalSolution,
         observer: Observer<'_>,
     ) -> Result<()> {
-        let of = self.problem.pressing();
-        self.press
-            .discard_if_window_too_small(&of, &self.pressure)?;
-        let outcome = self.press.solve(&of, &mut self.pressure, observer);
+        let (of, NormalBuffers { press, pressure }) =
+            (solver.problem.pressing(), &mut solver.engine);
+        press.discard_if_window_too_small(&of, pressure)?;
+        let outcome = press.solve(&of, pressure, observer);
         if has_iterate(&outcome) {
-            parallel::copy(&self.pressure, solution.pressure_mut());
-            self.press.finish(&of, solution);
+            parallel::copy(pressure, solution.pressure_mut());
+            press.finish(&of, solution);
             solution.measure_scale(of.bodies, of.gap);
         }
         outcome
     }
 
-    /// Solves once and keeps only the solution.
-    pub(super) fn into_solution(mut self) -> Result<NormalSolution> {
-        let bodies = self.problem.bodies.clone();
-        bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
-            let of = self.problem.pressing();
-            let unwatched = &mut |_: &_| ControlFlow::Continue(());
-            self.press.solve(&of, &mut self.pressure, unwatched)?;
-            self.press.into_solution(&of, self.pressure)
-        }))
+    fn reset(solver: &mut NormalSolver) {
+        solver.engine.press.reset();
     }
 }

@@ -81,17 +81,17 @@ impl RollingSolver {
     ) -> Result<[[f64; 3]; 3]> {
         let mut follow = self.take_follow()?;
         let found = self.loads(&mut follow, &mut observer);
-        self.follow = Some(follow);
+        self.engine.follow = Some(follow);
         Ok(Small(found?).transposed().0)
     }
 
     /// Returns the existing linear problem, or creates it if there is none.
     pub(in crate::rolling) fn take_follow(&mut self) -> Result<RollingSensitivity> {
-        Ok(match self.follow.take() {
+        Ok(match self.engine.follow.take() {
             Some(follow) => follow,
             None => RollingSensitivity {
-                linear: LinearWorkspace::new(&*self.operator, &*self.inverse)?,
-                layout: self.operator.layout(),
+                linear: LinearWorkspace::new(&*self.engine.operator, &*self.engine.inverse)?,
+                layout: self.engine.operator.layout(),
                 right: Vec::new(),
                 unknowns: Vec::new(),
             },
@@ -117,14 +117,14 @@ impl RollingSolver {
 
     /// Fixes each cell in its current zone.
     pub(in crate::rolling) fn hold_zones(&self, follow: &mut RollingSensitivity) -> Result<()> {
-        let (traction, limits) = (slices(&self.traction), &self.limits);
-        let alone = self.operator.self_compliance();
+        let (traction, limits) = (slices(&self.engine.traction), &self.engine.limits);
+        let alone = self.engine.operator.self_compliance();
         follow.linear.hold(|cell| {
             let disc = Disc {
                 radius: limits[cell],
             };
             let motion = disc.motion(at(&traction, cell));
-            let own = self.own().mean(cell);
+            let own = self.engine.own().mean(cell);
             disc.measured(motion, self.slip(cell))
                 .with_preconditioner_weight(alone, own)
         })
@@ -161,10 +161,10 @@ impl RollingSolver {
         } = follow;
         linear.restrict(moved, right)?;
         let held = FixedSetSystem {
-            operator: &*self.operator,
-            preconditioner: &*self.inverse,
+            operator: &*self.engine.operator,
+            preconditioner: &*self.engine.inverse,
             layout,
-            own: self.own(),
+            own: self.engine.own(),
         };
         held.respond(right, unknowns, linear, TOLERANCE, observer)?;
         if !linear.report().is_converged() {
@@ -176,7 +176,7 @@ impl RollingSolver {
     /// Returns forces and moment of tractions of the cells of the window.
     pub(in crate::rolling) fn loads_of(&self, tractions: [&[f64]; 2]) -> [f64; 3] {
         let (grid, window) = (self.problem.bodies.grid(), self.problem.pressed.window());
-        let loads: [f64; 3] = reduce::sum(&self.operator.layout(), |cell| {
+        let loads: [f64; 3] = reduce::sum(&self.engine.operator.layout(), |cell| {
             let (q, [x, y]) = (at(&tractions, cell), centre(grid, window.index(cell)));
             [q[0], q[1], x * q[1] - y * q[0]]
         });
