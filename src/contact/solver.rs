@@ -19,6 +19,8 @@ use crate::report::Iteration;
 pub trait Contact: Model<<Self as Contact>::Solution> {
     /// Solution of the problem.
     type Solution: TryClone + PartialEq + fmt::Debug + Send;
+    /// Report of a solve.
+    type Report: Clone + PartialEq + fmt::Debug;
 }
 
 /// Engine of a kind of contact, which the solver of this contact runs.
@@ -46,6 +48,11 @@ pub(crate) trait Model<S>: Sized + Send {
 
     /// Solves into a checked solution.
     fn solve(solver: &mut Solver<Self>, solution: &mut S, observer: Observer<'_>) -> Result<()>
+    where
+        Self: Contact<Solution = S>;
+
+    /// Returns the report of the last solve.
+    fn report(solver: &Solver<Self>) -> &Self::Report
     where
         Self: Contact<Solution = S>;
 
@@ -125,6 +132,12 @@ impl<P: Contact> Solver<P> {
         bodies.collective_result_checked(checked, &[("settings", &settings.common())])?;
         *problem.settings_mut() = settings;
         Ok(())
+    }
+
+    /// Returns the report of the last solve: its status, cost and error bounds.
+    #[must_use]
+    pub fn report(&self) -> &P::Report {
+        P::report(self)
     }
 
     /// Discards the last solution. The next solve starts in the same way as the first.

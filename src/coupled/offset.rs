@@ -93,6 +93,13 @@ impl CoupledIncrement {
         self.enters
     }
 
+    /// Sets the offsets to zero.
+    pub(super) fn clear_offset(&mut self) {
+        for part in &mut self.offset {
+            part.fill(0.0);
+        }
+    }
+
     /// Subtracts the change of a relative displacement along each axis from the offsets.
     pub(crate) fn displace(&mut self, change: impl Fn(usize, usize) -> f64) {
         for (axis, offset) in self.offset.iter_mut().enumerate() {

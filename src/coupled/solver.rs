@@ -3,14 +3,16 @@
 use crate::cgm::Settings;
 use crate::contact::{Cancellation, Contact, Model, SolveContext, Solver, has_iterate};
 use crate::coupled::increment::{CoupledIncrement, CoupledTarget};
-use crate::coupled::{CoupledProblem, CoupledSolution};
+use crate::coupled::{CoupledProblem, CoupledReport, CoupledSolution};
 use crate::error::{Error, Result};
 use crate::grid::field::{self, Field};
 use crate::half_space::HalfSpace;
-use crate::memory::fallible::TryClone;
-use crate::normal::NormalControl;
+use crate::memory::fallible::{self, TryClone};
+use crate::normal::{Hardness, NormalControl};
 use crate::observer::Observer;
-use crate::tangential::{Axis, Friction, RigidMotion, TangentialLoad, TangentialModel};
+use crate::tangential::{
+    Axis, Friction, RelativeDisplacement, RigidMotion, TangentialLoad, TangentialModel,
+};
 
 /// Solver of a sequence of coupled contacts, each from rest in one step. Each solve starts from the last solution.
 ///
@@ -87,10 +89,49 @@ impl CoupledSolver {
         self.problem.friction.try_clone_from(friction)?;
         Ok(())
     }
+
+    /// Changes the largest pressure that the cells can carry in the next solve.
+    ///
+    /// # Errors
+    /// - [`Error::GridMismatch`] if the grid differs.
+    /// - [`Error::BeyondHardness`] if the present force exceeds the capacity of the cells.
+    /// - [`Error::Memory`] if memory runs out.
+    /// - [`Error::Ranks`] if ranks fail or pass different hardness.
+    ///
+    /// The hardness is unchanged after an error.
+    pub fn set_hardness(&mut self, hardness: &Hardness) -> Result<()> {
+        let CoupledProblem { bodies, normal, .. } = &self.problem;
+        hardness.check_on(bodies, *normal)?;
+        fallible::replace(&mut self.problem.hardness, hardness)
+    }
+
+    /// Changes the relative displacement of the next solve, which the contact does not cause. The function allocates
+    /// memory only if no such displacement was set earlier.
+    ///
+    /// # Errors
+    /// - [`Error::GridMismatch`] if the grid differs.
+    /// - [`Error::Sample`] for a bulk strain along an axis in which the grid is periodic.
+    /// - [`Error::Memory`] if memory runs out.
+    /// - [`Error::Ranks`] if ranks fail.
+    ///
+    /// The displacement is unchanged after an error.
+    pub fn set_relative_displacement(&mut self, relative: &RelativeDisplacement) -> Result<()> {
+        let CoupledProblem {
+            bodies,
+            relative: own,
+            ..
+        } = &mut self.problem;
+        bodies.collective_result(relative.check(bodies, Axis::BOTH))?;
+        fallible::replace(own, relative)?;
+        self.engine.clear_offset();
+        self.engine.displace(|axis, cell| relative.at(axis, cell));
+        Ok(())
+    }
 }
 
 impl Contact for CoupledProblem {
     type Solution = CoupledSolution;
+    type Report = CoupledReport;
 }
 
 impl Model<CoupledSolution> for CoupledProblem {
@@ -158,6 +199,10 @@ impl Model<CoupledSolution> for CoupledProblem {
             increment.forget();
         }
         outcome
+    }
+
+    fn report(solver: &CoupledSolver) -> &CoupledReport {
+        solver.engine.full_report()
     }
 
     fn reset(solver: &mut CoupledSolver) {

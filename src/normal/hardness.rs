@@ -173,6 +173,13 @@ impl Hardness {
         Ok(Self { limit })
     }
 
+    /// Returns an error on all ranks if the limits do not fit the bodies or cannot carry the load.
+    pub(crate) fn check_on(&self, bodies: &HalfSpace, load: NormalControl) -> Result<()> {
+        let checked = self.check(bodies.grid());
+        bodies.collective_result_checked(checked, &[("hardness", &self.common())])?;
+        self.check_load(bodies, load)
+    }
+
     /// Returns an error if the limits do not fit the grid.
     pub(crate) fn check(&self, grid: Grid) -> Result<()> {
         self.limit.check("hardness", grid)

@@ -11,9 +11,10 @@ use crate::half_space::HalfSpace;
 use crate::memory::fallible;
 use crate::normal::pressure_solver::PressureSolver;
 use crate::normal::problem::check_gap;
-use crate::normal::{NormalControl, NormalProblem, NormalSolution};
+use crate::normal::{Hardness, NormalControl, NormalProblem, NormalSolution};
 use crate::observer::Observer;
 use crate::parallel;
+use crate::report::Report;
 
 /// Solver of a sequence of normal contacts on one grid.
 ///
@@ -87,6 +88,21 @@ impl NormalSolver {
         field::replace(&mut self.problem.gap, gap)
     }
 
+    /// Changes the largest pressure that the cells can carry in the next solve.
+    ///
+    /// # Errors
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the grid differs.
+    /// - [`Error::BeyondHardness`](crate::Error::BeyondHardness) if the present force exceeds the capacity of the cells.
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail or pass different hardness.
+    ///
+    /// The hardness is unchanged after an error.
+    pub fn set_hardness(&mut self, hardness: &Hardness) -> Result<()> {
+        let NormalProblem { bodies, load, .. } = &self.problem;
+        hardness.check_on(bodies, *load)?;
+        fallible::replace(&mut self.problem.hardness, hardness)
+    }
+
     /// Solves once and keeps only the solution.
     pub(super) fn into_solution(self) -> Result<NormalSolution> {
         let Self {
@@ -104,6 +120,7 @@ impl NormalSolver {
 
 impl Contact for NormalProblem {
     type Solution = NormalSolution;
+    type Report = Report;
 }
 
 impl Model<NormalSolution> for NormalProblem {
@@ -160,6 +177,10 @@ impl Model<NormalSolution> for NormalProblem {
             solution.measure_scale(of.bodies, of.gap);
         }
         outcome
+    }
+
+    fn report(solver: &NormalSolver) -> &Report {
+        solver.engine.press.report()
     }
 
     fn reset(solver: &mut NormalSolver) {

@@ -4,7 +4,7 @@ use crate::cgm::Settings;
 use crate::contact::{Cancellation, Contact, Model, SolveContext, Solver, has_iterate};
 use crate::error::{Error, Result};
 use crate::half_space::HalfSpace;
-use crate::memory::fallible::TryClone;
+use crate::memory::fallible::{self, TryClone};
 use crate::observer::Observer;
 use crate::report::Report;
 use crate::tangential::increment::{Start, TangentialIncrement};
@@ -165,10 +165,7 @@ impl TangentialSolver {
     pub fn set_relative_displacement(&mut self, relative: &RelativeDisplacement) -> Result<()> {
         let bodies = &self.problem.bodies;
         bodies.collective_result(relative.check(bodies, self.engine.increment.axes()))?;
-        match &mut self.problem.relative {
-            Some(own) => own.try_clone_from(relative)?,
-            none => *none = Some(relative.try_clone()?),
-        }
+        fallible::replace(&mut self.problem.relative, relative)?;
         self.engine.increment.draw(self.problem.relative.as_ref());
         Ok(())
     }
@@ -197,6 +194,7 @@ impl TangentialSolver {
 
 impl Contact for TangentialProblem {
     type Solution = TangentialSolution;
+    type Report = Report;
 }
 
 impl Model<TangentialSolution> for TangentialProblem {
@@ -272,6 +270,10 @@ impl Model<TangentialSolution> for TangentialProblem {
         solution.set_pressed_at_once(is_drawn && engine.increment.pressed.limits.sum > 0.0);
         engine.increment.rest();
         outcome.map_err(|_| Error::NotConverged(Box::new(engine.report.clone())))
+    }
+
+    fn report(solver: &TangentialSolver) -> &Report {
+        &solver.engine.report
     }
 
     fn reset(solver: &mut TangentialSolver) {

@@ -94,6 +94,7 @@ struct Pass {
 
 impl Contact for CoupledRollingProblem {
     type Solution = CoupledRollingSolution;
+    type Report = CoupledRollingReport;
 }
 
 impl Model<CoupledRollingSolution> for CoupledRollingProblem {
@@ -176,6 +177,10 @@ impl Model<CoupledRollingSolution> for CoupledRollingProblem {
         outcome
     }
 
+    fn report(solver: &CoupledRollingSolver) -> &CoupledRollingReport {
+        &solver.engine.report
+    }
+
     fn reset(solver: &mut CoupledRollingSolver) {
         let engine = &mut solver.engine;
         engine.normal.reset();
@@ -239,12 +244,6 @@ impl CoupledRollingSolver {
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         friction.check(self.problem.bodies.grid())?;
         self.problem.friction.try_clone_from(friction)
-    }
-
-    /// Returns the report of the last solve.
-    #[must_use]
-    pub fn report(&self) -> &CoupledRollingReport {
-        &self.engine.report
     }
 
     /// Repeats passes until the pressure and the tractions are consistent with each other.

@@ -154,6 +154,7 @@ impl RollingEngine {
 
 impl Contact for RollingProblem {
     type Solution = RollingSolution;
+    type Report = Report;
 }
 
 impl Model<RollingSolution> for RollingProblem {
@@ -262,6 +263,10 @@ impl Model<RollingSolution> for RollingProblem {
             solution.set_report(&report);
             report
         })
+    }
+
+    fn report(solver: &RollingSolver) -> &Report {
+        &solver.engine.report
     }
 
     fn reset(solver: &mut RollingSolver) {
@@ -543,12 +548,6 @@ impl RollingSolver {
             RollingControl::Creepage(_) => Total::Free,
             RollingControl::Force(force) => Total::Sum(force / area / self.engine.unit),
         })
-    }
-
-    /// Returns the report of the last solve.
-    #[must_use]
-    pub fn report(&self) -> &Report {
-        &self.engine.report
     }
 }
 
