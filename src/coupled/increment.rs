@@ -10,7 +10,7 @@ use crate::grid::field::Field;
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible;
-use crate::normal::{Hardness, NormalControl, NormalSolution};
+use crate::normal::{Hardness, NormalLoad, NormalSolution};
 use crate::numerics::cell_vector::slices;
 use crate::parallel;
 use crate::report::Report;
@@ -59,7 +59,7 @@ pub(crate) struct CoupledTarget<'a> {
     /// Limit of the pressure, if any.
     pub(crate) hardness: Option<&'a Hardness>,
     /// Prescribed force or approach.
-    pub(crate) normal: NormalControl,
+    pub(crate) normal: NormalLoad,
     pub(crate) tangential: TangentialTarget,
 }
 
@@ -77,7 +77,7 @@ impl CoupledTarget<'_> {
     fn is_doubtful(&self) -> bool {
         let [x, y] = self.tangential.force();
         let is_known =
-            matches!(self.normal, NormalControl::Force(_)) && self.friction.is_proportional();
+            matches!(self.normal, NormalLoad::Force(_)) && self.friction.is_proportional();
         (x != 0.0 || y != 0.0) && !is_known
     }
 }
@@ -219,7 +219,7 @@ impl CoupledIncrement {
         self.windows.tick();
         let (datum, pressure) = demand.normal.to_datum_and_total(&self.bodies, demand.gap)?;
         let is_apart = match demand.normal {
-            NormalControl::Force(force) => force <= 0.0,
+            NormalLoad::Force(force) => force <= 0.0,
             _ => datum <= self.bodies.least(demand.gap),
         };
         if is_apart {
@@ -330,7 +330,7 @@ impl CoupledIncrement {
         demand: &CoupledTarget<'_>,
         largest_coefficient: f64,
     ) -> Result<[Total; 2]> {
-        if let NormalControl::Force(force) = demand.normal {
+        if let NormalLoad::Force(force) = demand.normal {
             check_force(demand, largest_coefficient * force)?;
         }
         let cell_area = self.bodies.grid().cell_area();

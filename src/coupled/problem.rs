@@ -9,7 +9,7 @@ use crate::error::Result;
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible::try_clone;
-use crate::normal::{Hardness, NormalControl};
+use crate::normal::{Hardness, NormalLoad};
 use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, TangentialModel};
 
 /// Bodies, gap, friction and loads of a contact with coupled pressure and tractions, in one step from rest.
@@ -28,7 +28,7 @@ use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, Ta
 /// let grid = Grid::square(32, 3.0)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?)?;
 /// let (ball, friction) = (surface::sphere(grid, 10.0)?, Friction::coulomb(0.3)?);
-/// let press = NormalControl::Force(0.1);
+/// let press = NormalLoad::Force(0.1);
 /// let still = TangentialLoad::shift([0.0, 0.0]);
 /// let contact = CoupledProblem::builder(&bodies, &ball, friction, press, still).build()?.solve()?;
 ///
@@ -47,7 +47,7 @@ pub struct CoupledProblem {
     pub(super) gap: Arc<Field>,
     pub(super) friction: Friction,
     pub(super) hardness: Option<Hardness>,
-    pub(super) normal: NormalControl,
+    pub(super) normal: NormalLoad,
     pub(super) tangential: TangentialLoad,
     pub(super) relative: Option<RelativeDisplacement>,
     pub(super) settings: Settings,
@@ -74,7 +74,7 @@ impl CoupledProblem {
         bodies: &HalfSpace,
         gap: impl Into<Arc<Field>>,
         friction: Friction,
-        normal: NormalControl,
+        normal: NormalLoad,
         tangential: TangentialLoad,
     ) -> CoupledProblemBuilder {
         CoupledProblemBuilder {
@@ -147,7 +147,7 @@ impl CoupledProblemBuilder {
     /// let grid = Grid::square(32, 3.0)?;
     /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?)?;
     /// let (ball, friction) = (surface::sphere(grid, 10.0)?, Friction::coulomb(0.3)?);
-    /// let (press, drag) = (NormalControl::Force(0.1), TangentialLoad::force([0.01, 0.0]));
+    /// let (press, drag) = (NormalLoad::Force(0.1), TangentialLoad::force([0.01, 0.0]));
     /// let soft = CoupledProblem::builder(&bodies, ball, friction, press, drag).hardness(Hardness::uniform(0.05)?);
     /// let contact = soft.build()?.solve()?;
     /// assert!(contact.normal().pressure().max() == 0.05 && contact.normal().yielded_cells() > 0);

@@ -8,7 +8,7 @@ use crate::error::{Error, Result};
 use crate::grid::field::{self, Field};
 use crate::half_space::HalfSpace;
 use crate::memory::fallible::{self, TryClone};
-use crate::normal::{Hardness, NormalControl};
+use crate::normal::{Hardness, NormalLoad};
 use crate::observer::Observer;
 use crate::tangential::{
     Axis, Friction, RelativeDisplacement, RigidMotion, TangentialLoad, TangentialModel,
@@ -24,7 +24,7 @@ use crate::tangential::{
 /// let grid = Grid::square(32, 3.0)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?)?;
 /// let (ball, friction) = (surface::sphere(grid, 10.0)?, Friction::coulomb(0.3)?);
-/// let (press, still) = (NormalControl::Force(0.1), TangentialLoad::shift([0.0, 0.0]));
+/// let (press, still) = (NormalLoad::Force(0.1), TangentialLoad::shift([0.0, 0.0]));
 /// let mut solver =
 ///     CoupledProblem::builder(&bodies, &ball, friction, press, still).build()?.into_solver()?;
 /// let mut contact = solver.new_solution();
@@ -45,7 +45,7 @@ impl CoupledSolver {
     /// # Errors
     /// Errors of [`CoupledProblemBuilder::build`](super::CoupledProblemBuilder::build) that concern the loads. The
     /// loads are unchanged after an error.
-    pub fn set_load(&mut self, normal: NormalControl, tangential: TangentialLoad) -> Result<()> {
+    pub fn set_load(&mut self, normal: NormalLoad, tangential: TangentialLoad) -> Result<()> {
         let CoupledProblem {
             bodies,
             gap,

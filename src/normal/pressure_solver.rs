@@ -16,7 +16,7 @@ use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::normal::pressure_problem::PressureProblem;
 use crate::normal::window_solver::NormalEngine;
-use crate::normal::{Hardness, NormalControl, NormalSolution};
+use crate::normal::{Hardness, NormalLoad, NormalSolution};
 use crate::observer::Observer;
 use crate::parallel;
 use crate::report::{Report, Status};
@@ -34,7 +34,7 @@ pub(crate) struct NormalInput<'a> {
     pub(crate) bodies: &'a HalfSpace,
     pub(crate) gap: &'a Field,
     pub(crate) hardness: Option<&'a Hardness>,
-    pub(crate) control: NormalControl,
+    pub(crate) load: NormalLoad,
     pub(crate) settings: &'a Settings,
 }
 
@@ -53,7 +53,7 @@ impl<'a> NormalInput<'a> {
 
     /// Converts the input to the form that the window solver takes.
     fn scene(&self) -> Result<PressureProblem<&'a [f64]>> {
-        let (datum, total) = self.control.to_datum_and_total(self.bodies, self.gap)?;
+        let (datum, total) = self.load.to_datum_and_total(self.bodies, self.gap)?;
         Ok(PressureProblem {
             gap: self.gap.as_slice(),
             datum,

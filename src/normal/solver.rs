@@ -11,7 +11,7 @@ use crate::half_space::HalfSpace;
 use crate::memory::fallible;
 use crate::normal::pressure_solver::PressureSolver;
 use crate::normal::problem::check_gap;
-use crate::normal::{Hardness, NormalControl, NormalProblem, NormalSolution};
+use crate::normal::{Hardness, NormalLoad, NormalProblem, NormalSolution};
 use crate::observer::Observer;
 use crate::parallel;
 use crate::report::Report;
@@ -24,14 +24,14 @@ use crate::report::Report;
 /// The solver owns plans, buffers and the last pressure. The load and the gap may change between calls.
 ///
 /// ```
-/// use stickslip::{ElasticPair, Grid, HalfSpace, Material, NormalControl, NormalProblem, surface};
+/// use stickslip::{ElasticPair, Grid, HalfSpace, Material, NormalLoad, NormalProblem, surface};
 /// let grid = Grid::square(32, 8.0)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?)?;
 /// let ball = surface::sphere(grid, 10.0)?;
-/// let mut solver = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.5)).build()?.into_solver()?;
+/// let mut solver = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(0.5)).build()?.into_solver()?;
 /// let mut contact = solver.new_solution();
 /// for force in [0.5, 1.0, 0.7] {
-///     solver.set_load(NormalControl::Force(force))?;
+///     solver.set_load(NormalLoad::Force(force))?;
 ///     solver.solve_into(&mut contact)?;
 ///     assert!((contact.force() - force).abs() < 1e-12);
 /// }
@@ -48,7 +48,7 @@ pub(crate) struct NormalBuffers {
 
 impl NormalSolver {
     /// Returns the load of the next solve.
-    pub(crate) fn load(&self) -> NormalControl {
+    pub(crate) fn load(&self) -> NormalLoad {
         self.problem.load
     }
 
@@ -57,7 +57,7 @@ impl NormalSolver {
     /// # Errors
     /// Errors of [`NormalProblemBuilder::build`](crate::normal::NormalProblemBuilder::build) that concern the load. The
     /// load is unchanged after an error.
-    pub fn set_load(&mut self, load: NormalControl) -> Result<()> {
+    pub fn set_load(&mut self, load: NormalLoad) -> Result<()> {
         let NormalProblem {
             bodies,
             gap,
@@ -71,7 +71,7 @@ impl NormalSolver {
     }
 
     /// Restores a load that was set earlier.
-    pub(crate) fn restore_load(&mut self, load: NormalControl) {
+    pub(crate) fn restore_load(&mut self, load: NormalLoad) {
         self.problem.load = load;
     }
 

@@ -10,7 +10,7 @@ use crate::history::state::State;
 use crate::history::state::memory::Memory;
 use crate::history::{History, LoadStep};
 use crate::memory::fallible::TryClone;
-use crate::normal::NormalControl;
+use crate::normal::{NormalControl, NormalLoad};
 use crate::observer::Observer;
 use crate::rolling::RollingShift;
 use crate::rolling::entry::compliance;
@@ -53,10 +53,8 @@ impl History {
         let (state, Some(joint)) = (&self.state, &mut self.joint) else {
             return Ok(None);
         };
-        let normal = match load.normal_control() {
-            NormalControl::Hold => NormalControl::Force(state.normal.force()),
-            control => control,
-        };
+        let held = || NormalLoad::Force(state.normal.force());
+        let normal = load.normal_control().load().unwrap_or_else(held);
         let hardness = state.hardness.as_ref();
         normal.check(&self.bodies, &state.gap, hardness)?;
         if let Some(memory) = &state.contact {
@@ -68,8 +66,14 @@ impl History {
         let travel = load.rolling().map(|rolling| rolling.travel(&self.bodies));
         let motion = state.demand(load, &self.bodies);
         match &travel {
-            Some(travel) => roll(joint, state, (&self.bodies, normal), travel, motion.twist)?,
-            None => joint.enter(state.closing(&self.bodies, normal, false))?,
+            Some(travel) => roll(
+                joint,
+                state,
+                (&self.bodies, normal.into()),
+                travel,
+                motion.twist,
+            )?,
+            None => joint.enter(state.closing(&self.bodies, normal.into(), false))?,
         }
         let (pressure, traction) = (state.pressure(), state.traction());
         joint.set_start(pressure, traction, state.approach(), state.shift());

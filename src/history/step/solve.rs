@@ -9,7 +9,7 @@ use crate::history::state::memory::Memory;
 use crate::history::step::neglected::StepLift;
 use crate::history::{History, LoadStep, State};
 use crate::memory::fallible::{self, TryClone};
-use crate::normal::{NormalControl, NormalInput};
+use crate::normal::{NormalControl, NormalInput, NormalLoad};
 use crate::observer::Observer;
 use crate::parallel;
 use crate::rolling::RollingShift;
@@ -92,21 +92,24 @@ impl History {
             return Ok(motion);
         }
         let control = load.normal_control();
-        if control != NormalControl::Hold && !self.state.is_pressed_by(control) {
-            self.find_pressure(control, &mut *observer)?;
+        if let Some(normal) = control
+            .load()
+            .filter(|_| !self.state.is_pressed_by(control))
+        {
+            self.find_pressure(normal, &mut *observer)?;
         }
         self.find_tractions(load, observer)
     }
 
     /// Solves for the pressure of the step, which becomes the candidate.
-    fn find_pressure(&mut self, control: NormalControl, observer: Observer<'_>) -> Result<()> {
+    fn find_pressure(&mut self, load: NormalLoad, observer: Observer<'_>) -> Result<()> {
         let state = &self.state;
-        control.check(&self.bodies, &state.gap, state.hardness.as_ref())?;
+        load.check(&self.bodies, &state.gap, state.hardness.as_ref())?;
         let of = NormalInput {
             bodies: &self.bodies,
             gap: &state.gap,
             hardness: state.hardness.as_ref(),
-            control,
+            load,
             settings: &state.settings,
         };
         let candidate = self.candidate.take(|| state.normal.try_clone())?;

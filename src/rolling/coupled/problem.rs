@@ -7,7 +7,7 @@ use crate::error::{Error, RankFailure, Result};
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible::try_clone;
-use crate::normal::NormalControl;
+use crate::normal::NormalLoad;
 use crate::rolling::RollingShift;
 use crate::rolling::coupled::{CoupledRollingSolution, CoupledRollingSolver};
 use crate::rolling::steady::options::{RollingOptions, rolling_methods};
@@ -33,7 +33,7 @@ use crate::tangential::{Axis, Friction, TangentialModel};
 /// let grid = Grid::square(24, 3.0)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?)?;
 /// let (ball, friction) = (surface::sphere(grid, 1.0)?, Friction::coulomb(0.3)?);
-/// let press = NormalControl::Force(4.0 / 3.0);
+/// let press = NormalLoad::Force(4.0 / 3.0);
 /// let free = [RollingControl::Force(0.0), RollingControl::Creepage(0.0)];
 /// let rolling = CoupledRollingProblem::builder(&bodies, &ball, friction.clone(), press)
 ///     .control(Axis::X, free[0])
@@ -51,7 +51,7 @@ pub struct CoupledRollingProblem {
     pub(super) bodies: HalfSpace,
     pub(super) gap: Arc<Field>,
     pub(super) friction: Friction,
-    pub(super) normal: NormalControl,
+    pub(super) normal: NormalLoad,
     pub(super) options: RollingOptions,
 }
 
@@ -74,7 +74,7 @@ impl CoupledRollingProblem {
         bodies: &HalfSpace,
         gap: impl Into<Arc<Field>>,
         friction: Friction,
-        normal: NormalControl,
+        normal: NormalLoad,
     ) -> CoupledRollingProblemBuilder {
         CoupledRollingProblemBuilder {
             problem: Self {
@@ -115,7 +115,7 @@ impl CoupledRollingProblem {
     /// Returns an error if no pressure can carry the loads.
     pub(super) fn check(
         &self,
-        normal: NormalControl,
+        normal: NormalLoad,
         controls: [RollingControl; 2],
         spin: SpinControl,
     ) -> Result<()> {

@@ -9,7 +9,7 @@ use crate::error::{Error, Result};
 use crate::grid::field::{self, Field};
 use crate::half_space::HalfSpace;
 use crate::memory::fallible::{self, TryClone};
-use crate::normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
+use crate::normal::{NormalLoad, NormalProblem, NormalSolution, NormalSolver};
 use crate::observer::Observer;
 use crate::parallel::layout::Layout;
 use crate::parallel::reduce;
@@ -47,7 +47,7 @@ const TYPICAL: f64 = 0.7;
 /// let grid = Grid::square(24, 3.0)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?)?;
 /// let (ball, friction) = (surface::sphere(grid, 1.0)?, Friction::coulomb(0.3)?);
-/// let press = NormalControl::Force(4.0 / 3.0);
+/// let press = NormalLoad::Force(4.0 / 3.0);
 /// let mut solver = CoupledRollingProblem::builder(&bodies, &ball, friction, press)
 ///     .build()?
 ///     .into_solver()?;
@@ -216,7 +216,7 @@ impl CoupledRollingSolver {
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`], [`Error::NoPressureToHold`] or [`Error::ApproachBeyondMeanGap`].
     ///   The load is then unchanged.
-    pub fn set_load(&mut self, normal: NormalControl) -> Result<()> {
+    pub fn set_load(&mut self, normal: NormalLoad) -> Result<()> {
         let RollingOptions { controls, spin, .. } = self.problem.options;
         self.problem.check(normal, controls, spin)?;
         self.problem.normal = normal;
@@ -497,7 +497,7 @@ impl CoupledRollingSolver {
         let displacement = |i: usize| gap[i] - (initial[i] + known[i] - approach);
         let mut lift = fallible::zeros(known.len())?;
         lifting.lift(residual.each_ref().map(Vec::as_slice), &mut lift);
-        let is_fixed = matches!(self.problem.normal, NormalControl::Approach(_));
+        let is_fixed = matches!(self.problem.normal, NormalLoad::Approach(_));
         let is_contact = |i: usize| pressure[i] > 0.0;
         let coupling = lift_residual(layout, is_contact, |i| lift[i], displacement, is_fixed);
         let [squares, energy] = reduce::sum(layout, |i| {

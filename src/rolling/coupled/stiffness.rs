@@ -12,7 +12,7 @@ use crate::contact::with_counts_of;
 use crate::error::{Error, Result};
 use crate::half_space::{Compliance, ElasticOperator};
 use crate::memory::fallible::{self, TryClone};
-use crate::normal::{NormalControl, NormalSolution};
+use crate::normal::{NormalLoad, NormalSolution};
 use crate::numerics::cell_vector::{at, slices, slices_mut};
 use crate::numerics::small_matrix::Small;
 use crate::observer::{Observer, unwatched};
@@ -97,7 +97,7 @@ impl CoupledRollingSolver {
         let found = match (&mut self.engine.lifting, &self.engine.last) {
             (Some(lifting), Some(normal)) => {
                 let friction = &self.problem.friction;
-                let is_force = matches!(self.problem.normal, NormalControl::Force(_));
+                let is_force = matches!(self.problem.normal, NormalLoad::Force(_));
                 rolling.coupled_stiffness(lifting, (normal, friction, is_force), &mut observer)
             }
             (Some(_), None) => Err(unsolved()),

@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::grid::field::Field;
 use crate::grid::window::Window;
 use crate::memory::fallible::{filled, try_each, zeros};
-use crate::normal::{NormalControl, NormalSolution, NormalSolver};
+use crate::normal::{NormalLoad, NormalSolution, NormalSolver};
 use crate::numerics::cell_vector::slices;
 use crate::rolling::RollingShift;
 use crate::rolling::entry::entering;
@@ -104,14 +104,13 @@ impl RollingSolver {
     /// - The errors of [`NormalSolver::set_load`], [`NormalSolver::solve_into`] and [`set_pressure`](Self::set_pressure).
     ///
     /// The solver is unchanged after an error, but the next normal solve may start from a different pressure.
-    pub fn set_load(&mut self, load: NormalControl) -> Result<()> {
+    pub fn set_load(&mut self, load: NormalLoad) -> Result<()> {
         let Some(mut press) = self.engine.press.take() else {
             return Err(Error::UnsupportedByModel {
                 model: "a rolling solver without a normal solver",
                 quantity: "a new normal load",
                 value: match load {
-                    NormalControl::Force(load) | NormalControl::Approach(load) => load,
-                    NormalControl::Hold => 0.0,
+                    NormalLoad::Force(load) | NormalLoad::Approach(load) => load,
                 },
                 remedy: "set a normal solver by set_normal_solver, or a solved pressure by set_pressure",
             });
@@ -210,7 +209,7 @@ impl RollingSolver {
 
 impl Press {
     /// Solves for the pressure under a load.
-    fn solve(&mut self, load: NormalControl) -> Result<()> {
+    fn solve(&mut self, load: NormalLoad) -> Result<()> {
         self.solver.set_load(load)?;
         self.solver.solve_into(&mut self.candidate)
     }
