@@ -167,8 +167,8 @@ impl CoupledProblemBuilder {
     ///   displacement differs.
     /// - [`Sample`](crate::Error::Sample) if the gap is not finite, or for a bulk strain along a periodic axis.
     /// - [`NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite), [`NotFinite`](crate::Error::NotFinite),
-    ///   [`NotPositive`](crate::Error::NotPositive), [`NoPressureToHold`](crate::Error::NoPressureToHold) or
-    ///   [`UnsupportedByModel`](crate::Error::UnsupportedByModel) if a load is invalid or not supported.
+    ///   [`NotPositive`](crate::Error::NotPositive) or [`UnsupportedByModel`](crate::Error::UnsupportedByModel) if a load is
+    ///   invalid or not supported.
     /// - [`ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap) on a periodic grid if the approach is not less
     ///   than the mean gap.
     /// - [`BeyondHardness`](crate::Error::BeyondHardness) if the force exceeds the capacity of the cells.

@@ -27,11 +27,11 @@ pub enum NormalLoad {
 /// Normal load at the end of a step of a [`History`](crate::History): a force, an approach or a fixed pressure.
 ///
 /// ```
-/// use stickslip::{LoadStep, NormalControl, NormalLoad};
+/// use stickslip::{Error, LoadStep, NormalControl, NormalLoad};
 /// let load = NormalLoad::Force(100.0);
 /// assert_eq!(NormalControl::from(load), NormalControl::Force(100.0));
 /// assert_eq!(LoadStep::hold().normal(load), LoadStep::hold().normal(NormalControl::Force(100.0)));
-/// assert!(NormalLoad::try_from(NormalControl::Hold).is_err());
+/// assert_eq!(NormalLoad::try_from(NormalControl::Hold), Err(Error::NoPressureToHold));
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]

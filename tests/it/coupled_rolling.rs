@@ -458,12 +458,6 @@ fn coupled_rolling_with_invalid_input_is_rejected() {
     );
     let refused = builder().tolerance(0.0).build();
     assert!(matches!(refused, Err(Error::Tolerance(_))), "{refused:?}");
-    let hold = (pressed.0.clone(), pressed.1.clone(), NormalControl::Hold);
-    let refused = coupled_builder(&hold, 0.3).build();
-    assert!(
-        matches!(refused, Err(Error::NoPressureToHold)),
-        "{refused:?}"
-    );
     let refused = builder()
         .control(Axis::X, RollingControl::Force(2.0))
         .build()

@@ -134,7 +134,7 @@ impl CoupledRollingProblemBuilder {
     /// # Errors
     /// - [`Error::GridMismatch`] if the gap or the friction has a different grid, [`Error::Sample`] if the gap is not
     ///   finite.
-    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`], [`Error::NoPressureToHold`] or [`Error::ApproachBeyondMeanGap`]
+    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`] or [`Error::ApproachBeyondMeanGap`]
     ///   for an invalid normal load.
     /// - [`Error::NotFinite`] if a creepage, a force, the spin or the moment is not finite, [`Error::NotPositive`] for a
     ///   step of zero cells.

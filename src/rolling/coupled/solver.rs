@@ -214,7 +214,7 @@ impl CoupledRollingSolver {
     /// Sets the normal load for the next solve.
     ///
     /// # Errors
-    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`], [`Error::NoPressureToHold`] or [`Error::ApproachBeyondMeanGap`].
+    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`] or [`Error::ApproachBeyondMeanGap`].
     ///   The load is then unchanged.
     pub fn set_load(&mut self, normal: NormalLoad) -> Result<()> {
         let RollingOptions { controls, spin, .. } = self.problem.options;
