@@ -5,7 +5,9 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::inspect::PyStaticExpr;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
-use stickslip::{Axis, LoadStep as Step, NormalControl, NormalLoad, TangentialControl, TangentialLoad as Load};
+use stickslip::{
+    Axis, LoadStep as Step, NormalControl, NormalLoad, TangentialControl, TangentialLoad as Load,
+};
 
 use crate::choice::Choice;
 use crate::conversion::{self, kind_of};
@@ -15,10 +17,7 @@ use crate::pickle::{parts, picklable};
 use crate::real::Real;
 
 /// Returns the normal load: a force, an approach, or neither.
-pub(crate) fn normal(
-    force: Option<Real>,
-    approach: Option<Real>,
-) -> PyResult<Option<NormalLoad>> {
+pub(crate) fn normal(force: Option<Real>, approach: Option<Real>) -> PyResult<Option<NormalLoad>> {
     match (force, approach) {
         (Some(Real(force)), None) => Ok(Some(NormalLoad::Force(force))),
         (None, Some(Real(approach))) => Ok(Some(NormalLoad::Approach(approach))),
