@@ -17,7 +17,8 @@ use crate::tangential::{Zone, centre, is_at_limit};
 use crate::warning::Warning;
 
 record! {
-    /// Traction, slip, zones, creepage and dissipation of steady rolling.
+    /// Traction, slip, zones, creepage and dissipation of steady rolling. Equality compares the results and ignores the
+    /// report.
     pub struct RollingSolution {
         buffers {
             traction: [Field; 2],
@@ -35,9 +36,10 @@ record! {
             boundary: Boundary,
             /// Vector from the position of a particle after a step to the middle of its path.
             halfway: [f64; 2],
+        }
+        ignored {
             report: Report,
         }
-        ignored {}
         local {}
     }
     #[serde(remote = "RollingSolution", deny_unknown_fields)]
