@@ -89,6 +89,22 @@ pub(crate) trait Model<S>: Sized + Send {
 /// assert!((tangential.force()[0] - 0.02).abs() < 1e-11);
 /// # Ok::<(), Error>(())
 /// ```
+///
+/// # Methods of each kind
+///
+/// A load or field that is not part of the problem has no setter.
+///
+/// | method | normal | tangential | coupled | rolling | coupled rolling |
+/// |---|---|---|---|---|---|
+/// | `set_load` | force or approach | force or motion | both loads | creepages, forces, spin | creepages, forces, spin |
+/// | `set_normal_load` | | | | with `set_normal_solver` | yes |
+/// | `set_gap` | yes | | yes | | yes |
+/// | `set_pressure` | | yes | | yes | |
+/// | `set_friction` | | yes | yes | yes | yes |
+/// | `set_hardness` | yes | | yes | | |
+/// | `set_relative_displacement` | | yes | yes | | |
+/// | `friction_capacity` | | yes | | yes | |
+/// | `stiffness` | of the solution | of the solution | of the solution | yes | yes |
 #[derive(Clone)]
 pub struct Solver<P: Contact> {
     pub(crate) problem: P,
