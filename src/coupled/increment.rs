@@ -217,10 +217,10 @@ impl CoupledIncrement {
     ) -> Result<()> {
         self.report.clear();
         self.windows.tick();
-        let (datum, pressure) = demand.normal.to_datum_and_total(&self.bodies, demand.gap)?;
+        let (datum, pressure) = demand.normal.to_datum_and_total(&self.bodies, demand.gap);
         let is_apart = match demand.normal {
             NormalLoad::Force(force) => force <= 0.0,
-            _ => datum <= self.bodies.least(demand.gap),
+            NormalLoad::Approach(_) => datum <= self.bodies.least(demand.gap),
         };
         if is_apart {
             self.motion = demand.tangential.without_contact(Axis::BOTH, before)?;

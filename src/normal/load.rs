@@ -77,17 +77,13 @@ impl NormalControl {
 impl NormalLoad {
     /// Returns the datum of the gap and the prescribed total of the pressures. A datum near the contact avoids
     /// cancellation in sums of gaps.
-    pub(crate) fn to_datum_and_total(
-        self,
-        bodies: &HalfSpace,
-        gap: &Field,
-    ) -> Result<(f64, Total)> {
+    pub(crate) fn to_datum_and_total(self, bodies: &HalfSpace, gap: &Field) -> (f64, Total) {
         match self {
             Self::Force(force) => {
                 let sum = Total::Sum(force / bodies.grid().cell_area());
-                Ok((bodies.least(gap), sum))
+                (bodies.least(gap), sum)
             }
-            Self::Approach(approach) => Ok((approach, Total::Free)),
+            Self::Approach(approach) => (approach, Total::Free),
         }
     }
 
