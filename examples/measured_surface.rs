@@ -81,7 +81,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 
     let theory = Persson::new(&pair, slope, pressure)?
         .with_area_coefficient(RoughSphere::AREA_COEFFICIENT)?;
-    print_contact(&normal, &tangential, &theory);
+    print_contact(&normal, &tangential, &theory)?;
     write_fields(&heights, &normal, &tangential)?;
     let path = support::gallery("measured.svg")?;
     draw(&path, &heights, &normal, &tangential)?;
@@ -209,7 +209,11 @@ fn print_step(step: &str, heights: &Field, normal: &NormalSolution) -> stickslip
     Ok(())
 }
 
-fn print_contact(normal: &NormalSolution, tangential: &TangentialSolution, theory: &Persson) {
+fn print_contact(
+    normal: &NormalSolution,
+    tangential: &TangentialSolution,
+    theory: &Persson,
+) -> stickslip::Result<()> {
     let area = normal.grid().area();
     println!(
         "force {:.3e} N, approach {:.3e} m, largest pressure {:.3e} Pa",
@@ -223,7 +227,7 @@ fn print_contact(normal: &NormalSolution, tangential: &TangentialSolution, theor
         100.0 * normal.contact_area_corrected() / area,
         100.0 * theory.contact_fraction()
     );
-    let spots = normal.spots();
+    let spots = normal.try_spots()?;
     println!(
         "{} spots, the largest of {} cells",
         spots.as_slice().len(),
@@ -242,6 +246,7 @@ fn print_contact(normal: &NormalSolution, tangential: &TangentialSolution, theor
     for warning in normal.warnings() {
         println!("warning: {warning}");
     }
+    Ok(())
 }
 
 fn write_fields(

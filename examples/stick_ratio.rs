@@ -86,7 +86,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .map(|(seed, scene)| shear(&bodies, scene, *seed))
         .collect::<stickslip::Result<Vec<_>>>()?;
 
-    print_table(&contacts);
+    print_table(&contacts)?;
     let header = [
         "surface",
         "load_ratio",
@@ -156,7 +156,7 @@ fn ball(f: f64) -> f64 {
     (1.0 - f).powf(2.0 / 3.0)
 }
 
-fn print_table(contacts: &[Sheared]) {
+fn print_table(contacts: &[Sheared]) -> stickslip::Result<()> {
     println!("surface | contact cells | spots | area (%) | F / mu W: stick ratio - (1 - F / mu W)");
     for (i, contact) in contacts.iter().enumerate() {
         let normal = &contact.normal;
@@ -164,7 +164,7 @@ fn print_table(contacts: &[Sheared]) {
             "{:>7} | {:>13} | {:>5} | {:>8.2} |",
             i + 1,
             normal.contact_cells(),
-            normal.spots().as_slice().len(),
+            normal.try_spots()?.as_slice().len(),
             100.0 * normal.contact_area() / normal.grid().area()
         );
         for [f, stick] in &contact.ratios {
@@ -172,6 +172,7 @@ fn print_table(contacts: &[Sheared]) {
         }
         println!();
     }
+    Ok(())
 }
 
 fn draw(path: &Path, contacts: &[Sheared]) -> Result<(), Box<dyn Error>> {

@@ -189,6 +189,7 @@ pub use bodies::kernel;
 pub use bodies::kernel::Kernel;
 pub use bodies::layers;
 pub use bodies::material::{ElasticPair, Material};
+pub use contact::{Contact, Solver};
 #[cfg(feature = "history")]
 #[cfg_attr(docsrs, doc(cfg(feature = "history")))]
 pub use coupled::{CoupledProblem, CoupledSolution, CoupledSolver};
@@ -204,7 +205,7 @@ pub use half_space::{ElasticOperator, ElasticPreconditioner, HalfSpace};
 #[cfg_attr(docsrs, doc(cfg(feature = "history")))]
 pub use history::{History, LoadStep};
 pub use memory::fallible::TryClone;
-pub use normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
+pub use normal::{NormalControl, NormalLoad, NormalProblem, NormalSolution, NormalSolver};
 pub use operator::{Identity, Operator, Scratch};
 pub use parallel::layout::Layout;
 pub use parallel::{SERIAL_CELL_LIMIT, disable_global_pool, ranks};

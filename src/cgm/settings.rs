@@ -118,69 +118,40 @@ impl Settings {
     }
 }
 
-/// Setters of the solver settings, which are identical for each problem builder. The builder stores the settings in a field
-/// `settings`.
+/// Setters of the solver settings, which are identical for each builder. The builder stores the settings in `$($path).+`.
 macro_rules! settings_methods {
-    () => {
+    ($($path:ident).+) => {
         /// Sets all solver settings, for example the settings of a different solver or of a file.
         pub fn settings(mut self, settings: crate::cgm::Settings) -> Self {
-            self.settings = settings;
+            self.$($path).+ = settings;
             self
         }
 
         /// Sets the accepted error (default 1e-8). [`Settings::tolerance`](crate::cgm::Settings::tolerance) states the errors
         /// that it bounds.
         pub fn tolerance(mut self, tolerance: f64) -> Self {
-            self.settings.tolerance = tolerance;
+            self.$($path).+.tolerance = tolerance;
             self
         }
 
         /// Sets the iteration method (default [`Method::ActiveSet`](crate::cgm::Method::ActiveSet)).
         pub fn method(mut self, method: crate::cgm::Method) -> Self {
-            self.settings.method = method;
+            self.$($path).+.method = method;
             self
         }
 
         /// Sets the maximum number of conjugate-gradient steps (default 10 000).
         pub fn max_iterations(mut self, max_iterations: usize) -> Self {
-            self.settings.max_iterations = max_iterations;
+            self.$($path).+.max_iterations = max_iterations;
             self
         }
 
         /// Sets the maximum wall time per solve (default: no limit). A step of a history has two solves, pressure and traction.
         pub fn time_limit(mut self, time_limit: std::time::Duration) -> Self {
-            self.settings.time_limit = Some(time_limit);
+            self.$($path).+.time_limit = Some(time_limit);
             self
         }
     };
 }
 
-/// Getter and setter of the settings of a solver. The solver stores the settings in `$($path).+`, accepts settings that pass
-/// `$check`, and solves on the bodies `$($bodies).+`.
-macro_rules! solver_settings {
-    ($($path:ident).+, $($bodies:ident).+, $check:expr) => {
-        /// Returns the settings of the next solve.
-        #[must_use]
-        pub fn settings(&self) -> &crate::cgm::Settings {
-            &self.$($path).+
-        }
-
-        /// Changes tolerance, method and limits of the next solve. This solve still starts from the last solution.
-        ///
-        /// # Errors
-        /// The settings remain unchanged after an error:
-        /// - The errors of [`Settings::check`](crate::cgm::Settings::check).
-        /// - [`Error::Method`](crate::Error::Method) if the model does not support the method.
-        /// - [`Error::Ranks`](crate::Error::Ranks) if the settings differ between ranks or if one of the ranks fails.
-        pub fn set_settings(&mut self, settings: crate::cgm::Settings) -> Result<()> {
-            let check: fn(&Self, &crate::cgm::Settings) -> Result<()> = $check;
-            let checked = settings.check().and_then(|()| check(self, &settings));
-            self.$($bodies).+.collective_result_checked(checked, &[("settings", &settings.common())])?;
-            self.$($path).+ = settings;
-            Ok(())
-        }
-    };
-}
-
 pub(crate) use settings_methods;
-pub(crate) use solver_settings;

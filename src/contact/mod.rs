@@ -1,6 +1,6 @@
 //! Common modules of normal, tangential and coupled contacts. They contain the solver of the half-space, the loop over
 //! windows, and starts from coarser grids and from earlier solutions. They also contain the limits shared by the passes of a
-//! solve.
+//! solve, and the solver of all kinds of contacts.
 
 pub(crate) mod contact_counts;
 pub(crate) mod fragments;
@@ -25,5 +25,6 @@ pub(crate) use nested_start::{
 };
 pub(crate) use responses::{Elasticity, LinearResponse, ResponseColumn, ResponseContext};
 pub(crate) use size_cache::{HasSize, SizeCache};
-pub(crate) use solver::solver_methods;
+pub(crate) use solver::Model;
+pub use solver::{Contact, Solver};
 pub(crate) use windows::{PassOutcome, WindowEngine, Windows, overlap_outside};

@@ -10,13 +10,13 @@ use crate::grid::field::Field;
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible;
-use crate::normal::{Hardness, NormalControl, NormalSolution};
+use crate::normal::{Hardness, NormalLoad, NormalSolution};
 use crate::numerics::cell_vector::slices;
 use crate::parallel;
 use crate::report::Report;
 use crate::tangential::{
-    Axis, Friction, Offsets, PressureOnWindow, RigidMotion, StepSolution, TangentialTarget, centre,
-    entry_compliance,
+    Axis, Friction, Offsets, PressureOnWindow, RelativeDisplacement, RigidMotion, StepSolution,
+    TangentialTarget, centre, entry_compliance,
 };
 
 /// Margin of the window for the growth of the contact in a step, in cells.
@@ -56,7 +56,7 @@ pub(crate) struct CoupledTarget<'a> {
     /// Limit of the pressure, if any.
     pub(crate) hardness: Option<&'a Hardness>,
     /// Prescribed force or approach.
-    pub(crate) normal: NormalControl,
+    pub(crate) normal: NormalLoad,
     pub(crate) tangential: TangentialTarget,
 }
 
@@ -74,12 +74,21 @@ impl CoupledTarget<'_> {
     fn is_doubtful(&self) -> bool {
         let [x, y] = self.tangential.force();
         let is_known =
-            matches!(self.normal, NormalControl::Force(_)) && self.friction.is_proportional();
+            matches!(self.normal, NormalLoad::Force(_)) && self.friction.is_proportional();
         (x != 0.0 || y != 0.0) && !is_known
     }
 }
 
 impl CoupledIncrement {
+    /// Sets the offsets of a step from rest with a relative displacement of the bodies.
+    pub(super) fn set_relative_displacement(&mut self, relative: &RelativeDisplacement) {
+        let Self {
+            offsets, pressed, ..
+        } = self;
+        offsets.reset();
+        offsets.displace(&pressed.region, |axis, cell| relative.at(axis, cell));
+    }
+
     /// Creates a step without traction.
     pub(crate) fn new(bodies: &HalfSpace) -> Result<Self> {
         let (grid, size) = (bodies.grid(), bodies.grid().whole().size());
@@ -195,10 +204,10 @@ impl CoupledIncrement {
     ) -> Result<()> {
         self.report.clear();
         self.windows.tick();
-        let (datum, pressure) = demand.normal.to_datum_and_total(&self.bodies, demand.gap)?;
+        let (datum, pressure) = demand.normal.to_datum_and_total(&self.bodies, demand.gap);
         let is_apart = match demand.normal {
-            NormalControl::Force(force) => force <= 0.0,
-            _ => datum <= self.bodies.least(demand.gap),
+            NormalLoad::Force(force) => force <= 0.0,
+            NormalLoad::Approach(_) => datum <= self.bodies.least(demand.gap),
         };
         if is_apart {
             self.motion = demand.tangential.without_contact(Axis::BOTH, before)?;
@@ -332,7 +341,7 @@ impl CoupledIncrement {
         demand: &CoupledTarget<'_>,
         largest_coefficient: f64,
     ) -> Result<[Total; 2]> {
-        if let NormalControl::Force(force) = demand.normal {
+        if let NormalLoad::Force(force) = demand.normal {
             check_force(demand, largest_coefficient * force)?;
         }
         let cell_area = self.bodies.grid().cell_area();

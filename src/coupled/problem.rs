@@ -8,8 +8,8 @@ use crate::coupled::{CoupledSolution, CoupledSolver};
 use crate::error::Result;
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
-use crate::memory::fallible::{TryClone, try_clone};
-use crate::normal::{Hardness, NormalControl};
+use crate::memory::fallible::try_clone;
+use crate::normal::{Hardness, NormalLoad};
 use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, TangentialModel};
 
 /// Bodies, gap, friction and loads of a contact with coupled pressure and tractions, in one step from rest.
@@ -28,7 +28,7 @@ use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, Ta
 /// let grid = Grid::square(32, 3.0)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?)?;
 /// let (ball, friction) = (surface::sphere(grid, 10.0)?, Friction::coulomb(0.3)?);
-/// let press = NormalControl::Force(0.1);
+/// let press = NormalLoad::Force(0.1);
 /// let still = TangentialLoad::shift([0.0, 0.0]);
 /// let contact = CoupledProblem::builder(&bodies, &ball, friction, press, still).build()?.solve()?;
 ///
@@ -47,7 +47,7 @@ pub struct CoupledProblem {
     pub(super) gap: Arc<Field>,
     pub(super) friction: Friction,
     pub(super) hardness: Option<Hardness>,
-    pub(super) normal: NormalControl,
+    pub(super) normal: NormalLoad,
     pub(super) tangential: TangentialLoad,
     pub(super) relative: Option<RelativeDisplacement>,
     pub(super) settings: Settings,
@@ -58,15 +58,8 @@ try_clone!(CoupledProblem { friction, hardness, relative } { bodies, gap, normal
 /// Options of a [`CoupledProblem`], all with defaults.
 #[derive(Debug, Clone)]
 #[must_use = "a builder does nothing until build() is called"]
-pub struct CoupledProblemBuilder<'a> {
-    bodies: &'a HalfSpace,
-    gap: Arc<Field>,
-    friction: Friction,
-    hardness: Option<Hardness>,
-    normal: NormalControl,
-    tangential: TangentialLoad,
-    relative: Option<RelativeDisplacement>,
-    settings: Settings,
+pub struct CoupledProblemBuilder {
+    problem: CoupledProblem,
 }
 
 impl CoupledProblem {
@@ -81,18 +74,20 @@ impl CoupledProblem {
         bodies: &HalfSpace,
         gap: impl Into<Arc<Field>>,
         friction: Friction,
-        normal: NormalControl,
+        normal: NormalLoad,
         tangential: TangentialLoad,
-    ) -> CoupledProblemBuilder<'_> {
+    ) -> CoupledProblemBuilder {
         CoupledProblemBuilder {
-            bodies,
-            gap: gap.into(),
-            friction,
-            hardness: None,
-            normal,
-            tangential,
-            relative: None,
-            settings: Settings::default(),
+            problem: Self {
+                bodies: bodies.clone(),
+                gap: gap.into(),
+                friction,
+                hardness: None,
+                normal,
+                tangential,
+                relative: None,
+                settings: Settings::default(),
+            },
         }
     }
 
@@ -104,10 +99,7 @@ impl CoupledProblem {
     /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) for a force that slides the contact.
     /// - Errors of [`HalfSpace::operator`].
     pub fn solve(&self) -> Result<CoupledSolution> {
-        let mut solver = CoupledSolver::new(self.try_clone()?)?;
-        let mut solution = solver.try_new_solution()?;
-        solver.solve_into(&mut solution)?;
-        Ok(solution)
+        CoupledSolver::solve_once(self)
     }
 
     /// Creates a reusable solver, which owns its buffers and lets gap, friction and loads change.
@@ -117,14 +109,33 @@ impl CoupledProblem {
     pub fn into_solver(self) -> Result<CoupledSolver> {
         CoupledSolver::new(self)
     }
+
+    /// Checks the input that a rank can check without the other ranks.
+    fn check(&self) -> Result<()> {
+        check_joint(&self.bodies)?;
+        let grid = self.bodies.grid();
+        self.gap.check("gap", grid)?;
+        self.friction.check(grid)?;
+        if let Some(hardness) = &self.hardness {
+            hardness.check(grid)?;
+        }
+        self.tangential
+            .demand()
+            .check(Axis::BOTH, self.bodies.boundary())?;
+        if let Some(relative) = &self.relative {
+            relative.check(&self.bodies, Axis::BOTH)?;
+        }
+        self.settings.check()?;
+        TangentialModel::Vector.check(&self.settings)
+    }
 }
 
-impl CoupledProblemBuilder<'_> {
-    settings_methods!();
+impl CoupledProblemBuilder {
+    settings_methods!(problem.settings);
 
     /// Sets a displacement of body 1 relative to body 2 that the contact does not cause (default: none).
     pub fn relative_displacement(mut self, relative: RelativeDisplacement) -> Self {
-        self.relative = Some(relative);
+        self.problem.relative = Some(relative);
         self
     }
 
@@ -136,7 +147,7 @@ impl CoupledProblemBuilder<'_> {
     /// let grid = Grid::square(32, 3.0)?;
     /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?)?;
     /// let (ball, friction) = (surface::sphere(grid, 10.0)?, Friction::coulomb(0.3)?);
-    /// let (press, drag) = (NormalControl::Force(0.1), TangentialLoad::force([0.01, 0.0]));
+    /// let (press, drag) = (NormalLoad::Force(0.1), TangentialLoad::force([0.01, 0.0]));
     /// let soft = CoupledProblem::builder(&bodies, ball, friction, press, drag).hardness(Hardness::uniform(0.05)?);
     /// let contact = soft.build()?.solve()?;
     /// assert!(contact.normal().pressure().max() == 0.05 && contact.normal().yielded_cells() > 0);
@@ -145,7 +156,7 @@ impl CoupledProblemBuilder<'_> {
     /// # Ok::<(), Error>(())
     /// ```
     pub fn hardness(mut self, hardness: Hardness) -> Self {
-        self.hardness = Some(hardness);
+        self.problem.hardness = Some(hardness);
         self
     }
 
@@ -156,8 +167,8 @@ impl CoupledProblemBuilder<'_> {
     ///   displacement differs.
     /// - [`Sample`](crate::Error::Sample) if the gap is not finite, or for a bulk strain along a periodic axis.
     /// - [`NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite), [`NotFinite`](crate::Error::NotFinite),
-    ///   [`NotPositive`](crate::Error::NotPositive), [`NoPressureToHold`](crate::Error::NoPressureToHold) or
-    ///   [`UnsupportedByModel`](crate::Error::UnsupportedByModel) if a load is invalid or not supported.
+    ///   [`NotPositive`](crate::Error::NotPositive) or [`UnsupportedByModel`](crate::Error::UnsupportedByModel) if a load is
+    ///   invalid or not supported.
     /// - [`ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap) on a periodic grid if the approach is not less
     ///   than the mean gap.
     /// - [`BeyondHardness`](crate::Error::BeyondHardness) if the force exceeds the capacity of the cells.
@@ -166,47 +177,22 @@ impl CoupledProblemBuilder<'_> {
     ///   of range.
     /// - [`Ranks`](crate::Error::Ranks) if ranks fail or pass different input.
     pub fn build(self) -> Result<CoupledProblem> {
-        self.bodies.collective_result_checked(
-            self.check(),
+        let problem = self.problem;
+        let hardness = problem.hardness.as_ref();
+        problem.bodies.collective_result_checked(
+            problem.check(),
             &[
-                ("normal load", &self.normal),
-                ("tangential load", &self.tangential),
-                ("friction", &self.friction.common()),
-                ("hardness", &self.hardness.as_ref().map(Hardness::common)),
-                ("relative displacement", &self.relative.is_some()),
-                ("settings", &self.settings.common()),
+                ("normal load", &problem.normal),
+                ("tangential load", &problem.tangential),
+                ("friction", &problem.friction.common()),
+                ("hardness", &hardness.map(Hardness::common)),
+                ("relative displacement", &problem.relative.is_some()),
+                ("settings", &problem.settings.common()),
             ],
         )?;
-        self.normal
-            .check(self.bodies, &self.gap, self.hardness.as_ref())?;
-        Ok(CoupledProblem {
-            bodies: self.bodies.clone(),
-            gap: self.gap,
-            friction: self.friction,
-            hardness: self.hardness,
-            normal: self.normal,
-            tangential: self.tangential,
-            relative: self.relative,
-            settings: self.settings,
-        })
-    }
-
-    /// Checks the input that a rank can check without the other ranks.
-    fn check(&self) -> Result<()> {
-        check_joint(self.bodies)?;
-        let grid = self.bodies.grid();
-        self.gap.check("gap", grid)?;
-        self.friction.check(grid)?;
-        if let Some(hardness) = &self.hardness {
-            hardness.check(grid)?;
-        }
-        self.tangential
-            .demand()
-            .check(Axis::BOTH, self.bodies.boundary())?;
-        if let Some(relative) = &self.relative {
-            relative.check(self.bodies, Axis::BOTH)?;
-        }
-        self.settings.check()?;
-        TangentialModel::Vector.check(&self.settings)
+        problem
+            .normal
+            .check(&problem.bodies, &problem.gap, hardness)?;
+        Ok(problem)
     }
 }

@@ -5,74 +5,43 @@ use crate::coupled::increment::CoupledIncrement;
 use crate::coupled::{CoupledProblem, CoupledReport, N, SensitivityInput};
 use crate::error::Result;
 use crate::grid::field::Field;
+use crate::grid::record::record;
 use crate::half_space::HalfSpace;
-use crate::memory::fallible::{try_clone, try_each, unwrap_or_abort};
+use crate::memory::fallible::{try_each, unwrap_or_abort};
 use crate::normal::NormalSolution;
 use crate::parallel::layout::Layout;
 use crate::support::debug::shown;
-#[cfg(feature = "serde")]
-use crate::support::serialise::checked;
 use crate::tangential::TangentialSolution;
 use crate::warning::Warning;
 
-/// Normal and tangential solution of a coupled contact, with the displacements that pressure and tractions cause
-/// together. Equality compares the results and ignores the report.
-#[derive(Clone)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct CoupledSolution {
-    normal: NormalSolution,
-    tangential: TangentialSolution,
-    displacement: [Field; N],
-    report: CoupledReport,
-    /// Elastic energy of the whole grid, if the fields are a slab.
-    #[cfg_attr(feature = "serde", serde(skip))]
-    whole_energy: Option<f64>,
+record! {
+    /// Normal and tangential solution of a coupled contact, with the displacements that pressure and tractions cause
+    /// together. Equality compares the results and ignores the report.
+    pub struct CoupledSolution {
+        buffers {
+            normal: NormalSolution,
+            tangential: TangentialSolution,
+            displacement: [Field; N],
+        }
+        values {}
+        ignored {
+            report: CoupledReport,
+        }
+        local {
+            /// Elastic energy of the whole grid, if the fields are a slab.
+            whole_energy: Option<f64>,
+        }
+    }
+    #[serde(remote = "CoupledSolution")]
+    check(read) {
+        let grid = read.normal.grid();
+        grid.check_equal("tangential solution", read.tangential.grid())?;
+        let mut fields = read.displacement.iter();
+        fields.try_for_each(|field| field.check("displacement", grid))
+    }
 }
 
 shown!(CoupledSolution: normal, tangential, elastic_energy(), report());
-
-try_clone!(CoupledSolution { normal, tangential, displacement } { report, whole_energy });
-
-impl PartialEq for CoupledSolution {
-    fn eq(&self, other: &Self) -> bool {
-        let Self {
-            normal,
-            tangential,
-            displacement,
-            report: _,
-            whole_energy,
-        } = self;
-        *normal == other.normal
-            && *tangential == other.tangential
-            && *displacement == other.displacement
-            && *whole_energy == other.whole_energy
-    }
-}
-
-/// Deserialised value before validation.
-#[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(remote = "CoupledSolution")]
-struct RawCoupledSolution {
-    normal: NormalSolution,
-    tangential: TangentialSolution,
-    displacement: [Field; N],
-    report: CoupledReport,
-    #[serde(skip)]
-    whole_energy: Option<f64>,
-}
-
-#[cfg(feature = "serde")]
-impl<'de> serde::Deserialize<'de> for CoupledSolution {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        checked(RawCoupledSolution::deserialize(deserializer)?, |read| {
-            let grid = read.normal.grid();
-            grid.check_equal("tangential solution", read.tangential.grid())?;
-            let mut fields = read.displacement.iter();
-            fields.try_for_each(|field| field.check("displacement", grid))
-        })
-    }
-}
 
 impl CoupledSolution {
     /// Creates a solution without contact.

@@ -1,16 +1,18 @@
 //! Reusable solver of a coupled contact.
 
-use crate::cgm::solver_settings;
-use crate::contact::{Cancellation, SolveContext, has_iterate, solver_methods};
+use crate::cgm::Settings;
+use crate::contact::{Cancellation, Contact, Model, SolveContext, Solver, has_iterate};
 use crate::coupled::increment::{CoupledIncrement, CoupledTarget};
-use crate::coupled::{CoupledProblem, CoupledSolution};
+use crate::coupled::{CoupledProblem, CoupledReport, CoupledSolution};
 use crate::error::{Error, Result};
 use crate::grid::field::{self, Field};
-use crate::memory::fallible::TryClone;
-use crate::normal::NormalControl;
+use crate::half_space::HalfSpace;
+use crate::memory::fallible::{self, TryClone};
+use crate::normal::{Hardness, NormalLoad};
 use crate::observer::Observer;
-use crate::support::debug::shown;
-use crate::tangential::{Axis, Friction, RigidMotion, TangentialLoad, TangentialModel};
+use crate::tangential::{
+    Axis, Friction, RelativeDisplacement, RigidMotion, TangentialLoad, TangentialModel,
+};
 
 /// Solver of a sequence of coupled contacts, each from rest in one step. Each solve starts from the last solution.
 ///
@@ -22,7 +24,7 @@ use crate::tangential::{Axis, Friction, RigidMotion, TangentialLoad, TangentialM
 /// let grid = Grid::square(32, 3.0)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?)?;
 /// let (ball, friction) = (surface::sphere(grid, 10.0)?, Friction::coulomb(0.3)?);
-/// let (press, still) = (NormalControl::Force(0.1), TangentialLoad::shift([0.0, 0.0]));
+/// let (press, still) = (NormalLoad::Force(0.1), TangentialLoad::shift([0.0, 0.0]));
 /// let mut solver =
 ///     CoupledProblem::builder(&bodies, &ball, friction, press, still).build()?.into_solver()?;
 /// let mut contact = solver.new_solution();
@@ -35,33 +37,15 @@ use crate::tangential::{Axis, Friction, RigidMotion, TangentialLoad, TangentialM
 /// assert!(shifts.is_sorted() && shifts[2] > 2.0 * shifts[1]);
 /// # Ok::<(), Error>(())
 /// ```
-#[derive(Clone)]
-pub struct CoupledSolver {
-    problem: CoupledProblem,
-    increment: CoupledIncrement,
-}
-
-shown!(CoupledSolver: problem);
+pub type CoupledSolver = Solver<CoupledProblem>;
 
 impl CoupledSolver {
-    pub(super) fn new(problem: CoupledProblem) -> Result<Self> {
-        let mut increment = CoupledIncrement::new(&problem.bodies)?;
-        if let Some(relative) = &problem.relative {
-            let of = |axis: usize, cell: usize| relative.at(axis, cell);
-            let CoupledIncrement {
-                offsets, pressed, ..
-            } = &mut increment;
-            offsets.displace(&pressed.region, of);
-        }
-        Ok(Self { problem, increment })
-    }
-
     /// Changes the normal and the tangential load of the next solve.
     ///
     /// # Errors
     /// Errors of [`CoupledProblemBuilder::build`](super::CoupledProblemBuilder::build) that concern the loads. The
     /// loads are unchanged after an error.
-    pub fn set_load(&mut self, normal: NormalControl, tangential: TangentialLoad) -> Result<()> {
+    pub fn set_load(&mut self, normal: NormalLoad, tangential: TangentialLoad) -> Result<()> {
         let CoupledProblem {
             bodies,
             gap,
@@ -106,31 +90,91 @@ impl CoupledSolver {
         Ok(())
     }
 
-    solver_settings!(problem.settings, problem.bodies, |_, settings| {
-        TangentialModel::Vector.check(settings)
-    });
-
-    /// Discards the last solution. The next solve starts in the same way as the first.
-    pub fn reset(&mut self) {
-        self.increment.forget();
-    }
-
-    solver_methods!(CoupledSolution.normal(), problem.bodies);
-
-    /// Creates a solution like [`Self::new_solution`], but returns an error if memory runs out.
+    /// Changes the largest pressure that the cells can carry in the next solve.
     ///
     /// # Errors
+    /// - [`Error::GridMismatch`] if the grid differs.
+    /// - [`Error::BeyondHardness`] if the present force exceeds the capacity of the cells.
     /// - [`Error::Memory`] if memory runs out.
-    pub fn try_new_solution(&self) -> Result<CoupledSolution> {
-        CoupledSolution::empty(&self.problem.bodies, &self.problem.gap)
+    /// - [`Error::Ranks`] if ranks fail or pass different hardness.
+    ///
+    /// The hardness is unchanged after an error.
+    pub fn set_hardness(&mut self, hardness: &Hardness) -> Result<()> {
+        let CoupledProblem { bodies, normal, .. } = &self.problem;
+        hardness.check_on(bodies, *normal)?;
+        fallible::replace(&mut self.problem.hardness, hardness)
     }
 
-    fn solve_checked(
-        &mut self,
+    /// Changes the relative displacement of the next solve, which the contact does not cause. The function allocates
+    /// memory only if no such displacement was set earlier.
+    ///
+    /// # Errors
+    /// - [`Error::GridMismatch`] if the grid differs.
+    /// - [`Error::Sample`] for a bulk strain along an axis in which the grid is periodic.
+    /// - [`Error::Memory`] if memory runs out.
+    /// - [`Error::Ranks`] if ranks fail.
+    ///
+    /// The displacement is unchanged after an error.
+    pub fn set_relative_displacement(&mut self, relative: &RelativeDisplacement) -> Result<()> {
+        let CoupledProblem {
+            bodies,
+            relative: own,
+            ..
+        } = &mut self.problem;
+        bodies.collective_result(relative.check(bodies, Axis::BOTH))?;
+        fallible::replace(own, relative)?;
+        self.engine.set_relative_displacement(relative);
+        Ok(())
+    }
+}
+
+impl Contact for CoupledProblem {
+    type Solution = CoupledSolution;
+    type Report = CoupledReport;
+}
+
+impl Model<CoupledSolution> for CoupledProblem {
+    type Engine = CoupledIncrement;
+
+    fn bodies(&self) -> &HalfSpace {
+        &self.bodies
+    }
+
+    fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    fn settings_mut(&mut self) -> &mut Settings {
+        &mut self.settings
+    }
+
+    fn check_settings(&self, settings: &Settings) -> Result<()> {
+        TangentialModel::Vector.check(settings)
+    }
+
+    fn engine(&self) -> Result<CoupledIncrement> {
+        let mut increment = CoupledIncrement::new(&self.bodies)?;
+        if let Some(relative) = &self.relative {
+            increment.set_relative_displacement(relative);
+        }
+        Ok(increment)
+    }
+
+    fn empty_solution(&self) -> Result<CoupledSolution> {
+        CoupledSolution::empty(&self.bodies, &self.gap)
+    }
+
+    fn check_solution(&self, solution: &CoupledSolution) -> Result<()> {
+        let (grid, boundary) = (solution.normal().grid(), solution.normal().boundary());
+        self.bodies.check_host("solution", grid, boundary)
+    }
+
+    fn solve(
+        solver: &mut CoupledSolver,
         solution: &mut CoupledSolution,
         observer: Observer<'_>,
     ) -> Result<()> {
-        let problem = &self.problem;
+        let (problem, increment) = (&solver.problem, &mut solver.engine);
         let cancellation = Cancellation::default();
         let mut observer = cancellation.watch(observer);
         let mut conditions = SolveContext::new(&problem.settings, &mut observer);
@@ -141,20 +185,26 @@ impl CoupledSolver {
             normal: problem.normal,
             tangential: problem.tangential.demand(),
         };
-        let outcome = self
-            .increment
-            .solve(demand, RigidMotion::default(), &mut conditions);
-        let report = self.increment.report_mut();
+        let outcome = increment.solve(demand, RigidMotion::default(), &mut conditions);
+        let report = increment.report_mut();
         let outcome = cancellation.applied(&problem.bodies, outcome, || report.cancelled());
         if has_iterate(&outcome) {
-            solution.fill(problem, &self.increment);
+            solution.fill(problem, increment);
         }
         // The next solve must not start from NaN. If memory ran out, it must not start from the incomplete state
         // either.
-        let is_broken = outcome.is_err() && !self.increment.report().residual.is_finite();
+        let is_broken = outcome.is_err() && !increment.report().residual.is_finite();
         if is_broken || matches!(outcome, Err(Error::Memory { .. })) {
-            self.increment.forget();
+            increment.forget();
         }
         outcome
+    }
+
+    fn report(solver: &CoupledSolver) -> &CoupledReport {
+        solver.engine.full_report()
+    }
+
+    fn reset(solver: &mut CoupledSolver) {
+        solver.engine.forget();
     }
 }

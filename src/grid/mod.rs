@@ -7,6 +7,7 @@ pub(crate) mod discretisation;
 pub(crate) mod field;
 pub(crate) mod neighbours;
 pub(crate) mod per_cell;
+pub(crate) mod record;
 pub(crate) mod window;
 
 use std::ops::Range;

@@ -51,7 +51,7 @@ impl<'a> HistoryBuilder<'a> {
 }
 
 impl HistoryBuilder<'_> {
-    settings_methods!();
+    settings_methods!(settings);
 
     /// Sets the axis of tangential load and tractions in the scalar model (default [`Axis::X`]). The vector model
     /// ignores the axis.

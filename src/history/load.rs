@@ -105,8 +105,8 @@ impl LoadStep {
     }
 
     /// Sets the normal load.
-    pub fn normal(mut self, normal: NormalControl) -> Self {
-        self.normal = normal;
+    pub fn normal(mut self, normal: impl Into<NormalControl>) -> Self {
+        self.normal = normal.into();
         self
     }
 

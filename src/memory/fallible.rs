@@ -116,6 +116,17 @@ pub(crate) fn unwrap_or_abort<T>(outcome: Result<T>) -> T {
     })
 }
 
+/// Copies a value into an optional value, and reuses the memory of the old value.
+pub(crate) fn replace<T: TryClone>(target: &mut Option<T>, source: &T) -> Result<()> {
+    match target {
+        Some(own) => own.try_clone_from(source),
+        none => {
+            *none = Some(source.try_clone()?);
+            Ok(())
+        }
+    }
+}
+
 /// Cloning that returns an error if memory runs out, whereas `Clone` aborts the program.
 ///
 /// ```

@@ -8,7 +8,7 @@ use crate::grid::per_cell::PerCell;
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible::{self, try_clone};
-use crate::normal::{NormalControl, NormalSolution};
+use crate::normal::{NormalLoad, NormalSolution};
 
 /// Least ratio of the capacity of a window to the prescribed total. A smaller capacity would leave the pressure no
 /// freedom.
@@ -38,7 +38,7 @@ const ROOM: f64 = 1.01;
 /// let ball = surface::sphere(grid, 10.0)?;
 /// let hertz = analytical::HertzSphere::new(bodies.pair(), 10.0, 100.0)?;
 /// let hardness = normal::Hardness::uniform(0.7 * hertz.max_pressure())?;
-/// let problem = NormalProblem::builder(&bodies, &ball, NormalControl::Force(100.0));
+/// let problem = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(100.0));
 /// let contact = problem.hardness(hardness.clone()).build()?.solve()?;
 /// assert_eq!(contact.pressure().max(), hardness.of_cell(0));
 /// // Yielding spreads the load: the contact is wider and deeper, and the surfaces overlap in the middle.
@@ -173,6 +173,13 @@ impl Hardness {
         Ok(Self { limit })
     }
 
+    /// Returns an error on all ranks if the limits do not fit the bodies or cannot carry the load.
+    pub(crate) fn check_on(&self, bodies: &HalfSpace, load: NormalLoad) -> Result<()> {
+        let checked = self.check(bodies.grid());
+        bodies.collective_result_checked(checked, &[("hardness", &self.common())])?;
+        self.check_load(bodies, load)
+    }
+
     /// Returns an error if the limits do not fit the grid.
     pub(crate) fn check(&self, grid: Grid) -> Result<()> {
         self.limit.check("hardness", grid)
@@ -204,8 +211,8 @@ impl Hardness {
     }
 
     /// Returns an error if the limits cannot carry the load. The limits must have been checked.
-    pub(crate) fn check_load(&self, bodies: &HalfSpace, load: NormalControl) -> Result<()> {
-        if let NormalControl::Force(force) = load {
+    pub(crate) fn check_load(&self, bodies: &HalfSpace, load: NormalLoad) -> Result<()> {
+        if let NormalLoad::Force(force) = load {
             let capacity = match &self.limit {
                 PerCell::Uniform(_) => self.capacity(bodies.grid().whole()),
                 PerCell::Cells(limits) => bodies.integral(limits),

@@ -34,6 +34,7 @@
 
 mod area;
 mod hardness;
+mod load;
 mod over_ranks;
 mod pressure_problem;
 mod pressure_solver;
@@ -44,8 +45,9 @@ mod solver;
 mod window_solver;
 
 pub use hardness::Hardness;
+pub use load::{NormalControl, NormalLoad};
 pub(crate) use pressure_solver::{NormalInput, PressureSolver};
-pub use problem::{NormalControl, NormalProblem, NormalProblemBuilder};
+pub use problem::{NormalProblem, NormalProblemBuilder};
 pub(crate) use scale::Scale;
 pub use solution::NormalSolution;
 pub use solver::NormalSolver;

@@ -16,7 +16,7 @@ use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::normal::pressure_problem::PressureProblem;
 use crate::normal::window_solver::NormalEngine;
-use crate::normal::{Hardness, NormalControl, NormalSolution};
+use crate::normal::{Hardness, NormalLoad, NormalSolution};
 use crate::observer::Observer;
 use crate::parallel;
 use crate::report::{Report, Status};
@@ -34,7 +34,7 @@ pub(crate) struct NormalInput<'a> {
     pub(crate) bodies: &'a HalfSpace,
     pub(crate) gap: &'a Field,
     pub(crate) hardness: Option<&'a Hardness>,
-    pub(crate) control: NormalControl,
+    pub(crate) load: NormalLoad,
     pub(crate) settings: &'a Settings,
 }
 
@@ -52,14 +52,14 @@ impl<'a> NormalInput<'a> {
     }
 
     /// Converts the input to the form that the window solver takes.
-    fn scene(&self) -> Result<PressureProblem<&'a [f64]>> {
-        let (datum, total) = self.control.to_datum_and_total(self.bodies, self.gap)?;
-        Ok(PressureProblem {
+    fn scene(&self) -> PressureProblem<&'a [f64]> {
+        let (datum, total) = self.load.to_datum_and_total(self.bodies, self.gap);
+        PressureProblem {
             gap: self.gap.as_slice(),
             datum,
             limits: self.limits(),
             total,
-        })
+        }
     }
 
     fn limits(&self) -> PerCell<&'a [f64]> {
@@ -161,26 +161,22 @@ impl PressureSolver {
     /// The widest closed gap is assumed to grow in proportion to the depth of penetration. The window is too small if a gap
     /// outside the window would close. Loads up to the largest load that the window has contained are accepted without this
     /// test.
-    pub(super) fn discard_if_window_too_small(
-        &mut self,
-        of: &NormalInput<'_>,
-        pressure: &[f64],
-    ) -> Result<()> {
+    pub(super) fn discard_if_window_too_small(&mut self, of: &NormalInput<'_>, pressure: &[f64]) {
         let (bodies, layout) = (of.bodies, of.bodies.grid_layout());
         let window = self.window().filter(|_| self.is_start);
         let Some(window) = window.filter(|window| *window != Window::whole(bodies.grid())) else {
-            return Ok(());
+            return;
         };
         let sum = reduce::total(&layout, pressure);
         self.held = [self.held[0].max(sum), self.held[1].max(self.approach)];
-        let scene = of.scene()?;
+        let scene = of.scene();
         let (LoadIncrement::Total(beyond) | LoadIncrement::Motion(beyond)) =
             scene.remaining_load(self.held)
         else {
-            return Ok(());
+            return;
         };
         if beyond <= 0.0 {
-            return Ok(());
+            return;
         }
         let least = bodies.least(of.gap);
         let depth = self.approach - least;
@@ -200,7 +196,6 @@ impl PressureSolver {
                 self.reset();
             }
         }
-        Ok(())
     }
 
     /// Writes the result to a solution that already contains the pressure, and releases the buffers.
@@ -262,7 +257,7 @@ impl PressureSolver {
         pressure: &mut [f64],
         conditions: &mut SolveContext<'_, '_>,
     ) -> Result<()> {
-        let mut scene = of.scene()?;
+        let mut scene = of.scene();
         let layout = of.bodies.grid_layout();
         let from = [reduce::total(&layout, pressure), self.approach];
         // The solve cannot start on a window that cannot carry the load.

@@ -3,108 +3,25 @@
 use std::sync::Arc;
 
 use crate::bodies::component::Direction;
-use crate::cgm::{Settings, Total, settings_methods};
-use crate::error::{Error, Result, finite, has_squares, non_negative};
-use crate::grid::boundary::Boundary;
+use crate::cgm::{Settings, settings_methods};
+use crate::error::Result;
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible::{TryClone, try_clone};
 use crate::normal::pressure_solver::NormalInput;
-use crate::normal::{Hardness, NormalSolution, NormalSolver};
-
-/// Prescribed normal load: a force, an approach or a fixed pressure.
-///
-/// A [`NormalProblem`] applies the load to unloaded bodies. A step of a [`History`](crate::History) reaches the load at
-/// its end.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-#[non_exhaustive]
-pub enum NormalControl {
-    /// Normal force W >= 0, from which the approach follows. The bodies just touch at zero force.
-    Force(f64),
-    /// Approach delta of the bodies from the datum of the gap (a length, positive for bodies that move together). The
-    /// force follows from the approach. At an approach at or below the least gap, the bodies do not touch.
-    ///
-    /// On a periodic grid the approach must be less than the mean gap, because the mean gap closes the whole gap. On
-    /// such a grid the certified error is measured against the exact contact under the computed force.
-    Approach(f64),
-    /// Unchanged pressure for any gap. A step then does not solve for the pressure. A [`NormalProblem`] has no earlier
-    /// pressure and returns an error.
-    Hold,
-}
-
-impl NormalControl {
-    /// Returns the datum of the gap and the prescribed total of the pressures. A datum near the contact avoids
-    /// cancellation in sums of gaps.
-    pub(crate) fn to_datum_and_total(
-        self,
-        bodies: &HalfSpace,
-        gap: &Field,
-    ) -> Result<(f64, Total)> {
-        match self {
-            Self::Force(force) => {
-                let sum = Total::Sum(force / bodies.grid().cell_area());
-                Ok((bodies.least(gap), sum))
-            }
-            Self::Approach(approach) => Ok((approach, Total::Free)),
-            Self::Hold => Err(Error::NoPressureToHold),
-        }
-    }
-
-    /// Returns an error if the load cannot act on the gap or exceeds the hardness. Gap and hardness must have been
-    /// checked.
-    pub(crate) fn check(
-        self,
-        bodies: &HalfSpace,
-        gap: &Field,
-        hardness: Option<&Hardness>,
-    ) -> Result<()> {
-        match self {
-            Self::Force(force) => {
-                non_negative("normal force", force)?;
-                let pressure = force / gap.grid().cell_area();
-                finite("normal force divided by the cell area", pressure)?;
-                let mean = force / bodies.grid().whole().area();
-                check_size(force, [mean, mean * bodies.cell_compliance()])?;
-            }
-            Self::Approach(approach) => {
-                finite("approach", approach)?;
-                let mean_gap = || bodies.integral(gap) / bodies.grid().whole().area();
-                if bodies.boundary() == Boundary::Periodic && approach >= mean_gap() {
-                    let mean_gap = mean_gap();
-                    return Err(Error::ApproachBeyondMeanGap { approach, mean_gap });
-                }
-                let depth = (approach - bodies.least(gap)).max(0.0);
-                check_size(depth, [depth / bodies.cell_compliance(), depth])?;
-            }
-            Self::Hold => return Err(Error::NoPressureToHold),
-        }
-        hardness.map_or(Ok(()), |hardness| hardness.check_load(bodies, self))
-    }
-}
-
-/// Returns an error if a non-zero load causes pressures or displacements whose squares overflow or underflow.
-fn check_size(load: f64, [pressure, displacement]: [f64; 2]) -> Result<()> {
-    if load == 0.0 {
-        return Ok(());
-    }
-    let remedy = "choose different units of length or pressure, or a zero load";
-    has_squares("the pressure due to the normal load", pressure, remedy)?;
-    let quantity = "the displacement due to the normal load";
-    has_squares(quantity, displacement, remedy).map(drop)
-}
+use crate::normal::{Hardness, NormalLoad, NormalSolution, NormalSolver};
 
 /// Bodies, gap and load of a normal contact.
 ///
 /// ```
 /// use stickslip::analytical::HertzSphere;
-/// use stickslip::{ElasticPair, Grid, HalfSpace, Material, NormalControl, NormalProblem, surface};
+/// use stickslip::{ElasticPair, Grid, HalfSpace, Material, NormalLoad, NormalProblem, surface};
 ///
 /// let grid = Grid::square(64, 0.40e-3)?;
 /// let steel = Material::new(213e9, 0.29)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
 /// let ball = surface::sphere(grid, 3.5e-3)?;
-/// let contact = NormalProblem::builder(&bodies, &ball, NormalControl::Force(100.0)).build()?.solve()?;
+/// let contact = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(100.0)).build()?.solve()?;
 ///
 /// let hertz = HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
 /// assert!((contact.pressure().max() / hertz.max_pressure() - 1.0).abs() < 2e-3);
@@ -115,7 +32,7 @@ fn check_size(load: f64, [pressure, displacement]: [f64; 2]) -> Result<()> {
 pub struct NormalProblem {
     pub(super) bodies: HalfSpace,
     pub(super) gap: Arc<Field>,
-    pub(super) load: NormalControl,
+    pub(super) load: NormalLoad,
     pub(super) hardness: Option<Hardness>,
     pub(super) settings: Settings,
 }
@@ -125,12 +42,8 @@ try_clone!(NormalProblem { hardness } { bodies, gap, load, settings });
 /// Options of a [`NormalProblem`], all with defaults.
 #[derive(Debug, Clone)]
 #[must_use = "a builder does nothing until build() is called"]
-pub struct NormalProblemBuilder<'a> {
-    bodies: &'a HalfSpace,
-    gap: Arc<Field>,
-    load: NormalControl,
-    hardness: Option<Hardness>,
-    settings: Settings,
+pub struct NormalProblemBuilder {
+    problem: NormalProblem,
 }
 
 impl NormalProblem {
@@ -139,14 +52,16 @@ impl NormalProblem {
     pub fn builder(
         bodies: &HalfSpace,
         gap: impl Into<Arc<Field>>,
-        load: NormalControl,
-    ) -> NormalProblemBuilder<'_> {
+        load: NormalLoad,
+    ) -> NormalProblemBuilder {
         NormalProblemBuilder {
-            bodies,
-            gap: gap.into(),
-            load,
-            hardness: None,
-            settings: Settings::default(),
+            problem: Self {
+                bodies: bodies.clone(),
+                gap: gap.into(),
+                load,
+                hardness: None,
+                settings: Settings::default(),
+            },
         }
     }
 
@@ -156,9 +71,19 @@ impl NormalProblem {
             bodies: &self.bodies,
             gap: &self.gap,
             hardness: self.hardness.as_ref(),
-            control: self.load,
+            load: self.load,
             settings: &self.settings,
         }
+    }
+
+    /// Checks the input that a rank can check without the other ranks.
+    fn check(&self) -> Result<()> {
+        self.bodies.check_directions([Direction::Z], false)?;
+        check_gap(&self.bodies, &self.gap)?;
+        if let Some(hardness) = &self.hardness {
+            hardness.check(self.bodies.grid())?;
+        }
+        self.settings.check()
     }
 
     /// Solves the contact once with temporary buffers.
@@ -180,13 +105,13 @@ impl NormalProblem {
     }
 }
 
-impl NormalProblemBuilder<'_> {
-    settings_methods!();
+impl NormalProblemBuilder {
+    settings_methods!(problem.settings);
 
     /// Sets the largest pressure that the cells can carry (default: no limit). A force beyond the capacity of all cells
     /// is an error. An approach may bring all cells to their limit.
     pub fn hardness(mut self, hardness: Hardness) -> Self {
-        self.hardness = Some(hardness);
+        self.problem.hardness = Some(hardness);
         self
     }
 
@@ -203,33 +128,20 @@ impl NormalProblemBuilder<'_> {
     ///   1e-130 to 1e130.
     /// - [`Error::Ranks`] if ranks fail or pass different input.
     pub fn build(self) -> Result<NormalProblem> {
-        let hardness = self.hardness.as_ref();
-        self.bodies.collective_result_checked(
-            self.check(),
+        let problem = self.problem;
+        let hardness = problem.hardness.as_ref();
+        problem.bodies.collective_result_checked(
+            problem.check(),
             &[
-                ("normal load", &self.load),
+                ("normal load", &problem.load),
                 ("hardness", &hardness.map(Hardness::common)),
-                ("settings", &self.settings.common()),
+                ("settings", &problem.settings.common()),
             ],
         )?;
-        self.load.check(self.bodies, &self.gap, hardness)?;
-        Ok(NormalProblem {
-            bodies: self.bodies.clone(),
-            gap: self.gap,
-            load: self.load,
-            hardness: self.hardness,
-            settings: self.settings,
-        })
-    }
-
-    /// Checks the input that a rank can check without the other ranks.
-    fn check(&self) -> Result<()> {
-        self.bodies.check_directions([Direction::Z], false)?;
-        check_gap(self.bodies, &self.gap)?;
-        if let Some(hardness) = &self.hardness {
-            hardness.check(self.bodies.grid())?;
-        }
-        self.settings.check()
+        problem
+            .load
+            .check(&problem.bodies, &problem.gap, hardness)?;
+        Ok(problem)
     }
 }
 

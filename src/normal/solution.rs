@@ -10,56 +10,54 @@ use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::grid::cell_value::CellValue;
 use crate::grid::discretisation::estimate;
-use crate::grid::field::{Field, clone_in_place};
+use crate::grid::field::Field;
+use crate::grid::record::record;
 use crate::half_space::HalfSpace;
-use crate::memory::fallible::{TryClone, try_clone};
+use crate::memory::fallible::TryClone;
 use crate::normal::over_ranks::PressureSums;
 use crate::normal::scale::Scale;
 use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Report;
 use crate::support::debug::shown;
-#[cfg(feature = "serde")]
-use crate::support::serialise::checked;
 use crate::warning::Warning;
 
-/// Pressure, gap and approach of a normal contact. Equality compares the results and ignores the report.
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct NormalSolution {
-    pub(super) pressure: Field,
-    gap: Field,
-    pub(super) boundary: Boundary,
-    cell_value: CellValue,
-    pub(super) pair: ElasticPair,
-    approach: f64,
-    yielded_cells: usize,
-    /// Whether tractions of a coupled solve have changed the pressure.
-    is_coupled: bool,
-    /// Approach, contact radius and slope, stored for warnings.
-    scale: Scale,
-    report: Report,
-    /// Counts and sums over all ranks, if the fields are a slab.
-    #[cfg_attr(feature = "serde", serde(skip))]
-    pub(super) whole: Option<Box<PressureSums>>,
+record! {
+    /// Pressure, gap and approach of a normal contact. Equality compares the results and ignores the report.
+    pub struct NormalSolution {
+        buffers {
+            pub(super) pressure: Field,
+            gap: Field,
+        }
+        values {
+            pub(super) boundary: Boundary,
+            cell_value: CellValue,
+            pub(super) pair: ElasticPair,
+            approach: f64,
+            yielded_cells: usize,
+            /// Whether tractions of a coupled solve have changed the pressure.
+            is_coupled: bool,
+        }
+        ignored {
+            /// Approach, contact radius and slope, stored for warnings.
+            #[cfg_attr(feature = "serde", serde(default))]
+            scale: Scale,
+            report: Report,
+        }
+        local {
+            /// Counts and sums over all ranks, if the fields are a slab.
+            pub(super) whole: Option<Box<PressureSums>>,
+        }
+    }
+    #[serde(remote = "NormalSolution")]
+    check(read) {
+        all_non_negative("pressure", read.pressure.as_slice())?;
+        read.gap.check("gap", read.grid())?;
+        finite("approach", read.approach).map(|_| ())
+    }
 }
 
 shown!(NormalSolution: grid(), approach(), force(), contact_cells(), discretisation_estimate(), report);
-
-clone_in_place!(NormalSolution {
-    pressure,
-    gap,
-    boundary,
-    cell_value,
-    pair,
-    approach,
-    yielded_cells,
-    is_coupled,
-    scale,
-    report,
-    whole,
-});
-
-try_clone!(NormalSolution { pressure, gap } { boundary, cell_value, pair, approach, yielded_cells, is_coupled, scale, report, whole });
 
 impl NormalSolution {
     /// Returns whether two solutions have the same pressure, gap and approach on the same bodies.
@@ -71,64 +69,6 @@ impl NormalSolution {
             && self.cell_value == other.cell_value
             && self.pair == other.pair
             && self.approach == other.approach
-    }
-}
-
-impl PartialEq for NormalSolution {
-    fn eq(&self, other: &Self) -> bool {
-        let Self {
-            pressure,
-            gap,
-            boundary,
-            cell_value,
-            pair,
-            approach,
-            yielded_cells,
-            is_coupled,
-            scale: _,
-            report: _,
-            whole,
-        } = self;
-        *pressure == other.pressure
-            && *gap == other.gap
-            && *boundary == other.boundary
-            && *cell_value == other.cell_value
-            && *pair == other.pair
-            && *approach == other.approach
-            && *yielded_cells == other.yielded_cells
-            && *is_coupled == other.is_coupled
-            && *whole == other.whole
-    }
-}
-
-/// Deserialised value before validation.
-#[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(remote = "NormalSolution")]
-struct RawNormalSolution {
-    pressure: Field,
-    gap: Field,
-    boundary: Boundary,
-    cell_value: CellValue,
-    pair: ElasticPair,
-    approach: f64,
-    yielded_cells: usize,
-    is_coupled: bool,
-    #[serde(default)]
-    scale: Scale,
-    report: Report,
-    #[serde(skip)]
-    whole: Option<Box<PressureSums>>,
-}
-
-#[cfg(feature = "serde")]
-impl<'de> serde::Deserialize<'de> for NormalSolution {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        checked(RawNormalSolution::deserialize(deserializer)?, |read| {
-            all_non_negative("pressure", read.pressure.as_slice())?;
-            read.gap.check("gap", read.grid())?;
-            finite("approach", read.approach).map(|_| ())
-        })
     }
 }
 

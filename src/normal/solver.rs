@@ -3,17 +3,18 @@
 use std::ops::ControlFlow;
 
 use crate::bodies::component::Direction;
-use crate::cgm::solver_settings;
-use crate::contact::{has_iterate, solver_methods};
+use crate::cgm::Settings;
+use crate::contact::{Contact, Model, Solver, has_iterate};
 use crate::error::Result;
 use crate::grid::field::{self, Field};
+use crate::half_space::HalfSpace;
 use crate::memory::fallible;
 use crate::normal::pressure_solver::PressureSolver;
 use crate::normal::problem::check_gap;
-use crate::normal::{NormalControl, NormalProblem, NormalSolution};
+use crate::normal::{Hardness, NormalLoad, NormalProblem, NormalSolution};
 use crate::observer::Observer;
 use crate::parallel;
-use crate::support::debug::shown;
+use crate::report::Report;
 
 /// Solver of a sequence of normal contacts on one grid.
 ///
@@ -23,44 +24,31 @@ use crate::support::debug::shown;
 /// The solver owns plans, buffers and the last pressure. The load and the gap may change between calls.
 ///
 /// ```
-/// use stickslip::{ElasticPair, Grid, HalfSpace, Material, NormalControl, NormalProblem, surface};
+/// use stickslip::{ElasticPair, Grid, HalfSpace, Material, NormalLoad, NormalProblem, surface};
 /// let grid = Grid::square(32, 8.0)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?)?;
 /// let ball = surface::sphere(grid, 10.0)?;
-/// let mut solver = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.5)).build()?.into_solver()?;
+/// let mut solver = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(0.5)).build()?.into_solver()?;
 /// let mut contact = solver.new_solution();
 /// for force in [0.5, 1.0, 0.7] {
-///     solver.set_load(NormalControl::Force(force))?;
+///     solver.set_load(NormalLoad::Force(force))?;
 ///     solver.solve_into(&mut contact)?;
 ///     assert!((contact.force() - force).abs() < 1e-12);
 /// }
 /// # Ok::<(), stickslip::Error>(())
 /// ```
+pub type NormalSolver = Solver<NormalProblem>;
+
 #[derive(Clone)]
-pub struct NormalSolver {
-    problem: NormalProblem,
+pub(crate) struct NormalBuffers {
     press: PressureSolver,
     /// Last pressure on the whole grid, the start of the next solve.
     pressure: Vec<f64>,
 }
 
-shown!(NormalSolver: problem);
-
 impl NormalSolver {
-    pub(super) fn new(problem: NormalProblem) -> Result<Self> {
-        let (bodies, grid) = (&problem.bodies, problem.bodies.grid());
-        // An error of the kernel is returned here rather than by the first solve.
-        bodies.compliance([Direction::Z], grid.whole().size())?;
-        let pressure = bodies.collective_result(fallible::zeros(grid.cells()))?;
-        Ok(Self {
-            problem,
-            press: PressureSolver::new(),
-            pressure,
-        })
-    }
-
     /// Returns the load of the next solve.
-    pub(crate) fn load(&self) -> NormalControl {
+    pub(crate) fn load(&self) -> NormalLoad {
         self.problem.load
     }
 
@@ -69,7 +57,7 @@ impl NormalSolver {
     /// # Errors
     /// Errors of [`NormalProblemBuilder::build`](crate::normal::NormalProblemBuilder::build) that concern the load. The
     /// load is unchanged after an error.
-    pub fn set_load(&mut self, load: NormalControl) -> Result<()> {
+    pub fn set_load(&mut self, load: NormalLoad) -> Result<()> {
         let NormalProblem {
             bodies,
             gap,
@@ -83,7 +71,7 @@ impl NormalSolver {
     }
 
     /// Restores a load that was set earlier.
-    pub(crate) fn restore_load(&mut self, load: NormalControl) {
+    pub(crate) fn restore_load(&mut self, load: NormalLoad) {
         self.problem.load = load;
     }
 
@@ -100,50 +88,102 @@ impl NormalSolver {
         field::replace(&mut self.problem.gap, gap)
     }
 
-    solver_settings!(problem.settings, problem.bodies, |_, _| Ok(()));
-
-    /// Discards the last solution. The next solve starts in the same way as the first.
-    pub fn reset(&mut self) {
-        self.press.reset();
-    }
-
-    solver_methods!(NormalSolution, problem.bodies);
-
-    /// Creates a solution like [`Self::new_solution`], but returns an error if memory runs out.
+    /// Changes the largest pressure that the cells can carry in the next solve.
     ///
     /// # Errors
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the grid differs.
+    /// - [`Error::BeyondHardness`](crate::Error::BeyondHardness) if the present force exceeds the capacity of the cells.
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
-    pub fn try_new_solution(&self) -> Result<NormalSolution> {
-        let bodies = &self.problem.bodies;
-        let surface = (bodies.boundary(), bodies.cell_value());
-        NormalSolution::empty(&self.problem.gap, surface, bodies.pair())
+    /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail or pass different hardness.
+    ///
+    /// The hardness is unchanged after an error.
+    pub fn set_hardness(&mut self, hardness: &Hardness) -> Result<()> {
+        let NormalProblem { bodies, load, .. } = &self.problem;
+        hardness.check_on(bodies, *load)?;
+        fallible::replace(&mut self.problem.hardness, hardness)
     }
 
-    fn solve_checked(
-        &mut self,
+    /// Solves once and keeps only the solution.
+    pub(super) fn into_solution(self) -> Result<NormalSolution> {
+        let Self {
+            problem,
+            mut engine,
+        } = self;
+        let (bodies, of) = (&problem.bodies, problem.pressing());
+        bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
+            let unwatched = &mut |_: &_| ControlFlow::Continue(());
+            engine.press.solve(&of, &mut engine.pressure, unwatched)?;
+            engine.press.into_solution(&of, engine.pressure)
+        }))
+    }
+}
+
+impl Contact for NormalProblem {
+    type Solution = NormalSolution;
+    type Report = Report;
+}
+
+impl Model<NormalSolution> for NormalProblem {
+    type Engine = NormalBuffers;
+
+    fn bodies(&self) -> &HalfSpace {
+        &self.bodies
+    }
+
+    fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    fn settings_mut(&mut self) -> &mut Settings {
+        &mut self.settings
+    }
+
+    fn check_settings(&self, _: &Settings) -> Result<()> {
+        Ok(())
+    }
+
+    fn engine(&self) -> Result<NormalBuffers> {
+        let (bodies, grid) = (&self.bodies, self.bodies.grid());
+        // An error of the kernel is returned here rather than by the first solve.
+        bodies.compliance([Direction::Z], grid.whole().size())?;
+        Ok(NormalBuffers {
+            press: PressureSolver::new(),
+            pressure: bodies.collective_result(fallible::zeros(grid.cells()))?,
+        })
+    }
+
+    fn empty_solution(&self) -> Result<NormalSolution> {
+        let surface = (self.bodies.boundary(), self.bodies.cell_value());
+        NormalSolution::empty(&self.gap, surface, self.bodies.pair())
+    }
+
+    fn check_solution(&self, solution: &NormalSolution) -> Result<()> {
+        let (grid, boundary) = (solution.grid(), solution.boundary());
+        self.bodies.check_host("solution", grid, boundary)
+    }
+
+    fn solve(
+        solver: &mut NormalSolver,
         solution: &mut NormalSolution,
         observer: Observer<'_>,
     ) -> Result<()> {
-        let of = self.problem.pressing();
-        self.press
-            .discard_if_window_too_small(&of, &self.pressure)?;
-        let outcome = self.press.solve(&of, &mut self.pressure, observer);
+        let (of, NormalBuffers { press, pressure }) =
+            (solver.problem.pressing(), &mut solver.engine);
+        press.discard_if_window_too_small(&of, pressure);
+        let outcome = press.solve(&of, pressure, observer);
         if has_iterate(&outcome) {
-            parallel::copy(&self.pressure, solution.pressure_mut());
-            self.press.finish(&of, solution);
+            parallel::copy(pressure, solution.pressure_mut());
+            press.finish(&of, solution);
             solution.measure_scale(of.bodies, of.gap);
         }
         outcome
     }
 
-    /// Solves once and keeps only the solution.
-    pub(super) fn into_solution(mut self) -> Result<NormalSolution> {
-        let bodies = self.problem.bodies.clone();
-        bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
-            let of = self.problem.pressing();
-            let unwatched = &mut |_: &_| ControlFlow::Continue(());
-            self.press.solve(&of, &mut self.pressure, unwatched)?;
-            self.press.into_solution(&of, self.pressure)
-        }))
+    fn report(solver: &NormalSolver) -> &Report {
+        solver.engine.press.report()
+    }
+
+    fn reset(solver: &mut NormalSolver) {
+        solver.engine.press.reset();
     }
 }

@@ -63,7 +63,7 @@ impl Offsets {
     }
 
     /// Sets the offsets to zero.
-    pub(super) fn reset(&mut self) {
+    pub(crate) fn reset(&mut self) {
         self.cells
             .iter_mut()
             .flatten()

@@ -4,7 +4,7 @@ use crate::bodies::coupling::Coupling;
 use crate::cgm::{Method, Settings, settings_methods};
 use crate::error::{Error, Result};
 use crate::half_space::HalfSpace;
-use crate::memory::fallible::{TryClone, try_clone};
+use crate::memory::fallible::try_clone;
 use crate::support::debug::shown;
 use crate::tangential::pressure_source::contact_window;
 use crate::tangential::{
@@ -97,10 +97,7 @@ impl TangentialProblem {
     ///   the last iterate.
     /// - Errors of [`HalfSpace::operator`].
     pub fn solve(&self) -> Result<TangentialSolution> {
-        let mut solver = TangentialSolver::new(self.try_clone()?)?;
-        let mut solution = solver.try_new_solution()?;
-        solver.solve_into(&mut solution)?;
-        Ok(solution)
+        TangentialSolver::solve_once(self)
     }
 
     /// Creates a reusable solver, which owns its buffers and lets load, friction and pressure change.
@@ -130,7 +127,7 @@ impl TangentialProblem {
 }
 
 impl<'p> TangentialProblemBuilder<'_, 'p> {
-    settings_methods!();
+    settings_methods!(settings);
 
     /// Sets the model of the tractions (default [`TangentialModel::Scalar`]).
     pub fn model(mut self, model: TangentialModel) -> Self {

@@ -10,112 +10,61 @@ use crate::grid::boundary::Boundary;
 use crate::grid::cell_value::CellValue;
 use crate::grid::discretisation::estimate;
 use crate::grid::field::Field;
+use crate::grid::record::record;
 use crate::half_space::HalfSpace;
-use crate::memory::fallible::{self, try_clone, try_each, unwrap_or_abort};
+use crate::memory::fallible::{self, try_each, unwrap_or_abort};
 use crate::report::Report;
 use crate::support::debug::shown;
-#[cfg(feature = "serde")]
-use crate::support::serialise::checked;
 use crate::tangential::over_ranks::{ShearSums, TractionSums};
 use crate::tangential::rigid_motion::centre;
 use crate::tangential::{Axis, StepSolution, Zone, displacement};
 use crate::warning::{Resolution, Warning};
 
-/// Traction, slip, zones and shift of a tangential contact.
-///
-/// Vectors are `[x, y]`. In the scalar model the component across the load is zero. Equality compares the results and
-/// ignores the report.
-#[derive(Clone)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct TangentialSolution {
-    traction: [Field; 2],
-    slip: [Field; 2],
-    zones: Vec<Zone>,
-    boundary: Boundary,
-    cell_value: CellValue,
-    axis: Option<Axis>,
-    shift: [f64; 2],
-    twist: f64,
-    /// Dundurs' beta of the bodies if the solution belongs to a coupled solution.
-    coupled: Option<f64>,
-    /// Whether a contact of dissimilar bodies with friction was pressed to its size in one step.
-    is_pressed_at_once: bool,
-    report: Report,
-    /// Counts and sums over all ranks, if the fields are a slab.
-    #[cfg_attr(feature = "serde", serde(skip))]
-    whole: Option<Box<ShearSums>>,
+record! {
+    /// Traction, slip, zones and shift of a tangential contact.
+    ///
+    /// Vectors are `[x, y]`. In the scalar model the component across the load is zero. Equality compares the results and
+    /// ignores the report.
+    pub struct TangentialSolution {
+        buffers {
+            traction: [Field; 2],
+            slip: [Field; 2],
+            zones: Vec<Zone>,
+        }
+        values {
+            boundary: Boundary,
+            cell_value: CellValue,
+            axis: Option<Axis>,
+            shift: [f64; 2],
+            twist: f64,
+            /// Dundurs' beta of the bodies if the solution belongs to a coupled solution.
+            coupled: Option<f64>,
+            /// Whether a contact of dissimilar bodies with friction was pressed to its size in one step.
+            #[cfg_attr(feature = "serde", serde(default))]
+            is_pressed_at_once: bool,
+        }
+        ignored {
+            report: Report,
+        }
+        local {
+            /// Counts and sums over all ranks, if the fields are a slab.
+            whole: Option<Box<ShearSums>>,
+        }
+    }
+    #[serde(remote = "TangentialSolution")]
+    check(read) {
+        let grid = read.grid();
+        for axis in 0..2 {
+            read.traction[axis].check("traction", grid)?;
+            read.slip[axis].check("slip", grid)?;
+        }
+        length("zones", grid.cells(), read.zones.len())?;
+        all_finite("shift", &read.shift)?;
+        finite("twist", read.twist).map(|_| ())
+    }
 }
 
 shown!(TangentialSolution: grid(), force(), shift(), twist(), stick_ratio(), discretisation_estimate(), report);
-
-try_clone!(TangentialSolution { traction, slip, zones } { boundary, cell_value, axis, shift, twist, coupled, is_pressed_at_once, report, whole });
-
-impl PartialEq for TangentialSolution {
-    fn eq(&self, other: &Self) -> bool {
-        let Self {
-            traction,
-            slip,
-            zones,
-            boundary,
-            cell_value,
-            axis,
-            shift,
-            twist,
-            coupled,
-            is_pressed_at_once,
-            report: _,
-            whole,
-        } = self;
-        *traction == other.traction
-            && *slip == other.slip
-            && *zones == other.zones
-            && *boundary == other.boundary
-            && *cell_value == other.cell_value
-            && *axis == other.axis
-            && *shift == other.shift
-            && *twist == other.twist
-            && *coupled == other.coupled
-            && *is_pressed_at_once == other.is_pressed_at_once
-            && *whole == other.whole
-    }
-}
-
-/// Deserialised value before validation.
-#[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(remote = "TangentialSolution")]
-struct RawTangentialSolution {
-    traction: [Field; 2],
-    slip: [Field; 2],
-    zones: Vec<Zone>,
-    boundary: Boundary,
-    cell_value: CellValue,
-    axis: Option<Axis>,
-    shift: [f64; 2],
-    twist: f64,
-    coupled: Option<f64>,
-    #[serde(default)]
-    is_pressed_at_once: bool,
-    report: Report,
-    #[serde(skip)]
-    whole: Option<Box<ShearSums>>,
-}
-
-#[cfg(feature = "serde")]
-impl<'de> serde::Deserialize<'de> for TangentialSolution {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        checked(RawTangentialSolution::deserialize(deserializer)?, |read| {
-            let grid = read.grid();
-            for axis in 0..2 {
-                read.traction[axis].check("traction", grid)?;
-                read.slip[axis].check("slip", grid)?;
-            }
-            length("zones", grid.cells(), read.zones.len())?;
-            all_finite("shift", &read.shift)?;
-            finite("twist", read.twist).map(|_| ())
-        })
-    }
-}
 
 impl TangentialSolution {
     /// Creates a solution without contact.

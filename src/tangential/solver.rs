@@ -1,12 +1,12 @@
 //! Reusable solver of a tangential contact.
 
-use crate::cgm::solver_settings;
-use crate::contact::{Cancellation, SolveContext, has_iterate, solver_methods};
+use crate::cgm::Settings;
+use crate::contact::{Cancellation, Contact, Model, SolveContext, Solver, has_iterate};
 use crate::error::{Error, Result};
-use crate::memory::fallible::TryClone;
+use crate::half_space::HalfSpace;
+use crate::memory::fallible::{self, TryClone};
 use crate::observer::Observer;
 use crate::report::Report;
-use crate::support::debug::shown;
 use crate::tangential::increment::{Start, TangentialIncrement};
 use crate::tangential::pressure_source::contact_window;
 use crate::tangential::rigid_motion::RigidMotion;
@@ -43,30 +43,19 @@ use crate::tangential::{
 /// assert!(stick[0] == 1.0 && stick.is_sorted_by(|a, b| a > b));
 /// # Ok::<(), Error>(())
 /// ```
+pub type TangentialSolver = Solver<TangentialProblem>;
+
+/// Engine of a tangential contact. The pressure and the limits of the problem are candidates for the next solve, which must
+/// pass a check before use.
 #[derive(Clone)]
-pub struct TangentialSolver {
-    /// Problem to solve. Its pressure and limits are candidates for the next solve, which must pass a check before use.
-    problem: TangentialProblem,
+pub(crate) struct TangentialBuffers {
     /// Step on the bounding box of the contact, with the last traction as the start of the next solve.
     increment: TangentialIncrement,
     is_warm: bool,
     report: Report,
 }
 
-shown!(TangentialSolver: problem);
-
 impl TangentialSolver {
-    pub(super) fn new(problem: TangentialProblem) -> Result<Self> {
-        let axes = problem.load.axes(problem.model)?;
-        let pressed = problem.pressed.try_clone()?;
-        Ok(Self {
-            increment: problem.increment(axes, pressed)?,
-            is_warm: false,
-            report: Report::with_room(),
-            problem,
-        })
-    }
-
     /// Changes the load of the next solve. A load along the other axis requires the operator of that axis. No other
     /// change of the load allocates memory.
     ///
@@ -86,19 +75,19 @@ impl TangentialSolver {
         let (demand, boundary) = (load.demand(), bodies.boundary());
         let mut axes = load.axes(self.problem.model)?;
         // The axes remain unchanged if they support the load. They always support a zero load.
-        if demand.check(self.increment.axes(), boundary).is_ok() {
-            axes = self.increment.axes();
+        if demand.check(self.engine.increment.axes(), boundary).is_ok() {
+            axes = self.engine.increment.axes();
         }
         demand.check(axes, boundary)?;
-        let limits = &self.increment.pressed.limits;
+        let limits = &self.engine.increment.pressed.limits;
         limits.check(demand.force(), bodies.grid().cell_area())?;
-        if axes != self.increment.axes() {
+        if axes != self.engine.increment.axes() {
             if let Some(relative) = relative {
                 bodies.collective_result(relative.check(bodies, axes))?;
             }
-            let pressed = self.increment.pressed.try_clone()?;
-            self.increment = self.problem.increment(axes, pressed)?;
-            self.is_warm = false;
+            let pressed = self.engine.increment.pressed.try_clone()?;
+            self.engine.increment = self.problem.increment(axes, pressed)?;
+            self.engine.is_warm = false;
         }
         self.problem.load = load;
         Ok(())
@@ -115,7 +104,7 @@ impl TangentialSolver {
     /// The friction is unchanged after an error.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         friction.check_on(&self.problem.bodies)?;
-        let pressure = &self.increment.pressed.pressure;
+        let pressure = &self.engine.increment.pressed.pressure;
         self.problem.pressed.pressure.copy_from_slice(pressure);
         self.problem.pressed.set_friction(friction);
         self.check_load(&self.problem.pressed)?;
@@ -144,11 +133,11 @@ impl TangentialSolver {
         let bodies = &self.problem.bodies;
         let samples = bodies.collective_result(pressure.into().checked(bodies))?;
         let contact = contact_window(bodies, samples)?;
-        if self.increment.pressed.window().covers(contact) {
+        if self.engine.increment.pressed.window().covers(contact) {
             self.problem.pressed.set(samples, &self.problem.friction);
             self.check_load(&self.problem.pressed)?;
             self.take_candidate();
-            self.increment.draw(self.problem.relative.as_ref());
+            self.engine.increment.draw(self.problem.relative.as_ref());
             return Ok(());
         }
         // The window is slightly wider than the contact, so that the contact can grow.
@@ -156,10 +145,10 @@ impl TangentialSolver {
         pressed.set(samples, &self.problem.friction);
         self.check_load(&pressed)?;
         let candidate = pressed.try_clone()?;
-        let axes = self.increment.axes();
+        let axes = self.engine.increment.axes();
         let mut wider = self.problem.increment(axes, pressed)?;
-        self.increment.hand_over(&mut wider)?;
-        (self.increment, self.problem.pressed) = (wider, candidate);
+        self.engine.increment.hand_over(&mut wider)?;
+        (self.engine.increment, self.problem.pressed) = (wider, candidate);
         Ok(())
     }
 
@@ -175,18 +164,18 @@ impl TangentialSolver {
     /// The displacement is unchanged after an error.
     pub fn set_relative_displacement(&mut self, relative: &RelativeDisplacement) -> Result<()> {
         let bodies = &self.problem.bodies;
-        bodies.collective_result(relative.check(bodies, self.increment.axes()))?;
-        match &mut self.problem.relative {
-            Some(own) => own.try_clone_from(relative)?,
-            none => *none = Some(relative.try_clone()?),
-        }
-        self.increment.draw(self.problem.relative.as_ref());
+        bodies.collective_result(relative.check(bodies, self.engine.increment.axes()))?;
+        fallible::replace(&mut self.problem.relative, relative)?;
+        self.engine.increment.draw(self.problem.relative.as_ref());
         Ok(())
     }
 
     /// Makes the candidate pressure and limits current.
     fn take_candidate(&mut self) {
-        std::mem::swap(&mut self.problem.pressed, &mut self.increment.pressed);
+        std::mem::swap(
+            &mut self.problem.pressed,
+            &mut self.engine.increment.pressed,
+        );
     }
 
     fn check_load(&self, pressed: &PressureOnWindow) -> Result<()> {
@@ -199,65 +188,95 @@ impl TangentialSolver {
     /// Returns the largest tangential force that friction can carry, the integral of the friction limit.
     #[must_use]
     pub fn friction_capacity(&self) -> f64 {
-        self.increment.pressed.limits.sum * self.problem.bodies.grid().cell_area()
+        self.engine.increment.pressed.limits.sum * self.problem.bodies.grid().cell_area()
+    }
+}
+
+impl Contact for TangentialProblem {
+    type Solution = TangentialSolution;
+    type Report = Report;
+}
+
+impl Model<TangentialSolution> for TangentialProblem {
+    type Engine = TangentialBuffers;
+
+    fn bodies(&self) -> &HalfSpace {
+        &self.bodies
     }
 
-    solver_settings!(problem.settings, problem.bodies, |solver, settings| {
-        solver.problem.model.check(settings)
-    });
-
-    /// Discards the last solution. The next solve starts in the same way as the first.
-    pub fn reset(&mut self) {
-        self.is_warm = false;
+    fn settings(&self) -> &Settings {
+        &self.settings
     }
 
-    solver_methods!(TangentialSolution, problem.bodies);
-
-    /// Creates a solution like [`Self::new_solution`], but returns an error if memory runs out.
-    ///
-    /// # Errors
-    /// - [`Error::Memory`] if memory runs out.
-    pub fn try_new_solution(&self) -> Result<TangentialSolution> {
-        let bodies = &self.problem.bodies;
-        TangentialSolution::empty(bodies)
+    fn settings_mut(&mut self) -> &mut Settings {
+        &mut self.settings
     }
 
-    fn solve_checked(
-        &mut self,
+    fn check_settings(&self, settings: &Settings) -> Result<()> {
+        self.model.check(settings)
+    }
+
+    fn engine(&self) -> Result<TangentialBuffers> {
+        let axes = self.load.axes(self.model)?;
+        Ok(TangentialBuffers {
+            increment: self.increment(axes, self.pressed.try_clone()?)?,
+            is_warm: false,
+            report: Report::with_room(),
+        })
+    }
+
+    fn empty_solution(&self) -> Result<TangentialSolution> {
+        TangentialSolution::empty(&self.bodies)
+    }
+
+    fn check_solution(&self, solution: &TangentialSolution) -> Result<()> {
+        let (grid, boundary) = (solution.grid(), solution.boundary());
+        self.bodies.check_host("solution", grid, boundary)
+    }
+
+    fn solve(
+        solver: &mut TangentialSolver,
         solution: &mut TangentialSolution,
         observer: Observer<'_>,
     ) -> Result<()> {
+        let TangentialSolver { problem, engine } = solver;
         let cancellation = Cancellation::default();
         let mut observer = cancellation.watch(observer);
-        let mut conditions = SolveContext::new(&self.problem.settings, &mut observer);
-        let start = if self.is_warm {
-            Start::Present(self.increment.motion().shift)
+        let mut conditions = SolveContext::new(&problem.settings, &mut observer);
+        let start = if engine.is_warm {
+            Start::Present(engine.increment.motion().shift)
         } else {
             Start::Nested
         };
-        let demand = self.problem.load.demand();
-        let outcome = self
-            .increment
-            .solve(&demand, RigidMotion::default(), start, &mut conditions);
+        let demand = problem.load.demand();
+        let outcome =
+            engine
+                .increment
+                .solve(&demand, RigidMotion::default(), start, &mut conditions);
         let is_answered = has_iterate(&outcome);
         // The next solve must not start from NaN.
-        self.is_warm = is_answered && self.increment.report().residual.is_finite();
-        self.report.clone_from(self.increment.report());
-        let bodies = &self.problem.bodies;
-        let outcome = cancellation.applied(bodies, outcome, || self.report.cancelled());
+        engine.is_warm = is_answered && engine.increment.report().residual.is_finite();
+        engine.report.clone_from(engine.increment.report());
+        let bodies = &problem.bodies;
+        let outcome = cancellation.applied(bodies, outcome, || engine.report.cancelled());
         if !is_answered {
             return outcome;
         }
-        self.report.time = conditions.start.elapsed();
-        let axis = Axis::only(self.increment.axes());
-        let answer = self.increment.answer();
-        let TangentialProblem {
-            bodies, coupling, ..
-        } = &self.problem;
-        solution.fill(bodies, axis, &answer, &self.report);
-        let is_drawn = coupling.is_one_way(bodies.pair());
-        solution.set_pressed_at_once(is_drawn && self.increment.pressed.limits.sum > 0.0);
-        self.increment.rest();
-        outcome.map_err(|_| Error::NotConverged(Box::new(self.report.clone())))
+        engine.report.time = conditions.start.elapsed();
+        let axis = Axis::only(engine.increment.axes());
+        let answer = engine.increment.answer();
+        solution.fill(bodies, axis, &answer, &engine.report);
+        let is_drawn = problem.coupling.is_one_way(bodies.pair());
+        solution.set_pressed_at_once(is_drawn && engine.increment.pressed.limits.sum > 0.0);
+        engine.increment.rest();
+        outcome.map_err(|_| Error::NotConverged(Box::new(engine.report.clone())))
+    }
+
+    fn report(solver: &TangentialSolver) -> &Report {
+        &solver.engine.report
+    }
+
+    fn reset(solver: &mut TangentialSolver) {
+        solver.engine.is_warm = false;
     }
 }

@@ -516,8 +516,6 @@ fn loads_that_are_invalid_or_beyond_capacity_are_rejected() {
     };
     let refused = build(NormalControl::Force(-1.0), zero_shift()).build();
     assert!(matches!(refused, Err(Error::NegativeOrNotFinite { value, .. }) if value == -1.0));
-    let refused = build(NormalControl::Hold, zero_shift()).build();
-    assert!(matches!(refused, Err(Error::NoPressureToHold)));
     let sliding = build(NormalControl::Force(1.0), TangentialLoad::force([0.3, 0.1])).build();
     kit::assert_refused! { sliding.unwrap().solve() => Error::BeyondFrictionCapacity { limit, .. } if limit == 0.3 }
 

@@ -437,9 +437,7 @@ fn coupled_rolling_with_invalid_input_is_rejected() {
         builder().step(0).build() => Error::NotPositive { .. },
         builder().tolerance(0.0).build() => Error::Tolerance(_),
     }
-    let hold = (pressed.0.clone(), pressed.1.clone(), NormalControl::Hold);
     kit::assert_refused! {
-        coupled_builder(&hold, 0.3).build() => Error::NoPressureToHold,
         builder().control(Axis::X, RollingControl::Force(2.0)).build().unwrap().solve()
             => Error::BeyondFrictionCapacity { .. },
     }

@@ -455,9 +455,6 @@ fn unsupported_method_is_rejected() {
     assert!(is_refused(
         history().build().unwrap().set_settings(settings).err()
     ));
-    // A normal problem has no previous pressure to hold.
-    let held = NormalProblem::builder(&bodies, &gap, NormalControl::Hold).build();
-    assert_eq!(held.err(), Some(Error::NoPressureToHold));
 }
 
 #[test]

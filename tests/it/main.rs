@@ -117,6 +117,7 @@ mod serialisation;
 mod sheared_history_stiffness;
 mod sign_conventions;
 mod solve_limits;
+mod solver_setters;
 mod solver_settings;
 mod special_states;
 mod start_independence;

@@ -136,7 +136,7 @@ unsafe fn loads(
     // SAFETY: the caller follows the safety contract of this function.
     let (normal, tangential) =
         unsafe { (input("normal", normal)?, input("tangential", tangential)?) };
-    Ok((normal.checked()?, tangential.checked()?))
+    Ok((normal.of_problem()?, tangential.checked()?))
 }
 
 /// Sets the normal and the tangential load of the next solve.

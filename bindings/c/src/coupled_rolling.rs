@@ -94,7 +94,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_new(
         let grid = bodies.grid();
         let friction = input("friction", friction)?.checked(grid)?;
         let gap = field("gap", grid, gap, count)?;
-        let normal = input("normal", normal)?.checked()?;
+        let normal = input("normal", normal)?.of_problem()?;
         let mut problem = CoupledRollingProblem::builder(&bodies, gap, friction, normal);
         if let Some(load) = optional("load", load)? {
             let ([x, y], spin) = load.checked()?;
@@ -135,7 +135,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_normal_load(
         solver::change(
             solver,
             ("normal", normal),
-            stickslip_normal_load::checked,
+            stickslip_normal_load::of_problem,
             set,
         )
     }

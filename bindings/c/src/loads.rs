@@ -1,7 +1,7 @@
 //! Loads: plain structs. A load whose members are all zero holds its quantities.
 
 use stickslip_rs::history::Rolling;
-use stickslip_rs::{Axis, LoadStep, NormalControl, TangentialControl, TangentialLoad};
+use stickslip_rs::{Axis, LoadStep, NormalControl, NormalLoad, TangentialControl, TangentialLoad};
 
 use crate::call::Outcome;
 use crate::error::Failure;
@@ -38,6 +38,11 @@ impl stickslip_normal_load {
             STICKSLIP_APPROACH => Ok(NormalControl::Approach(self.value)),
             other => Err(Failure::option("normal load", other)),
         }
+    }
+
+    /// Returns the load of a problem, which cannot hold a pressure.
+    pub(crate) fn of_problem(&self) -> Outcome<NormalLoad> {
+        Ok(NormalLoad::try_from(self.checked()?)?)
     }
 }
 

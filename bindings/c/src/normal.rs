@@ -58,7 +58,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_new(
         let grid = bodies.grid();
         // SAFETY: the caller follows the rule for pointers.
         let gap = unsafe { field("gap", grid, gap, count)? };
-        let mut problem = NormalProblem::builder(&bodies, gap, load.checked()?);
+        let mut problem = NormalProblem::builder(&bodies, gap, load.of_problem()?);
         if let Some(settings) = settings {
             problem = problem.settings(settings.checked()?);
         }
@@ -89,7 +89,7 @@ pub unsafe extern "C" fn stickslip_normal_solver_set_load(
 ) -> stickslip_status {
     // SAFETY: the caller follows the rule for pointers.
     unsafe {
-        let check = stickslip_normal_load::checked;
+        let check = stickslip_normal_load::of_problem;
         solver::change(solver, ("load", load), check, NormalSolver::set_load)
     }
 }

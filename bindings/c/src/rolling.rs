@@ -270,7 +270,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_load(
 ) -> stickslip_status {
     // SAFETY: the caller follows the rule for pointers.
     unsafe {
-        let check = stickslip_normal_load::checked;
+        let check = stickslip_normal_load::of_problem;
         solver::change(solver, ("load", load), check, RollingSolver::set_load)
     }
 }

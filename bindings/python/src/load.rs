@@ -5,7 +5,9 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::inspect::PyStaticExpr;
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
-use stickslip::{Axis, LoadStep as Step, NormalControl, TangentialControl, TangentialLoad as Load};
+use stickslip::{
+    Axis, LoadStep as Step, NormalControl, NormalLoad, TangentialControl, TangentialLoad as Load,
+};
 
 use crate::choice::Choice;
 use crate::conversion::{self, kind_of};
@@ -14,14 +16,11 @@ use crate::history::{Rolling, as_keywords};
 use crate::pickle::{parts, picklable};
 use crate::real::Real;
 
-/// Returns the normal control: a force, an approach, or neither.
-pub(crate) fn normal(
-    force: Option<Real>,
-    approach: Option<Real>,
-) -> PyResult<Option<NormalControl>> {
+/// Returns the normal load: a force, an approach, or neither.
+pub(crate) fn normal(force: Option<Real>, approach: Option<Real>) -> PyResult<Option<NormalLoad>> {
     match (force, approach) {
-        (Some(Real(force)), None) => Ok(Some(NormalControl::Force(force))),
-        (None, Some(Real(approach))) => Ok(Some(NormalControl::Approach(approach))),
+        (Some(Real(force)), None) => Ok(Some(NormalLoad::Force(force))),
+        (None, Some(Real(approach))) => Ok(Some(NormalLoad::Approach(approach))),
         (None, None) => Ok(None),
         _ => Err(PyTypeError::new_err(
             "give either a normal force or an approach, not both",
@@ -29,8 +28,8 @@ pub(crate) fn normal(
     }
 }
 
-/// Returns the normal control of a problem, which requires a force or an approach.
-pub(crate) fn needed(force: Option<Real>, approach: Option<Real>) -> PyResult<NormalControl> {
+/// Returns the normal load of a problem, which requires a force or an approach.
+pub(crate) fn needed(force: Option<Real>, approach: Option<Real>) -> PyResult<NormalLoad> {
     normal(force, approach)?
         .ok_or_else(|| PyTypeError::new_err("give the normal load by force= or approach="))
 }
@@ -190,11 +189,11 @@ impl Keywords {
     /// Returns a step in which every quantity without a keyword is held constant.
     pub(crate) fn step(
         &self,
-        normal: Option<NormalControl>,
+        normal: Option<NormalLoad>,
         relative_displacement: Option<Real>,
         roll: Option<Rolling>,
     ) -> PyResult<Step> {
-        let mut step = Step::hold().normal(normal.unwrap_or(NormalControl::Hold));
+        let mut step = Step::hold().normal(normal.map_or(NormalControl::Hold, Into::into));
         for (axis, control) in [Axis::X, Axis::Y].into_iter().zip(self.controls()?) {
             if let Some(control) = control {
                 step = step.tangential(axis, control);
@@ -216,7 +215,7 @@ impl Keywords {
     pub(crate) fn step_or(
         &self,
         object: Option<StepArgument>,
-        normal: Option<NormalControl>,
+        normal: Option<NormalLoad>,
         relative_displacement: Option<Real>,
         roll: Option<Rolling>,
     ) -> PyResult<Step> {

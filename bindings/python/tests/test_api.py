@@ -23,7 +23,8 @@ ELSEWHERE = {
     "enum Error": "errors.StickslipError",
     "enum io::Place": "errors.Format",
     "struct SystemError": "errors.File",
-    "enum normal::NormalControl": "NormalProblem",  # force= and approach=
+    "enum normal::NormalControl": "LoadStep",  # normal_force= and approach=
+    "enum normal::NormalLoad": "NormalProblem",  # force= and approach=
     "enum tangential::TangentialControl": "TangentialLoad",  # force=, shift=, spring= of each axis
     "enum tangential::PressureSource": "TangentialProblem",  # a solution or a field
     "enum history::wear::Coefficient": "wear.archard",  # a number or an array
@@ -65,6 +66,8 @@ WITHOUT = {
     "struct rolling::RollingProblemBuilder": "keywords of rolling.RollingProblem",
     "struct rolling::CoupledRollingProblemBuilder": "keywords of rolling.CoupledRollingProblem",
     "type Result": "exceptions",
+    "struct Solver": "each kind of contact has its class",
+    "trait Contact": "generics of Rust",
     "fn disable_global_pool": "the package does it",
     "struct Layout": "how sums are cut: of operators written in Rust",
     "struct cgm::Workspace": "buffers of the generic engine, which a call holds itself",
@@ -119,21 +122,24 @@ METHODS = {
     "cgm::Problem": {"totals": "of minima with several components a cell: engine generics"},
     "cgm::Settings": {"check": "the class"},
     "dense::DenseOperator": {"from_rows": "the class"},
-    "history::History": {"stiffness_with": "stiffness"},
+    "history::Cycle": {"dissipation": "dissipated_energy"},
+    "history::History": {"dissipation": "dissipated_energy", "stiffness_with": "stiffness"},
     "history::LoadPath": {"table": "the class"},
     "history::LoadStep": {
         "hold": "LoadStep()",
         "normal": "normal_force= and approach=",
         "tangential": "force_x= and others",
     },
-    "history::State": {"from_slabs": "History.save and load"},
+    "history::State": {"dissipation": "dissipated_energy", "from_slabs": "History.save and load"},
+    "history::StepResult": {
+        "dissipation": "dissipated_energy",
+        "dissipation_midpoint": "dissipated_energy_midpoint",
+    },
     "influence::Component": {"is_odd": "of kernels, for code in Rust"},
     "influence::Table": {"sample": "get"},
     "io::csv::Options": {"parse": "io.csv.parse", "read": "io.csv.read"},
     "io::xyz::Options": {"parse": "io.xyz.parse", "read": "io.xyz.read"},
     "normal::Hardness": {"per_cell": "the class", "uniform": "the class"},
-    "rolling::CoupledRollingSolver": {"set_control": "solve(creepage=)"},
-    "rolling::RollingSolver": {"normal": "NormalSolver.solve", "set_control": "solve(creepage=)"},
     "subsurface::Plane": {"map": "arrays of NumPy", "stresses": "arrays of NumPy"},
     "subsurface::Planes": {"through": "solve of each in turn"},
     "subsurface::Tractions": {"with_traction": "(pressure, (x, y))"},
@@ -146,7 +152,6 @@ METHODS = {
     },
     "tangential::Friction": {"coulomb": "the class", "per_cell": "the class"},
     "tangential::TangentialLoad": {"along": "force_x= and others"},
-    "tangential::TangentialSolver": {"set_load": "solve(load)"},
 }  # fmt: skip
 
 

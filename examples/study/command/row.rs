@@ -101,7 +101,7 @@ impl Row {
             let area = normal.grid().area();
             [
                 normal.contact_cells().to_string(),
-                unresolved(normal).to_string(),
+                unresolved(normal).map_or(String::new(), |spots| spots.to_string()),
                 number(normal.contact_area() / area),
                 number(normal.contact_area_corrected() / area),
                 number(normal.gap().integral() / area / rms_height),
@@ -136,11 +136,8 @@ fn number(value: f64) -> String {
 }
 
 /// Returns the number of contact spots that are too small to be resolved.
-fn unresolved(normal: &NormalSolution) -> usize {
-    let spots = normal.spots();
-    spots
-        .as_slice()
-        .iter()
-        .filter(|spot| spot.cells < 5)
-        .count()
+fn unresolved(normal: &NormalSolution) -> stickslip::Result<usize> {
+    let spots = normal.try_spots()?;
+    let small = spots.as_slice().iter().filter(|spot| spot.cells < 5);
+    Ok(small.count())
 }

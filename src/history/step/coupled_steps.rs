@@ -12,7 +12,7 @@ use crate::history::step::scheme::StepSolver;
 use crate::history::step::solve::StepInput;
 use crate::memory::fallible::TryClone;
 use crate::memory::pool::PooledBuffer;
-use crate::normal::{NormalControl, NormalSolution};
+use crate::normal::{NormalLoad, NormalSolution};
 use crate::observer::Observer;
 use crate::report::Report;
 use crate::tangential::{Axis, RigidMotion, StepSolution};
@@ -55,10 +55,8 @@ impl StepSolver for CoupledIncrement {
         if self.window() != state.press_window {
             Self::resume(self, state.press_window)?;
         }
-        let control = match step.load.normal_control() {
-            NormalControl::Hold => NormalControl::Force(state.normal.force()),
-            control => control,
-        };
+        let held = || NormalLoad::Force(state.normal.force());
+        let control = step.load.normal_control().load().unwrap_or_else(held);
         let hardness = state.hardness.as_ref();
         control.check(bodies, &state.gap, hardness)?;
         let Self {
@@ -67,7 +65,7 @@ impl StepSolver for CoupledIncrement {
         state.set_offsets(step, &pressed.region, offsets);
         // The solve divides the compliances by the pressure that it computes.
         let place = (bodies, &pressed.region);
-        state.set_entry(place, step, control, offsets, |_| 1.0)?;
+        state.set_entry(place, step, control.into(), offsets, |_| 1.0)?;
         let (pressure, traction) = (state.pressure(), state.traction());
         self.set_start(pressure, traction, state.approach(), state.shift());
         let target = CoupledTarget {

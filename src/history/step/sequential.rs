@@ -13,7 +13,7 @@ use crate::history::step::scheme::StepSolver;
 use crate::history::step::solve::StepInput;
 use crate::memory::fallible::{self, TryClone};
 use crate::memory::pool::PooledBuffer;
-use crate::normal::{NormalControl, NormalInput, NormalSolution, PressureSolver};
+use crate::normal::{NormalInput, NormalLoad, NormalSolution, PressureSolver};
 use crate::observer::Observer;
 use crate::parallel;
 use crate::report::Report;
@@ -58,9 +58,9 @@ impl StepSolver for SequentialSolver {
             self.resume(bodies, state)?;
         }
         let control = step.load.normal_control();
-        if control != NormalControl::Hold && !state.is_pressed_by(control) {
+        if let Some(load) = control.load().filter(|_| !state.is_pressed_by(control)) {
             let normal = normal.take(|| state.normal.try_clone())?;
-            self.solve_pressure(bodies, control, state, normal, &mut *observer)?;
+            self.solve_pressure(bodies, load, state, normal, &mut *observer)?;
         }
         self.solve_tractions(bodies, step, state, normal.held(), observer)
     }
@@ -103,17 +103,17 @@ impl SequentialSolver {
     fn solve_pressure(
         &mut self,
         bodies: &HalfSpace,
-        control: NormalControl,
+        load: NormalLoad,
         state: &mut State,
         normal: &mut NormalSolution,
         observer: Observer<'_>,
     ) -> Result<()> {
-        control.check(bodies, &state.gap, state.hardness.as_ref())?;
+        load.check(bodies, &state.gap, state.hardness.as_ref())?;
         let of = NormalInput {
             bodies,
             gap: &state.gap,
             hardness: state.hardness.as_ref(),
-            control,
+            load,
             settings: &state.settings,
         };
         let pressure = normal.pressure_mut();

@@ -2,15 +2,15 @@
 
 use std::sync::Arc;
 
-use crate::cgm::{Settings, settings_methods};
 use crate::coupled::check_joint;
 use crate::error::{Error, RankFailure, Result};
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
-use crate::memory::fallible::{TryClone, try_clone};
-use crate::normal::NormalControl;
+use crate::memory::fallible::try_clone;
+use crate::normal::NormalLoad;
 use crate::rolling::RollingShift;
 use crate::rolling::coupled::{CoupledRollingSolution, CoupledRollingSolver};
+use crate::rolling::steady::options::{RollingOptions, rolling_methods};
 use crate::rolling::steady::problem::check_motion;
 use crate::rolling::{LeadingEdge, RollingControl, SpinControl};
 use crate::support::debug::shown;
@@ -33,7 +33,7 @@ use crate::tangential::{Axis, Friction, TangentialModel};
 /// let grid = Grid::square(24, 3.0)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?)?;
 /// let (ball, friction) = (surface::sphere(grid, 1.0)?, Friction::coulomb(0.3)?);
-/// let press = NormalControl::Force(4.0 / 3.0);
+/// let press = NormalLoad::Force(4.0 / 3.0);
 /// let free = [RollingControl::Force(0.0), RollingControl::Creepage(0.0)];
 /// let rolling = CoupledRollingProblem::builder(&bodies, &ball, friction.clone(), press)
 ///     .control(Axis::X, free[0])
@@ -51,28 +51,19 @@ pub struct CoupledRollingProblem {
     pub(super) bodies: HalfSpace,
     pub(super) gap: Arc<Field>,
     pub(super) friction: Friction,
-    pub(super) normal: NormalControl,
-    pub(super) edge: LeadingEdge,
-    pub(super) cells: usize,
-    pub(super) controls: [RollingControl; 2],
-    pub(super) spin: SpinControl,
-    pub(super) entry_rule: EntryRule,
-    pub(super) slip_corrections: usize,
-    pub(super) settings: Settings,
+    pub(super) normal: NormalLoad,
+    pub(super) options: RollingOptions,
 }
 
-try_clone!(CoupledRollingProblem { friction } {
-    bodies, gap, normal, edge, cells, controls, spin, entry_rule, slip_corrections, settings,
-});
+try_clone!(CoupledRollingProblem { friction } { bodies, gap, normal, options });
 
-shown!(CoupledRollingProblem: bodies, normal, edge, cells, controls, spin, entry_rule, settings);
+shown!(CoupledRollingProblem: bodies, normal, options);
 
 /// Options of a [`CoupledRollingProblem`], all with defaults.
 #[derive(Debug, Clone)]
 #[must_use = "a builder does nothing until build() is called"]
 pub struct CoupledRollingProblemBuilder {
     problem: CoupledRollingProblem,
-    settings: Settings,
 }
 
 impl CoupledRollingProblem {
@@ -83,7 +74,7 @@ impl CoupledRollingProblem {
         bodies: &HalfSpace,
         gap: impl Into<Arc<Field>>,
         friction: Friction,
-        normal: NormalControl,
+        normal: NormalLoad,
     ) -> CoupledRollingProblemBuilder {
         CoupledRollingProblemBuilder {
             problem: Self {
@@ -91,15 +82,8 @@ impl CoupledRollingProblem {
                 gap: gap.into(),
                 friction,
                 normal,
-                edge: LeadingEdge::default(),
-                cells: 1,
-                controls: [RollingControl::Creepage(0.0); 2],
-                spin: SpinControl::Spin(0.0),
-                entry_rule: EntryRule::default(),
-                slip_corrections: 0,
-                settings: Settings::default(),
+                options: RollingOptions::default(),
             },
-            settings: Settings::default(),
         }
     }
 
@@ -115,10 +99,7 @@ impl CoupledRollingProblem {
     /// - [`Error::Memory`] if memory runs out.
     /// - The errors of [`HalfSpace::operator`].
     pub fn solve(&self) -> Result<CoupledRollingSolution> {
-        let mut solver = CoupledRollingSolver::new(self.try_clone()?)?;
-        let mut solution = solver.try_new_solution()?;
-        solver.solve_into(&mut solution)?;
-        Ok(solution)
+        CoupledRollingSolver::solve_once(self)
     }
 
     /// Returns the reusable solver. The gap, the friction and the loads can change between solves, and each solve starts
@@ -134,68 +115,26 @@ impl CoupledRollingProblem {
     /// Returns an error if no pressure can carry the loads.
     pub(super) fn check(
         &self,
-        normal: NormalControl,
+        normal: NormalLoad,
         controls: [RollingControl; 2],
         spin: SpinControl,
     ) -> Result<()> {
-        let length = RollingShift::new(self.bodies.grid(), self.edge, self.cells).length;
+        let length =
+            RollingShift::new(self.bodies.grid(), self.options.edge, self.options.cells).length;
         check_motion(&self.bodies, length, controls, spin)?;
         normal.check(&self.bodies, &self.gap, None)
     }
 }
 
 impl CoupledRollingProblemBuilder {
-    settings_methods!();
-
-    /// Sets the side at which particles enter the contact (default [`LeadingEdge::PlusX`]).
-    pub fn leading_edge(mut self, edge: LeadingEdge) -> Self {
-        self.problem.edge = edge;
-        self
-    }
-
-    /// Sets the number of cells that a particle passes per step (default 1).
-    pub fn step(mut self, cells: usize) -> Self {
-        self.problem.cells = cells;
-        self
-    }
-
-    /// Sets both creepages `[x, y]` (dimensionless, default zero).
-    pub fn creepage(mut self, creepage: [f64; 2]) -> Self {
-        self.problem.controls = creepage.map(RollingControl::Creepage);
-        self
-    }
-
-    /// Sets the load or creepage along an axis (default: no creepage).
-    pub fn control(mut self, axis: Axis, control: RollingControl) -> Self {
-        self.problem.controls[axis.index()] = control;
-        self
-    }
-
-    /// Sets the [spin](SpinControl::Spin) (one over a length, default zero) or the moment from which the spin follows.
-    pub fn spin(mut self, spin: impl Into<SpinControl>) -> Self {
-        self.problem.spin = spin.into();
-        self
-    }
-
-    /// Sets the number of corrections of the direction of slip (default 0).
-    /// See [`RollingProblemBuilder::slip_corrections`](crate::rolling::RollingProblemBuilder::slip_corrections).
-    pub fn slip_corrections(mut self, corrections: usize) -> Self {
-        self.problem.slip_corrections = corrections;
-        self
-    }
-
-    /// Sets the entry rule, the displacement law of cells that enter the contact (default [`EntryRule::SinceTouch`]).
-    pub fn entry_rule(mut self, entry_rule: EntryRule) -> Self {
-        self.problem.entry_rule = entry_rule;
-        self
-    }
+    rolling_methods!(problem.options);
 
     /// Checks all inputs that do not depend on the pressure.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the gap or the friction has a different grid, [`Error::Sample`] if the gap is not
     ///   finite.
-    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`], [`Error::NoPressureToHold`] or [`Error::ApproachBeyondMeanGap`]
+    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`] or [`Error::ApproachBeyondMeanGap`]
     ///   for an invalid normal load.
     /// - [`Error::NotFinite`] if a creepage, a force, the spin or the moment is not finite, [`Error::NotPositive`] for a
     ///   step of zero cells.
@@ -205,11 +144,8 @@ impl CoupledRollingProblemBuilder {
     /// - [`Error::Tolerance`], [`Error::IterationLimit`] or [`Error::Method`] for invalid settings.
     /// - [`Error::Ranks`] if the bodies are distributed over ranks.
     pub fn build(self) -> Result<CoupledRollingProblem> {
-        let Self {
-            mut problem,
-            settings,
-        } = self;
-        problem.settings = settings;
+        let problem = self.problem;
+        let options = &problem.options;
         let (bodies, grid) = (&problem.bodies, problem.bodies.grid());
         if bodies.is_shared() {
             return Err(Error::Ranks(RankFailure::UnsupportedOnRanks(
@@ -218,11 +154,11 @@ impl CoupledRollingProblemBuilder {
         }
         problem.gap.check("gap", grid)?;
         problem.friction.check(grid)?;
-        settings.check()?;
-        TangentialModel::Vector.check(&settings)?;
-        RollingShift::new(grid, problem.edge, problem.cells).check(bodies)?;
+        options.settings.check()?;
+        TangentialModel::Vector.check(&options.settings)?;
+        RollingShift::new(grid, options.edge, options.cells).check(bodies)?;
         check_joint(bodies)?;
-        problem.check(problem.normal, problem.controls, problem.spin)?;
+        problem.check(problem.normal, options.controls, options.spin)?;
         Ok(problem)
     }
 }

@@ -1,61 +1,36 @@
 //! The solution of coupled steady rolling.
 
 use crate::error::Result;
-use crate::memory::fallible::{try_clone, unwrap_or_abort};
+use crate::grid::record::record;
+use crate::memory::fallible::unwrap_or_abort;
 use crate::normal::NormalSolution;
 use crate::rolling::RollingSolution;
 use crate::rolling::coupled::CoupledRollingReport;
 use crate::support::debug::shown;
-#[cfg(feature = "serde")]
-use crate::support::serialise::checked;
 use crate::warning::Warning;
 
-/// Normal and rolling solutions of coupled steady rolling. Two solutions are equal if both halves are equal, even if their
-/// solves took different numbers of iterations.
-#[derive(Clone)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct CoupledRollingSolution {
-    pub(super) normal: NormalSolution,
-    pub(super) rolling: RollingSolution,
-    pub(super) report: CoupledRollingReport,
+record! {
+    /// Normal and rolling solutions of coupled steady rolling. Two solutions are equal if both halves are equal, even if their
+    /// solves took different numbers of iterations.
+    pub struct CoupledRollingSolution {
+        buffers {
+            pub(super) normal: NormalSolution,
+            pub(super) rolling: RollingSolution,
+        }
+        values {}
+        ignored {
+            pub(super) report: CoupledRollingReport,
+        }
+        local {}
+    }
+    #[serde(remote = "CoupledRollingSolution", deny_unknown_fields)]
+    check(read) {
+        let grid = read.normal.grid();
+        grid.check_equal("rolling solution", read.rolling.grid())
+    }
 }
 
 shown!(CoupledRollingSolution: normal, rolling, report());
-
-try_clone!(CoupledRollingSolution { normal, rolling } { report });
-
-impl PartialEq for CoupledRollingSolution {
-    fn eq(&self, other: &Self) -> bool {
-        let Self {
-            normal,
-            rolling,
-            report: _,
-        } = self;
-        *normal == other.normal && *rolling == other.rolling
-    }
-}
-
-#[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(remote = "CoupledRollingSolution", deny_unknown_fields)]
-struct RawCoupledRollingSolution {
-    normal: NormalSolution,
-    rolling: RollingSolution,
-    report: CoupledRollingReport,
-}
-
-#[cfg(feature = "serde")]
-impl<'de> serde::Deserialize<'de> for CoupledRollingSolution {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        checked(
-            RawCoupledRollingSolution::deserialize(deserializer)?,
-            |read| {
-                let grid = read.normal.grid();
-                grid.check_equal("rolling solution", read.rolling.grid())
-            },
-        )
-    }
-}
 
 impl CoupledRollingSolution {
     /// Returns the normal half: pressure, gap under load, approach and contact area. The gap includes the lift by the

@@ -1,23 +1,25 @@
 //! The reusable solver of coupled steady rolling.
 
-use std::ops::ControlFlow;
-
 use crate::bodies::component::Direction;
-use crate::cgm::{Settings, solver_settings};
-use crate::contact::{Cancellation, SolveContext, has_iterate, with_counts_of};
+use crate::cgm::Settings;
+use crate::contact::{
+    Cancellation, Contact, Model, SolveContext, Solver, has_iterate, with_counts_of,
+};
 use crate::error::{Error, Result};
 use crate::grid::field::{self, Field};
-use crate::memory::fallible::{self, TryClone, unwrap_or_abort};
-use crate::normal::{NormalControl, NormalProblem, NormalSolution, NormalSolver};
+use crate::half_space::HalfSpace;
+use crate::memory::fallible::{self, TryClone};
+use crate::normal::{NormalLoad, NormalProblem, NormalSolution, NormalSolver};
+use crate::observer::Observer;
 use crate::parallel::layout::Layout;
 use crate::parallel::reduce;
-use crate::report::{Iteration, Report, Status};
+use crate::report::{Report, Status};
 use crate::rolling::coupled::{
     CoupledRollingProblem, CoupledRollingReport, CoupledRollingSolution,
 };
+use crate::rolling::steady::options::RollingOptions;
 use crate::rolling::{RollingControl, RollingProblem, RollingSolution, RollingSolver, SpinControl};
-use crate::support::debug::shown;
-use crate::tangential::{Axis, Friction, Lifting, TangentialModel, lift_residual};
+use crate::tangential::{Friction, Lifting, TangentialModel, lift_residual};
 
 /// Tolerance of the halves in the first pass.
 const START: f64 = 1e-3;
@@ -45,7 +47,7 @@ const TYPICAL: f64 = 0.7;
 /// let grid = Grid::square(24, 3.0)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?)?;
 /// let (ball, friction) = (surface::sphere(grid, 1.0)?, Friction::coulomb(0.3)?);
-/// let press = NormalControl::Force(4.0 / 3.0);
+/// let press = NormalLoad::Force(4.0 / 3.0);
 /// let mut solver = CoupledRollingProblem::builder(&bodies, &ball, friction, press)
 ///     .build()?
 ///     .into_solver()?;
@@ -59,8 +61,11 @@ const TYPICAL: f64 = 0.7;
 /// }
 /// # Ok::<(), Error>(())
 /// ```
-pub struct CoupledRollingSolver {
-    pub(super) problem: CoupledRollingProblem,
+pub type CoupledRollingSolver = Solver<CoupledRollingProblem>;
+
+/// Engine of coupled rolling.
+#[derive(Clone)]
+pub(crate) struct CoupledRollingEngine {
     pub(super) normal: NormalSolver,
     /// Rolling solver of the last pass, or `None` before the first pass.
     pub(super) rolling: Option<RollingSolver>,
@@ -79,8 +84,6 @@ pub struct CoupledRollingSolver {
     report: CoupledRollingReport,
 }
 
-shown!(CoupledRollingSolver: problem);
-
 /// Outcome of a pass over both halves.
 struct Pass {
     /// Status of a half that did not reach its tolerance, or `None` if neither half failed.
@@ -89,12 +92,35 @@ struct Pass {
     held: Option<Error>,
 }
 
-impl CoupledRollingSolver {
-    pub(super) fn new(problem: CoupledRollingProblem) -> Result<Self> {
-        let bodies = &problem.bodies;
+impl Contact for CoupledRollingProblem {
+    type Solution = CoupledRollingSolution;
+    type Report = CoupledRollingReport;
+}
+
+impl Model<CoupledRollingSolution> for CoupledRollingProblem {
+    type Engine = CoupledRollingEngine;
+
+    fn bodies(&self) -> &HalfSpace {
+        &self.bodies
+    }
+
+    fn settings(&self) -> &Settings {
+        &self.options.settings
+    }
+
+    fn settings_mut(&mut self) -> &mut Settings {
+        &mut self.options.settings
+    }
+
+    fn check_settings(&self, settings: &Settings) -> Result<()> {
+        TangentialModel::Vector.check(settings)
+    }
+
+    fn engine(&self) -> Result<CoupledRollingEngine> {
+        let bodies = &self.bodies;
         let (cells, size) = (bodies.grid().cells(), bodies.grid().size());
-        let normal = NormalProblem::builder(bodies, problem.gap.clone(), problem.normal)
-            .settings(problem.settings)
+        let normal = NormalProblem::builder(bodies, self.gap.clone(), self.normal)
+            .settings(self.options.settings)
             .build()?
             .into_solver()?;
         let (mut lifting, mut reach) = (None, 0.0);
@@ -105,7 +131,7 @@ impl CoupledRollingSolver {
             lifting = Some(Lifting::new(bodies, size)?);
             reach = coupling * plane.sqrt();
         }
-        Ok(Self {
+        Ok(CoupledRollingEngine {
             normal,
             rolling: None,
             lifting,
@@ -116,14 +142,59 @@ impl CoupledRollingSolver {
             is_warm: false,
             last: None,
             report: CoupledRollingReport::unsolved(),
-            problem,
         })
     }
 
-    solver_settings!(problem.settings, problem.bodies, |_, settings| {
-        TangentialModel::Vector.check(settings)
-    });
+    fn empty_solution(&self) -> Result<CoupledRollingSolution> {
+        let surface = (self.bodies.boundary(), self.bodies.cell_value());
+        Ok(CoupledRollingSolution {
+            normal: NormalSolution::empty(&self.gap, surface, self.bodies.pair())?,
+            rolling: RollingSolution::empty(self.bodies.grid())?,
+            report: CoupledRollingReport::unsolved(),
+        })
+    }
 
+    fn check_solution(&self, solution: &CoupledRollingSolution) -> Result<()> {
+        let grid = self.bodies.grid();
+        grid.check_equal("solution", solution.normal.grid())?;
+        grid.check_equal("solution", solution.rolling.grid())
+    }
+
+    fn solve(
+        solver: &mut CoupledRollingSolver,
+        solution: &mut CoupledRollingSolution,
+        observer: Observer<'_>,
+    ) -> Result<()> {
+        let cancellation = Cancellation::default();
+        let mut observer = cancellation.watch(observer);
+        let settings = solver.problem.options.settings;
+        let mut conditions = SolveContext::new(&settings, &mut observer);
+        let outcome = solver.solve_passes(solution, &mut conditions);
+        let outcome = cancellation.applied(&solver.problem.bodies, outcome, || {
+            solver.engine.report.work.cancelled()
+        });
+        solver.finish(solution, &outcome);
+        outcome
+    }
+
+    fn report(solver: &CoupledRollingSolver) -> &CoupledRollingReport {
+        &solver.engine.report
+    }
+
+    fn reset(solver: &mut CoupledRollingSolver) {
+        let engine = &mut solver.engine;
+        engine.normal.reset();
+        engine.rolling = None;
+        for part in &mut engine.traction {
+            part.fill(0.0);
+        }
+        engine.spin = 0.0;
+        engine.is_warm = false;
+        engine.last = None;
+    }
+}
+
+impl CoupledRollingSolver {
     /// Sets the loads or creepages along x and y, and the spin or moment, for the next solve.
     ///
     /// # Errors
@@ -136,17 +207,17 @@ impl CoupledRollingSolver {
     ) -> Result<()> {
         let spin = spin.into();
         self.problem.check(self.problem.normal, controls, spin)?;
-        (self.problem.controls, self.problem.spin) = (controls, spin);
+        (self.problem.options.controls, self.problem.options.spin) = (controls, spin);
         Ok(())
     }
 
     /// Sets the normal load for the next solve.
     ///
     /// # Errors
-    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`], [`Error::NoPressureToHold`] or [`Error::ApproachBeyondMeanGap`].
+    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`] or [`Error::ApproachBeyondMeanGap`].
     ///   The load is then unchanged.
-    pub fn set_load(&mut self, normal: NormalControl) -> Result<()> {
-        let CoupledRollingProblem { controls, spin, .. } = self.problem;
+    pub fn set_load(&mut self, normal: NormalLoad) -> Result<()> {
+        let RollingOptions { controls, spin, .. } = self.problem.options;
         self.problem.check(normal, controls, spin)?;
         self.problem.normal = normal;
         Ok(())
@@ -175,130 +246,60 @@ impl CoupledRollingSolver {
         self.problem.friction.try_clone_from(friction)
     }
 
-    /// Discards the last solution. The next solve starts like the first solve.
-    pub fn reset(&mut self) {
-        self.normal.reset();
-        self.rolling = None;
-        for part in &mut self.traction {
-            part.fill(0.0);
-        }
-        self.spin = 0.0;
-        self.is_warm = false;
-        self.last = None;
-    }
-
-    /// Returns an empty solution with the grid of the bodies for [`Self::solve_into`].
-    #[must_use]
-    pub fn new_solution(&self) -> CoupledRollingSolution {
-        unwrap_or_abort(self.try_new_solution())
-    }
-
-    /// Returns [`Self::new_solution`], or an error if memory runs out.
-    ///
-    /// # Errors
-    /// - [`Error::Memory`] if memory runs out.
-    pub fn try_new_solution(&self) -> Result<CoupledRollingSolution> {
-        Ok(CoupledRollingSolution {
-            normal: self.normal.try_new_solution()?,
-            rolling: RollingSolution::empty(self.problem.bodies.grid())?,
-            report: CoupledRollingReport::unsolved(),
-        })
-    }
-
-    /// Solves into `solution` and overwrites its previous content.
-    ///
-    /// # Errors
-    /// - [`Error::GridMismatch`] if the solution has a different grid. Nothing is then changed.
-    /// - [`Error::NotConverged`] with the report. The last iterate is then in `solution`.
-    /// - [`Error::EmptyContact`] if no cell carries pressure.
-    /// - [`Error::GridTooShort`] if the grid ends less than a step ahead of the contact.
-    /// - [`Error::BeyondFrictionCapacity`] or [`Error::BeyondFrictionMoment`] if the loads exceed the capacity of
-    ///   friction.
-    /// - [`Error::Memory`] if memory runs out.
-    pub fn solve_into(&mut self, solution: &mut CoupledRollingSolution) -> Result<()> {
-        self.solve_observed(solution, |_| ControlFlow::Continue(()))
-    }
-
-    /// Solves as [`Self::solve_into`] does, with an observer that receives every iteration and may cancel.
-    ///
-    /// # Errors
-    /// - The errors of [`Self::solve_into`].
-    /// - [`Error::NotConverged`] with [`Status::Cancelled`] if the observer has cancelled.
-    pub fn solve_observed(
-        &mut self,
-        solution: &mut CoupledRollingSolution,
-        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
-    ) -> Result<()> {
-        let grid = self.problem.bodies.grid();
-        grid.check_equal("solution", solution.normal.grid())?;
-        grid.check_equal("solution", solution.rolling.grid())?;
-        let cancellation = Cancellation::default();
-        let mut observer = cancellation.watch(&mut observer);
-        let settings = self.problem.settings;
-        let mut conditions = SolveContext::new(&settings, &mut observer);
-        let outcome = self.solve_passes(solution, &mut conditions);
-        let outcome = cancellation.applied(&self.problem.bodies, outcome, || {
-            self.report.work.cancelled()
-        });
-        self.finish(solution, &outcome);
-        outcome
-    }
-
-    /// Returns the report of the last solve.
-    #[must_use]
-    pub fn report(&self) -> &CoupledRollingReport {
-        &self.report
-    }
-
     /// Repeats passes until the pressure and the tractions are consistent with each other.
     fn solve_passes(
         &mut self,
         solution: &mut CoupledRollingSolution,
         conditions: &mut SolveContext<'_, '_>,
     ) -> Result<()> {
-        self.report.clear();
+        self.engine.report.clear();
         let tolerance = conditions.settings.tolerance;
-        let floor = if self.lifting.is_some() {
+        let floor = if self.engine.lifting.is_some() {
             HALVES * tolerance
         } else {
             tolerance
         };
-        let mut inner = if self.lifting.is_some() {
+        let mut inner = if self.engine.lifting.is_some() {
             START.max(floor)
         } else {
             tolerance
         };
         let (mut best, mut without) = (f64::INFINITY, 0);
-        let mut before = fallible::zeros(self.lift.len())?;
+        let mut before = fallible::zeros(self.engine.lift.len())?;
         loop {
             let pass = self.solve_pass(inner, solution, conditions)?;
-            self.report.passes += 1;
-            self.report.work.time = conditions.start.elapsed();
+            self.engine.report.passes += 1;
+            self.engine.report.work.time = conditions.start.elapsed();
             let error = self.examine(&mut before, solution)?;
             if let Some(status) = pass.failure {
-                return self.report.end(status);
+                return self.engine.report.end(status);
             }
             let is_sharp = inner <= floor;
-            if is_sharp && self.report.merit() <= tolerance {
+            if is_sharp && self.engine.report.merit() <= tolerance {
                 if let Some(error) = pass.held {
                     return Err(error);
                 }
-                return self.report.end(Status::Converged);
+                return self.engine.report.end(Status::Converged);
             }
-            if self.lifting.is_none() {
-                return self.report.end(Status::Stalled);
+            if self.engine.lifting.is_none() {
+                return self.engine.report.end(Status::Stalled);
             }
             if error < 0.5 * best {
                 (best, without) = (error, 0);
             } else {
                 without += 1;
             }
-            let is_stuck = without >= PATIENCE || self.report.passes >= MOST_PASSES;
+            let is_stuck = without >= PATIENCE || self.engine.report.passes >= MOST_PASSES;
             if is_stuck || error.is_nan() {
-                return self.report.end(Status::Stalled);
+                return self.engine.report.end(Status::Stalled);
             }
-            conditions.check_iterations_left(&mut self.report.work)?;
-            for (kept, found) in self.traction.iter_mut().zip(solution.rolling.traction()) {
+            conditions.check_iterations_left(&mut self.engine.report.work)?;
+            for (kept, found) in self
+                .engine
+                .traction
+                .iter_mut()
+                .zip(solution.rolling.traction())
+            {
                 kept.copy_from_slice(found.as_slice());
             }
             inner = (SHARPER * error).clamp(floor, START.max(floor));
@@ -309,7 +310,7 @@ impl CoupledRollingSolver {
     fn residual_of(&self, rolling: &RollingSolution) -> Result<[Vec<f64>; 2]> {
         fallible::try_each(|axis| {
             let found = rolling.traction()[axis].as_slice();
-            let pairs = found.iter().zip(&self.traction[axis]);
+            let pairs = found.iter().zip(&self.engine.traction[axis]);
             fallible::collected(found.len(), pairs.map(|(found, known)| found - known))
         })
     }
@@ -327,18 +328,19 @@ impl CoupledRollingSolver {
         };
         self.lift_gap()?;
         let settings = conditions
-            .with_remaining_limits(&self.report.work)
+            .with_remaining_limits(&self.engine.report.work)
             .tolerance(tolerance);
-        self.normal.set_settings(settings)?;
-        let mut observer = with_counts_of(&self.report.work, &mut *conditions.observer);
+        self.engine.normal.set_settings(settings)?;
+        let mut observer = with_counts_of(&self.engine.report.work, &mut *conditions.observer);
         let outcome = self
+            .engine
             .normal
             .solve_observed(&mut solution.normal, &mut observer);
         drop(observer);
         pass.failure = ended(outcome, conditions.settings.tolerance)?;
         let report = solution.normal.report();
-        self.report.normal.add_pass(report);
-        add_counts(&mut self.report.work, report);
+        self.engine.report.normal.add_pass(report);
+        add_counts(&mut self.engine.report.work, report);
         if pass.failure.is_some() {
             return Ok(pass);
         }
@@ -346,53 +348,62 @@ impl CoupledRollingSolver {
         let (.., report) = solution.normal.parts_mut();
         report.status = Status::Converged;
         let settings = conditions
-            .with_remaining_limits(&self.report.work)
+            .with_remaining_limits(&self.engine.report.work)
             .tolerance(tolerance);
         let mut posed = self.pose(&solution.normal, settings, &mut pass)?;
-        if self.lifting.is_some() {
-            posed.settings.tolerance = (posed.noise() * tolerance).max(LEAST_TOLERANCE);
+        if self.engine.lifting.is_some() {
+            posed.options.settings.tolerance = (posed.noise() * tolerance).max(LEAST_TOLERANCE);
         }
         let mut solver = RollingSolver::new(posed)?;
         // The coupled solve takes the whole lift into account.
-        solver.lifting = None;
-        if self.report.passes > 0 {
-            solver.take_start(solution.rolling.traction().map(Field::as_slice), self.spin);
-        } else if self.is_warm {
-            solver.take_start(self.traction.each_ref().map(Vec::as_slice), self.spin);
+        solver.engine.lifting = None;
+        if self.engine.report.passes > 0 {
+            solver.take_start(
+                solution.rolling.traction().map(Field::as_slice),
+                self.engine.spin,
+            );
+        } else if self.engine.is_warm {
+            solver.take_start(
+                self.engine.traction.each_ref().map(Vec::as_slice),
+                self.engine.spin,
+            );
         }
         let allowed = conditions.settings.tolerance;
         for is_last in [false, true] {
-            let mut observer = with_counts_of(&self.report.work, &mut *conditions.observer);
+            let mut observer = with_counts_of(&self.engine.report.work, &mut *conditions.observer);
             let outcome = solver.solve_observed(&mut solution.rolling, &mut observer);
             drop(observer);
             pass.failure = ended(outcome, allowed)?;
             let report = solution.rolling.report();
-            self.report.rolling.add_pass(report);
-            add_counts(&mut self.report.work, report);
+            self.engine.report.rolling.add_pass(report);
+            add_counts(&mut self.engine.report.work, report);
             // The initial guess may have caused the stall, so the second attempt starts from zero tractions.
             if is_last || pass.failure != Some(Status::Stalled) {
                 break;
             }
             solver.reset();
         }
-        self.spin = solution.rolling.spin();
-        self.is_warm = true;
-        self.rolling = Some(solver);
+        self.engine.spin = solution.rolling.spin();
+        self.engine.is_warm = true;
+        self.engine.rolling = Some(solver);
         Ok(pass)
     }
 
     /// Passes the gap with the lift by the tractions to the normal solver.
     fn lift_gap(&mut self) -> Result<()> {
-        self.normal.set_load(self.problem.normal)?;
-        let Some(lifting) = &mut self.lifting else {
-            return self.normal.set_gap(&self.problem.gap);
+        self.engine.normal.set_load(self.problem.normal)?;
+        let Some(lifting) = &mut self.engine.lifting else {
+            return self.engine.normal.set_gap(&self.problem.gap);
         };
-        lifting.lift(self.traction.each_ref().map(Vec::as_slice), &mut self.lift);
+        lifting.lift(
+            self.engine.traction.each_ref().map(Vec::as_slice),
+            &mut self.engine.lift,
+        );
         let mut gap = self.problem.gap.try_clone()?;
-        for (gap, lift) in gap.as_mut_slice().iter_mut().zip(&self.lift) {
+        for (gap, lift) in gap.as_mut_slice().iter_mut().zip(&self.engine.lift) {
             *gap += lift;
         }
-        self.normal.set_gap(&gap)
+        self.engine.normal.set_gap(&gap)
     }
 
     /// Creates the rolling problem for a pressure. Reduces the forces if they exceed the friction capacity under this
@@ -405,24 +416,21 @@ impl CoupledRollingSolver {
     ) -> Result<RollingProblem> {
         let of = &self.problem;
         let posed = |controls: [RollingControl; 2]| {
-            let builder = RollingProblem::builder(&of.bodies, normal, of.friction.try_clone()?);
-            builder
-                .leading_edge(of.edge)
-                .step(of.cells)
-                .control(Axis::X, controls[0])
-                .control(Axis::Y, controls[1])
-                .spin(of.spin)
-                .entry_rule(of.entry_rule)
-                .slip_corrections(of.slip_corrections)
-                .settings(settings)
-                .build()
+            let options = RollingOptions {
+                controls,
+                settings,
+                ..of.options
+            };
+            let friction = of.friction.try_clone()?;
+            let builder = RollingProblem::builder(&of.bodies, normal, friction);
+            builder.with_options(options).build()
         };
-        match posed(of.controls) {
+        match posed(of.options.controls) {
             Err(error @ Error::BeyondFrictionCapacity { force, limit, .. })
-                if self.lifting.is_some() && limit > 0.0 =>
+                if self.engine.lifting.is_some() && limit > 0.0 =>
             {
                 pass.held = Some(error);
-                posed(of.controls.map(|control| match control {
+                posed(of.options.controls.map(|control| match control {
                     RollingControl::Force(part) => {
                         RollingControl::Force(HELD * limit / force * part)
                     }
@@ -445,9 +453,9 @@ impl CoupledRollingSolver {
         });
         before.copy_from_slice(pressure);
         let (coupling, energy) = self.coupling_errors(&layout, solution)?;
-        let report = &mut self.report;
+        let report = &mut self.engine.report;
         // A single pass is exact if the tractions cause no lift.
-        report.pressure_change = match self.lifting {
+        report.pressure_change = match self.engine.lifting {
             None => 0.0,
             Some(_) => ratio(change.sqrt(), size.sqrt()),
         };
@@ -479,49 +487,54 @@ impl CoupledRollingSolver {
         solution: &CoupledRollingSolution,
     ) -> Result<(f64, f64)> {
         let residual = self.residual_of(&solution.rolling)?;
-        let Some(lifting) = &mut self.lifting else {
+        let Some(lifting) = &mut self.engine.lifting else {
             return Ok((0.0, 0.0));
         };
         let normal = &solution.normal;
         let (pressure, gap) = (normal.pressure().as_slice(), normal.gap().as_slice());
         let (initial, approach) = (self.problem.gap.as_slice(), normal.approach());
-        let known = &self.lift;
+        let known = &self.engine.lift;
         let displacement = |i: usize| gap[i] - (initial[i] + known[i] - approach);
         let mut lift = fallible::zeros(known.len())?;
         lifting.lift(residual.each_ref().map(Vec::as_slice), &mut lift);
-        let is_fixed = matches!(self.problem.normal, NormalControl::Approach(_));
+        let is_fixed = matches!(self.problem.normal, NormalLoad::Approach(_));
         let is_contact = |i: usize| pressure[i] > 0.0;
         let coupling = lift_residual(layout, is_contact, |i| lift[i], displacement, is_fixed);
         let [squares, energy] = reduce::sum(layout, |i| {
             let [x, y] = [residual[0][i], residual[1][i]];
             [x * x + y * y, pressure[i] * displacement(i)]
         });
-        let energy = ratio(self.reach * squares.sqrt(), energy.max(0.0).sqrt());
+        let energy = ratio(self.engine.reach * squares.sqrt(), energy.max(0.0).sqrt());
         Ok((coupling, energy))
     }
 
     /// Writes the report and marks both halves as halves of a coupled contact.
     fn finish(&mut self, solution: &mut CoupledRollingSolution, outcome: &Result<()>) {
-        if self.lifting.is_some() {
-            self.report.work.duality_gap = f64::INFINITY;
+        if self.engine.lifting.is_some() {
+            self.engine.report.work.duality_gap = f64::INFINITY;
         }
-        solution.report.clone_from(&self.report);
-        if has_iterate(outcome) && self.lifting.is_some() {
+        solution.report.clone_from(&self.engine.report);
+        if has_iterate(outcome) && self.engine.lifting.is_some() {
             let CoupledRollingProblem { bodies, gap, .. } = &self.problem;
             let normal = &mut solution.normal;
             normal.measure_scale(bodies, gap);
             normal.set_coupled(true);
-            normal.parts_mut().3.clone_from(&self.report.work);
-            solution.rolling.set_report(&self.report.work);
+            normal.parts_mut().3.clone_from(&self.engine.report.work);
+            solution.rolling.set_report(&self.engine.report.work);
         }
         // The next solve starts from these tractions.
-        for (kept, found) in self.traction.iter_mut().zip(solution.rolling.traction()) {
+        for (kept, found) in self
+            .engine
+            .traction
+            .iter_mut()
+            .zip(solution.rolling.traction())
+        {
             kept.copy_from_slice(found.as_slice());
         }
-        if self.lifting.is_some() {
-            self.last = solution.normal.try_clone().ok();
+        if self.engine.lifting.is_some() {
+            self.engine.last = solution.normal.try_clone().ok();
         }
-        if !has_iterate(outcome) || !self.report.work.residual.is_finite() {
+        if !has_iterate(outcome) || !self.engine.report.work.residual.is_finite() {
             self.reset();
         }
     }
@@ -563,10 +576,10 @@ impl RollingSolver {
     /// Sets tractions on the grid and a spin as the start of the next solve.
     fn take_start(&mut self, traction: [&[f64]; 2], spin: f64) {
         for (cell, index) in self.problem.pressed.window().indices().enumerate() {
-            for (own, traction) in self.traction.iter_mut().zip(traction) {
-                own[cell] = traction[index] / self.unit;
+            for (own, traction) in self.engine.traction.iter_mut().zip(traction) {
+                own[cell] = traction[index] / self.engine.unit;
             }
         }
-        self.spin = spin;
+        self.engine.spin = spin;
     }
 }

@@ -12,7 +12,7 @@ use crate::contact::{LinearResponse, ResponseContext};
 use crate::error::{Error, Result};
 use crate::half_space::{Compliance, ElasticOperator};
 use crate::memory::fallible::{self, TryClone};
-use crate::normal::{NormalControl, NormalSolution};
+use crate::normal::{NormalLoad, NormalSolution};
 use crate::numerics::cell_vector::{at, slices, slices_mut};
 use crate::numerics::small_matrix::Small;
 use crate::observer::{Observer, unwatched};
@@ -88,17 +88,17 @@ impl CoupledRollingSolver {
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<[[f64; 3]; 3]> {
         let unsolved = || Error::NotConverged(Box::new(Report::unsolved()));
-        let mut rolling = self.rolling.take().ok_or_else(unsolved)?;
-        let found = match (&mut self.lifting, &self.last) {
+        let mut rolling = self.engine.rolling.take().ok_or_else(unsolved)?;
+        let found = match (&mut self.engine.lifting, &self.engine.last) {
             (Some(lifting), Some(normal)) => {
                 let friction = &self.problem.friction;
-                let is_force = matches!(self.problem.normal, NormalControl::Force(_));
+                let is_force = matches!(self.problem.normal, NormalLoad::Force(_));
                 rolling.coupled_stiffness(lifting, (normal, friction, is_force), &mut observer)
             }
             (Some(_), None) => Err(unsolved()),
             (None, _) => rolling.stiffness_observed(&mut observer),
         };
-        self.rolling = Some(rolling);
+        self.engine.rolling = Some(rolling);
         found
     }
 }
@@ -125,7 +125,7 @@ impl RollingSolver {
             }
             Ok(Small(loads).transposed().0)
         });
-        self.follow = Some(follow);
+        self.engine.follow = Some(follow);
         found
     }
 
@@ -139,10 +139,10 @@ impl RollingSolver {
     ) -> Result<[f64; 3]> {
         let problem = &self.problem;
         let window = problem.pressed.window();
-        let (cells, grid) = (self.limits.len(), problem.bodies.grid());
+        let (cells, grid) = (self.engine.limits.len(), problem.bodies.grid());
         let mut drawing =
             CouplingDisplacement::new(&problem.bodies, Axis::BOTH, problem.step.size)?;
-        let mut scratch = self.operator.scratch()?;
+        let mut scratch = self.engine.operator.scratch()?;
         let mut change = Change {
             traction: fallible::vector(cells)?,
             pressure: fallible::zeros(cells)?,
@@ -162,15 +162,16 @@ impl RollingSolver {
             // Tractions of slipping cells follow their friction limits.
             let mut known: [Vec<f64>; 2] = fallible::vector(cells)?;
             for (cell, index) in window.indices().enumerate() {
-                let q = at(&slices(&self.traction), cell);
+                let q = at(&slices(&self.engine.traction), cell);
                 let size = q[0].hypot(q[1]);
                 let pressure = problem.pressed.pressure[cell];
-                if pressure > 0.0 && size > 0.0 && is_at_limit(size, self.limits[cell]) {
+                if pressure > 0.0 && size > 0.0 && is_at_limit(size, self.engine.limits[cell]) {
                     let part = friction.slope(index, pressure) * change.pressure[cell] / size;
                     (known[0][cell], known[1][cell]) = (part * q[0], part * q[1]);
                 }
             }
-            self.operator
+            self.engine
+                .operator
                 .apply(slices(&known), slices_mut(&mut change.moved), &mut scratch);
             let moved = &mut change.moved;
             drawing.displace(change.pressure.iter().copied(), |axis, displacement| {
@@ -182,6 +183,7 @@ impl RollingSolver {
             });
             for (cell, turned) in turned.iter().enumerate() {
                 let own = self
+                    .engine
                     .own()
                     .added(*turned, 1.0, cell, at(&slices(&known), cell));
                 for axis in 0..2 {
@@ -195,7 +197,7 @@ impl RollingSolver {
                 [x - known_x, y - known_y]
             };
             let found = follow.tractions(self.elasticity(), asked, context)?;
-            let (layout, before) = (self.operator.layout(), slices(&change.traction));
+            let (layout, before) = (self.engine.operator.layout(), slices(&change.traction));
             let [difference, size] = reduce::sum(&layout, |cell| {
                 let (free, known) = (at(&found, cell), at(&slices(&known), cell));
                 let next = [free[0] + known[0], free[1] + known[1]];
@@ -228,14 +230,14 @@ impl RollingSolver {
         let mut turned = fallible::filled([0.0; 2], change.pressure.len())?;
         let gap = normal.gap().as_slice();
         let relative = |cell: usize| {
-            if self.own().mean(cell) <= 0.0 {
+            if self.engine.own().mean(cell) <= 0.0 {
                 return 0.0;
             }
             let before = problem.step.before(cell).map(|before| window.index(before));
             let of_gap = before.map_or(0.0, |before| (change.gap[before] / gap[before]).abs());
             of_gap.max((change.pressure[cell] / pressed.pressure[cell]).abs())
         };
-        let largest = reduce::max(&self.operator.layout(), relative);
+        let largest = reduce::max(&self.engine.operator.layout(), relative);
         if largest <= 0.0 {
             return Ok(turned);
         }
@@ -255,8 +257,8 @@ impl RollingSolver {
         };
         let (more, less) = (entry(part)?, entry(-part)?);
         for (cell, (more, less)) in more.iter().zip(&less).enumerate() {
-            if self.own().mean(cell) > 0.0 {
-                let [x, y] = at(&slices(&self.traction), cell).map(|q| self.unit * q);
+            if self.engine.own().mean(cell) > 0.0 {
+                let [x, y] = at(&slices(&self.engine.traction), cell).map(|q| self.engine.unit * q);
                 let slope = |more: f64, less: f64| (more - less) / (2.0 * part);
                 let [xx, xy, yy] = [
                     slope(more.xx, less.xx),

@@ -5,6 +5,7 @@ pub(super) mod control;
 pub(super) mod creep;
 pub(super) mod inverse;
 mod neglected_lift;
+pub(super) mod options;
 pub(super) mod problem;
 mod reload;
 mod resting_cell;

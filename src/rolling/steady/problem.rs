@@ -1,11 +1,11 @@
 //! The problem of steady rolling and the checks of its input.
 
-use crate::cgm::{Settings, settings_methods};
 use crate::error::{Error, RankFailure, Result, SLIDE, finite, of_rolling};
 use crate::half_space::HalfSpace;
-use crate::memory::fallible::{TryClone, filled, try_clone, try_each, zeros};
+use crate::memory::fallible::{filled, try_clone, try_each, zeros};
 use crate::normal::NormalSolution;
 use crate::rolling::entry::entering;
+use crate::rolling::steady::options::{RollingOptions, rolling_methods};
 use crate::rolling::{LeadingEdge, RollingControl, RollingSolution, RollingSolver, SpinControl};
 use crate::rolling::{RollingShift, WindowShift};
 use crate::support::debug::shown;
@@ -21,9 +21,7 @@ pub struct RollingProblem {
     pub(in crate::rolling) bodies: HalfSpace,
     pub(in crate::rolling) pressed: PressureOnWindow,
     pub(in crate::rolling) friction: Friction,
-    pub(in crate::rolling) entry_rule: EntryRule,
-    /// Number of solves that correct the direction of slip.
-    pub(in crate::rolling) slip_corrections: usize,
+    pub(in crate::rolling) options: RollingOptions,
     pub(in crate::rolling) step: WindowShift,
     /// Length rolled per step.
     pub(in crate::rolling) length: f64,
@@ -33,16 +31,11 @@ pub struct RollingProblem {
     pub(in crate::rolling) chain: usize,
     /// Contribution of the pressure to the slip of each cell.
     pub(in crate::rolling) drawn: [Vec<f64>; 2],
-    pub(in crate::rolling) controls: [RollingControl; 2],
-    pub(in crate::rolling) spin: SpinControl,
-    pub(in crate::rolling) settings: Settings,
 }
 
-try_clone!(RollingProblem { pressed, friction, own, drawn } {
-    bodies, entry_rule, slip_corrections, step, length, chain, controls, spin, settings,
-});
+try_clone!(RollingProblem { pressed, friction, own, drawn } { bodies, options, step, length, chain });
 
-shown!(RollingProblem: bodies, step, controls, spin, settings);
+shown!(RollingProblem: bodies, options, step);
 
 /// Options of a [`RollingProblem`], all with defaults.
 #[derive(Debug, Clone)]
@@ -51,13 +44,7 @@ pub struct RollingProblemBuilder<'a> {
     bodies: &'a HalfSpace,
     normal: &'a NormalSolution,
     friction: Friction,
-    edge: LeadingEdge,
-    cells: usize,
-    controls: [RollingControl; 2],
-    spin: SpinControl,
-    entry_rule: EntryRule,
-    slip_corrections: usize,
-    settings: Settings,
+    options: RollingOptions,
 }
 
 impl RollingProblem {
@@ -72,13 +59,7 @@ impl RollingProblem {
             bodies,
             normal,
             friction,
-            edge: LeadingEdge::default(),
-            cells: 1,
-            controls: [RollingControl::Creepage(0.0); 2],
-            spin: SpinControl::Spin(0.0),
-            entry_rule: EntryRule::default(),
-            slip_corrections: 0,
-            settings: Settings::default(),
+            options: RollingOptions::default(),
         }
     }
 
@@ -89,10 +70,7 @@ impl RollingProblem {
     /// - The errors of [`HalfSpace::operator`].
     /// - [`Error::Memory`] if memory runs out.
     pub fn solve(&self) -> Result<RollingSolution> {
-        let mut solver = RollingSolver::new(self.try_clone()?)?;
-        let mut solution = solver.try_new_solution()?;
-        solver.solve_into(&mut solution)?;
-        Ok(solution)
+        RollingSolver::solve_once(self)
     }
 
     /// Returns the reusable solver. Creepages, forces and spin can change between its solves, and each solve starts from
@@ -159,53 +137,11 @@ impl RollingProblem {
 }
 
 impl RollingProblemBuilder<'_> {
-    settings_methods!();
+    rolling_methods!(options);
 
-    /// Sets the side at which particles enter the contact (default [`LeadingEdge::PlusX`]).
-    pub fn leading_edge(mut self, edge: LeadingEdge) -> Self {
-        self.edge = edge;
-        self
-    }
-
-    /// Sets the number of cells that a particle passes per step (default 1). Longer steps cost less and are less accurate.
-    pub fn step(mut self, cells: usize) -> Self {
-        self.cells = cells;
-        self
-    }
-
-    /// Sets both creepages `[x, y]` (dimensionless, default zero).
-    pub fn creepage(mut self, creepage: [f64; 2]) -> Self {
-        self.controls = creepage.map(RollingControl::Creepage);
-        self
-    }
-
-    /// Sets the force or creepage along an axis (default: zero creepage).
-    pub fn control(mut self, axis: Axis, control: RollingControl) -> Self {
-        self.controls[axis.index()] = control;
-        self
-    }
-
-    /// Sets the [spin](SpinControl::Spin) (one over a length, default zero) or the moment from which the spin follows.
-    pub fn spin(mut self, spin: impl Into<SpinControl>) -> Self {
-        self.spin = spin.into();
-        self
-    }
-
-    /// Sets the number of corrections of the direction of slip (default 0).
-    ///
-    /// If the slip turns within the contact, as under spin or oblique creepage, the forces converge with first order in
-    /// the step. With two corrections the order is 1.5 to 2, as measured on the documentation of the
-    /// [module](crate::rolling#slip-that-turns). The corrections cost two more solves, each of which starts from the
-    /// last tractions. The slip of the solution remains the mean over the step. Corrected tractions are not exactly
-    /// opposite to this mean.
-    pub fn slip_corrections(mut self, corrections: usize) -> Self {
-        self.slip_corrections = corrections;
-        self
-    }
-
-    /// Sets the entry rule, the displacement law of cells that enter the contact (default [`EntryRule::SinceTouch`]).
-    pub fn entry_rule(mut self, entry_rule: EntryRule) -> Self {
-        self.entry_rule = entry_rule;
+    /// Sets all options.
+    pub(in crate::rolling) fn with_options(mut self, options: RollingOptions) -> Self {
+        self.options = options;
         self
     }
 
@@ -228,43 +164,45 @@ impl RollingProblemBuilder<'_> {
     /// - [`Error::Memory`] if memory runs out.
     /// - [`Error::Ranks`] if the bodies are distributed over ranks.
     pub fn build(self) -> Result<RollingProblem> {
-        let (bodies, grid) = (self.bodies, self.bodies.grid());
+        let Self {
+            bodies,
+            normal,
+            friction,
+            options,
+        } = self;
+        let grid = bodies.grid();
         if bodies.is_shared() {
             return Err(Error::Ranks(RankFailure::UnsupportedOnRanks(
                 "steady rolling",
             )));
         }
-        self.friction.check(grid)?;
-        self.settings.check()?;
-        TangentialModel::Vector.check(&self.settings)?;
-        let travel = RollingShift::new(grid, self.edge, self.cells);
+        friction.check(grid)?;
+        options.settings.check()?;
+        TangentialModel::Vector.check(&options.settings)?;
+        let travel = RollingShift::new(grid, options.edge, options.cells);
         travel.check(bodies)?;
-        let samples = PressureSource::from(self.normal).checked(bodies)?;
+        let samples = PressureSource::from(normal).checked(bodies)?;
         let contact = contact_window(bodies, samples)?;
         let window = contact.union(travel.shifted_upstream(contact)?);
         let step = travel.through(window.size);
         let mut pressed = PressureOnWindow::new(bodies, window)?;
-        pressed.set(samples, &self.friction);
+        pressed.set(samples, &friction);
         let mut own = filled(EntryCompliance::NONE, pressed.region.cells())?;
-        if self.entry_rule == EntryRule::SinceTouch {
-            entering(self.normal, &pressed, step, &mut own);
+        if options.entry_rule == EntryRule::SinceTouch {
+            entering(normal, &pressed, step, &mut own);
         }
         let problem = RollingProblem {
             own,
             drawn: coupling_slip(bodies, &pressed, step)?,
-            chain: step.chain(contact.size[self.edge.axis().index()]),
+            chain: step.chain(contact.size[options.edge.axis().index()]),
             bodies: bodies.clone(),
             pressed,
-            friction: self.friction,
-            entry_rule: self.entry_rule,
-            slip_corrections: self.slip_corrections,
+            friction,
+            options,
             step,
             length: travel.length,
-            controls: self.controls,
-            spin: self.spin,
-            settings: self.settings,
         };
-        problem.check(self.controls, self.spin)?;
+        problem.check(options.controls, options.spin)?;
         Ok(problem)
     }
 }

@@ -6,7 +6,7 @@ use crate::error::{Error, Result};
 use crate::grid::field::Field;
 use crate::grid::window::Window;
 use crate::memory::fallible::{filled, try_each, zeros};
-use crate::normal::{NormalControl, NormalSolution, NormalSolver};
+use crate::normal::{NormalLoad, NormalSolution, NormalSolver};
 use crate::numerics::cell_vector::slices;
 use crate::rolling::RollingShift;
 use crate::rolling::entry::entering;
@@ -73,7 +73,7 @@ impl RollingSolver {
         }
         let mut wider = self.widened(reach)?;
         wider.press(samples, normal, contact)?;
-        wider.press = self.press.take();
+        wider.engine.press = self.engine.press.take();
         *self = wider;
         Ok(())
     }
@@ -87,7 +87,7 @@ impl RollingSolver {
     pub fn set_normal_solver(&mut self, solver: NormalSolver) -> Result<()> {
         let [normal, candidate] = try_each(|_| solver.try_new_solution())?;
         check_bodies(&normal, &self.problem.bodies)?;
-        self.press = Some(Box::new(Press {
+        self.engine.press = Some(Box::new(Press {
             solver,
             normal,
             candidate,
@@ -104,14 +104,13 @@ impl RollingSolver {
     /// - The errors of [`NormalSolver::set_load`], [`NormalSolver::solve_into`] and [`set_pressure`](Self::set_pressure).
     ///
     /// The solver is unchanged after an error, but the next normal solve may start from a different pressure.
-    pub fn set_load(&mut self, load: NormalControl) -> Result<()> {
-        let Some(mut press) = self.press.take() else {
+    pub fn set_load(&mut self, load: NormalLoad) -> Result<()> {
+        let Some(mut press) = self.engine.press.take() else {
             return Err(Error::UnsupportedByModel {
                 model: "a rolling solver without a normal solver",
                 quantity: "a new normal load",
                 value: match load {
-                    NormalControl::Force(load) | NormalControl::Approach(load) => load,
-                    NormalControl::Hold => 0.0,
+                    NormalLoad::Force(load) | NormalLoad::Approach(load) => load,
                 },
                 remedy: "set a normal solver by set_normal_solver, or a solved pressure by set_pressure",
             });
@@ -124,14 +123,14 @@ impl RollingSolver {
             Ok(()) => std::mem::swap(&mut press.normal, &mut press.candidate),
             Err(_) => press.solver.restore_load(before),
         }
-        self.press = Some(press);
+        self.engine.press = Some(press);
         outcome
     }
 
     /// Returns the normal contact computed by [`set_load`](Self::set_load), or `None` before the first load.
     #[must_use]
     pub fn normal(&self) -> Option<&NormalSolution> {
-        let press = self.press.as_deref()?;
+        let press = self.engine.press.as_deref()?;
         let normal = &press.normal;
         normal.report().is_converged().then_some(normal)
     }
@@ -151,22 +150,22 @@ impl RollingSolver {
     ) -> Result<()> {
         let problem = &self.problem;
         let (bodies, size) = (&problem.bodies, problem.step.size);
-        if bodies.pair().is_coupled() && self.drawing.is_none() {
-            self.drawing = Some(CouplingDisplacement::new(bodies, Axis::BOTH, size)?);
+        if bodies.pair().is_coupled() && self.engine.drawing.is_none() {
+            self.engine.drawing = Some(CouplingDisplacement::new(bodies, Axis::BOTH, size)?);
         }
-        self.candidate.set(samples, &problem.friction);
-        let mut drawing = self.drawing.take();
+        self.engine.candidate.set(samples, &problem.friction);
+        let mut drawing = self.engine.drawing.take();
         let taken = self.take_candidate(|problem| {
             problem.follow_pressure(normal, contact, drawing.as_mut());
             Ok(())
         });
-        self.drawing = drawing;
+        self.engine.drawing = drawing;
         taken?;
-        if let Some(lift) = &mut self.lifting {
+        if let Some(lift) = &mut self.engine.lifting {
             lift.press(&self.problem.pressed);
         }
-        Arc::make_mut(&mut self.operator).set_chain(self.problem.chain);
-        self.has_new_pressure = self.is_warm;
+        Arc::make_mut(&mut self.engine.operator).set_chain(self.problem.chain);
+        self.engine.has_new_pressure = self.engine.is_warm;
         Ok(())
     }
 
@@ -190,26 +189,27 @@ impl RollingSolver {
         })?;
         let places = || inner.indices().filter_map(|index| window.place(index));
         for (cell, place) in places().enumerate() {
-            wider.limits[place] = self.limits[cell];
-            wider.own_mean[place] = self.own_mean[cell];
-            wider.own_deviator[place] = self.own_deviator[cell];
+            wider.engine.limits[place] = self.engine.limits[cell];
+            wider.engine.own_mean[place] = self.engine.own_mean[cell];
+            wider.engine.own_deviator[place] = self.engine.own_deviator[cell];
             for axis in 0..2 {
-                wider.traction[axis][place] = self.traction[axis][cell];
-                wider.linear[axis][place] = self.linear[axis][cell];
+                wider.engine.traction[axis][place] = self.engine.traction[axis][cell];
+                wider.engine.linear[axis][place] = self.engine.linear[axis][cell];
             }
         }
-        let multiplier = self.workspace.multiplier();
-        let traction = slices(&wider.traction);
-        (wider.workspace).set_solution(&*wider.operator, traction, multiplier);
-        wider.report.clone_from(&self.report);
-        (wider.unit, wider.spin, wider.is_warm) = (self.unit, self.spin, self.is_warm);
+        let multiplier = self.engine.workspace.multiplier();
+        let traction = slices(&wider.engine.traction);
+        (wider.engine.workspace).set_solution(&*wider.engine.operator, traction, multiplier);
+        wider.engine.report.clone_from(&self.engine.report);
+        (wider.engine.unit, wider.engine.spin, wider.engine.is_warm) =
+            (self.engine.unit, self.engine.spin, self.engine.is_warm);
         Ok(wider)
     }
 }
 
 impl Press {
     /// Solves for the pressure under a load.
-    fn solve(&mut self, load: NormalControl) -> Result<()> {
+    fn solve(&mut self, load: NormalLoad) -> Result<()> {
         self.solver.set_load(load)?;
         self.solver.solve_into(&mut self.candidate)
     }
@@ -223,7 +223,7 @@ impl RollingProblem {
 
     /// Returns an error if the entry rule is active, because the rule requires a gap.
     fn check_needs_no_gap(&self, pressure: &Field) -> Result<()> {
-        if self.entry_rule == EntryRule::WholeStep {
+        if self.options.entry_rule == EntryRule::WholeStep {
             return Ok(());
         }
         Err(Error::UnsupportedByModel {
@@ -242,7 +242,7 @@ impl RollingProblem {
         drawing: Option<&mut CouplingDisplacement>,
     ) {
         let (pressed, step) = (&self.pressed, self.step);
-        if let Some(normal) = normal.filter(|_| self.entry_rule == EntryRule::SinceTouch) {
+        if let Some(normal) = normal.filter(|_| self.options.entry_rule == EntryRule::SinceTouch) {
             entering(normal, pressed, step, &mut self.own);
         }
         if let Some(drawing) = drawing {

@@ -14,9 +14,10 @@ impl RollingSolver {
     /// tractions, the creepages of its iterates grow without limit.
     pub(in crate::rolling) fn start_sliding(&mut self) {
         let problem = &self.problem;
-        let prescribed = Prescribed::of(problem.controls, problem.bodies.grid().cell_area());
+        let prescribed =
+            Prescribed::of(problem.options.controls, problem.bodies.grid().cell_area());
         let turn = SlidingMotion {
-            turn: self.spin,
+            turn: self.engine.spin,
             shift: prescribed.creepage,
         };
         let motion = problem.shifted(turn, &prescribed);
@@ -30,9 +31,9 @@ impl RollingSolver {
         for (cell, index) in problem.pressed.window().indices().enumerate() {
             let moved = problem.moved(motion, index);
             let size = speed(moved);
-            for (part, moved) in self.traction.iter_mut().zip(moved) {
+            for (part, moved) in self.engine.traction.iter_mut().zip(moved) {
                 part[cell] = if size > 0.0 {
-                    self.limits[cell] * (moved / size)
+                    self.engine.limits[cell] * (moved / size)
                 } else {
                     0.0
                 };

@@ -29,36 +29,38 @@ impl RollingSolver {
         solution: &mut RollingSolution,
         observer: Observer<'_>,
     ) -> Result<()> {
-        for part in &mut self.lag {
+        for part in &mut self.engine.lag {
             part.fill(0.0);
         }
-        let corrections = self.problem.slip_corrections;
+        let corrections = self.problem.options.slip_corrections;
         if corrections == 0 {
             let outcome = self.solve_pass(settings, solution, observer);
-            self.passes.clone_from(self.workspace.report());
+            self.engine
+                .passes
+                .clone_from(self.engine.workspace.report());
             return outcome;
         }
         let conditions = SolveContext::new(settings, observer);
-        self.passes.clear();
+        self.engine.passes.clear();
         for pass in 0..=corrections {
             if pass > 0 {
-                let left = conditions.check_iterations_left(&mut self.passes);
-                solution.set_report(&self.passes);
+                let left = conditions.check_iterations_left(&mut self.engine.passes);
+                solution.set_report(&self.engine.passes);
                 left?;
                 self.correct_direction();
             }
-            let settings = conditions.with_remaining_limits(&self.passes);
-            let mut watch = with_counts_of(&self.passes, &mut *conditions.observer);
+            let settings = conditions.with_remaining_limits(&self.engine.passes);
+            let mut watch = with_counts_of(&self.engine.passes, &mut *conditions.observer);
             let outcome = self.solve_pass(&settings, solution, &mut watch);
             drop(watch);
             if !has_iterate(&outcome) {
                 return outcome;
             }
-            self.passes.add_pass(self.workspace.report());
-            self.passes.time = conditions.start.elapsed();
-            solution.set_report(&self.passes);
+            self.engine.passes.add_pass(self.engine.workspace.report());
+            self.engine.passes.time = conditions.start.elapsed();
+            solution.set_report(&self.engine.passes);
             if outcome.is_err() {
-                return Err(Error::NotConverged(Box::new(self.passes.clone())));
+                return Err(Error::NotConverged(Box::new(self.engine.passes.clone())));
             }
         }
         Ok(())
@@ -66,10 +68,10 @@ impl RollingSolver {
 
     /// Sets the correction to half the change of the slip since the previous step, in cells that slip in both steps.
     fn correct_direction(&mut self) {
-        let (cells, step) = (self.limits.len(), self.problem.step);
+        let (cells, step) = (self.engine.limits.len(), self.problem.step);
         let slips = |traction: &[Vec<f64>; 2], cell: usize| {
             let [x, y] = at(&slices(traction), cell);
-            self.limits[cell] > 0.0 && is_at_limit(x.hypot(y), self.limits[cell])
+            self.engine.limits[cell] > 0.0 && is_at_limit(x.hypot(y), self.engine.limits[cell])
         };
         for place in 0..cells {
             // The loop starts at the trailing edge, so that the upstream cell still contains its previous correction.
@@ -79,15 +81,15 @@ impl RollingSolver {
                 cells - 1 - place
             };
             let before = step.before(cell);
-            let before = before.filter(|before| slips(&self.traction, *before));
+            let before = before.filter(|before| slips(&self.engine.traction, *before));
             let lag = match before {
-                Some(before) if slips(&self.traction, cell) => {
+                Some(before) if slips(&self.engine.traction, cell) => {
                     let (now, before) = (self.slip_of_step(cell), self.slip_of_step(before));
                     [0, 1].map(|axis| 0.5 * (now[axis] - before[axis]))
                 }
                 _ => [0.0; 2],
             };
-            for (part, lag) in self.lag.iter_mut().zip(lag) {
+            for (part, lag) in self.engine.lag.iter_mut().zip(lag) {
                 part[cell] = lag;
             }
         }
@@ -96,6 +98,6 @@ impl RollingSolver {
     /// Returns the slip of a cell over a step in the last solution.
     pub(in crate::rolling) fn slip_of_step(&self, cell: usize) -> [f64; 2] {
         let slip = self.slip(cell);
-        [0, 1].map(|axis| slip[axis] - self.lag[axis].get(cell).unwrap_or(&0.0))
+        [0, 1].map(|axis| slip[axis] - self.engine.lag[axis].get(cell).unwrap_or(&0.0))
     }
 }

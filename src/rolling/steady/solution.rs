@@ -7,73 +7,56 @@ use crate::error::{all_finite, finite, length};
 use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::grid::field::Field;
-use crate::memory::fallible::{filled, try_clone, try_each};
+use crate::grid::record::record;
+use crate::memory::fallible::{filled, try_each};
 use crate::parallel::reduce;
 use crate::report::Report;
 use crate::rolling::RollingProblem;
 use crate::support::debug::shown;
-#[cfg(feature = "serde")]
-use crate::support::serialise::checked;
 use crate::tangential::{Zone, centre, is_at_limit};
 use crate::warning::Warning;
 
-/// Traction, slip, zones, creepage and dissipation of steady rolling.
-#[derive(Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct RollingSolution {
-    traction: [Field; 2],
-    slip: [Field; 2],
-    zones: Vec<Zone>,
-    creepage: [f64; 2],
-    spin: f64,
-    /// Lift by the tractions that the pressure ignores, in millionths of the normal displacement. `None` if the lift needs no
-    /// warning.
-    neglected_lift: Option<usize>,
-    boundary: Boundary,
-    /// Vector from the position of a particle after a step to the middle of its path.
-    halfway: [f64; 2],
-    report: Report,
+record! {
+    /// Traction, slip, zones, creepage and dissipation of steady rolling. Equality compares the results and ignores the
+    /// report.
+    pub struct RollingSolution {
+        buffers {
+            traction: [Field; 2],
+            slip: [Field; 2],
+            zones: Vec<Zone>,
+        }
+        values {
+            creepage: [f64; 2],
+            spin: f64,
+            /// Lift by the tractions that the pressure ignores, in millionths of the normal displacement. `None` if the lift
+            /// needs no warning.
+            #[cfg_attr(feature = "serde", serde(default))]
+            neglected_lift: Option<usize>,
+            #[cfg_attr(feature = "serde", serde(default))]
+            boundary: Boundary,
+            /// Vector from the position of a particle after a step to the middle of its path.
+            halfway: [f64; 2],
+        }
+        ignored {
+            report: Report,
+        }
+        local {}
+    }
+    #[serde(remote = "RollingSolution", deny_unknown_fields)]
+    check(read) {
+        let grid = read.grid();
+        for axis in 0..2 {
+            read.traction[axis].check("traction", grid)?;
+            read.slip[axis].check("slip", grid)?;
+        }
+        length("zones", grid.cells(), read.zones.len())?;
+        all_finite("creepage", &read.creepage)?;
+        all_finite("half of a path", &read.halfway)?;
+        finite("spin", read.spin).map(|_| ())
+    }
 }
 
 shown!(RollingSolution: grid(), force(), creepage(), spin(), stick_ratio(), report);
-
-try_clone!(RollingSolution { traction, slip, zones } {
-    creepage, spin, neglected_lift, boundary, halfway, report,
-});
-
-#[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(remote = "RollingSolution", deny_unknown_fields)]
-struct RawRollingSolution {
-    traction: [Field; 2],
-    slip: [Field; 2],
-    zones: Vec<Zone>,
-    creepage: [f64; 2],
-    spin: f64,
-    #[serde(default)]
-    neglected_lift: Option<usize>,
-    #[serde(default)]
-    boundary: Boundary,
-    halfway: [f64; 2],
-    report: Report,
-}
-
-#[cfg(feature = "serde")]
-impl<'de> serde::Deserialize<'de> for RollingSolution {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        checked(RawRollingSolution::deserialize(deserializer)?, |read| {
-            let grid = read.grid();
-            for axis in 0..2 {
-                read.traction[axis].check("traction", grid)?;
-                read.slip[axis].check("slip", grid)?;
-            }
-            length("zones", grid.cells(), read.zones.len())?;
-            all_finite("creepage", &read.creepage)?;
-            all_finite("half of a path", &read.halfway)?;
-            finite("spin", read.spin).map(|_| ())
-        })
-    }
-}
 
 impl RollingSolution {
     pub(in crate::rolling) fn empty(grid: Grid) -> Result<Self> {

@@ -1,20 +1,22 @@
 //! The reusable solver of steady rolling.
 
-use std::ops::ControlFlow;
 use std::sync::Arc;
 
 use crate::bodies::component::Direction;
 use crate::cgm::{
     AbsBound, CellCompliance, Disc, InitialGuess, Problem, Settings, Total, Workspace,
-    minimise_from, solver_settings,
+    minimise_from,
 };
-use crate::contact::{Cancellation, SolveContext, has_iterate, with_counts_of};
+use crate::contact::{
+    Cancellation, Contact, Model, SolveContext, Solver, has_iterate, with_counts_of,
+};
 use crate::error::{Error, Result};
-use crate::memory::fallible::{TryClone, filled, try_each, unwrap_or_abort, vector, zeros};
+use crate::half_space::HalfSpace;
+use crate::memory::fallible::{TryClone, filled, try_each, vector, zeros};
 use crate::numerics::cell_vector::{at, minus, plus, slices};
 use crate::observer::Observer;
 use crate::operator::Operator;
-use crate::report::{Iteration, Report, Status};
+use crate::report::{Report, Status};
 use crate::rolling::WindowShift;
 use crate::rolling::steady::inverse::SteadyPreconditioner;
 use crate::rolling::steady::neglected_lift::SteadyLift;
@@ -24,7 +26,6 @@ use crate::rolling::steady::spin_search::SpinSearch;
 use crate::rolling::steady::stiffness::RollingSensitivity;
 use crate::rolling::steady::trend::CreepTrend;
 use crate::rolling::{RollingControl, RollingProblem, RollingSolution, SpinControl};
-use crate::support::debug::shown;
 use crate::tangential::{
     CouplingDisplacement, EntryCompliance, Friction, PressureOnWindow, TangentialModel,
 };
@@ -38,7 +39,14 @@ const SHARPER: f64 = 0.1;
 const SHARPEST: f64 = 2e-4;
 
 /// Solver for a sequence of creepages, forces or spins. Each solve starts from the last solution. The normal load can change
-/// between solves.
+/// between solves. After [`reset`](Solver::reset), [`stiffness`](RollingSolver::stiffness) refers to a contact that sticks
+/// everywhere.
+///
+/// For a prescribed moment, several solves determine the spin. The tolerance of each of these solves is at most a tenth of the
+/// tolerance of the settings. The report contains the sum of the work of these solves, and the limits apply to all of them
+/// together. The load error of a moment is relative to half the range of the moments that spins cause. The result is
+/// [`Error::NotConverged`] if no spin is found for a moment near the limit. If memory runs out during the search, the solution
+/// contains the result at a different spin.
 ///
 /// ```
 /// use stickslip::rolling::{RollingControl, RollingProblem};
@@ -59,9 +67,11 @@ const SHARPEST: f64 = 2e-4;
 /// }
 /// # Ok::<(), Error>(())
 /// ```
+pub type RollingSolver = Solver<RollingProblem>;
+
+/// Engine of steady rolling.
 #[derive(Clone)]
-pub struct RollingSolver {
-    pub(in crate::rolling) problem: RollingProblem,
+pub(crate) struct RollingEngine {
     /// Pressure and limits that are checked before the problem accepts them.
     pub(in crate::rolling) candidate: PressureOnWindow,
     /// Coupling operators for the tangential displacement by the pressure of bodies of different materials. `None` before the
@@ -100,59 +110,10 @@ pub struct RollingSolver {
     pub(in crate::rolling) lifting: Option<SteadyLift>,
 }
 
-shown!(RollingSolver: problem);
-
-impl RollingSolver {
-    pub(in crate::rolling) fn new(problem: RollingProblem) -> Result<Self> {
-        let step = problem.step;
-        let (bodies, directions) = (&problem.bodies, [Direction::X, Direction::Y]);
-        let compliance = bodies.compliance(directions, step.size)?;
-        let operator = compliance.operator.clone();
-        let inverse = bodies.inverse_up_to_mean(compliance, directions, step.size)?;
-        let alone = self_compliance(&operator, step)?;
-        let operator = SteadyOperator::new(operator, step, problem.chain, alone);
-        let inverse = SteadyPreconditioner::new(inverse, step);
-        let (operator, inverse) = (Arc::new(operator), Arc::new(inverse));
-        let cells = operator.cells();
-        let lifting = SteadyLift::new(bodies, &problem.pressed)?;
-        let mut solver = Self {
-            lifting,
-            limits: zeros(cells)?,
-            unit: 1.0,
-            workspace: Problem::new(Arc::clone(&operator), [&[]; 2], AbsBound(&[]))
-                .preconditioner(Arc::clone(&inverse))
-                .workspace()?,
-            traction: try_each(|_| zeros(cells))?,
-            linear: try_each(|_| zeros(cells))?,
-            own_mean: zeros(cells)?,
-            own_deviator: filled([0.0; 2], cells)?,
-            spin: 0.0,
-            report: Report::with_room(),
-            passes: Report::with_room(),
-            lag: vector(if problem.slip_corrections == 0 {
-                0
-            } else {
-                cells
-            })?,
-            is_warm: false,
-            has_new_pressure: false,
-            trend: CreepTrend::new(cells)?,
-            known: InitialGuess::Nothing,
-            candidate: problem.pressed.try_clone()?,
-            drawing: None,
-            press: None,
-            follow: None,
-            operator,
-            inverse,
-            problem,
-        };
-        solver.take_limits();
-        Ok(solver)
-    }
-
+impl RollingEngine {
     /// Updates the limits from the problem, and the quantities that depend on them.
-    pub(in crate::rolling) fn take_limits(&mut self) {
-        let limits = &self.problem.pressed.limits;
+    pub(in crate::rolling) fn take_limits(&mut self, problem: &RollingProblem) {
+        let limits = &problem.pressed.limits;
         let unit = limits.unit().unwrap_or(1.0);
         let ratio = self.unit / unit;
         let scaled = self.traction.iter_mut().chain(&mut self.trend.change);
@@ -177,7 +138,7 @@ impl RollingSolver {
             }
             let carries = *limit > 0.0;
             let own = if carries {
-                self.problem.own[cell]
+                problem.own[cell]
             } else {
                 EntryCompliance::NONE
             };
@@ -186,10 +147,141 @@ impl RollingSolver {
         }
     }
 
-    solver_settings!(problem.settings, problem.bodies, |_, settings| {
-        TangentialModel::Vector.check(settings)
-    });
+    pub(in crate::rolling) fn own(&self) -> CellCompliance<'_> {
+        CellCompliance::new(&self.own_mean, &self.own_deviator)
+    }
+}
 
+impl Contact for RollingProblem {
+    type Solution = RollingSolution;
+    type Report = Report;
+}
+
+impl Model<RollingSolution> for RollingProblem {
+    type Engine = RollingEngine;
+
+    fn bodies(&self) -> &HalfSpace {
+        &self.bodies
+    }
+
+    fn settings(&self) -> &Settings {
+        &self.options.settings
+    }
+
+    fn settings_mut(&mut self) -> &mut Settings {
+        &mut self.options.settings
+    }
+
+    fn check_settings(&self, settings: &Settings) -> Result<()> {
+        TangentialModel::Vector.check(settings)
+    }
+
+    fn engine(&self) -> Result<RollingEngine> {
+        let step = self.step;
+        let (bodies, directions) = (&self.bodies, [Direction::X, Direction::Y]);
+        let compliance = bodies.compliance(directions, step.size)?;
+        let operator = compliance.operator.clone();
+        let inverse = bodies.inverse_up_to_mean(compliance, directions, step.size)?;
+        let alone = self_compliance(&operator, step)?;
+        let operator = SteadyOperator::new(operator, step, self.chain, alone);
+        let inverse = SteadyPreconditioner::new(inverse, step);
+        let (operator, inverse) = (Arc::new(operator), Arc::new(inverse));
+        let cells = operator.cells();
+        let mut engine = RollingEngine {
+            lifting: SteadyLift::new(bodies, &self.pressed)?,
+            limits: zeros(cells)?,
+            unit: 1.0,
+            workspace: Problem::new(Arc::clone(&operator), [&[]; 2], AbsBound(&[]))
+                .preconditioner(Arc::clone(&inverse))
+                .workspace()?,
+            traction: try_each(|_| zeros(cells))?,
+            linear: try_each(|_| zeros(cells))?,
+            own_mean: zeros(cells)?,
+            own_deviator: filled([0.0; 2], cells)?,
+            spin: 0.0,
+            report: Report::with_room(),
+            passes: Report::with_room(),
+            lag: vector(if self.options.slip_corrections == 0 {
+                0
+            } else {
+                cells
+            })?,
+            is_warm: false,
+            has_new_pressure: false,
+            trend: CreepTrend::new(cells)?,
+            known: InitialGuess::Nothing,
+            candidate: self.pressed.try_clone()?,
+            drawing: None,
+            press: None,
+            follow: None,
+            operator,
+            inverse,
+        };
+        engine.take_limits(self);
+        Ok(engine)
+    }
+
+    fn empty_solution(&self) -> Result<RollingSolution> {
+        RollingSolution::empty(self.bodies.grid())
+    }
+
+    fn check_solution(&self, solution: &RollingSolution) -> Result<()> {
+        self.bodies.grid().check_equal("solution", solution.grid())
+    }
+
+    fn solve(
+        solver: &mut RollingSolver,
+        solution: &mut RollingSolution,
+        observer: Observer<'_>,
+    ) -> Result<()> {
+        solver.engine.take_limits(&solver.problem);
+        solver.extrapolate();
+        let cancellation = Cancellation::default();
+        let mut observer = cancellation.watch(observer);
+        let outcome = match solver.problem.options.spin {
+            SpinControl::Spin(spin) => {
+                solver.engine.spin = spin;
+                let settings = solver.problem.options.settings;
+                let outcome = solver.solve_at_spin(&settings, solution, &mut observer);
+                solver.engine.report.clone_from(&solver.engine.passes);
+                outcome
+            }
+            SpinControl::Moment(moment) => solver.solve_for_moment(moment, solution, &mut observer),
+        };
+        let RollingEngine {
+            trend,
+            traction,
+            report,
+            ..
+        } = &mut solver.engine;
+        trend.finish(traction);
+        if outcome.is_err() {
+            trend.forget();
+        }
+        cancellation.applied(&solver.problem.bodies, outcome, || {
+            let report = report.cancelled();
+            solution.set_report(&report);
+            report
+        })
+    }
+
+    fn report(solver: &RollingSolver) -> &Report {
+        &solver.engine.report
+    }
+
+    fn reset(solver: &mut RollingSolver) {
+        let engine = &mut solver.engine;
+        for value in engine.traction.iter_mut().flatten() {
+            *value = 0.0;
+        }
+        engine.spin = 0.0;
+        engine.is_warm = false;
+        engine.trend.forget();
+        engine.take_limits(&solver.problem);
+    }
+}
+
+impl RollingSolver {
     /// Sets the controls of the next solve: forces or creepages along x and y, and the spin or moment.
     ///
     /// # Errors
@@ -202,7 +294,7 @@ impl RollingSolver {
     ) -> Result<()> {
         let spin = spin.into();
         self.problem.check(controls, spin)?;
-        (self.problem.controls, self.problem.spin) = (controls, spin);
+        (self.problem.options.controls, self.problem.options.spin) = (controls, spin);
         Ok(())
     }
 
@@ -220,8 +312,8 @@ impl RollingSolver {
         let problem = &mut self.problem;
         friction.check(problem.bodies.grid())?;
         let pressure = &problem.pressed.pressure;
-        self.candidate.pressure.copy_from_slice(pressure);
-        self.candidate.set_friction(friction);
+        self.engine.candidate.pressure.copy_from_slice(pressure);
+        self.engine.candidate.set_friction(friction);
         self.take_candidate(|problem| problem.friction.try_clone_from(friction))
     }
 
@@ -231,113 +323,36 @@ impl RollingSolver {
         work: impl FnOnce(&mut RollingProblem) -> Result<()>,
     ) -> Result<()> {
         let problem = &mut self.problem;
-        std::mem::swap(&mut problem.pressed, &mut self.candidate);
-        let checked = problem.check(problem.controls, problem.spin);
+        std::mem::swap(&mut problem.pressed, &mut self.engine.candidate);
+        let checked = problem.check(problem.options.controls, problem.options.spin);
         let taken = checked.and_then(|()| work(problem));
         if taken.is_err() {
-            std::mem::swap(&mut problem.pressed, &mut self.candidate);
-        } else if !self.is_warm {
-            self.take_limits();
+            std::mem::swap(&mut problem.pressed, &mut self.engine.candidate);
+        } else if !self.engine.is_warm {
+            self.engine.take_limits(&self.problem);
         }
         taken
-    }
-
-    /// Discards the last solution. The next solve starts like the first solve, and [`stiffness`](Self::stiffness) refers to a
-    /// contact that sticks everywhere.
-    pub fn reset(&mut self) {
-        for value in self.traction.iter_mut().flatten() {
-            *value = 0.0;
-        }
-        self.spin = 0.0;
-        self.is_warm = false;
-        self.trend.forget();
-        self.take_limits();
-    }
-
-    /// Returns an empty solution with the grid of the bodies for [`Self::solve_into`].
-    #[must_use]
-    pub fn new_solution(&self) -> RollingSolution {
-        unwrap_or_abort(self.try_new_solution())
-    }
-
-    /// Returns [`Self::new_solution`], or an error if memory runs out.
-    ///
-    /// # Errors
-    /// - [`Error::Memory`] if memory runs out.
-    pub fn try_new_solution(&self) -> Result<RollingSolution> {
-        RollingSolution::empty(self.problem.bodies.grid())
-    }
-
-    /// Solves into `solution` and overwrites its previous content. For a prescribed moment, several solves determine
-    /// the spin. The tolerance of each of these solves is at most a tenth of the tolerance of the settings. The report contains
-    /// the sum of the work of these solves, and the limits apply to all of them together. The load error of a moment is relative
-    /// to half the range of the moments that spins cause.
-    ///
-    /// # Errors
-    /// - [`Error::GridMismatch`] if the solution has a different grid. Nothing is then changed.
-    /// - [`Error::NotConverged`] with the last feasible iterate in `solution`, for instance if no spin is found for a moment
-    ///   near the limit.
-    /// - [`Error::Memory`] if memory runs out. If this happens during the search for the spin of a moment, `solution`
-    ///   contains the result at a different spin.
-    pub fn solve_into(&mut self, solution: &mut RollingSolution) -> Result<()> {
-        self.solve_observed(solution, |_| ControlFlow::Continue(()))
-    }
-
-    /// Solves as [`Self::solve_into`] does, with an observer that receives every iteration and may cancel. After a cancellation
-    /// the solve returns [`Error::NotConverged`] with [`Status::Cancelled`], even if the iterate is within the tolerance.
-    ///
-    /// # Errors
-    /// The errors of [`Self::solve_into`].
-    pub fn solve_observed(
-        &mut self,
-        solution: &mut RollingSolution,
-        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
-    ) -> Result<()> {
-        self.problem
-            .bodies
-            .grid()
-            .check_equal("solution", solution.grid())?;
-        self.take_limits();
-        self.extrapolate();
-        let cancellation = Cancellation::default();
-        let mut observer = cancellation.watch(&mut observer);
-        let outcome = match self.problem.spin {
-            SpinControl::Spin(spin) => {
-                self.spin = spin;
-                let settings = self.problem.settings;
-                let outcome = self.solve_at_spin(&settings, solution, &mut observer);
-                self.report.clone_from(&self.passes);
-                outcome
-            }
-            SpinControl::Moment(moment) => self.solve_for_moment(moment, solution, &mut observer),
-        };
-        self.trend.finish(&self.traction);
-        if outcome.is_err() {
-            self.trend.forget();
-        }
-        cancellation.applied(&self.problem.bodies, outcome, || {
-            let report = self.report.cancelled();
-            solution.set_report(&report);
-            report
-        })
     }
 
     /// Extrapolates the last tractions along their trend if creepages and spin change as in the last solve.
     fn extrapolate(&mut self) {
         let problem = &self.problem;
-        let [x, y] = problem.controls.map(|control| match control {
+        let [x, y] = problem.options.controls.map(|control| match control {
             RollingControl::Creepage(creepage) => creepage,
             RollingControl::Force(_) => 0.0,
         });
-        let turn = match problem.spin {
+        let turn = match problem.options.spin {
             SpinControl::Spin(spin) => spin * problem.lever(),
             SpinControl::Moment(_) => 0.0,
         };
-        let is_near = self.trend.start([x, y, turn], &mut self.traction);
-        if !std::mem::replace(&mut self.is_warm, true) {
-            self.trend.forget();
+        let is_near = self
+            .engine
+            .trend
+            .start([x, y, turn], &mut self.engine.traction);
+        if !std::mem::replace(&mut self.engine.is_warm, true) {
+            self.engine.trend.forget();
         }
-        self.known = if is_near {
+        self.engine.known = if is_near {
             InitialGuess::Interpolated
         } else {
             InitialGuess::Nothing
@@ -354,48 +369,57 @@ impl RollingSolver {
         let totals = self.compute_totals();
         self.start_sliding();
         let problem = &self.problem;
-        let linear = self.linear.each_ref().map(Vec::as_slice);
-        let task = Problem::new(Arc::clone(&self.operator), linear, AbsBound(&self.limits))
-            .own(CellCompliance::new(&self.own_mean, &self.own_deviator))
-            .preconditioner(Arc::clone(&self.inverse))
-            .totals(totals);
-        let traction = self.traction.each_mut().map(Vec::as_mut_slice);
-        let workspace = &mut self.workspace;
-        let known = std::mem::replace(&mut self.known, InitialGuess::Nothing);
+        let linear = self.engine.linear.each_ref().map(Vec::as_slice);
+        let task = Problem::new(
+            Arc::clone(&self.engine.operator),
+            linear,
+            AbsBound(&self.engine.limits),
+        )
+        .own(CellCompliance::new(
+            &self.engine.own_mean,
+            &self.engine.own_deviator,
+        ))
+        .preconditioner(Arc::clone(&self.engine.inverse))
+        .totals(totals);
+        let traction = self.engine.traction.each_mut().map(Vec::as_mut_slice);
+        let workspace = &mut self.engine.workspace;
+        let known = std::mem::replace(&mut self.engine.known, InitialGuess::Nothing);
         let posed = task.posed();
         let outcome = minimise_from(&posed, settings, traction, known, workspace, observer);
         if has_iterate(&outcome) {
-            let unit = self.unit;
-            let multiplier = self.workspace.multiplier().map(|shift| shift * unit);
-            let creepage = [0, 1].map(|axis| match problem.controls[axis] {
+            let unit = self.engine.unit;
+            let multiplier = self.engine.workspace.multiplier().map(|shift| shift * unit);
+            let creepage = [0, 1].map(|axis| match problem.options.controls[axis] {
                 RollingControl::Creepage(creepage) => creepage,
                 RollingControl::Force(_) => multiplier[axis] / problem.length,
             });
             let slip = |cell: usize| self.slip_of_step(cell).map(|slip| unit * slip);
-            let traction = |cell: usize| at(&slices(&self.traction), cell).map(|q| unit * q);
+            let traction = |cell: usize| at(&slices(&self.engine.traction), cell).map(|q| unit * q);
             let answer = solution.of(problem, traction, slip);
-            answer.set_motion(creepage, self.spin, self.workspace.report());
-            let (pressed, traction) = (&self.problem.pressed, slices(&self.traction));
-            let lift = self.lifting.as_mut();
-            let lift = lift.map_or(0.0, |lift| lift.residual(pressed, traction, self.unit));
-            let tolerance = self.problem.settings.tolerance;
+            answer.set_motion(creepage, self.engine.spin, self.engine.workspace.report());
+            let (pressed, traction) = (&self.problem.pressed, slices(&self.engine.traction));
+            let lift = self.engine.lifting.as_mut();
+            let lift = lift.map_or(0.0, |lift| {
+                lift.residual(pressed, traction, self.engine.unit)
+            });
+            let tolerance = self.problem.options.settings.tolerance;
             solution.set_neglected_lift(Warning::lift_beyond(lift, tolerance));
         }
         outcome
     }
 
-    pub(in crate::rolling) fn own(&self) -> CellCompliance<'_> {
-        CellCompliance::new(&self.own_mean, &self.own_deviator)
-    }
-
     /// Returns the slip that is opposite to the traction of a cell in the last solution. This slip is the mean slip over the
     /// step. If directions are corrected, it is the slip at the end of the step.
     pub(in crate::rolling) fn slip(&self, cell: usize) -> [f64; 2] {
-        let product = self.workspace.product();
-        let moved = plus(at(&product, cell), 1.0, at(&slices(&self.linear), cell));
-        let q = at(&slices(&self.traction), cell);
-        let slip = self.own().added(moved, 1.0, cell, q);
-        minus(slip, self.workspace.multiplier())
+        let product = self.engine.workspace.product();
+        let moved = plus(
+            at(&product, cell),
+            1.0,
+            at(&slices(&self.engine.linear), cell),
+        );
+        let q = at(&slices(&self.engine.traction), cell);
+        let slip = self.engine.own().added(moved, 1.0, cell, q);
+        minus(slip, self.engine.workspace.multiplier())
     }
 
     /// Finds the spin of a moment by solves at given spins, starting at the spin of the last solve. Restores this spin after
@@ -406,12 +430,12 @@ impl RollingSolver {
         solution: &mut RollingSolution,
         observer: Observer<'_>,
     ) -> Result<()> {
-        let start = self.spin;
-        let settings = self.problem.settings;
+        let start = self.engine.spin;
+        let settings = self.problem.options.settings;
         let mut conditions = SolveContext::new(&settings, observer);
         let outcome = self.search_spin(moment, solution, &mut conditions);
         if outcome.is_err() {
-            self.spin = start;
+            self.engine.spin = start;
         }
         outcome
     }
@@ -423,31 +447,31 @@ impl RollingSolver {
         conditions: &mut SolveContext<'_, '_>,
     ) -> Result<()> {
         let tolerance = conditions.settings.tolerance;
-        let ends = self.problem.moment_ends(self.problem.controls)?;
+        let ends = self.problem.moment_ends(self.problem.options.controls)?;
         let (half_range, stride) = (0.5 * (ends[1] - ends[0]).abs(), self.stride());
         let start = || SpinSearch::new(stride, ends.map(|end| moment - end));
         let (mut search, mut sharper) = (start(), SHARPER);
-        self.report.clear();
+        self.engine.report.clear();
         for _ in 0..SPINS {
-            let mut settings = conditions.with_remaining_limits(&self.report);
+            let mut settings = conditions.with_remaining_limits(&self.engine.report);
             settings.tolerance = sharper * tolerance;
-            let mut watch = with_counts_of(&self.report, &mut *conditions.observer);
+            let mut watch = with_counts_of(&self.engine.report, &mut *conditions.observer);
             let outcome = self.solve_at_spin(&settings, solution, &mut watch);
             drop(watch);
             if !has_iterate(&outcome) {
                 return outcome;
             }
-            self.report.add_pass(&self.passes);
-            self.report.time = conditions.start.elapsed();
+            self.engine.report.add_pass(&self.engine.passes);
+            self.engine.report.time = conditions.start.elapsed();
             let missing = moment - solution.moment();
             let error = (missing / half_range).abs();
-            self.report.load_error = self.report.load_error.max(error);
+            self.engine.report.load_error = self.engine.report.load_error.max(error);
             // Near round-off a solve with a smaller tolerance can stall although it is accurate enough.
-            let pass = &self.passes;
+            let pass = &self.engine.passes;
             let is_stopped = !matches!(pass.status, Status::Converged | Status::Stalled);
             let is_sound = outcome.is_ok() || !is_stopped && pass.is_within(tolerance);
-            let is_exhausted = self.report.iterations >= conditions.settings.max_iterations;
-            self.report.status = if is_sound && error <= tolerance {
+            let is_exhausted = self.engine.report.iterations >= conditions.settings.max_iterations;
+            self.engine.report.status = if is_sound && error <= tolerance {
                 Status::Converged
             } else if is_stopped {
                 pass.status
@@ -456,15 +480,15 @@ impl RollingSolver {
             } else {
                 Status::Stalled
             };
-            solution.set_report(&self.report);
-            if self.report.is_converged() {
+            solution.set_report(&self.engine.report);
+            if self.engine.report.is_converged() {
                 return Ok(());
             }
             if is_stopped || is_exhausted {
                 break;
             }
-            if let Some(spin) = search.next(self.spin, missing) {
-                self.spin = spin;
+            if let Some(spin) = search.next(self.engine.spin, missing) {
+                self.engine.spin = spin;
             } else if sharper > SHARPEST {
                 // The moments of the last two spins differ by less than the error of the solves.
                 sharper *= SHARPER;
@@ -473,7 +497,7 @@ impl RollingSolver {
                 break;
             }
         }
-        Err(Error::NotConverged(Box::new(self.report.clone())))
+        Err(Error::NotConverged(Box::new(self.engine.report.clone())))
     }
 
     /// Returns a spin at which the cells farthest from the origin are near their limits.
@@ -491,40 +515,39 @@ impl RollingSolver {
     /// Returns the approximate displacement of a cell along its path through the contact by tractions at their limits.
     pub(in crate::rolling) fn largest_slip(&self) -> f64 {
         let limit = self
+            .engine
             .limits
             .iter()
             .fold(0.0, |most: f64, limit| most.max(*limit));
-        self.problem.chain as f64 * self.operator.self_compliance() * self.unit * limit
+        self.problem.chain as f64
+            * self.engine.operator.self_compliance()
+            * self.engine.unit
+            * limit
     }
 
     /// Writes the linear term of each cell and returns the prescribed totals.
     fn compute_totals(&mut self) -> [Total; 2] {
         let problem = &self.problem;
-        let given = problem.controls.map(|control| match control {
+        let given = problem.options.controls.map(|control| match control {
             RollingControl::Creepage(creepage) => creepage,
             RollingControl::Force(_) => 0.0,
         });
-        let motion = [given[0], given[1], self.spin];
+        let motion = [given[0], given[1], self.engine.spin];
         for (cell, index) in problem.pressed.window().indices().enumerate() {
             let motions = problem.motions(index);
             for axis in 0..2 {
                 let parts = motions.iter().zip(motion);
                 let moved = parts.fold(0.0, |sum, (part, motion)| sum + motion * part[axis]);
-                let lag = self.lag[axis].get(cell).unwrap_or(&0.0);
-                self.linear[axis][cell] = (problem.drawn[axis][cell] - moved) / self.unit + lag;
+                let lag = self.engine.lag[axis].get(cell).unwrap_or(&0.0);
+                self.engine.linear[axis][cell] =
+                    (problem.drawn[axis][cell] - moved) / self.engine.unit + lag;
             }
         }
         let area = problem.bodies.grid().cell_area();
-        problem.controls.map(|control| match control {
+        problem.options.controls.map(|control| match control {
             RollingControl::Creepage(_) => Total::Free,
-            RollingControl::Force(force) => Total::Sum(force / area / self.unit),
+            RollingControl::Force(force) => Total::Sum(force / area / self.engine.unit),
         })
-    }
-
-    /// Returns the report of the last solve.
-    #[must_use]
-    pub fn report(&self) -> &Report {
-        &self.report
     }
 }
 

@@ -74,14 +74,14 @@ impl RollingSolver {
     ) -> Result<[[f64; 3]; 3]> {
         let mut follow = self.take_follow()?;
         let found = self.loads(&mut follow, &mut observer);
-        self.follow = Some(follow);
+        self.engine.follow = Some(follow);
         Ok(Small(found?).transposed().0)
     }
 
     /// Returns the existing linear problem, or creates it if there is none.
     pub(in crate::rolling) fn take_follow(&mut self) -> Result<RollingSensitivity> {
-        self.follow.take().map_or_else(
-            || LinearResponse::new(&*self.operator, &*self.inverse, self.operator.layout()),
+        self.engine.follow.take().map_or_else(
+            || LinearResponse::new(&*self.engine.operator, &*self.engine.inverse, self.engine.operator.layout()),
             Ok,
         )
     }
@@ -113,14 +113,14 @@ impl RollingSolver {
 
     /// Fixes each cell in its current zone.
     pub(in crate::rolling) fn hold_zones(&self, follow: &mut RollingSensitivity) -> Result<()> {
-        let (traction, limits) = (slices(&self.traction), &self.limits);
-        let alone = self.operator.self_compliance();
+        let (traction, limits) = (slices(&self.engine.traction), &self.engine.limits);
+        let alone = self.engine.operator.self_compliance();
         follow.linear.hold(|cell| {
             let disc = Disc {
                 radius: limits[cell],
             };
             let motion = disc.motion(at(&traction, cell));
-            let own = self.own().mean(cell);
+            let own = self.engine.own().mean(cell);
             disc.measured(motion, self.slip(cell))
                 .with_preconditioner_weight(alone, own)
         })
@@ -128,7 +128,8 @@ impl RollingSolver {
 
     /// Returns the operators of a step and the entry compliance of the cells.
     pub(in crate::rolling) fn elasticity(&self) -> Elasticity<'_, 2> {
-        (&*self.operator, &*self.inverse, self.own())
+        let engine = &self.engine;
+        (&*engine.operator, &*engine.inverse, engine.own())
     }
 
     /// Returns forces and moment of a cell of the window, for a unit area.

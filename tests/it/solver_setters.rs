@@ -1,0 +1,159 @@
+//! A solver with a changed input has the solution of a new problem with this input. All solvers share their methods.
+
+use kit::unit_bodies;
+use stickslip::normal::Hardness;
+use stickslip::rolling::{CoupledRollingProblem, RollingControl, RollingProblem};
+use stickslip::tangential::RelativeDisplacement;
+use stickslip::{
+    Axis, Contact, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material,
+    NormalControl, NormalProblem, Solver, Status, TangentialLoad, TangentialProblem, surface,
+};
+
+fn friction() -> Friction {
+    Friction::coulomb(0.3).unwrap()
+}
+
+fn dissimilar(grid: Grid) -> (HalfSpace, Field) {
+    let pair = ElasticPair::new(Material::new(1.0, 0.0).unwrap(), Material::rigid()).unwrap();
+    (
+        HalfSpace::new(grid, pair).unwrap(),
+        surface::sphere(grid, 10.0).unwrap(),
+    )
+}
+
+/// Solves with a new tolerance, and returns the report of the solver.
+fn solve_to<P: Contact>(solver: &mut Solver<P>, tolerance: f64) -> (P::Solution, P::Report) {
+    let settings = solver.settings().tolerance(tolerance);
+    solver.set_settings(settings).unwrap();
+    let mut solution = solver.new_solution();
+    solver.solve_into(&mut solution).unwrap();
+    let report = solver.report().clone();
+    solver.reset();
+    let mut again = solver.try_new_solution().unwrap();
+    solver.solve_into(&mut again).unwrap();
+    assert_eq!(solution, again, "the solution after a reset");
+    (solution, report)
+}
+
+#[test]
+fn solvers_of_all_kinds_return_report_of_their_solution() {
+    let (bodies, gap) = dissimilar(Grid::square(24, 3.0).unwrap());
+    let (press, drag) = (
+        NormalControl::Force(0.1),
+        TangentialLoad::force([0.01, 0.0]),
+    );
+    let normal = NormalProblem::builder(&bodies, &gap, press);
+    let mut solver = normal.build().unwrap().into_solver().unwrap();
+    assert_eq!(solver.report().status, Status::Unsolved);
+    let (contact, report) = solve_to(&mut solver, 1e-7);
+    assert_eq!(&report, contact.report());
+
+    let tangential = TangentialProblem::builder(&bodies, &contact, friction(), drag);
+    let mut solver = tangential.build().unwrap().into_solver().unwrap();
+    let (sheared, report) = solve_to(&mut solver, 1e-7);
+    assert_eq!(&report, sheared.report());
+
+    let coupled = CoupledProblem::builder(&bodies, &gap, friction(), press, drag);
+    let mut solver = coupled.build().unwrap().into_solver().unwrap();
+    let (both, report) = solve_to(&mut solver, 1e-7);
+    assert_eq!(&report, both.report());
+
+    let force = RollingControl::Force(0.01);
+    let rolling = RollingProblem::builder(&bodies, &contact, friction()).control(Axis::X, force);
+    let mut solver = rolling.build().unwrap().into_solver().unwrap();
+    let (rolled, report) = solve_to(&mut solver, 1e-7);
+    assert_eq!(&report, rolled.report());
+
+    let rolling = CoupledRollingProblem::builder(&bodies, &gap, friction(), press);
+    let rolling = rolling.control(Axis::X, force).build().unwrap();
+    let (rolled, report) = solve_to(&mut rolling.into_solver().unwrap(), 1e-7);
+    assert_eq!(&report, rolled.report());
+}
+
+#[test]
+fn normal_solver_with_new_hardness_has_solution_of_new_problem() {
+    let grid = Grid::square(32, 8.0).unwrap();
+    let (bodies, gap) = (unit_bodies(grid, 0.3), surface::sphere(grid, 10.0).unwrap());
+    let load = NormalControl::Force(0.5);
+    let builder = || NormalProblem::builder(&bodies, &gap, load).tolerance(1e-10);
+    let mut solver = builder().build().unwrap().into_solver().unwrap();
+    let mut contact = solver.new_solution();
+    solver.solve_into(&mut contact).unwrap();
+    let largest = contact.pressure().max();
+    for part in [0.8, 0.6, 0.9] {
+        let hardness = Hardness::uniform(part * largest).unwrap();
+        solver.set_hardness(&hardness).unwrap();
+        solver.solve_into(&mut contact).unwrap();
+        let expected = builder()
+            .hardness(hardness)
+            .build()
+            .unwrap()
+            .solve()
+            .unwrap();
+        let difference = contact
+            .pressure()
+            .minus(expected.pressure())
+            .unwrap()
+            .map(f64::abs)
+            .max();
+        assert!(difference < 1e-7 * largest, "{part}: {difference:e}");
+        assert!((contact.approach() / expected.approach() - 1.0).abs() < 1e-8);
+        assert_eq!(contact.yielded_cells(), expected.yielded_cells());
+        assert!(contact.yielded_cells() > 0);
+    }
+    let soft = Hardness::uniform(0.001 * 0.5 / grid.area()).unwrap();
+    let refused = solver.set_hardness(&soft);
+    assert!(
+        matches!(refused, Err(Error::BeyondHardness { .. })),
+        "{refused:?}"
+    );
+    let before = contact.clone();
+    solver.solve_into(&mut contact).unwrap();
+    assert_eq!(contact.yielded_cells(), before.yielded_cells());
+}
+
+#[test]
+fn coupled_solver_with_new_fields_has_solution_of_new_problem() {
+    let grid = Grid::square(24, 3.0).unwrap();
+    let (bodies, gap) = dissimilar(grid);
+    let (press, drag) = (
+        NormalControl::Force(0.1),
+        TangentialLoad::force([0.01, 0.0]),
+    );
+    let builder =
+        || CoupledProblem::builder(&bodies, &gap, friction(), press, drag).tolerance(1e-10);
+    let mut solver = builder().build().unwrap().into_solver().unwrap();
+    let mut contact = solver.new_solution();
+    solver.solve_into(&mut contact).unwrap();
+    let largest = contact.normal().pressure().max();
+    for (part, strain) in [(0.9, 2e-3), (0.7, -1e-3)] {
+        let hardness = Hardness::uniform(part * largest).unwrap();
+        let bulk = RelativeDisplacement::bulk_strain(grid, [[strain, 0.0], [0.0, 0.0]]).unwrap();
+        solver.set_hardness(&hardness).unwrap();
+        solver.set_relative_displacement(&bulk).unwrap();
+        solver.solve_into(&mut contact).unwrap();
+        let posed = builder().hardness(hardness).relative_displacement(bulk);
+        let expected = posed.build().unwrap().solve().unwrap();
+        let [found, expected] = [&contact, &expected].map(|contact| {
+            let [x, y] = contact.tangential().traction();
+            [contact.normal().pressure(), x, y]
+        });
+        for (found, expected) in found.into_iter().zip(expected) {
+            let difference = found.minus(expected).unwrap().map(f64::abs).max();
+            assert!(difference < 1e-6 * largest, "{part}: {difference:e}");
+        }
+    }
+    let other = Grid::square(16, 3.0).unwrap();
+    let bulk = RelativeDisplacement::bulk_strain(other, [[1e-3, 0.0], [0.0, 0.0]]).unwrap();
+    let refused = solver.set_relative_displacement(&bulk);
+    assert!(
+        matches!(refused, Err(Error::GridMismatch { .. })),
+        "{refused:?}"
+    );
+    let soft = Hardness::uniform(0.001 * 0.1 / grid.area()).unwrap();
+    let refused = solver.set_hardness(&soft);
+    assert!(
+        matches!(refused, Err(Error::BeyondHardness { .. })),
+        "{refused:?}"
+    );
+}
