@@ -113,6 +113,7 @@
 // Without some of the features a private function may be unused. With all features enabled, the lints report dead code.
 #![cfg_attr(
     not(all(
+        feature = "adaptive",
         feature = "analytical",
         feature = "edges",
         feature = "history",
@@ -131,6 +132,9 @@
     )
 )]
 
+#[cfg(feature = "adaptive")]
+#[cfg_attr(docsrs, doc(cfg(feature = "adaptive")))]
+pub mod adaptive;
 #[cfg(feature = "analytical")]
 #[cfg_attr(docsrs, doc(cfg(feature = "analytical")))]
 pub mod analytical;
