@@ -6,9 +6,8 @@ use super::gap::evaluate;
 use super::measures::{FrictionMeasures, Measures, Quantity, unresolved_pressure};
 use super::problem::{AdaptiveProblem, Shear, ShearLoad};
 use super::region::Extent;
-use super::search::{ContactBox, least_gaps, locate, overlap_outside};
+use super::search::{ContactBox, gap_inside_cells, least_gaps, locate, overlap_outside};
 use super::solution::{AdaptiveSolution, AdaptiveStatus, Estimate, GridRecord, SolvedContact};
-use crate::cgm::Settings;
 use crate::error::Result;
 use crate::grid::cell_value::CellValue;
 use crate::grid::field::Field;
@@ -25,8 +24,8 @@ const FIRST_CELLS: f64 = 24.0;
 const FIRST_LINE_CELLS: f64 = 48.0;
 /// Limits of the ratio of the cells along a side of two successive grids.
 const GROWTH: [f64; 2] = [1.5, 4.0];
-/// Order of convergence of the fields, which predicts the next grid.
-const ORDER: f64 = 1.5;
+/// Order of convergence that predicts the next grid.
+const ORDER: f64 = 1.7;
 /// Tolerance of a solve divided by the smallest target.
 const SOLVER_SHARE: f64 = 0.02;
 /// Limits of the tolerance of a solve.
@@ -258,11 +257,10 @@ impl OneGrid {
 
     /// Returns the pressure due to the part of the gap inside the cells, relative to the force.
     fn unresolved(&self, problem: &AdaptiveProblem<'_>) -> Result<f64> {
-        let grid = self.gap.grid();
-        let differences = super::search::gap_inside_cells(problem, self.measures.extent, &self.gap)?;
+        let differences = gap_inside_cells(problem, self.measures.extent, &self.gap)?;
         let pressure = self.contact.normal().pressure();
         let compliance = self.bodies.cell_compliance();
-        Ok(if grid.cells() == 0 { 0.0 } else { unresolved_pressure(pressure, &differences, compliance) })
+        Ok(unresolved_pressure(pressure, &differences, compliance))
     }
 
     /// Returns the ratio of error to target that the second differences of the first solution predict.
@@ -290,7 +288,7 @@ fn solve_contact(
     bodies: &HalfSpace,
     gap: &Field,
 ) -> Result<(SolvedContact, Option<FrictionMeasures>)> {
-    let tolerance = settings(problem);
+    let tolerance = tolerance(problem);
     let Some(Shear { friction, load }) = &problem.friction else {
         let normal = press(problem, bodies, gap, tolerance)?;
         return Ok((SolvedContact::Normal(normal), None));
@@ -337,11 +335,10 @@ fn press(
 }
 
 /// Returns the tolerance of the solves.
-fn settings(problem: &AdaptiveProblem<'_>) -> f64 {
+fn tolerance(problem: &AdaptiveProblem<'_>) -> f64 {
     let targets = problem.targets.iter().map(|(_, target)| *target);
-    let least = targets.fold(1.0, f64::min);
-    let [low, high] = TOLERANCES;
-    (SOLVER_SHARE * least).clamp(low, high.min(Settings::default().tolerance.max(high)))
+    let [least, most] = TOLERANCES;
+    (SOLVER_SHARE * targets.fold(1.0, f64::min)).clamp(least, most)
 }
 
 /// Returns the largest ratio of an estimate to its target, or `None` without estimates.
