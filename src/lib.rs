@@ -101,6 +101,7 @@
 //! |---|---|
 //! | `analytical` | closed forms ([`analytical`]) |
 //! | `history`, `rolling` | [`history`] and [`coupled`], steady [`rolling`] |
+//! | `adaptive` | contacts solved to a required accuracy on a grid that the solve chooses ([`adaptive`]) |
 //! | `edges`, `spots` | [`edges`] inside the cells, connected parts of the contact ([`ContactSpots`]) |
 //! | `stiffness`, `subsurface` | tangent [`stiffness`], stresses below the surface ([`subsurface`]) |
 //! | `roughness`, `io` | rough and measured surfaces, files of surfaces and fields ([`io`]) |

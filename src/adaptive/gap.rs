@@ -1,8 +1,10 @@
 //! Sources of the gap: functions of the position, and samples.
 
 use crate::error::{Result, samples_obey};
+#[cfg(feature = "roughness")]
 use crate::grid::field::Field;
 use crate::memory::fallible::filled;
+#[cfg(feature = "roughness")]
 use crate::surface::{Interpolation, interpolate};
 
 /// Gap between the undeformed bodies at any position.
@@ -33,12 +35,14 @@ impl<F: Fn(f64, f64) -> f64> GapFunction for F {
 }
 
 /// Gap that is given by samples, for instance by a measured surface.
+#[cfg(feature = "roughness")]
 #[derive(Debug, Clone, PartialEq)]
 pub struct SampledGap {
     heights: Field,
     interpolation: Interpolation,
 }
 
+#[cfg(feature = "roughness")]
 impl SampledGap {
     /// Creates the gap from samples at the centres of the cells of their grid, which is centred on the origin.
     ///
@@ -59,6 +63,7 @@ impl SampledGap {
     }
 }
 
+#[cfg(feature = "roughness")]
 impl GapFunction for SampledGap {
     fn evaluate(&self, positions: &[[f64; 2]], gaps: &mut [f64]) -> Result<()> {
         interpolate(&self.heights, self.interpolation, positions, gaps)

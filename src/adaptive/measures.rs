@@ -118,11 +118,12 @@ impl Measures {
     /// Returns the error of a coarser solution, estimated by its difference from this solution.
     pub(super) fn difference(&self, coarse: &Self, quantity: Quantity) -> f64 {
         let relative = |fine: f64, coarse: f64| (fine - coarse).abs() / fine.abs();
-        let of_friction = |difference: fn(&Self, &Self, [&FrictionMeasures; 2]) -> f64| {
-            match (&self.friction, &coarse.friction) {
-                (Some(fine), Some(rough)) => difference(self, coarse, [fine, rough]),
-                _ => 0.0,
-            }
+        let of_friction = |difference: fn(&Self, &Self, [&FrictionMeasures; 2]) -> f64| match (
+            &self.friction,
+            &coarse.friction,
+        ) {
+            (Some(fine), Some(rough)) => difference(self, coarse, [fine, rough]),
+            _ => 0.0,
         };
         match quantity {
             Quantity::Pressure => {
@@ -260,13 +261,13 @@ pub(super) fn cubic_weights(position: f64, samples: usize) -> (usize, [f64; 4]) 
 ///
 /// The gap between the centres of the cells is compared with a cubic interpolation of the centres. A cell needs the pressure
 /// `difference / compliance` to flatten the difference.
-pub(super) fn unresolved_pressure(
-    pressure: &Field,
-    differences: &[f64],
-    compliance: f64,
-) -> f64 {
+pub(super) fn unresolved_pressure(pressure: &Field, differences: &[f64], compliance: f64) -> f64 {
     let is_loaded = |p: &&f64| **p > 0.0;
-    let loaded = pressure.as_slice().iter().zip(differences).filter(|(p, _)| is_loaded(p));
+    let loaded = pressure
+        .as_slice()
+        .iter()
+        .zip(differences)
+        .filter(|(p, _)| is_loaded(p));
     let sum: f64 = loaded.map(|(_, difference)| difference.abs()).sum();
     sum / compliance / pressure.as_slice().iter().sum::<f64>()
 }

@@ -166,7 +166,11 @@ fn balanced(problem: &AdaptiveProblem<'_>, sizes: [f64; 2], normal: &NormalSolut
         }
     }
     let ratio = (sums[0] / sums[1]).powf(0.5 / ORDER);
-    let ratio = if ratio.is_finite() { ratio.clamp(0.5, 2.0) } else { 1.0 };
+    let ratio = if ratio.is_finite() {
+        ratio.clamp(0.5, 2.0)
+    } else {
+        1.0
+    };
     [sizes[0] * ratio, sizes[1] / ratio]
 }
 
@@ -246,7 +250,9 @@ impl OneGrid {
             Estimate {
                 quantity,
                 error,
-                target: targets.find(|(target, _)| *target == quantity).map(|(_, target)| *target),
+                target: targets
+                    .find(|(target, _)| *target == quantity)
+                    .map(|(_, target)| *target),
             }
         };
         let has_friction = problem.friction.is_some();
@@ -343,5 +349,8 @@ fn tolerance(problem: &AdaptiveProblem<'_>) -> f64 {
 
 /// Returns the largest ratio of an estimate to its target, or `None` without estimates.
 fn worst_ratio(estimates: &[Estimate]) -> Option<f64> {
-    estimates.iter().filter_map(Estimate::ratio).reduce(f64::max)
+    estimates
+        .iter()
+        .filter_map(Estimate::ratio)
+        .reduce(f64::max)
 }

@@ -63,10 +63,7 @@ impl Region {
                 finite(name, end)?;
             }
         }
-        let sides = [
-            "side of the region along x",
-            "side of the region along y",
-        ];
+        let sides = ["side of the region along x", "side of the region along y"];
         for (side, [start, end]) in sides.into_iter().zip(ends) {
             positive(side, end - start)?;
         }

@@ -18,8 +18,8 @@ const SEARCH_CELLS: usize = 24;
 const SEARCH_LINE_CELLS: usize = 96;
 /// Number of parts of a search cell along each axis at which the gap is evaluated.
 const SEARCH_PARTS: usize = 8;
-/// Fraction of the grid that the contact must cover along an axis.
-const LEAST_COVER: f64 = 0.4;
+/// Ratio of the sides of the next extent and of this one below which the search continues.
+const LARGE_SHRINKAGE: f64 = 0.7;
 /// Free border around the contact, as a fraction of its width.
 const BORDER: f64 = 0.12;
 /// Largest ratio of the sides of an extent.
@@ -73,7 +73,12 @@ impl ContactBox {
     }
 
     /// Returns the contact with a free border, and whether the contact covers too small a part of the grid.
-    fn bordered(&self, problem: &AdaptiveProblem<'_>, extent: Extent, grid: Grid) -> (Extent, bool) {
+    fn bordered(
+        &self,
+        problem: &AdaptiveProblem<'_>,
+        extent: Extent,
+        grid: Grid,
+    ) -> (Extent, bool) {
         let whole = problem.region.whole.ends;
         let mut smaller = extent;
         let mut is_sparse = false;
@@ -95,7 +100,7 @@ impl ContactBox {
                 (middle + half).min(whole[axis][1]),
             ];
             let [start, end] = smaller.ends[axis];
-            is_sparse |= end - start < LEAST_COVER / 0.4 * 0.7 * extent.sides()[axis];
+            is_sparse |= end - start < LARGE_SHRINKAGE * extent.sides()[axis];
         }
         (smaller, is_sparse)
     }
@@ -182,7 +187,12 @@ pub(super) fn overlap_outside(
     let mut pressure = Field::zeros(grid);
     let (fine, centre) = (normal.grid(), extent.centre());
     let share = fine.cell_area() / grid.cell_area();
-    for (i, p) in normal.pressure().iter().enumerate().filter(|(_, p)| **p > 0.0) {
+    for (i, p) in normal
+        .pressure()
+        .iter()
+        .enumerate()
+        .filter(|(_, p)| **p > 0.0)
+    {
         let [x, y] = fine.position(i % fine.nx(), i / fine.nx());
         let (ix, iy) = (place(0, centre[0] + x), place(1, centre[1] + y));
         pressure.as_mut_slice()[iy * nx + ix] += share * p;

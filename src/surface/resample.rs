@@ -102,8 +102,7 @@ pub(crate) fn interpolate(
     let axes = [("x", grid.nx(), grid.dx()), ("y", grid.ny(), grid.dy())];
     for (value, position) in out.iter_mut().zip(positions) {
         let mut stencils = [None, None];
-        for ((stencil, &reach), (axis, count, side)) in
-            stencils.iter_mut().zip(position).zip(axes)
+        for ((stencil, &reach), (axis, count, side)) in stencils.iter_mut().zip(position).zip(axes)
         {
             let limit = 0.5 * count as f64 * side;
             // This form of the comparison rejects NaN.
@@ -112,7 +111,11 @@ pub(crate) fn interpolate(
             }
             let middle = 0.5 * (count - 1) as f64;
             let width = interpolation.width();
-            *stencil = Some(InterpolationStencil::at(reach / side + middle, count, width));
+            *stencil = Some(InterpolationStencil::at(
+                reach / side + middle,
+                count,
+                width,
+            ));
         }
         if let [Some(column), Some(row)] = &stencils {
             *value = row.apply(|iy| column.apply(|ix| z[iy * grid.nx() + ix]));
@@ -168,7 +171,8 @@ impl InterpolationStencil {
             clippy::cast_sign_loss,
             reason = "an integer within the samples"
         )]
-        let first = (t.floor() - (width / 2) as f64 + 1.0).clamp(0.0, (count - width) as f64) as usize;
+        let first =
+            (t.floor() - (width / 2) as f64 + 1.0).clamp(0.0, (count - width) as f64) as usize;
         let t = t - first as f64;
         let mut weights = [0.0; WIDTH];
         for (k, weight) in weights[..width].iter_mut().enumerate() {
