@@ -27,6 +27,7 @@ LAYERS = [
     "history",
     "spots stiffness subsurface",
     "edges",
+    "adaptive",
     "guide lib",
 ]
 # A folder that may use only these items of the other folder: a tangential problem reads a normal solution, not its solver.

@@ -101,6 +101,7 @@
 //! |---|---|
 //! | `analytical` | closed forms ([`analytical`]) |
 //! | `history`, `rolling` | [`history`] and [`coupled`], steady [`rolling`] |
+//! | `adaptive` | contacts solved to a required accuracy on a grid that the solve chooses ([`adaptive`]) |
 //! | `edges`, `spots` | [`edges`] inside the cells, connected parts of the contact ([`ContactSpots`]) |
 //! | `stiffness`, `subsurface` | tangent [`stiffness`], stresses below the surface ([`subsurface`]) |
 //! | `roughness`, `io` | rough and measured surfaces, files of surfaces and fields ([`io`]) |
@@ -113,6 +114,7 @@
 // Without some of the features a private function may be unused. With all features enabled, the lints report dead code.
 #![cfg_attr(
     not(all(
+        feature = "adaptive",
         feature = "analytical",
         feature = "edges",
         feature = "history",
@@ -131,6 +133,9 @@
     )
 )]
 
+#[cfg(feature = "adaptive")]
+#[cfg_attr(docsrs, doc(cfg(feature = "adaptive")))]
+pub mod adaptive;
 #[cfg(feature = "analytical")]
 #[cfg_attr(docsrs, doc(cfg(feature = "analytical")))]
 pub mod analytical;

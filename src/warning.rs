@@ -148,6 +148,12 @@ pub enum Warning {
         /// The measure of the neglected lift in millionths, rounded up.
         per_million: usize,
     },
+    /// The refinement of an adaptive contact ended at a limit before all estimated errors reached their targets. The
+    /// [status](crate::adaptive::AdaptiveSolution::status) states the limit.
+    AccuracyNotReached {
+        /// The largest ratio of an estimated error to its target, in tenths. It is zero if no error was estimated.
+        tenths: usize,
+    },
 }
 
 impl std::fmt::Display for Warning {
@@ -251,6 +257,15 @@ impl std::fmt::Display for Warning {
                 "the step kept the shift and lost {per_cent} % of the tangential force, expected at most 50 %: to keep the force, prescribe it in each step"
             ),
             Self::NeglectedLift { per_million } => write_lift(formatter, *per_million),
+            Self::AccuracyNotReached { tenths: 0 } => formatter.write_str(
+                "a limit ended the refinement after the first grid, so that no error is estimated: raise the limit of cells or time",
+            ),
+            Self::AccuracyNotReached { tenths } => write!(
+                formatter,
+                "a limit ended the refinement at {}.{} times the required error: raise the limit of cells or time, or the target",
+                tenths / 10,
+                tenths % 10
+            ),
         }
     }
 }
@@ -301,6 +316,19 @@ impl Warning {
 }
 
 impl Warning {
+    /// Returns the warning for a ratio of an estimated error to its target.
+    #[cfg(feature = "adaptive")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the ratio is not negative, and a large one saturates"
+    )]
+    pub(crate) fn accuracy_not_reached(ratio: f64) -> Self {
+        Self::AccuracyNotReached {
+            tenths: (10.0 * ratio).ceil() as usize,
+        }
+    }
+
     /// Returns a neglected lift due to tractions, in millionths, or `None` if the lift is within the tolerance.
     #[expect(
         clippy::cast_possible_truncation,

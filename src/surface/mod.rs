@@ -85,8 +85,10 @@ pub use outliers::{OutlierFilter, WithoutOutliers};
 #[cfg_attr(docsrs, doc(cfg(feature = "roughness")))]
 pub use power_spectrum::PowerSpectrum;
 #[cfg(feature = "roughness")]
+pub(crate) use resample::interpolate;
+#[cfg(feature = "roughness")]
 #[cfg_attr(docsrs, doc(cfg(feature = "roughness")))]
-pub use resample::resample;
+pub use resample::{Interpolation, resample};
 #[cfg(feature = "roughness")]
 #[cfg_attr(docsrs, doc(cfg(feature = "roughness")))]
 pub use self_affine::{Amplitudes, RoughSurface, SelfAffine};

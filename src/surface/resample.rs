@@ -69,6 +69,61 @@ pub fn resample(heights: &Field, grid: Grid) -> Result<Field> {
     Ok(resampled)
 }
 
+/// Interpolation between the samples of a surface.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum Interpolation {
+    /// The cubic through the four nearest samples along each axis (default), as in [`resample`].
+    #[default]
+    Cubic,
+    /// The line between the two nearest samples along each axis. The values lie between the samples.
+    Linear,
+}
+
+impl Interpolation {
+    /// Returns the number of samples that determine a value, along an axis.
+    fn width(self) -> usize {
+        match self {
+            Self::Cubic => WIDTH,
+            Self::Linear => 2,
+        }
+    }
+}
+
+/// Interpolates a surface at any positions `[x, y]` (lengths) within its grid.
+pub(crate) fn interpolate(
+    heights: &Field,
+    interpolation: Interpolation,
+    positions: &[[f64; 2]],
+    out: &mut [f64],
+) -> Result<()> {
+    let (grid, z) = (heights.grid(), heights.as_slice());
+    let axes = [("x", grid.nx(), grid.dx()), ("y", grid.ny(), grid.dy())];
+    for (value, position) in out.iter_mut().zip(positions) {
+        let mut stencils = [None, None];
+        for ((stencil, &reach), (axis, count, side)) in stencils.iter_mut().zip(position).zip(axes)
+        {
+            let limit = 0.5 * count as f64 * side;
+            // This form of the comparison rejects NaN.
+            if !(reach.abs() <= limit + SLACK * side) {
+                return Err(Error::BeyondSamples { axis, reach, limit });
+            }
+            let middle = 0.5 * (count - 1) as f64;
+            let width = interpolation.width();
+            *stencil = Some(InterpolationStencil::at(
+                reach / side + middle,
+                count,
+                width,
+            ));
+        }
+        if let [Some(column), Some(row)] = &stencils {
+            *value = row.apply(|iy| column.apply(|ix| z[iy * grid.nx() + ix]));
+        }
+    }
+    Ok(())
+}
+
 /// An axis of the source.
 struct SourceAxis {
     name: &'static str,
@@ -95,7 +150,7 @@ impl SourceAxis {
         }
         let middle = 0.5 * (self.count - 1) as f64;
         let stencil =
-            |i: usize| InterpolationStencil::at(centre(i) / self.side + middle, self.count);
+            |i: usize| InterpolationStencil::at(centre(i) / self.side + middle, self.count, WIDTH);
         Ok((0..count).map(stencil).collect())
     }
 }
@@ -109,14 +164,15 @@ struct InterpolationStencil {
 
 impl InterpolationStencil {
     /// Computes the Lagrange weights of the samples nearest to the position `t`, in units of the sample spacing.
-    fn at(t: f64, count: usize) -> Self {
-        let width = WIDTH.min(count);
+    fn at(t: f64, count: usize, width: usize) -> Self {
+        let width = width.min(count);
         #[expect(
             clippy::cast_possible_truncation,
             clippy::cast_sign_loss,
             reason = "an integer within the samples"
         )]
-        let first = (t.floor() - 1.0).clamp(0.0, (count - width) as f64) as usize;
+        let first =
+            (t.floor() - (width / 2) as f64 + 1.0).clamp(0.0, (count - width) as f64) as usize;
         let t = t - first as f64;
         let mut weights = [0.0; WIDTH];
         for (k, weight) in weights[..width].iter_mut().enumerate() {

@@ -6,7 +6,7 @@ use crate::warning::Warning;
 variants! { Warning:
     NoContact ContactAtEdge UnresolvedSpots SingleRowOfCells ContactSpansGrid BeyondHardness StalePressure StressAtEdge
     UnderresolvedContact UnderresolvedStickZone UnderresolvedSlipZone DiscretisationError SingleLoadStep
-    ApproachBeyondGrid LargeContactRadius SteepSurface HeldShiftLostForce NeglectedLift
+    ApproachBeyondGrid LargeContactRadius SteepSurface HeldShiftLostForce NeglectedLift AccuracyNotReached
 }
 
 #[test]
@@ -118,6 +118,10 @@ fn every_warning_has_its_text() {
                 per_million: 10_500,
             },
             "tractions displace the surfaces of dissimilar bodies by 1.0500 % of the normal displacement, which the pressure neglects: use coupled rolling, or a history with full coupling",
+        ),
+        (
+            Warning::AccuracyNotReached { tenths: 35 },
+            "a limit ended the refinement at 3.5 times the required error: raise the limit of cells or time, or the target",
         ),
     ]);
 }

@@ -11,6 +11,7 @@
     reason = "tests panic on failure, compare exact results, and use small counts"
 )]
 
+mod adaptive_contacts;
 mod bulk_strain;
 mod cancelled_calls;
 mod cancelled_solves;

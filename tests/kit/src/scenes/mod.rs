@@ -11,6 +11,7 @@ pub mod kinds;
 mod oracle;
 pub mod row;
 mod steps;
+pub mod targets;
 
 use stickslip::cgm::Method;
 use stickslip::cgm::Settings;

@@ -1,0 +1,85 @@
+//! Sources of the gap: functions of the position, and samples.
+
+use crate::error::{Result, samples_obey};
+#[cfg(feature = "roughness")]
+use crate::grid::field::Field;
+use crate::memory::fallible::filled;
+#[cfg(feature = "roughness")]
+use crate::surface::{Interpolation, interpolate};
+
+/// Gap between the undeformed bodies at any position.
+///
+/// Functions `f(x, y)` that return the gap implement this trait.
+pub trait GapFunction {
+    /// Writes the gap at each position `[x, y]` (lengths) into `gaps`.
+    ///
+    /// # Errors
+    /// An error ends the solve, which returns it.
+    fn evaluate(&self, positions: &[[f64; 2]], gaps: &mut [f64]) -> Result<()>;
+
+    /// Returns the distances between samples along x and y (lengths), or `None` if the gap is known everywhere.
+    ///
+    /// Smaller cells resolve only the interpolation between the samples. A solve therefore uses no cells below this size.
+    fn sample_spacing(&self) -> Option<[f64; 2]> {
+        None
+    }
+}
+
+impl<F: Fn(f64, f64) -> f64> GapFunction for F {
+    fn evaluate(&self, positions: &[[f64; 2]], gaps: &mut [f64]) -> Result<()> {
+        for (gap, &[x, y]) in gaps.iter_mut().zip(positions) {
+            *gap = self(x, y);
+        }
+        Ok(())
+    }
+}
+
+/// Gap that is given by samples, for instance by a measured surface.
+#[cfg(feature = "roughness")]
+#[derive(Debug, Clone, PartialEq)]
+pub struct SampledGap {
+    heights: Field,
+    interpolation: Interpolation,
+}
+
+#[cfg(feature = "roughness")]
+impl SampledGap {
+    /// Creates the gap from samples at the centres of the cells of their grid, which is centred on the origin.
+    ///
+    /// # Errors
+    /// - [`Error::Sample`](crate::Error::Sample) if a sample is missing or infinite.
+    pub fn new(heights: Field, interpolation: Interpolation) -> Result<Self> {
+        heights.check("gap", heights.grid())?;
+        Ok(Self {
+            heights,
+            interpolation,
+        })
+    }
+
+    /// Returns the samples.
+    #[must_use]
+    pub fn heights(&self) -> &Field {
+        &self.heights
+    }
+}
+
+#[cfg(feature = "roughness")]
+impl GapFunction for SampledGap {
+    fn evaluate(&self, positions: &[[f64; 2]], gaps: &mut [f64]) -> Result<()> {
+        interpolate(&self.heights, self.interpolation, positions, gaps)
+    }
+
+    fn sample_spacing(&self) -> Option<[f64; 2]> {
+        let grid = self.heights.grid();
+        Some([grid.dx(), grid.dy()])
+    }
+}
+
+/// Evaluates the gap at all positions. Returns an error if a gap is not finite.
+pub(super) fn evaluate(gap: &dyn GapFunction, positions: &[[f64; 2]]) -> Result<Vec<f64>> {
+    let mut gaps = filled(0.0, positions.len())?;
+    gap.evaluate(positions, &mut gaps)?;
+    let rule = "must be finite at every position of the region";
+    samples_obey("gap", &gaps, rule, f64::is_finite)?;
+    Ok(gaps)
+}

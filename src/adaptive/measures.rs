@@ -1,0 +1,273 @@
+//! Quantities of a contact, and their differences between two grids.
+
+use super::region::Extent;
+use crate::edges::TangentialEdges;
+use crate::error::{Error, Result};
+use crate::grid::field::Field;
+use crate::normal::NormalSolution;
+use crate::tangential::{Friction, TangentialSolution};
+
+/// Quantity whose error can be prescribed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[non_exhaustive]
+pub enum Quantity {
+    /// Pressure field. The error is the integral of the absolute error divided by the force.
+    Pressure,
+    /// Contact area. The error is relative.
+    Area,
+    /// Approach from the first touch. The error is relative.
+    Approach,
+    /// Normal force, for a prescribed approach. The error is relative.
+    Force,
+    /// Magnitude of the traction. The error is the integral of the absolute error divided by the integral of the traction.
+    Traction,
+    /// Ratio of stick area to contact area. The error is absolute.
+    StickRatio,
+    /// Shift, the tangential rigid motion. The error is relative.
+    Shift,
+}
+
+impl Quantity {
+    /// All quantities.
+    pub(super) const ALL: [Self; 7] = [
+        Self::Pressure,
+        Self::Area,
+        Self::Approach,
+        Self::Force,
+        Self::Traction,
+        Self::StickRatio,
+        Self::Shift,
+    ];
+
+    /// Returns whether the quantity exists only in contacts with friction.
+    pub(super) fn is_tangential(self) -> bool {
+        matches!(self, Self::Traction | Self::StickRatio | Self::Shift)
+    }
+
+    /// Returns whether the error is an integral over the cells, in which errors of different signs do not cancel.
+    pub(super) fn is_field(self) -> bool {
+        matches!(self, Self::Pressure | Self::Traction)
+    }
+
+    /// Returns the order of convergence that the estimates assume.
+    pub(super) fn order(self) -> f64 {
+        if self.is_field() { 2.0 } else { 1.0 }
+    }
+
+    /// Returns the name of the quantity in messages.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Pressure => "pressure",
+            Self::Area => "contact area",
+            Self::Approach => "approach",
+            Self::Force => "normal force",
+            Self::Traction => "traction",
+            Self::StickRatio => "stick ratio",
+            Self::Shift => "shift",
+        }
+    }
+}
+
+/// Values of all quantities on one grid.
+#[derive(Debug, Clone)]
+pub(super) struct Measures {
+    pub(super) extent: Extent,
+    pub(super) pressure: Field,
+    pub(super) area: f64,
+    approach: f64,
+    /// Least gap on the grid.
+    least: f64,
+    force: f64,
+    friction: Option<FrictionMeasures>,
+}
+
+#[derive(Debug, Clone)]
+pub(super) struct FrictionMeasures {
+    pub(super) traction: Field,
+    pub(super) stick_ratio: f64,
+    pub(super) shift: [f64; 2],
+}
+
+impl Measures {
+    /// Collects the quantities of a contact. `least` is the least gap on the grid.
+    pub(super) fn new(
+        extent: Extent,
+        normal: &NormalSolution,
+        least: f64,
+        friction: Option<FrictionMeasures>,
+    ) -> Result<Self> {
+        let (pressure, area) = match normal.edges() {
+            Ok(edges) => (edges.means().clone(), edges.area()),
+            Err(Error::UnsupportedForCoatings { .. }) => {
+                (normal.pressure().clone(), normal.contact_area_corrected())
+            }
+            Err(error) => return Err(error),
+        };
+        Ok(Self {
+            extent,
+            pressure,
+            area,
+            approach: normal.approach(),
+            least,
+            force: normal.force(),
+            friction,
+        })
+    }
+
+    /// Returns the error of a coarser solution, estimated by its difference from this solution.
+    pub(super) fn difference(&self, coarse: &Self, quantity: Quantity) -> f64 {
+        let relative = |fine: f64, coarse: f64| (fine - coarse).abs() / fine.abs();
+        let of_friction = |difference: fn(&Self, &Self, [&FrictionMeasures; 2]) -> f64| match (
+            &self.friction,
+            &coarse.friction,
+        ) {
+            (Some(fine), Some(rough)) => difference(self, coarse, [fine, rough]),
+            _ => 0.0,
+        };
+        match quantity {
+            Quantity::Pressure => {
+                let fields = [&self.pressure, &coarse.pressure];
+                field_difference([self.extent, coarse.extent], fields)
+            }
+            Quantity::Area => relative(self.area, coarse.area),
+            Quantity::Approach => {
+                (self.approach - coarse.approach).abs() / (self.approach - self.least).abs()
+            }
+            Quantity::Force => relative(self.force, coarse.force),
+            Quantity::Traction => of_friction(|own, other, [fine, coarse]| {
+                let fields = [&fine.traction, &coarse.traction];
+                field_difference([own.extent, other.extent], fields)
+            }),
+            Quantity::StickRatio => {
+                of_friction(|_, _, [fine, coarse]| (fine.stick_ratio - coarse.stick_ratio).abs())
+            }
+            Quantity::Shift => of_friction(|_, _, [fine, coarse]| {
+                let size = fine.shift[0].hypot(fine.shift[1]);
+                let change = |axis: usize| fine.shift[axis] - coarse.shift[axis];
+                change(0).hypot(change(1)) / size
+            }),
+        }
+    }
+}
+
+impl FrictionMeasures {
+    /// Collects the quantities of a sheared contact.
+    pub(super) fn of_solution(
+        shear: &TangentialSolution,
+        normal: &NormalSolution,
+        friction: &Friction,
+    ) -> Result<Self> {
+        let edges = shear.edges(normal, friction);
+        let raw = (shear.traction(), shear.stick_ratio());
+        Self::new(edges, raw, shear.shift())
+    }
+
+    pub(super) fn new(
+        edges: Result<TangentialEdges>,
+        (traction, stick_ratio): ([&Field; 2], f64),
+        shift: [f64; 2],
+    ) -> Result<Self> {
+        let (traction, stick_ratio) = match edges {
+            Ok(edges) => (edges.mean_traction().clone(), edges.stick_ratio()),
+            Err(Error::UnsupportedForCoatings { .. }) => {
+                let [x, y] = traction.map(Field::as_slice);
+                let sizes = x.iter().zip(y).map(|(x, y)| x.hypot(*y)).collect();
+                (Field::from_vec(traction[0].grid(), sizes)?, stick_ratio)
+            }
+            Err(error) => return Err(error),
+        };
+        Ok(Self {
+            traction,
+            stick_ratio,
+            shift,
+        })
+    }
+}
+
+/// Returns the integral of the absolute difference between a fine field and a coarse field, relative to the integral of the
+/// fine field. The difference is taken between means over the cells of the coarse grid.
+fn field_difference(extents: [Extent; 2], [fine, coarse]: [&Field; 2]) -> f64 {
+    let [many, rows] = fine.grid().size();
+    let [few, _] = coarse.grid().size();
+    let edges = |axis: usize| {
+        let [fine_ends, coarse_ends] = extents.map(|extent| extent.ends[axis]);
+        let [many, few] = [fine, coarse].map(|field| field.grid().size()[axis]);
+        let side = (fine_ends[1] - fine_ends[0]) / many as f64;
+        let width = (coarse_ends[1] - coarse_ends[0]) / few as f64;
+        let edge = move |i: usize| (coarse_ends[0] + i as f64 * width - fine_ends[0]) / side;
+        (0..=few).map(edge).collect::<Vec<_>>()
+    };
+    let (columns, lines) = (edges(0), edges(1));
+    // Integrals over the coarse columns, for each fine row. The rows of the table are the coarse columns.
+    let mut narrowed = vec![0.0; few * rows];
+    for iy in 0..rows {
+        let integrals = integrals(&fine.as_slice()[iy * many..][..many], &columns);
+        for (ix, integral) in integrals.enumerate() {
+            narrowed[ix * rows + iy] = integral;
+        }
+    }
+    // Integrals over cells are in units of the fine cell area.
+    let ratio = coarse.grid().cell_area() / fine.grid().cell_area();
+    let mut sum = 0.0;
+    for ix in 0..few {
+        for (iy, integral) in integrals(&narrowed[ix * rows..][..rows], &lines).enumerate() {
+            let own = ratio * coarse.as_slice()[iy * few + ix];
+            sum += (integral - own).abs();
+        }
+    }
+    sum / fine.as_slice().iter().sum::<f64>()
+}
+
+/// Returns the integrals of a row of means between successive positions, in units of a cell. The integral up to a position is
+/// interpolated by the cubic through the integrals at the four nearest edges of cells.
+fn integrals(means: &[f64], positions: &[f64]) -> impl Iterator<Item = f64> {
+    let mut sums = Vec::with_capacity(means.len() + 1);
+    let mut sum = 0.0;
+    sums.push(sum);
+    for mean in means {
+        sum += mean;
+        sums.push(sum);
+    }
+    let up_to = |position: &f64| {
+        let position = position.clamp(0.0, means.len() as f64);
+        let (first, weights) = cubic_weights(position, sums.len());
+        let terms = weights.iter().zip(&sums[first..]);
+        terms.map(|(weight, sum)| weight * sum).sum::<f64>()
+    };
+    let totals: Vec<f64> = positions.iter().map(up_to).collect();
+    (1..totals.len()).map(move |i| totals[i] - totals[i - 1])
+}
+
+/// Returns the first of the (at most) four samples nearest to a position, and the Lagrange weights of these samples.
+pub(super) fn cubic_weights(position: f64, samples: usize) -> (usize, [f64; 4]) {
+    let width = samples.min(4);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "an index within the samples"
+    )]
+    let first = (position.floor() - 1.0).clamp(0.0, (samples - width) as f64) as usize;
+    let t = position - first as f64;
+    let mut weights = [0.0; 4];
+    for (k, weight) in weights[..width].iter_mut().enumerate() {
+        let others = (0..width).filter(|&m| m != k).map(|m| m as f64);
+        *weight = others.map(|m| (t - m) / (k as f64 - m)).product();
+    }
+    (first, weights)
+}
+
+/// Returns the pressure that the part of the gap inside the cells would cause, relative to the force.
+///
+/// The gap between the centres of the cells is compared with a cubic interpolation of the centres. A cell needs the pressure
+/// `difference / compliance` to flatten the difference.
+pub(super) fn unresolved_pressure(pressure: &Field, differences: &[f64], compliance: f64) -> f64 {
+    let is_loaded = |p: &&f64| **p > 0.0;
+    let loaded = pressure
+        .as_slice()
+        .iter()
+        .zip(differences)
+        .filter(|(p, _)| is_loaded(p));
+    let sum: f64 = loaded.map(|(_, difference)| difference.abs()).sum();
+    sum / compliance / pressure.as_slice().iter().sum::<f64>()
+}

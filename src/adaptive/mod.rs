@@ -1,0 +1,92 @@
+//! Contacts that are solved to a required accuracy. The solve chooses the grid.
+//!
+//! The input is a gap at any position, the load, the region where contact may occur, and a [target](Quantity) for the error
+//! of each quantity of interest. This sphere needs no choice of cells, although its region is a hundred times larger than
+//! the contact:
+//!
+//! ```
+//! use stickslip::adaptive::{AdaptiveProblem, AdaptiveStatus, Quantity, Region};
+//! use stickslip::analytical::HertzSphere;
+//! use stickslip::{ElasticPair, Material, NormalControl};
+//!
+//! let steel = Material::new(213e9, 0.29)?;
+//! let pair = ElasticPair::new(steel, steel)?;
+//! let (radius, force) = (3.5e-3, 100.0);
+//! let ball = |x: f64, y: f64| (x * x + y * y) / (2.0 * radius);
+//! let region = Region::rectangle([-1e-2, 1e-2], [-1e-2, 1e-2])?;
+//! let problem = AdaptiveProblem::builder(pair, &ball, NormalControl::Force(force), region)
+//!     .target(Quantity::Pressure, 1e-2)
+//!     .target(Quantity::Area, 1e-2)
+//!     .build()?;
+//! let contact = problem.solve()?;
+//! assert_eq!(contact.status(), AdaptiveStatus::Reached);
+//!
+//! let hertz = HertzSphere::new(&pair, radius, force)?;
+//! assert!((contact.area() / hertz.contact_area() - 1.0).abs() < 1e-2);
+//! assert!((contact.normal().approach() / hertz.approach() - 1.0).abs() < 1e-3);
+//! # Ok::<(), stickslip::Error>(())
+//! ```
+//!
+//! # Method
+//!
+//! 1. Search: the contact is solved on grids of 24 x 24 cells, first over the whole region. Each cell has the least gap of 64
+//!    points inside it. The extent shrinks to the contact, or widens if the contact reaches its end.
+//! 2. Refinement: the contact is solved on finer grids over this extent, with [values at the
+//!    centres](crate::CellValue::Centre) and [edges](crate::edges) inside the cells. The ratio of the cells along both axes
+//!    balances the second differences of the pressure. The next grid has 1.5 to 4 times as many cells along a side. The
+//!    estimated errors determine this factor.
+//! 3. Check: the displacement due to the pressure is computed on a coarse grid over the whole region. If the bodies overlap
+//!    outside the extent, the search continues with an extent that contains the overlap.
+//!
+//! A grid that is periodic along both axes always covers its region and is only refined. On a line the cells are refined
+//! along x.
+//!
+//! # Estimates
+//!
+//! Let D be the difference of a quantity between two successive grids. The finer grid has r times as many cells along a side.
+//! The estimated error of the finer grid is
+//!
+//! ```math
+//! e = \frac{D}{r^2 - 1} \quad\text{for fields}, \qquad e = \frac{D}{r - 1} \quad\text{for numbers.}
+//! ```
+//!
+//! Fields are compared as means over the coarser cells. A number can agree on two grids by chance. Therefore its estimate is
+//! three times larger after two grids, and never less than the estimate of the grid before, reduced by $`r^{1.7}`$.
+//!
+//! The error of the pressure is also at least the unresolved pressure
+//!
+//! ```math
+//! \frac{\sum |h(x_i + s_i) - \tilde h(x_i + s_i)|}{c \sum p_i} ,
+//! ```
+//!
+//! where $`\tilde h`$ is the cubic interpolation of the gap between the centres $`x_i`$. The offsets $`s_i`$ lie inside the
+//! cells and differ from cell to cell. c is the displacement of a cell under its own unit pressure, and the sum is over the
+//! contact. Waves of the gap that are shorter than the cells therefore increase the estimate.
+//!
+//! The estimates are not bounds.
+//!
+//! # Limits
+//!
+//! - The search evaluates the gap at 192 x 192 points of the region. It does not find a bump between these points.
+//! - Bodies with coatings and kernels have no edges inside the cells. Their areas are [corrected
+//!   counts](crate::NormalSolution::contact_area_corrected), which need more cells.
+//! - The pressure of a flat punch is infinite at its edge. Its estimates are poor.
+//! - A [`SampledGap`] limits the accuracy: cells smaller than the distance between the samples resolve only the
+//!   interpolation. The solve then ends with [`AdaptiveStatus::SampleSpacing`].
+
+mod gap;
+mod measures;
+mod problem;
+mod refine;
+mod region;
+mod search;
+mod solution;
+
+pub use gap::GapFunction;
+#[cfg(feature = "roughness")]
+#[cfg_attr(docsrs, doc(cfg(feature = "roughness")))]
+pub use gap::SampledGap;
+pub use measures::Quantity;
+pub use problem::{AdaptiveProblem, AdaptiveProblemBuilder};
+pub use region::Region;
+pub use solution::{AdaptiveSolution, AdaptiveStatus, Estimate, GridRecord};

@@ -1,0 +1,324 @@
+//! Contacts that are solved to a required accuracy agree with closed forms within their targets, and report their limits.
+
+use std::f64::consts::{PI, TAU};
+use std::ops::ControlFlow;
+
+use kit::scenes::targets::TargetScene;
+use stickslip::adaptive::{
+    AdaptiveProblem, AdaptiveProblemBuilder, AdaptiveSolution, AdaptiveStatus, GapFunction,
+    Quantity, Region, SampledGap,
+};
+use stickslip::analytical::{CattaneoMindlin, Cone, HertzLine, HertzSphere, Westergaard};
+use stickslip::surface::Interpolation;
+use stickslip::*;
+
+const FORCE: f64 = 100.0;
+const RADIUS: f64 = 3.5e-3;
+
+fn steel() -> ElasticPair {
+    let steel = Material::new(213e9, 0.29).unwrap();
+    ElasticPair::new(steel, steel).unwrap()
+}
+
+fn wide() -> Region {
+    Region::rectangle([-1e-2, 1e-2], [-1e-2, 1e-2]).unwrap()
+}
+
+fn ball(x: f64, y: f64) -> f64 {
+    ((x - 0.37e-6).powi(2) + y * y) / (2.0 * RADIUS)
+}
+
+fn builder<'a>(gap: &'a (dyn GapFunction + Sync), region: Region) -> AdaptiveProblemBuilder<'a> {
+    AdaptiveProblem::builder(steel(), gap, NormalControl::Force(FORCE), region)
+}
+
+fn solved(builder: AdaptiveProblemBuilder<'_>) -> AdaptiveSolution {
+    let solution = builder.build().unwrap().solve().unwrap();
+    assert_eq!(solution.status(), AdaptiveStatus::Reached, "{solution:?}");
+    let mut targets = solution.estimates().iter();
+    assert!(targets.all(|estimate| {
+        estimate
+            .target
+            .is_none_or(|target| estimate.error <= target)
+    }));
+    solution
+}
+
+fn assert_within(found: f64, exact: f64, limit: f64) {
+    assert!((found / exact - 1.0).abs() <= limit, "{found} {exact}");
+}
+
+/// The region is a hundred times larger than the contact.
+#[test]
+fn sphere_in_a_wide_region_reaches_its_target() {
+    let hertz = HertzSphere::new(&steel(), RADIUS, FORCE).unwrap();
+    for target in [1e-2, 1e-3] {
+        let targets = [Quantity::Pressure, Quantity::Area, Quantity::Approach];
+        let problem = targets
+            .into_iter()
+            .fold(builder(&ball, wide()), |builder, quantity| {
+                builder.target(quantity, target)
+            });
+        let contact = solved(problem);
+        assert_within(contact.area(), hertz.contact_area(), target);
+        assert_within(contact.normal().approach(), hertz.approach(), target);
+        assert_within(
+            contact.normal().pressure().max(),
+            hertz.max_pressure(),
+            target,
+        );
+        let cells = contact.grid().nx() as f64;
+        let side = cells * contact.grid().dx();
+        assert!(
+            side < 3.5 * hertz.contact_radius() && cells < 4.0 * (1.0 / target).powf(0.6) * 12.0
+        );
+    }
+}
+
+#[test]
+fn cone_reaches_its_target_under_force_and_approach() {
+    let slope = 0.03;
+    let cone = |x: f64, y: f64| slope * x.hypot(y);
+    let exact = Cone::new(&steel(), slope, FORCE).unwrap();
+    let by_force = solved(builder(&cone, wide()).target(Quantity::Area, 2e-3));
+    assert_within(by_force.area(), exact.contact_area(), 2e-3);
+    let load = NormalControl::Approach(exact.approach());
+    let by_approach = AdaptiveProblem::builder(steel(), &cone, load, wide());
+    let by_approach = solved(by_approach.target(Quantity::Force, 2e-3));
+    assert_within(by_approach.normal().force(), FORCE, 2e-3);
+}
+
+#[test]
+fn shear_and_first_step_reach_the_stick_ratio_of_cattaneo_and_mindlin() {
+    let body = Material::new(213e9, 0.0).unwrap();
+    let pair = ElasticPair::new(body, body).unwrap();
+    let hertz = HertzSphere::new(&pair, RADIUS, FORCE).unwrap();
+    let exact = CattaneoMindlin::new(hertz, 0.5, 20.0).unwrap();
+    let friction = Friction::coulomb(0.5).unwrap();
+    let load = NormalControl::Force(FORCE);
+    let target = 3e-3;
+    let problem =
+        || AdaptiveProblem::builder(pair, &ball, load, wide()).target(Quantity::StickRatio, target);
+    let shear = problem().shear(friction.clone(), TangentialLoad::force([20.0, 0.0]));
+    let shear = solved(shear.target(Quantity::Shift, target));
+    let stick_ratio = shear.edges().unwrap().unwrap().stick_ratio();
+    assert!((stick_ratio - exact.stick_ratio()).abs() <= target);
+    assert_within(
+        shear.tangential().unwrap().shift()[0],
+        exact.shift(),
+        target,
+    );
+
+    let step = LoadStep::hold().tangential(Axis::X, TangentialControl::Force(20.0));
+    let first = solved(problem().first_step(friction, step));
+    let stick_ratio = first.edges().unwrap().unwrap().stick_ratio();
+    assert!((stick_ratio - exact.stick_ratio()).abs() <= target);
+    let mut history = first.into_history().unwrap();
+    history.step(&LoadStep::force([0.0, 0.0])).unwrap();
+    assert!(
+        history.last_step().stick_ratio() < 1.0,
+        "the unloaded contact slips at its edge"
+    );
+}
+
+#[test]
+fn line_reaches_its_target() {
+    let exact = HertzLine::new(&steel(), RADIUS, 1e5).unwrap();
+    let roller = |x: f64, _: f64| (x - 1e-4).powi(2) / (2.0 * RADIUS);
+    let (region, load) = (
+        Region::line([-5e-3, 5e-3], 1.0).unwrap(),
+        NormalControl::Force(1e5),
+    );
+    let contact = AdaptiveProblem::builder(steel(), &roller, load, region);
+    let contact = solved(
+        contact
+            .target(Quantity::Area, 2e-3)
+            .target(Quantity::Approach, 2e-3),
+    );
+    assert_within(contact.area(), 2.0 * exact.half_width(), 2e-3);
+    assert_within(contact.normal().approach(), exact.approach(1.0), 2e-3);
+    let (first, last) = (
+        contact.position(0, 0)[0],
+        contact.position(contact.grid().nx() - 1, 0)[0],
+    );
+    assert!(first < 1e-4 - exact.half_width() && last > 1e-4 + exact.half_width());
+}
+
+/// Westergaard's wavy surface, whose region is one period.
+#[test]
+fn periodic_wave_reaches_its_target() {
+    let (amplitude, wavelength) = (1e-7, 1e-4);
+    let wave = |x: f64, _: f64| amplitude * (1.0 - (TAU * x / wavelength).cos());
+    let flat = PI * steel().contact_modulus() * amplitude / wavelength;
+    let exact = Westergaard::new(&steel(), amplitude, wavelength, 0.4 * flat).unwrap();
+    let region = Region::periodic([0.0, wavelength], [0.0, wavelength]).unwrap();
+    let load = NormalControl::Force(0.4 * flat * wavelength * wavelength);
+    let contact = AdaptiveProblem::builder(steel(), &wave, load, region);
+    let contact = solved(contact.target(Quantity::Area, 1e-2));
+    let fraction = contact.area() / (wavelength * wavelength);
+    assert_within(fraction, exact.contact_fraction(), 1e-2);
+    assert_within(
+        contact.grid().nx() as f64 * contact.grid().dx(),
+        wavelength,
+        1e-12,
+    );
+}
+
+/// Two balls at a distance of many contact radii, of which the search finds both.
+#[test]
+fn second_contact_outside_the_first_is_found() {
+    let apart = 4e-3;
+    let two = |x: f64, y: f64| ball(x + apart, y).min(ball(x - apart, y) + 1e-7);
+    let contact = solved(builder(&two, wide()).target(Quantity::Area, 5e-2));
+    let carries = |sign: f64| {
+        let grid = contact.grid();
+        let pressures = contact.normal().pressure().iter().enumerate();
+        let own = pressures.filter(|(i, _)| sign * contact.position(i % grid.nx(), 0)[0] > 0.0);
+        own.map(|(_, p)| p).sum::<f64>() > 0.0
+    };
+    assert!(carries(-1.0) && carries(1.0));
+}
+
+/// A target that the first grids seem to reach although they do not resolve the waves.
+#[test]
+fn short_waves_are_not_overlooked() {
+    let wavy = |x: f64, y: f64| {
+        let waves = (TAU * x / 3e-5).cos() + (TAU * y / 3e-5).cos();
+        ball(x, y) + 1e-7 * (2.0 - waves)
+    };
+    let region = Region::rectangle([-1e-3, 1e-3], [-1e-3, 1e-3]).unwrap();
+    let coarse = solved(builder(&wavy, region).target(Quantity::Pressure, 3e-2));
+    let fine = solved(builder(&wavy, region).target(Quantity::Pressure, 5e-3));
+    assert!(coarse.difference(&fine, Quantity::Pressure) < 3e-2);
+}
+
+#[test]
+fn limits_end_the_refinement_with_a_warning() {
+    let limited = builder(&ball, wide()).target(Quantity::Pressure, 1e-6);
+    let limited = limited.cell_limit(4096).build().unwrap().solve().unwrap();
+    assert_eq!(limited.status(), AdaptiveStatus::CellLimit);
+    assert!(limited.estimate(Quantity::Pressure).unwrap() > 1e-6);
+    assert!(limited.grid().cells() <= 4096);
+    let warnings = limited.warnings().unwrap();
+    assert!(
+        warnings
+            .iter()
+            .any(|w| matches!(w, Warning::AccuracyNotReached { tenths } if *tenths > 10))
+    );
+
+    let late = builder(&ball, wide()).time_limit(std::time::Duration::ZERO);
+    let late = late.build().unwrap().solve().unwrap();
+    assert_eq!(
+        (late.status(), late.grids().len()),
+        (AdaptiveStatus::TimeLimit, 1)
+    );
+
+    let problem = builder(&ball, wide())
+        .target(Quantity::Pressure, 1e-4)
+        .build()
+        .unwrap();
+    let mut solves = 0;
+    let cancelled = problem.solve_observed(|record| {
+        solves += 1;
+        assert!(record.grid.cells() > 0);
+        if solves == 2 {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    });
+    assert_eq!(
+        (cancelled.unwrap().status(), solves),
+        (AdaptiveStatus::Cancelled, 2)
+    );
+}
+
+#[test]
+fn samples_limit_the_cells() {
+    let heights = Field::from_fn(Grid::square(64, 0.4e-3).unwrap(), ball);
+    for interpolation in [Interpolation::Cubic, Interpolation::Linear] {
+        let gap = SampledGap::new(heights.clone(), interpolation).unwrap();
+        let region = Region::rectangle([-0.2e-3, 0.2e-3], [-0.2e-3, 0.2e-3]).unwrap();
+        let contact = builder(&gap, region).target(Quantity::Pressure, 1e-5);
+        let contact = contact.build().unwrap().solve().unwrap();
+        assert_eq!(contact.status(), AdaptiveStatus::SampleSpacing);
+        assert!(contact.grid().dx() >= heights.grid().dx());
+        let hertz = HertzSphere::new(&steel(), RADIUS, FORCE).unwrap();
+        assert_within(contact.normal().approach(), hertz.approach(), 1e-2);
+    }
+}
+
+#[test]
+fn wrong_input_is_refused() {
+    let refused = |builder: AdaptiveProblemBuilder<'_>| builder.build().unwrap_err();
+    for target in [0.0, 1.0, f64::NAN] {
+        let found = refused(builder(&ball, wide()).target(Quantity::Area, target));
+        assert!(matches!(found, Error::Tolerance(value) if value.to_bits() == target.to_bits()));
+    }
+    let found = refused(builder(&ball, wide()).target(Quantity::StickRatio, 0.1));
+    assert!(matches!(
+        found,
+        Error::UnsupportedByModel {
+            quantity: "stick ratio",
+            ..
+        }
+    ));
+    let cells = Field::constant(Grid::square(8, 1.0).unwrap(), 0.3);
+    let friction = Friction::per_cell(cells).unwrap();
+    let found = refused(builder(&ball, wide()).shear(friction, TangentialLoad::force([1.0, 0.0])));
+    assert!(matches!(found, Error::UnsupportedByModel { .. }));
+    let found = refused(builder(&ball, wide()).cell_limit(10));
+    assert!(matches!(
+        found,
+        Error::BelowMinimum {
+            quantity: "limit of the cells",
+            ..
+        }
+    ));
+
+    let hole = |x: f64, _: f64| if x > 0.0 { f64::NAN } else { x * x };
+    let found = builder(&hole, wide()).build().unwrap().solve();
+    assert!(matches!(
+        found.unwrap_err(),
+        Error::Sample {
+            quantity: "gap",
+            ..
+        }
+    ));
+    let apart = AdaptiveProblem::builder(steel(), &ball, NormalControl::Approach(-1e-6), wide());
+    let found = apart.build().unwrap().solve();
+    assert!(matches!(found.unwrap_err(), Error::EmptyContact));
+
+    let found = Region::rectangle([1.0, 0.0], [0.0, 1.0]).unwrap_err();
+    assert!(matches!(
+        found,
+        Error::NotPositive {
+            quantity: "side of the region along x",
+            ..
+        }
+    ));
+    let found = Region::line([0.0, 1.0], 0.5).unwrap_err();
+    assert!(matches!(
+        found,
+        Error::BelowMinimum {
+            quantity: "datum",
+            ..
+        }
+    ));
+}
+
+/// The campaign runs a thousand of these scenes and limits the share of errors above their target.
+#[test]
+fn random_contacts_reach_their_targets() {
+    for seed in 0..kit::thorough(4, 40) {
+        let scene = TargetScene::random(seed).unwrap();
+        let (found, reference) = (scene.solve(1.0).unwrap(), scene.solve(0.3).unwrap());
+        assert_eq!(found.status(), AdaptiveStatus::Reached);
+        let error = found.difference(&reference, scene.quantity);
+        assert!(
+            error <= scene.target,
+            "scene {seed}: {error} {}",
+            scene.target
+        );
+    }
+}
