@@ -8,7 +8,7 @@ use kit::benchmark::{self, FRICTION};
 use rayon::{ThreadPool, ThreadPoolBuilder};
 use stickslip::cgm::Method;
 use stickslip::{
-    Axis, Friction, Grid, HalfSpace, History, LoadStep, NormalControl, Result, TangentialControl,
+    Axis, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad, Result, TangentialControl,
     surface,
 };
 
@@ -92,7 +92,7 @@ fn batch(side: usize, contacts: usize, repeats: usize) -> Result<Vec<f64>> {
             .build()
     });
     let mut histories = balls.collect::<Result<Vec<_>>>()?;
-    let press = LoadStep::hold().normal(NormalControl::Force(scene.force));
+    let press = LoadStep::hold().normal(NormalLoad::Force(scene.force));
     let drag = |share: f64| {
         let force = share * FRICTION * scene.force;
         press.tangential(Axis::X, TangentialControl::Force(force))

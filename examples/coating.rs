@@ -17,7 +17,7 @@ use stickslip::analytical::HertzSphere;
 use stickslip::layers::Layer;
 use stickslip::subsurface::{Body, Planes};
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
+    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
     NormalSolution, TangentialLoad, TangentialProblem, TangentialSolution, surface,
 };
 
@@ -120,7 +120,7 @@ fn solve(coated: Material, hertz: &HertzSphere) -> stickslip::Result<Contact> {
     let grid = Grid::square(CELLS, 3.2 * hertz.contact_radius())?;
     let bodies = HalfSpace::new(grid, ElasticPair::new(coated, coated)?)?;
     let gap = surface::sphere(grid, RADIUS)?;
-    let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(LOAD))
+    let normal = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(LOAD))
         .build()?
         .solve()?;
     let friction = Friction::coulomb(FRICTION)?;

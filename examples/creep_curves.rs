@@ -16,7 +16,7 @@ use stickslip::analytical::{HertzEllipse, VermeulenJohnson};
 use stickslip::history::EntryRule;
 use stickslip::rolling::{RollingControl, RollingProblem, RollingSolution};
 use stickslip::{
-    ElasticPair, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem, surface,
+    ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem, surface,
 };
 
 /// Normal load in N. The problem is `tractcurv`, which CONTACT solves on 48 x 44 cells, in mm, N and MPa.
@@ -102,7 +102,7 @@ fn problem(cells: [usize; 2], entry_rule: EntryRule) -> stickslip::Result<Rollin
     let grid = Grid::new(cells[0], cells[1], dx, dy)?;
     let bodies = HalfSpace::new(grid, steel()?)?;
     let gap = surface::ellipsoid(grid, RADII[0], RADII[1])?;
-    let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(LOAD))
+    let normal = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(LOAD))
         .build()?
         .solve()?;
     RollingProblem::builder(&bodies, &normal, Friction::coulomb(FRICTION)?)
@@ -115,7 +115,7 @@ fn creep_curve(cells: [usize; 2], entry_rule: EntryRule) -> stickslip::Result<Ve
     let mut solver = problem(cells, entry_rule)?.into_solver()?;
     let mut rolling = solver.new_solution();
     let mut force = |(xi, _): (f64, f64)| {
-        solver.set_control([xi, 0.0].map(RollingControl::Creepage), 0.0)?;
+        solver.set_load([xi, 0.0].map(RollingControl::Creepage), 0.0)?;
         solver.solve_into(&mut rolling)?;
         Ok(rolling.force()[0] / (FRICTION * LOAD))
     };
@@ -126,7 +126,7 @@ fn creep_curve(cells: [usize; 2], entry_rule: EntryRule) -> stickslip::Result<Ve
 fn combined() -> stickslip::Result<RollingSolution> {
     let mut solver = problem(CELLS, EntryRule::SinceTouch)?.into_solver()?;
     let mut rolling = solver.new_solution();
-    solver.set_control(COMBINED.0.map(RollingControl::Creepage), COMBINED.1)?;
+    solver.set_load(COMBINED.0.map(RollingControl::Creepage), COMBINED.1)?;
     solver.solve_into(&mut rolling)?;
     Ok(rolling)
 }

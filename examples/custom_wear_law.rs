@@ -14,8 +14,8 @@ use std::path::Path;
 
 use stickslip::history::{FrettingLoop, LoadPath};
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl,
-    Result, surface,
+    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalLoad, Result,
+    surface,
 };
 
 // SI units: metres, newtons, pascals, joules.
@@ -51,12 +51,12 @@ struct Leaving {
 /// Runs the time loop. After every step, the gap is set to the gap of the ball plus the worn depth.
 fn run(history: &mut History, ball: &Field, cycles: usize) -> Result<Vec<Leaving>> {
     let path = LoadPath::sine([SHIFT_AMPLITUDE, 0.0], STEPS)?;
-    let load = |shift| LoadStep::shift(shift).normal(NormalControl::Force(NORMAL_FORCE));
+    let load = |shift| LoadStep::shift(shift).normal(NormalLoad::Force(NORMAL_FORCE));
     let cell_area = ball.grid().cell_area();
     let mut gap = ball.clone();
     let mut done = Vec::new();
     FrettingLoop::new(path, load).run_observed(history, cycles, |history, cycle| {
-        let energy = history.dissipated_energy();
+        let energy = history.dissipation();
         let unworn = ball.as_slice().iter().zip(energy.as_slice());
         for (gap, (ball, energy)) in gap.as_mut_slice().iter_mut().zip(unworn) {
             *gap = ball + worn_depth(energy / cell_area);
@@ -106,7 +106,7 @@ fn main() -> std::result::Result<(), Box<dyn Error>> {
         ("pressure", History::pressure),
         ("traction", |history| history.traction()[0]),
         ("slip path", History::accumulated_slip),
-        ("dissipated energy", History::dissipated_energy),
+        ("dissipated energy", History::dissipation),
     ] {
         let bits = |history| {
             field(history)

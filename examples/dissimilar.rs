@@ -14,7 +14,7 @@ use plotters::prelude::*;
 use stickslip::analytical::HertzSphere;
 use stickslip::{
     Axis, Coupling, ElasticPair, Friction, Grid, HalfSpace, History, LoadStep, Material,
-    NormalControl, TangentialControl, TangentialModel, surface,
+    NormalLoad, TangentialControl, TangentialModel, surface,
 };
 
 const RADIUS: f64 = 10e-3;
@@ -53,7 +53,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .coupling(Coupling::Neglected)
         .build()?;
     for history in [&mut coupled, &mut uncoupled] {
-        let press = LoadStep::hold().normal(NormalControl::Force(FORCE));
+        let press = LoadStep::hold().normal(NormalLoad::Force(FORCE));
         let steps = history.press(&press, TOLERANCE)?;
         println!("pressed in {steps} steps");
     }
@@ -83,7 +83,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             let force = last + (turn - last) * f64::from(part) / f64::from(STEPS);
             let drag = TangentialControl::Force(force * FRICTION * FORCE);
             let load = LoadStep::hold()
-                .normal(NormalControl::Force(FORCE))
+                .normal(NormalLoad::Force(FORCE))
                 .tangential(Axis::X, drag);
             for (history, points) in [&mut coupled, &mut uncoupled].into_iter().zip(&mut loops) {
                 history.step(&load)?;

@@ -21,8 +21,8 @@ use plotters::prelude::{RGBColor, SeriesLabelPosition};
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::history::{FrettingLoop, FrettingResult, LoadPath, LoopPoint};
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl,
-    Result, TangentialModel, surface,
+    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalLoad, Result,
+    TangentialModel, surface,
 };
 use support::{Area, Chart, maps};
 
@@ -166,7 +166,7 @@ fn steady_loop(
         .model(TangentialModel::Vector)
         .tolerance(TOLERANCE)
         .build()?;
-    history.step(&LoadStep::hold().normal(NormalControl::Force(NORMAL_FORCE)))?;
+    history.step(&LoadStep::hold().normal(NormalLoad::Force(NORMAL_FORCE)))?;
     let path = LoadPath::ellipse([AMPLITUDE, aspect * AMPLITUDE], FRAC_PI_2, steps)?;
     let outcome = FrettingLoop::new(path, LoadStep::force)
         .until_steady(STEADY)

@@ -16,7 +16,7 @@ use plotters::prelude::{RGBColor, SeriesLabelPosition};
 use stickslip::analytical::{HertzSphere, MindlinDeresiewicz};
 use stickslip::history::{Cycle, LoadPath};
 use stickslip::{
-    ElasticPair, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl, surface,
+    ElasticPair, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalLoad, surface,
 };
 use support::Area;
 
@@ -45,7 +45,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let bodies = HalfSpace::new(grid, pair)?;
     let ball = surface::sphere(grid, BALL_RADIUS)?;
     let mut history = History::builder(&bodies, &ball, Friction::coulomb(FRICTION)?).build()?;
-    history.step(&LoadStep::hold().normal(NormalControl::Force(NORMAL_FORCE)))?;
+    history.step(&LoadStep::hold().normal(NormalLoad::Force(NORMAL_FORCE)))?;
 
     let path = LoadPath::sine([AMPLITUDE, 0.0], STEPS)?;
     let mut forces = Vec::new();

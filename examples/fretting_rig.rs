@@ -19,7 +19,7 @@ use stickslip::subsurface::{Body, Planes, Stress, Tractions};
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
     Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
-    NormalControl, Zone, surface,
+    NormalLoad, Zone, surface,
 };
 use support::axis::Axis;
 use support::maps;
@@ -55,7 +55,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let builder = History::builder(&bodies, &cylinder, Friction::coulomb(FRICTION)?);
     let builder = builder.relative_displacement(bulk).tolerance(1e-8);
     let mut history = builder.build()?;
-    history.step(&LoadStep::hold().normal(NormalControl::Force(LOAD)))?;
+    history.step(&LoadStep::hold().normal(NormalLoad::Force(LOAD)))?;
 
     let exact = CattaneoMindlinLine::new(hertz, FRICTION, SHEAR)?;
     let exact = exact.with_bulk_stress([BULK, 0.0])?;

@@ -10,7 +10,7 @@ use std::error::Error;
 
 use stickslip::history::EntryRule;
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl,
+    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalLoad,
     TangentialModel, surface,
 };
 
@@ -145,10 +145,10 @@ impl GrowingCase {
                 let press = between(last.0, leg.0);
                 let shear = [0, 1].map(|axis| between(last.1[axis], leg.1[axis]));
                 history.step(&if is_force {
-                    let press = NormalControl::Force(self.force * press);
+                    let press = NormalLoad::Force(self.force * press);
                     LoadStep::force(shear.map(|shear| self.force * shear)).normal(press)
                 } else {
-                    LoadStep::shift(shear).normal(NormalControl::Approach(press))
+                    LoadStep::shift(shear).normal(NormalLoad::Approach(press))
                 })?;
             }
             last = leg;

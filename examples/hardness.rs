@@ -15,7 +15,7 @@ use stickslip::normal::Hardness;
 use stickslip::surface::{self, SelfAffine};
 use stickslip::{
     Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
-    NormalControl,
+    NormalLoad,
 };
 
 /// Side of the surface, rms slope and hardness, in SI units.
@@ -55,7 +55,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut points = Vec::new();
     for (step, phase) in up.chain(down).chain(again) {
         let part = LARGEST * f64::from(step) / f64::from(STEPS);
-        let load = NormalControl::Force(part * HARDNESS * grid.area());
+        let load = NormalLoad::Force(part * HARDNESS * grid.area());
         let mut point = [part, 0.0, 0.0, 0.0, 0.0];
         for (place, history) in [&mut elastic, &mut plastic].into_iter().enumerate() {
             history.step(&LoadStep::hold().normal(load))?;

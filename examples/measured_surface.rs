@@ -23,8 +23,8 @@ use stickslip::analytical::{Persson, RoughSphere};
 use stickslip::io::vti::Array;
 use stickslip::surface::{self, Form, GaussianFilter, SelfAffine, Statistics};
 use stickslip::{
-    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
-    NormalProblem, NormalSolution, TangentialLoad, TangentialProblem, TangentialSolution, Zone, io,
+    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
+    NormalSolution, TangentialLoad, TangentialProblem, TangentialSolution, Zone, io,
 };
 use support::maps;
 
@@ -187,7 +187,7 @@ fn without_outliers(heights: &Field) -> Result<Field, Box<dyn Error>> {
 
 fn press(bodies: &HalfSpace, heights: &Field, force: f64) -> stickslip::Result<NormalSolution> {
     let gap = surface::gap_from_heights(heights)?;
-    NormalProblem::builder(bodies, gap, NormalControl::Force(force))
+    NormalProblem::builder(bodies, gap, NormalLoad::Force(force))
         .tolerance(1e-6)
         .build()?
         .solve()
@@ -202,7 +202,7 @@ fn print_step(step: &str, heights: &Field, normal: &NormalSolution) -> stickslip
         filled.filled_cells(),
         1e9 * statistics.rms_height(),
         statistics.finite_difference_rms_slope(),
-        normal.spots().as_slice().len(),
+        normal.spots()?.as_slice().len(),
         1e-9 * normal.pressure().max(),
         100.0 * normal.contact_area_corrected() / normal.grid().area()
     );
@@ -227,7 +227,7 @@ fn print_contact(
         100.0 * normal.contact_area_corrected() / area,
         100.0 * theory.contact_fraction()
     );
-    let spots = normal.try_spots()?;
+    let spots = normal.spots()?;
     println!(
         "{} spots, the largest of {} cells",
         spots.as_slice().len(),
@@ -333,7 +333,7 @@ fn draw(
     let area = support::heading(&right, "contact spots")?;
     let [first, second] = axes();
     let mut map = support::map_axes(&area, first, second)?;
-    maps::spots(&mut map, &normal.spots(), 1.0 / micro, [x, y])?;
+    maps::spots(&mut map, &normal.spots()?, 1.0 / micro, [x, y])?;
     figure.present()?;
     Ok(())
 }

@@ -15,7 +15,7 @@ use plotters::prelude::SeriesLabelPosition;
 use rayon::prelude::*;
 use stickslip::analytical::{HertzSphere, RoughSphere};
 use stickslip::surface::{self, SelfAffine};
-use stickslip::{ElasticPair, Grid, HalfSpace, Material, NormalControl, NormalProblem, Warning};
+use stickslip::{ElasticPair, Grid, HalfSpace, Material, NormalLoad, NormalProblem, Warning};
 
 // Micrometres, megapascals, micronewtons.
 const SIDE: f64 = 640.0;
@@ -120,14 +120,14 @@ fn press(bodies: &HalfSpace, kind: usize, seed: u64) -> stickslip::Result<Ball> 
         .generate(grid)?;
     let smooth = surface::sphere(grid, RADIUS)?;
     let gap = surface::sum(&[&smooth, &surface::inverted(roughness.heights())])?;
-    let mut solver = NormalProblem::builder(bodies, &gap, NormalControl::Force(LOADS[0]))
+    let mut solver = NormalProblem::builder(bodies, &gap, NormalLoad::Force(LOADS[0]))
         .tolerance(TOLERANCE)
         .build()?
         .into_solver()?;
     let mut solution = solver.new_solution();
     let mut contacts = Vec::new();
     for load in LOADS {
-        solver.set_load(NormalControl::Force(load))?;
+        solver.set_load(NormalLoad::Force(load))?;
         solver.solve_into(&mut solution)?;
         let hertz = HertzSphere::new(bodies.pair(), RADIUS, load)?;
         let at_edge = |warning: &Warning| match warning {

@@ -17,7 +17,7 @@ use plotters::prelude::*;
 use rayon::prelude::*;
 use stickslip::surface::{self, RoughSurface, SelfAffine};
 use stickslip::{
-    Boundary, ElasticPair, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
+    Boundary, ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
     TangentialLoad, TangentialProblem,
 };
 
@@ -206,7 +206,7 @@ fn solve(bodies: &HalfSpace, job: &Job) -> stickslip::Result<Answer> {
         .generate(grid)?;
     let gap = surface::gap_from_heights(rough.heights())?;
     let force = PRESSURE * bodies.pair().contact_modulus() * grid.area();
-    let normal = NormalProblem::builder(bodies, &gap, NormalControl::Force(force))
+    let normal = NormalProblem::builder(bodies, &gap, NormalLoad::Force(force))
         .tolerance(TOLERANCE)
         .build()?
         .solve()?;

@@ -9,7 +9,7 @@ use std::error::Error;
 use plotters::prelude::SeriesLabelPosition;
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::{
-    ElasticPair, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem, TangentialLoad,
+    ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem, TangentialLoad,
     TangentialProblem, surface,
 };
 
@@ -30,7 +30,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let grid = Grid::square(256, 3.0 * hertz.contact_radius())?;
     let bodies = HalfSpace::new(grid, pair)?;
     let ball = surface::sphere(grid, BALL_RADIUS)?;
-    let load = NormalControl::Approach(hertz.approach());
+    let load = NormalLoad::Approach(hertz.approach());
     let normal = NormalProblem::builder(&bodies, &ball, load)
         .build()?
         .solve()?;

@@ -12,7 +12,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::{
-    ElasticPair, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem, NormalSolution,
+    ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem, NormalSolution,
     TangentialLoad, TangentialProblem, TangentialSolution, surface,
 };
 use support::Area;
@@ -36,7 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let grid = Grid::square(CELLS, 3.0 * hertz.contact_radius())?;
     let bodies = HalfSpace::new(grid, pair)?;
     let ball = surface::sphere(grid, BALL_RADIUS)?;
-    let normal = NormalProblem::builder(&bodies, &ball, NormalControl::Force(NORMAL_FORCE))
+    let normal = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(NORMAL_FORCE))
         .build()?
         .solve()?;
     let friction = Friction::coulomb(FRICTION)?;

@@ -16,8 +16,8 @@ use plotters::prelude::SeriesLabelPosition;
 use rayon::prelude::*;
 use stickslip::surface::{self, SelfAffine};
 use stickslip::{
-    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
-    NormalProblem, NormalSolution, TangentialLoad, TangentialProblem, TangentialSolution,
+    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
+    NormalSolution, TangentialLoad, TangentialProblem, TangentialSolution,
 };
 use support::Area;
 
@@ -121,7 +121,7 @@ fn shear(bodies: &HalfSpace, scene: &PressedBody, seed: u64) -> stickslip::Resul
         .generate(grid)?;
     let gap = surface::gap_from_heights(rough.heights())?;
     let force = scene.mean_pressure * bodies.pair().contact_modulus() * grid.area();
-    let normal = NormalProblem::builder(bodies, &gap, NormalControl::Force(force))
+    let normal = NormalProblem::builder(bodies, &gap, NormalLoad::Force(force))
         .tolerance(TOLERANCE)
         .build()?
         .solve()?;
@@ -164,7 +164,7 @@ fn print_table(contacts: &[Sheared]) -> stickslip::Result<()> {
             "{:>7} | {:>13} | {:>5} | {:>8.2} |",
             i + 1,
             normal.contact_cells(),
-            normal.try_spots()?.as_slice().len(),
+            normal.spots()?.as_slice().len(),
             100.0 * normal.contact_area() / normal.grid().area()
         );
         for [f, stick] in &contact.ratios {

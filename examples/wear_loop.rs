@@ -21,8 +21,7 @@ use stickslip::analytical::{CattaneoMindlin, HertzSphere, PopovLimitingShape};
 use stickslip::history::wear::{self, CycleJump};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath};
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl,
-    surface,
+    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalLoad, surface,
 };
 
 // SI units: metres, newtons, pascals.
@@ -64,7 +63,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut history = History::builder(&bodies, &gap, Friction::coulomb(FRICTION)?)
         .tolerance(TOLERANCE)
         .build()?;
-    let load = |shift| LoadStep::shift(shift).normal(NormalControl::Approach(approach));
+    let load = |shift| LoadStep::shift(shift).normal(NormalLoad::Approach(approach));
     let path = LoadPath::table(vec![[amplitude, 0.0], [-amplitude, 0.0]])?;
     let fretting = FrettingLoop::new(path, load);
     // Only a steady cycle can represent the skipped cycles.

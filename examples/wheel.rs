@@ -12,7 +12,7 @@ use std::time::Instant;
 use stickslip::analytical::{HertzEllipse, KalkerCoefficients};
 use stickslip::rolling::{RollingControl, RollingProblem, RollingSolver};
 use stickslip::{
-    ElasticPair, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem, surface,
+    ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem, surface,
 };
 
 /// Radii of curvature of wheel and rail, mean wheel load and friction, in m, N and Pa.
@@ -129,7 +129,7 @@ fn solver(cells: usize, tolerance: f64) -> stickslip::Result<RollingSolver> {
     let grid = Grid::new(cells, cells, sides[0], sides[1])?;
     let bodies = HalfSpace::new(grid, pair)?;
     let gap = surface::ellipsoid(grid, RADII[0], RADII[1])?;
-    let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(LOAD))
+    let press = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(LOAD))
         .tolerance(tolerance)
         .build()?;
     let normal = press.solve()?;
@@ -159,9 +159,9 @@ fn forces(solver: &mut RollingSolver, wheels: &[Wheel]) -> stickslip::Result<Run
     };
     for wheel in wheels {
         let start = Instant::now();
-        solver.set_load(NormalControl::Force(wheel.load))?;
+        solver.set_normal_load(NormalLoad::Force(wheel.load))?;
         let pressed = start.elapsed();
-        solver.set_control(wheel.creepage.map(RollingControl::Creepage), wheel.spin)?;
+        solver.set_load(wheel.creepage.map(RollingControl::Creepage), wheel.spin)?;
         solver.solve_into(&mut rolling)?;
         let force = rolling.force();
         run.times.0.push(1e3 * start.elapsed().as_secs_f64());

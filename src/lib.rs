@@ -25,7 +25,7 @@
 //!
 //! ```
 //! use stickslip::{
-//!     ElasticPair, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
+//!     ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
 //!     TangentialLoad, TangentialProblem, analytical, surface,
 //! };
 //! // A steel ball of radius 3.5 mm on steel, in SI units. The grid has 128 x 128 cells.
@@ -34,7 +34,7 @@
 //! let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
 //! let ball = surface::sphere(grid, 3.5e-3)?; // the gap before loading
 //!
-//! let load = NormalControl::Force(100.0); // normal force, N
+//! let load = NormalLoad::Force(100.0); // normal force, N
 //! let normal = NormalProblem::builder(&bodies, &ball, load).build()?.solve()?;
 //! let hertz = analytical::HertzSphere::new(bodies.pair(), 3.5e-3, 100.0)?;
 //! assert!((normal.approach() / hertz.approach() - 1.0).abs() < 1e-4);

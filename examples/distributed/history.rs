@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use stickslip::history::{EntryRule, wear};
 use stickslip::ranks::Ranks;
 use stickslip::{
-    Axis, Field, Friction, HalfSpace, History, LoadStep, NormalControl, TangentialControl,
+    Axis, Field, Friction, HalfSpace, History, LoadStep, NormalLoad, TangentialControl,
 };
 
 use crate::{FRICTION, Outcome, hash_of_all};
@@ -43,7 +43,7 @@ pub(crate) fn fret(
         let normal = force * (0.6 + 0.4 * (0.9 * k).sin());
         let part = 0.5 * FRICTION * (1.3 * k).cos();
         let load = LoadStep::hold()
-            .normal(NormalControl::Force(normal))
+            .normal(NormalLoad::Force(normal))
             .tangential(Axis::X, TangentialControl::Force(part * normal));
         history.step(&load)?;
         let mut worn = history.gap().clone();

@@ -18,9 +18,8 @@ use std::time::{Duration, Instant};
 use stickslip::ranks::{Ranks, Threads};
 use stickslip::surface::SelfAffine;
 use stickslip::{
-    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
-    NormalProblem, NormalSolution, Report, TangentialLoad, TangentialModel, TangentialProblem,
-    TangentialSolution,
+    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
+    NormalSolution, Report, TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution,
 };
 
 use history::{Saved, fret};
@@ -116,7 +115,7 @@ fn solve(arguments: &Arguments, ranks: &Arc<dyn Ranks>) -> Outcome<()> {
         }
         return Ok(());
     }
-    let load = NormalControl::Force(force);
+    let load = NormalLoad::Force(force);
     let normal = NormalProblem::builder(&bodies, heights.map(|z| -z), load)
         .build()?
         .solve()?;

@@ -7,14 +7,14 @@
 //! ```
 //! use stickslip::adaptive::{AdaptiveProblem, AdaptiveStatus, Quantity, Region};
 //! use stickslip::analytical::HertzSphere;
-//! use stickslip::{ElasticPair, Material, NormalControl};
+//! use stickslip::{ElasticPair, Material, NormalLoad};
 //!
 //! let steel = Material::new(213e9, 0.29)?;
 //! let pair = ElasticPair::new(steel, steel)?;
 //! let (radius, force) = (3.5e-3, 100.0);
 //! let ball = |x: f64, y: f64| (x * x + y * y) / (2.0 * radius);
 //! let region = Region::rectangle([-1e-2, 1e-2], [-1e-2, 1e-2])?;
-//! let problem = AdaptiveProblem::builder(pair, &ball, NormalControl::Force(force), region)
+//! let problem = AdaptiveProblem::builder(pair, &ball, NormalLoad::Force(force), region)
 //!     .target(Quantity::Pressure, 1e-2)
 //!     .target(Quantity::Area, 1e-2)
 //!     .build()?;

@@ -13,7 +13,7 @@ use crate::error::{Error, Result};
 use crate::grid::per_cell::PerCell;
 #[cfg(feature = "history")]
 use crate::history::LoadStep;
-use crate::normal::NormalControl;
+use crate::normal::NormalLoad;
 use crate::tangential::{Friction, TangentialLoad, TangentialModel};
 
 /// Default target of the pressure.
@@ -30,7 +30,7 @@ const LEAST_CELLS: usize = 1024;
 pub struct AdaptiveProblem<'a> {
     pub(super) bodies: Kernel,
     pub(super) gap: &'a (dyn GapFunction + Sync),
-    pub(super) load: NormalControl,
+    pub(super) load: NormalLoad,
     pub(super) region: Region,
     pub(super) friction: Option<Shear>,
     pub(super) model: TangentialModel,
@@ -69,7 +69,7 @@ impl<'a> AdaptiveProblem<'a> {
     pub fn builder(
         bodies: impl Into<Kernel>,
         gap: &'a (dyn GapFunction + Sync),
-        load: NormalControl,
+        load: NormalLoad,
         region: Region,
     ) -> AdaptiveProblemBuilder<'a> {
         AdaptiveProblemBuilder {
@@ -198,12 +198,8 @@ impl<'a> AdaptiveProblemBuilder<'a> {
     /// - [`Error::UnsupportedByModel`] if a target of the traction, stick ratio or shift is set without friction, or if the
     ///   friction varies over cells.
     /// - [`Error::BelowMinimum`] if the limit of the cells is less than 1024.
-    /// - [`Error::NoPressureToHold`] for [`NormalControl::Hold`].
     pub fn build(mut self) -> Result<AdaptiveProblem<'a>> {
         let problem = &mut self.problem;
-        if problem.load == NormalControl::Hold {
-            return Err(Error::NoPressureToHold);
-        }
         let has_friction = problem.friction.is_some();
         if problem.targets.is_empty() {
             problem.targets.push((Quantity::Pressure, DEFAULT_TARGET));

@@ -19,7 +19,7 @@ use crate::error::{Result, positive};
 ///
 /// ```
 /// use stickslip::analytical::HertzLine;
-/// use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Material, NormalControl, NormalProblem, surface};
+/// use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Material, NormalLoad, NormalProblem, surface};
 /// // A steel roller of radius 10 mm under 100 N/mm, in mm, N and MPa.
 /// let steel = Material::new(210e3, 0.3)?;
 /// let pair = ElasticPair::new(steel, steel)?;
@@ -29,7 +29,7 @@ use crate::error::{Result, positive};
 /// let grid = Grid::line(256, 0.0012)?;
 /// let bodies = HalfSpace::with_boundary(grid, pair, Boundary::PeriodicAlongY { datum: 50.0 })?;
 /// let roller = surface::cylinder(grid, 10.0)?;
-/// let contact = NormalProblem::builder(&bodies, &roller, NormalControl::Force(100.0)).build()?.solve()?;
+/// let contact = NormalProblem::builder(&bodies, &roller, NormalLoad::Force(100.0)).build()?.solve()?;
 /// assert!((contact.pressure().max() / hertz.max_pressure() - 1.0).abs() < 1e-4);
 /// assert!((contact.approach() / hertz.approach(50.0) - 1.0).abs() < 1e-5);
 /// # Ok::<(), stickslip::Error>(())

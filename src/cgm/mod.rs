@@ -138,8 +138,6 @@ pub(crate) use start::InitialGuess;
 pub use totals::Total;
 pub use workspace::Workspace;
 
-pub use crate::report::{Iteration, Report, Status};
-
 /// Type of the motion of a cell under a constraint.
 pub(crate) type MotionOf<K, const N: usize> =
     <<K as Constraint<N>>::Set as LinearisedSet<N>>::CellMotion;

@@ -3,10 +3,11 @@
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-use crate::cgm::{Iteration, Settings};
+use crate::cgm::Settings;
 use crate::error::{Error, Result};
 use crate::half_space::HalfSpace;
 use crate::observer::Observer;
+use crate::report::Iteration;
 use crate::report::{Report, Status};
 use crate::support::clock::Instant;
 

@@ -80,7 +80,7 @@ pub(crate) trait Model<S>: Sized + Send {
 ///
 /// let grid = Grid::square(32, 3.0)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.5)?, Material::rigid())?)?;
-/// let (ball, press) = (surface::sphere(grid, 10.0)?, NormalControl::Force(0.1));
+/// let (ball, press) = (surface::sphere(grid, 10.0)?, NormalLoad::Force(0.1));
 /// let normal = NormalProblem::builder(&bodies, &ball, press).build()?;
 /// let normal = solve_to(&mut normal.into_solver()?, 1e-10)?;
 /// let (friction, load) = (Friction::coulomb(0.3)?, TangentialLoad::force([0.02, 0.0]));

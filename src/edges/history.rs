@@ -52,7 +52,7 @@ impl History {
     /// let hertz = analytical::HertzSphere::new(&pair, 1.0, 4.0 / 3.0)?;
     /// let ball = surface::sphere(grid, 1.0)?;
     /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
-    /// history.step(&LoadStep::hold().normal(NormalControl::Force(4.0 / 3.0)))?;
+    /// history.step(&LoadStep::hold().normal(NormalLoad::Force(4.0 / 3.0)))?;
     /// let path = [0.45, 0.0];
     /// for force in path {
     ///     history.step(&LoadStep::hold().tangential(Axis::X, TangentialControl::Force(force)))?;
@@ -71,7 +71,7 @@ impl History {
         let [qx, qy] = self.traction().map(Field::as_slice);
         let (directions, step) = (self.directions()?, self.last_step());
         let slip = step.slip_distance().as_slice();
-        let energies = [step.dissipated_energy(), step.dissipated_energy_midpoint()];
+        let energies = [step.dissipation(), step.dissipation_midpoint()];
         let [dissipated, mid_step] = energies.map(Field::as_slice);
         let is_slip_known = self.pressing_is_excluded(step);
         PartialSlipContact {

@@ -92,7 +92,7 @@
 //! let pair = ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?;
 //! let bodies = HalfSpace::new(grid, pair)?.with_cell_value(CellValue::Centre)?;
 //! let hertz = analytical::HertzSphere::new(&pair, 1.0, 4.0 / 3.0)?; // of radius 1
-//! let (ball, load) = (surface::sphere(grid, 1.0)?, NormalControl::Force(4.0 / 3.0));
+//! let (ball, load) = (surface::sphere(grid, 1.0)?, NormalLoad::Force(4.0 / 3.0));
 //! let contact = NormalProblem::builder(&bodies, &ball, load).build()?.solve()?;
 //! let edges = contact.edges()?;
 //! let exact = hertz.contact_area();

@@ -21,9 +21,9 @@ impl Edges {
     /// // Two balls of radius 1, the second lower by 0.2.
     /// let ball = |x: f64, y: f64| 0.5 * (x * x + y * y);
     /// let gap = Field::from_fn(grid, |x, y| ball(x + 3.2, y).min(ball(x - 3.2, y) + 0.2));
-    /// let load = NormalControl::Force(2.0);
+    /// let load = NormalLoad::Force(2.0);
     /// let contact = NormalProblem::builder(&bodies, &gap, load).build()?.solve()?;
-    /// let (spots, edges) = (contact.spots(), contact.edges()?);
+    /// let (spots, edges) = (contact.spots()?, contact.edges()?);
     /// let areas = edges.areas_of(&spots)?;
     /// for (spot, area) in spots.as_slice().iter().zip(&areas) {
     ///     // Hertz under the load of the spot; the other spot is so far away that its displacement is nearly uniform here.

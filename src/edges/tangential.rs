@@ -126,7 +126,7 @@ impl TangentialSolution {
     /// let bodies = HalfSpace::new(grid, pair)?.with_cell_value(CellValue::Centre)?;
     /// let hertz = analytical::HertzSphere::new(&pair, 1.0, 4.0 / 3.0)?;
     /// let exact = analytical::CattaneoMindlin::new(hertz, 0.5, 0.4 * 0.5 * 4.0 / 3.0)?;
-    /// let (ball, load) = (surface::sphere(grid, 1.0)?, NormalControl::Force(4.0 / 3.0));
+    /// let (ball, load) = (surface::sphere(grid, 1.0)?, NormalLoad::Force(4.0 / 3.0));
     /// let contact = NormalProblem::builder(&bodies, &ball, load).build()?.solve()?;
     /// let (friction, load) = (Friction::coulomb(0.5)?, TangentialLoad::force([exact.force(), 0.0]));
     /// let builder = TangentialProblem::builder(&bodies, &contact, friction.clone(), load);

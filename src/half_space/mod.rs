@@ -127,14 +127,14 @@ impl HalfSpace {
     ///
     /// ```
     /// use std::f64::consts::TAU;
-    /// use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Material, NormalControl, NormalProblem, surface};
+    /// use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Material, NormalLoad, NormalProblem, surface};
     /// // A wavy surface pressed flat: the pressure p* = pi E* amplitude / wavelength is just sufficient.
     /// let grid = Grid::square(32, 1.0)?;
     /// let pair = ElasticPair::new(Material::new(1.0, 0.5)?, Material::rigid())?;
     /// let bodies = HalfSpace::with_boundary(grid, pair, Boundary::Periodic)?;
     /// let wavy = stickslip::Field::from_fn(grid, |x, _| 0.01 * (1.0 - (TAU * x).cos()));
     /// let flattening = 0.5 * TAU * pair.contact_modulus() * 0.01;
-    /// let load = NormalControl::Force(1.001 * flattening * grid.area());
+    /// let load = NormalLoad::Force(1.001 * flattening * grid.area());
     /// let contact = NormalProblem::builder(&bodies, &wavy, load).build()?.solve()?;
     /// assert_eq!(contact.contact_cells(), grid.cells());
     /// assert!((contact.approach() - 0.01).abs() < 1e-10); // the mean gap is closed
@@ -179,7 +179,7 @@ impl HalfSpace {
     /// // The error of a cell that is not at the edge.
     /// let error = |cell_value| -> Result<f64> {
     ///     let bodies = HalfSpace::new(grid, pair)?.with_cell_value(cell_value)?;
-    ///     let load = NormalControl::Force(hertz.load());
+    ///     let load = NormalLoad::Force(hertz.load());
     ///     let contact = NormalProblem::builder(&bodies, &ball, load).build()?.solve()?;
     ///     let found = contact.pressure().get(20, 18).unwrap_or(0.0);
     ///     Ok((found / hertz.pressure(grid.x(20).hypot(grid.y(18))) - 1.0).abs())

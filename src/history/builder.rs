@@ -72,7 +72,7 @@ impl HistoryBuilder<'_> {
     /// let friction = Friction::coulomb(0.5)?;
     /// let builder = History::builder(&bodies, &ball, friction).model(TangentialModel::Vector);
     /// let mut history = builder.build()?;
-    /// history.step(&LoadStep::hold().normal(NormalControl::Force(100.0)))?;
+    /// history.step(&LoadStep::hold().normal(NormalLoad::Force(100.0)))?;
     ///
     /// // A force along x, then a shift along y, then a twist under both.
     /// let shear = LoadStep::hold()
@@ -121,7 +121,7 @@ impl HistoryBuilder<'_> {
     /// let bulk = RelativeDisplacement::bulk_strain(grid, strain)?;
     /// let builder = History::builder(&bodies, &roller, Friction::coulomb(0.5)?);
     /// let mut history = builder.relative_displacement(bulk).build()?;
-    /// history.step(&LoadStep::hold().normal(NormalControl::Force(200.0)))?;
+    /// history.step(&LoadStep::hold().normal(NormalLoad::Force(200.0)))?;
     /// let stretched = LoadStep::force([0.0, 0.0]).relative_displacement(100.0);
     /// history.step(&stretched)?;
     /// // The roller resists the stretch of the specimen: the traction points inwards on both sides, and both ends
@@ -154,7 +154,7 @@ impl HistoryBuilder<'_> {
     /// let ball = surface::sphere(grid, 3.5e-3)?;
     /// let builder = History::builder(&bodies, &ball, Friction::coulomb(0.5)?);
     /// let mut history = builder.hardness(Hardness::uniform(1.5e9)?).permanent_set(true).build()?;
-    /// let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
+    /// let press = |force| LoadStep::hold().normal(NormalLoad::Force(force));
     /// history.step(&press(100.0))?;
     /// let depth = history.state().yielded().map_or(0.0, Field::max);
     /// assert!(depth > 0.0 && history.pressure().max() == 1.5e9);

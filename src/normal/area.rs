@@ -43,7 +43,7 @@ impl NormalSolution {
     /// let grid = Grid::new(96, 64, 0.1, 0.1)?;
     /// let rubber = Material::new(1.0, 0.5)?;
     /// let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
-    /// let (gap, load) = (surface::ellipsoid(grid, 8.0, 2.0)?, NormalControl::Force(0.6));
+    /// let (gap, load) = (surface::ellipsoid(grid, 8.0, 2.0)?, NormalLoad::Force(0.6));
     /// let contact = NormalProblem::builder(&bodies, &gap, load).build()?.solve()?;
     /// let hertz = analytical::HertzEllipse::new(bodies.pair(), 8.0, 2.0, 0.6)?;
     /// let [a, b] = hertz.semi_axes();

@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::ops::ControlFlow;
 
-use crate::cgm::{InitialGuess, Iteration, Method, Settings, UNLIMITED, reduce};
+use crate::cgm::{InitialGuess, Method, Settings, UNLIMITED, reduce};
 use crate::contact::{Cancellation, has_iterate, known_of_start, nested_start, with_counts_of};
 use crate::contact::{
     LoadIncrement, LoadPoint, LoadTrend, MultilevelProblem, PassOutcome, SolveContext,
@@ -19,6 +19,7 @@ use crate::normal::window_solver::NormalEngine;
 use crate::normal::{Hardness, NormalLoad, NormalSolution};
 use crate::observer::Observer;
 use crate::parallel;
+use crate::report::Iteration;
 use crate::report::{Report, Status};
 
 /// Smallest fraction of the tolerance to which a window is solved. If the solution still misses the tolerance on the whole grid,

@@ -417,7 +417,7 @@ impl NormalSolution {
     /// use stickslip::*;
     /// let grid = Grid::square(64, 3.0)?;
     /// let pair = ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?;
-    /// let (ball, load) = (surface::sphere(grid, 1.0)?, NormalControl::Force(4.0 / 3.0));
+    /// let (ball, load) = (surface::sphere(grid, 1.0)?, NormalLoad::Force(4.0 / 3.0));
     /// let bodies = HalfSpace::new(grid, pair)?;
     /// let contact = NormalProblem::builder(&bodies, &ball, load).build()?.solve()?;
     /// let estimate = contact.discretisation_estimate().unwrap_or(0.0);

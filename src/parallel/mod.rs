@@ -52,7 +52,7 @@ static STAYS_OUTSIDE: AtomicBool = AtomicBool::new(false);
 /// let steel = Material::new(1.0, 0.3)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
 /// let ball = surface::sphere(grid, 10.0)?;
-/// let contact = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.5)).build()?.solve()?;
+/// let contact = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(0.5)).build()?.solve()?;
 /// assert!((contact.force() / 0.5 - 1.0).abs() < 1e-9);
 /// # Ok::<(), Error>(())
 /// ```

@@ -31,7 +31,7 @@
 //!
 //! # Loads
 //!
-//! - [`RollingSolver::set_load`] and [`RollingSolver::set_pressure`] set new normal contacts, as in the [time loop of a
+//! - [`RollingSolver::set_normal_load`] and [`RollingSolver::set_pressure`] set new normal contacts, as in the [time loop of a
 //!   vehicle](crate::guide::rolling#vehicle-dynamics).
 //! - [`RollingSolver::stiffness`] returns the derivatives of forces and moment with respect to creepages and spin.
 //! - [`RollingSolver::creep_forces`] returns the points of creep curves and creep surfaces.
@@ -100,7 +100,7 @@
 //! let grid = Grid::square(24, 3.0)?;
 //! let body = Material::from_shear_modulus(1.0, 0.25)?;
 //! let bodies = HalfSpace::new(grid, ElasticPair::new(body, body)?)?;
-//! let (ball, load) = (surface::sphere(grid, 1.0)?, NormalControl::Force(1.0));
+//! let (ball, load) = (surface::sphere(grid, 1.0)?, NormalLoad::Force(1.0));
 //! let normal = NormalProblem::builder(&bodies, &ball, load).build()?.solve()?;
 //! // Small creepages: F = G a b C11 xi, with Kalker's C11 = 4.12.
 //! let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3)?);

@@ -5,13 +5,13 @@ mod tests;
 
 use crate::contact::fragments::{Fragments, SpotSums, layout_of};
 use crate::contact::map::ContactMap;
-use crate::error::{Error, Result};
+use crate::error::Result;
 #[cfg(feature = "serde")]
 use crate::error::{at_least, length};
 use crate::grid::Grid;
 #[cfg(feature = "history")]
 use crate::history::History;
-use crate::memory::fallible::{self, unwrap_or_abort};
+use crate::memory::fallible;
 use crate::normal::NormalSolution;
 use crate::parallel::ranks::RankGroup;
 use crate::support::debug::shown;
@@ -30,9 +30,9 @@ use crate::tangential::{TangentialSolution, Zone};
 /// // Two balls side by side, the second lower by 0.05.
 /// let ball = |x: f64, y: f64| (x * x + y * y) / 20.0;
 /// let gap = Field::from_fn(grid, |x, y| ball(x + 4.0, y).min(ball(x - 4.0, y) + 0.05));
-/// let contact = NormalProblem::builder(&bodies, &gap, NormalControl::Force(0.5)).build()?.solve()?;
+/// let contact = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(0.5)).build()?.solve()?;
 ///
-/// let spots = contact.spots();
+/// let spots = contact.spots()?;
 /// let [first, second] = spots.as_slice() else { panic!("{} spots", spots.as_slice().len()) };
 /// assert!(first.load > second.load && (first.load + second.load - 0.5).abs() < 1e-9);
 /// assert!((first.centroid[0] + 4.0).abs() < 0.1 && (second.centroid[0] - 4.0).abs() < 0.1);
@@ -207,30 +207,13 @@ fn spot(sums: &SpotSums, grid: Grid, unit: f64, zones: Option<&[Zone]>) -> Spot 
     }
 }
 
-/// Unwraps the outcome for signatures without an error.
-fn spots_or_abort(outcome: Result<ContactSpots>) -> ContactSpots {
-    match outcome {
-        Err(error @ Error::Ranks(_)) => panic!("{error}"),
-        outcome => unwrap_or_abort(outcome),
-    }
-}
-
 impl NormalSolution {
     /// Returns the contact spots. The call is collective over the ranks that share the contact.
     ///
-    /// # Panics
-    /// Panics if a rank has failed or been lost.
-    #[must_use]
-    pub fn spots(&self) -> ContactSpots {
-        spots_or_abort(self.try_spots())
-    }
-
-    /// Returns the [`spots`](Self::spots), or an error if the memory does not suffice or a rank is lost.
-    ///
     /// # Errors
-    /// - [`Error::Memory`] if the memory does not suffice.
-    /// - [`Error::Ranks`] if a rank has failed or been lost.
-    pub fn try_spots(&self) -> Result<ContactSpots> {
+    /// - [`Error::Memory`](crate::Error::Memory) if the memory does not suffice.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if a rank has failed or been lost.
+    pub fn spots(&self) -> Result<ContactSpots> {
         ContactSpots::new(self, None)
     }
 }
@@ -240,8 +223,8 @@ impl TangentialSolution {
     /// ranks that share the contact.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`] if the pressure is on a different grid.
-    /// - The errors of [`NormalSolution::try_spots`].
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the pressure is on a different grid.
+    /// - The errors of [`NormalSolution::spots`].
     pub fn spots(&self, normal: &NormalSolution) -> Result<ContactSpots> {
         let checked = self.grid().check_equal("normal contact", normal.grid());
         RankGroup::agreed_of(normal.share().map(|share| &**share.team()), checked)?;
@@ -254,18 +237,9 @@ impl History {
     /// Returns the contact spots after the last step, with the sticking fraction of each spot. The call is collective over the
     /// ranks that share the history.
     ///
-    /// # Panics
-    /// Panics if a rank has failed or been lost.
-    #[must_use]
-    pub fn spots(&self) -> ContactSpots {
-        spots_or_abort(self.try_spots())
-    }
-
-    /// Returns the [`spots`](Self::spots), or an error if the memory does not suffice or a rank is lost.
-    ///
     /// # Errors
-    /// The errors of [`NormalSolution::try_spots`].
-    pub fn try_spots(&self) -> Result<ContactSpots> {
+    /// The errors of [`NormalSolution::spots`].
+    pub fn spots(&self) -> Result<ContactSpots> {
         ContactSpots::new(self.normal(), Some(self.zones()))
     }
 }

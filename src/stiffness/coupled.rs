@@ -121,7 +121,7 @@ impl CoupledSolution {
     /// let bodies = HalfSpace::new(grid, rubber)?;
     /// let (ball, friction) = (surface::sphere(grid, 10.0)?, Friction::coulomb(0.4)?);
     /// let at = |approach: f64, shift: f64| {
-    ///     let (normal, load) = (NormalControl::Approach(approach), TangentialLoad::shift([shift, 0.0]));
+    ///     let (normal, load) = (NormalLoad::Approach(approach), TangentialLoad::shift([shift, 0.0]));
     ///     let problem = CoupledProblem::builder(&bodies, &ball, friction.clone(), normal, load);
     ///     problem.tolerance(1e-10).build()?.solve()
     /// };

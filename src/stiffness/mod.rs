@@ -45,7 +45,7 @@
 //! let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
 //! let ball = surface::sphere(grid, 3.5e-3)?;
 //! let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
-//! history.step(&LoadStep::hold().normal(NormalControl::Force(100.0)))?;
+//! history.step(&LoadStep::hold().normal(NormalLoad::Force(100.0)))?;
 //! history.step(&LoadStep::force([25.0, 0.0]))?;
 //!
 //! let stiffness = history.stiffness()?;

@@ -31,14 +31,14 @@ pub(super) type SystemOf<S, const N: usize> = System<<S as LinearisedSet<N>>::Ce
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
 /// let ball = surface::sphere(grid, 20.0)?;
 /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.4)?).build()?;
-/// history.step(&LoadStep::hold().normal(NormalControl::Approach(0.5)))?;
+/// history.step(&LoadStep::hold().normal(NormalLoad::Approach(0.5)))?;
 /// // A step that presses further does not need the second set of cells.
 /// let mut workspace = StiffnessWorkspace::new().reversal(false);
 /// let slope = history.stiffness_with(&mut workspace, |_| std::ops::ControlFlow::Continue(()))?;
 /// assert_eq!(slope.tangential.reversal[0][0], None);
 /// assert!(workspace.report().is_converged() && workspace.report().products() > 0);
 /// let force = history.normal().force();
-/// history.step(&LoadStep::hold().normal(NormalControl::Approach(0.501)))?;
+/// history.step(&LoadStep::hold().normal(NormalLoad::Approach(0.501)))?;
 /// let expected = 0.001 * slope.normal.value;
 /// assert!(((history.normal().force() - force) / expected - 1.0).abs() < 0.01);
 /// # Ok::<(), Error>(())
@@ -128,7 +128,7 @@ impl StiffnessWorkspace {
     /// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
     /// let ball = surface::sphere(grid, 3.5e-3)?;
     /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
-    /// history.step(&LoadStep::hold().normal(NormalControl::Force(100.0)))?;
+    /// history.step(&LoadStep::hold().normal(NormalLoad::Force(100.0)))?;
     ///
     /// let mut workspace = StiffnessWorkspace::new().next_step(true);
     /// let next = history.stiffness_with(&mut workspace, |_| ControlFlow::Continue(()))?.tangential;

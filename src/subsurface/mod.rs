@@ -18,7 +18,7 @@
 //! let grid = Grid::square(64, 0.4)?;
 //! let steel = Material::new(210e3, 0.3)?;
 //! let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
-//! let load = NormalControl::Force(100.0);
+//! let load = NormalLoad::Force(100.0);
 //! let ball = surface::sphere(grid, 5.0)?;
 //! let contact = NormalProblem::builder(&bodies, &ball, load).build()?.solve()?;
 //! let hertz = analytical::HertzSphere::new(bodies.pair(), 5.0, 100.0)?;

@@ -17,7 +17,7 @@ use crate::tangential::{
 /// ```
 /// use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 /// use stickslip::{
-///     ElasticPair, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem, TangentialLoad,
+///     ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem, TangentialLoad,
 ///     TangentialProblem, surface,
 /// };
 ///
@@ -25,7 +25,7 @@ use crate::tangential::{
 /// let steel = Material::new(213e9, 0.29)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
 /// let ball = surface::sphere(grid, 3.5e-3)?;
-/// let normal = NormalProblem::builder(&bodies, &ball, NormalControl::Force(100.0)).build()?.solve()?;
+/// let normal = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(100.0)).build()?.solve()?;
 ///
 /// let friction = Friction::coulomb(0.5)?;
 /// let load = TangentialLoad::force([20.0, 0.0]);
@@ -153,7 +153,7 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
     /// let (aluminium, steel) = (Material::new(70e9, 0.33)?, Material::new(210e9, 0.3)?);
     /// let bodies = HalfSpace::new(grid, ElasticPair::new(aluminium, steel)?)?;
     /// let ball = surface::sphere(grid, 3.5e-3)?;
-    /// let normal = NormalProblem::builder(&bodies, &ball, NormalControl::Force(60.0)).build()?.solve()?;
+    /// let normal = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(60.0)).build()?.solve()?;
     /// let at_rest = TangentialProblem::builder(
     ///     &bodies,
     ///     &normal,

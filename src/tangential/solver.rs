@@ -27,7 +27,7 @@ use crate::tangential::{
 /// let rubber = Material::new(1.0, 0.5)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
 /// let ball = surface::sphere(grid, 10.0)?;
-/// let normal = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.5)).build()?.solve()?;
+/// let normal = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(0.5)).build()?.solve()?;
 /// let friction = Friction::coulomb(0.3)?;
 /// let mut solver =
 ///     TangentialProblem::builder(&bodies, &normal, friction, TangentialLoad::force([0.0, 0.0]))

@@ -9,7 +9,7 @@ use stickslip::history::{Cycle, FrettingLoop, LoadPath, Rolling, wear};
 use stickslip::stiffness::StiffnessWorkspace;
 use stickslip::{
     Axis, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
-    NormalControl, TangentialControl, TangentialModel, surface,
+    NormalLoad, TangentialControl, TangentialModel, surface,
 };
 
 /// Counts the allocations of the current thread. The steps must run on this thread.
@@ -56,7 +56,7 @@ fn assert_no_allocations(gap: &Field, load: f64, lateral: TangentialModel) {
         ] {
             history.set_friction(&friction[0]).unwrap();
             history
-                .step(&step.normal(NormalControl::Force(part * load)))
+                .step(&step.normal(NormalLoad::Force(part * load)))
                 .unwrap();
             let slope = history.stiffness_with(&mut stiffness, |_| ControlFlow::Continue(()));
             assert!(slope.unwrap().normal.value > 0.0);
@@ -64,14 +64,14 @@ fn assert_no_allocations(gap: &Field, load: f64, lateral: TangentialModel) {
             history.step(&step).unwrap();
             let slip = history.last_step().slip_distance();
             wear::archard(1e-4, history.pressure(), slip, &mut worn).unwrap();
-            let energy = history.last_step().dissipated_energy();
+            let energy = history.last_step().dissipation();
             wear::energy(1e-4, energy, &mut depth).unwrap();
-            let so_far = history.dissipated_energy();
+            let so_far = history.dissipation();
             wear::threshold_energy(1e-4, 1.0, so_far, energy, &mut depth).unwrap();
             history.set_gap(&worn).unwrap();
         }
         fretting.cycle(&mut history, &mut total).unwrap();
-        worn.add_scaled(1e-6, total.dissipated_energy()).unwrap();
+        worn.add_scaled(1e-6, total.dissipation()).unwrap();
         worn.as_mut_slice().copy_from_slice(gap.as_slice());
         history.set_gap(&worn).unwrap();
     };
@@ -104,7 +104,7 @@ fn rolling_history_allocates_nothing() {
         let rolling = Rolling::new(1).creepage([0.02, 0.0]);
         let mut cycle = || {
             for part in [1.0, 0.9, 0.9, 1.0] {
-                let press = LoadStep::hold().normal(NormalControl::Force(20.0 * part));
+                let press = LoadStep::hold().normal(NormalLoad::Force(20.0 * part));
                 history.step(&press.roll(rolling)).unwrap();
                 let drag = press.tangential(Axis::X, TangentialControl::Force(part));
                 history.step(&drag.roll(Rolling::new(2))).unwrap();
@@ -134,7 +134,7 @@ fn assert_coupling_allocates_nothing(coupling: Coupling) {
     let mut history = builder.coupling(coupling).tolerance(1e-6).build().unwrap();
     let mut worn = gap.clone();
     let mut stiffness = StiffnessWorkspace::new();
-    let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
+    let press = |force| LoadStep::hold().normal(NormalLoad::Force(force));
     let mut cycle = || {
         for (force, shear) in [(0.1, 0.0), (0.1, 0.02), (0.1, -0.02), (0.08, 0.01)] {
             let drag = TangentialControl::Force(shear);
@@ -165,7 +165,7 @@ fn contact_growing_within_cycle_allocates_nothing() {
     let mut contacts = vec![builder.tolerance(1e-6).build().unwrap(); 3];
     let mut cycle = || {
         for part in [0.1, 0.3, 0.6, 1.0, 0.7, 0.3, 0.1] {
-            let press = LoadStep::hold().normal(NormalControl::Force(20.0 * part));
+            let press = LoadStep::hold().normal(NormalLoad::Force(20.0 * part));
             let drag = |force| press.tangential(Axis::X, TangentialControl::Force(force));
             let loads = [2.0, 1.0, -2.0].map(|force| drag(force * part));
             assert!(History::step_all(&mut contacts, &loads).unwrap().is_empty());
@@ -196,7 +196,7 @@ fn contact_shrinking_and_growing_allocates_nothing() {
         let mut cycle = || {
             for radius in [30.0_f64, 8.0] {
                 let approach = radius * radius / 1000.0;
-                let press = LoadStep::hold().normal(NormalControl::Approach(approach));
+                let press = LoadStep::hold().normal(NormalLoad::Approach(approach));
                 for part in [0.1, -0.1, 0.2, 0.0] {
                     let drag = TangentialControl::Shift(part * approach);
                     history.step(&press.tangential(Axis::X, drag)).unwrap();
@@ -217,7 +217,7 @@ fn contact_at_different_position_allocates_nothing() {
     let (soft, hard) = (Material::new(1.0, 0.1).unwrap(), Material::rigid());
     let dissimilar = HalfSpace::new(grid, ElasticPair::new(soft, hard).unwrap()).unwrap();
     let similar = unit_bodies(grid, 0.3);
-    let press = LoadStep::hold().normal(NormalControl::Approach(0.1));
+    let press = LoadStep::hold().normal(NormalLoad::Approach(0.1));
     let drag = |part: f64| press.tangential(Axis::X, TangentialControl::Shift(0.1 * part));
     for bodies in [&similar, &dissimilar] {
         let mut histories = [-20.0, 20.0].map(|centre: f64| {

@@ -2,7 +2,7 @@
 
 use kit::unit_bodies;
 use stickslip::{
-    Axis, Friction, Grid, HalfSpace, History, LoadStep, NormalControl, TangentialControl,
+    Axis, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad, TangentialControl,
     TangentialModel, surface,
 };
 
@@ -16,7 +16,7 @@ fn history(bodies: &HalfSpace, lateral: TangentialModel, contact_radius: f64) ->
     let approach = contact_radius * contact_radius / RADIUS;
     let shift = LoadStep::hold().tangential(Axis::X, TangentialControl::Shift(1.0));
     for approach in [approach, 0.999 * approach] {
-        let step = shift.normal(NormalControl::Approach(approach));
+        let step = shift.normal(NormalLoad::Approach(approach));
         history.step(&step).unwrap();
     }
     history
@@ -89,7 +89,7 @@ fn history_of_shrunk_contact_releases_memory() {
         let mut kept = None;
         let work = || {
             let mut history = history(&bodies, lateral, 75.0);
-            let press = LoadStep::hold().normal(NormalControl::Approach(15.0 * 15.0 / RADIUS));
+            let press = LoadStep::hold().normal(NormalLoad::Approach(15.0 * 15.0 / RADIUS));
             history.step(&press).unwrap();
             for _ in 0..300 {
                 history.step(&LoadStep::hold()).unwrap();

@@ -5,7 +5,7 @@ use kit::{rough, unit_bodies};
 use stickslip::rolling::{RollingControl, RollingProblem, SpinControl};
 use stickslip::{
     Boundary, CoupledProblem, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep,
-    Material, NormalControl, NormalProblem, TangentialLoad, TangentialModel, TangentialProblem,
+    Material, NormalLoad, NormalProblem, TangentialLoad, TangentialModel, TangentialProblem,
     surface,
 };
 
@@ -21,7 +21,7 @@ fn allocations(mut work: impl FnMut() + Send) -> u64 {
 
 fn assert_no_allocations(gap: &Field, load: f64, lateral: TangentialModel) {
     let bodies = unit_bodies(gap.grid(), 0.3);
-    let press = NormalProblem::builder(&bodies, gap, NormalControl::Force(load)).tolerance(1e-6);
+    let press = NormalProblem::builder(&bodies, gap, NormalLoad::Force(load)).tolerance(1e-6);
     let mut press = kit::solver(press);
     let mut normal = press.new_solution();
     press.solve_into(&mut normal).unwrap();
@@ -48,7 +48,7 @@ fn assert_no_allocations(gap: &Field, load: f64, lateral: TangentialModel) {
             (0.95, &worn, &friction[1]),
             (1.0, gap, &friction[0]),
         ] {
-            press.set_load(NormalControl::Force(part * load)).unwrap();
+            press.set_load(NormalLoad::Force(part * load)).unwrap();
             press.set_gap(gap).unwrap();
             press.solve_into(&mut normal).unwrap();
             shear.set_pressure(&normal).unwrap();
@@ -73,7 +73,7 @@ fn solve_after_contact_growth_allocates_nothing() {
     let bodies = unit_bodies(grid, 0.3);
     let ball = surface::sphere(grid, 300.0).unwrap();
     let [light, heavy] = [5.0, 20.0].map(|force| {
-        let press = NormalProblem::builder(&bodies, &ball, NormalControl::Force(force));
+        let press = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(force));
         kit::solve(press)
     });
     let (friction, load) = (
@@ -103,14 +103,14 @@ fn repeated_coupled_solves_allocate_nothing() {
     let bodies = HalfSpace::new(grid, pair).unwrap();
     let gap = surface::sphere(grid, 10.0).unwrap();
     let frictions = [0.4, 0.5].map(|coefficient| Friction::coulomb(coefficient).unwrap());
-    let (press, still) = (NormalControl::Force(0.1), TangentialLoad::shift([0.0; 2]));
+    let (press, still) = (NormalLoad::Force(0.1), TangentialLoad::shift([0.0; 2]));
     let problem = CoupledProblem::builder(&bodies, &gap, frictions[0].clone(), press, still);
     let mut solver = kit::solver(problem);
     let mut contact = solver.new_solution();
     let mut cycle = || {
         for (force, friction) in [0.1, 0.09].into_iter().zip(&frictions) {
             let drag = TangentialLoad::force([0.1 * force, 0.0]);
-            solver.set_load(NormalControl::Force(force), drag).unwrap();
+            solver.set_load(NormalLoad::Force(force), drag).unwrap();
             solver.set_friction(friction).unwrap();
             solver.set_gap(&gap).unwrap();
             solver.solve_into(&mut contact).unwrap();
@@ -135,7 +135,7 @@ fn solves_that_force_cells_to_stick_allocate_nothing() {
     let friction = of([0.05, 0.09, 0.12, 0.08, 0.05, 0.09, 0.04, 0.02]);
     let friction = Friction::per_cell(friction).unwrap();
     let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
-    let press = |force| LoadStep::force([0.0; 2]).normal(NormalControl::Force(force));
+    let press = |force| LoadStep::force([0.0; 2]).normal(NormalLoad::Force(force));
     for force in [0.06, 0.02] {
         history.step(&press(force)).unwrap();
     }
@@ -156,7 +156,7 @@ fn repeated_rolling_solves_allocate_nothing() {
     let grid = Grid::square(24, 3.0).unwrap();
     let bodies = unit_bodies(grid, 0.3);
     let ball = surface::sphere(grid, 1.0).unwrap();
-    let press = NormalProblem::builder(&bodies, &ball, NormalControl::Force(1.0));
+    let press = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(1.0));
     let normal = kit::solve(press);
     let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap());
     let mut solver = kit::solver(problem);
@@ -165,12 +165,12 @@ fn repeated_rolling_solves_allocate_nothing() {
         for part in [0.2, 0.9, 0.5] {
             let creepage = RollingControl::Creepage(0.2 * part);
             for force in [creepage, RollingControl::Force(0.2 * part)] {
-                solver.set_control([creepage, force], 0.1 * part).unwrap();
+                solver.set_load([creepage, force], 0.1 * part).unwrap();
                 solver.solve_into(&mut rolling).unwrap();
                 solver.stiffness().unwrap();
             }
             let moment = SpinControl::Moment(0.01 * part);
-            solver.set_control([creepage; 2], moment).unwrap();
+            solver.set_load([creepage; 2], moment).unwrap();
             solver.solve_into(&mut rolling).unwrap();
         }
     };
@@ -190,7 +190,7 @@ fn rolling_solves_under_changing_loads_allocate_nothing() {
     );
     for other in [soft, hard] {
         let bodies = HalfSpace::new(grid, ElasticPair::new(soft, other).unwrap()).unwrap();
-        let press = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.3));
+        let press = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(0.3));
         let press = press.build().unwrap();
         let normal = press.solve().unwrap();
         let problem = RollingProblem::builder(&bodies, &normal, frictions[0].clone());
@@ -201,11 +201,11 @@ fn rolling_solves_under_changing_loads_allocate_nothing() {
         let mut rolling = solver.new_solution();
         let mut cycle = || {
             for (load, part) in [(0.3, 0.2), (0.5, 0.9), (0.4, 0.5), (0.3, -0.4)] {
-                solver.set_load(NormalControl::Force(load)).unwrap();
+                solver.set_normal_load(NormalLoad::Force(load)).unwrap();
                 let creepages = [0.2 * part, -0.1 * part].map(RollingControl::Creepage);
                 for friction in &frictions {
                     solver.set_friction(friction).unwrap();
-                    solver.set_control(creepages, 0.1 * part).unwrap();
+                    solver.set_load(creepages, 0.1 * part).unwrap();
                     solver.solve_into(&mut rolling).unwrap();
                 }
             }

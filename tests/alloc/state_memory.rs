@@ -4,7 +4,7 @@
 use kit::unit_bodies;
 use stickslip::history::State;
 use stickslip::{
-    Axis, Friction, Grid, History, LoadStep, NormalControl, TangentialControl, TangentialModel,
+    Axis, Friction, Grid, History, LoadStep, NormalLoad, TangentialControl, TangentialModel,
     surface,
 };
 
@@ -22,7 +22,7 @@ fn start(model: TangentialModel) -> History {
 }
 
 fn load(shear: f64) -> LoadStep {
-    let step = LoadStep::hold().normal(NormalControl::Force(4.0));
+    let step = LoadStep::hold().normal(NormalLoad::Force(4.0));
     step.tangential(Axis::X, TangentialControl::Force(shear))
 }
 

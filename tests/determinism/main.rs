@@ -6,7 +6,7 @@
 
 use kit::{rough, unit_bodies};
 use stickslip::{
-    Field, Friction, Grid, NormalControl, NormalProblem, Result, TangentialLoad, TangentialModel,
+    Field, Friction, Grid, NormalLoad, NormalProblem, Result, TangentialLoad, TangentialModel,
     TangentialProblem,
 };
 
@@ -14,7 +14,7 @@ use stickslip::{
 fn bits_of_a_contact() -> Result<Vec<u8>> {
     let grid = Grid::new(150, 133, 1.0, 1.1)?;
     let (bodies, gap) = (unit_bodies(grid, 0.3), rough(grid, 21));
-    let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(60.0));
+    let normal = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(60.0));
     let normal = normal.build()?.solve()?;
     let mut fields = vec![normal.pressure().clone(), normal.gap().clone()];
     let mut numbers = vec![normal.approach()];

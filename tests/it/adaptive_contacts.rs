@@ -29,7 +29,7 @@ fn ball(x: f64, y: f64) -> f64 {
 }
 
 fn builder<'a>(gap: &'a (dyn GapFunction + Sync), region: Region) -> AdaptiveProblemBuilder<'a> {
-    AdaptiveProblem::builder(steel(), gap, NormalControl::Force(FORCE), region)
+    AdaptiveProblem::builder(steel(), gap, NormalLoad::Force(FORCE), region)
 }
 
 fn solved(builder: AdaptiveProblemBuilder<'_>) -> AdaptiveSolution {
@@ -82,7 +82,7 @@ fn cone_reaches_its_target_under_force_and_approach() {
     let exact = Cone::new(&steel(), slope, FORCE).unwrap();
     let by_force = solved(builder(&cone, wide()).target(Quantity::Area, 2e-3));
     assert_within(by_force.area(), exact.contact_area(), 2e-3);
-    let load = NormalControl::Approach(exact.approach());
+    let load = NormalLoad::Approach(exact.approach());
     let by_approach = AdaptiveProblem::builder(steel(), &cone, load, wide());
     let by_approach = solved(by_approach.target(Quantity::Force, 2e-3));
     assert_within(by_approach.normal().force(), FORCE, 2e-3);
@@ -95,7 +95,7 @@ fn shear_and_first_step_reach_the_stick_ratio_of_cattaneo_and_mindlin() {
     let hertz = HertzSphere::new(&pair, RADIUS, FORCE).unwrap();
     let exact = CattaneoMindlin::new(hertz, 0.5, 20.0).unwrap();
     let friction = Friction::coulomb(0.5).unwrap();
-    let load = NormalControl::Force(FORCE);
+    let load = NormalLoad::Force(FORCE);
     let target = 3e-3;
     let problem =
         || AdaptiveProblem::builder(pair, &ball, load, wide()).target(Quantity::StickRatio, target);
@@ -127,7 +127,7 @@ fn line_reaches_its_target() {
     let roller = |x: f64, _: f64| (x - 1e-4).powi(2) / (2.0 * RADIUS);
     let (region, load) = (
         Region::line([-5e-3, 5e-3], 1.0).unwrap(),
-        NormalControl::Force(1e5),
+        NormalLoad::Force(1e5),
     );
     let contact = AdaptiveProblem::builder(steel(), &roller, load, region);
     let contact = solved(
@@ -152,7 +152,7 @@ fn periodic_wave_reaches_its_target() {
     let flat = PI * steel().contact_modulus() * amplitude / wavelength;
     let exact = Westergaard::new(&steel(), amplitude, wavelength, 0.4 * flat).unwrap();
     let region = Region::periodic([0.0, wavelength], [0.0, wavelength]).unwrap();
-    let load = NormalControl::Force(0.4 * flat * wavelength * wavelength);
+    let load = NormalLoad::Force(0.4 * flat * wavelength * wavelength);
     let contact = AdaptiveProblem::builder(steel(), &wave, load, region);
     let contact = solved(contact.target(Quantity::Area, 1e-2));
     let fraction = contact.area() / (wavelength * wavelength);
@@ -285,7 +285,7 @@ fn wrong_input_is_refused() {
             ..
         }
     ));
-    let apart = AdaptiveProblem::builder(steel(), &ball, NormalControl::Approach(-1e-6), wide());
+    let apart = AdaptiveProblem::builder(steel(), &ball, NormalLoad::Approach(-1e-6), wide());
     let found = apart.build().unwrap().solve();
     assert!(matches!(found.unwrap_err(), Error::EmptyContact));
 

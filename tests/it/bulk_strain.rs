@@ -8,8 +8,8 @@ use stickslip::history::Cycle;
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
     Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
-    LoadStep, Material, NormalControl, NormalProblem, NormalSolution, TangentialLoad,
-    TangentialModel, TangentialProblem, TangentialSolution, Zone, surface,
+    LoadStep, Material, NormalLoad, NormalProblem, NormalSolution, TangentialLoad, TangentialModel,
+    TangentialProblem, TangentialSolution, Zone, surface,
 };
 #[cfg(feature = "dense")]
 use stickslip::{cgm::AbsBound, dense::DenseOperator, influence::Component};
@@ -36,7 +36,7 @@ fn press_roller(n: usize) -> (HalfSpace, NormalSolution) {
     let boundary = Boundary::PeriodicAlongY { datum: 50.0 };
     let bodies = HalfSpace::with_boundary(grid, *hertz().pair(), boundary).unwrap();
     let gap = surface::cylinder(grid, RADIUS).unwrap();
-    let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(LOAD));
+    let press = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(LOAD));
     let normal = kit::solve(press.tolerance(1e-11));
     (bodies, normal)
 }
@@ -193,7 +193,7 @@ fn uniform_displacement_is_equivalent_to_a_shift() {
     let unlike = ElasticPair::new(soft, Material::rigid()).unwrap();
     for boundary in boundaries(grid) {
         let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), boundary).unwrap();
-        let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(0.08));
+        let press = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(0.08));
         let normal = kit::solve(press.tolerance(1e-12));
         let shear = |shift: [f64; 2], relative: Option<&RelativeDisplacement>| {
             let load = TangentialLoad::shift(shift);
@@ -217,7 +217,7 @@ fn uniform_displacement_is_equivalent_to_a_shift() {
         let bodies = HalfSpace::with_boundary(grid, unlike, boundary).unwrap();
         let coupled = |shift: [f64; 2], relative: Option<&RelativeDisplacement>| {
             let load = TangentialLoad::shift(shift);
-            let press = NormalControl::Force(0.08);
+            let press = NormalLoad::Force(0.08);
             let problem = CoupledProblem::builder(&bodies, &gap, friction(), press, load);
             let problem = problem.tolerance(1e-10);
             let problem = match relative {
@@ -246,7 +246,7 @@ fn replaced_relative_displacement_survives_restart() {
         let builder = History::builder(&bodies, &gap, friction()).tolerance(1e-8);
         let builder = builder.model(TangentialModel::Vector);
         let mut history = builder.relative_displacement(bulk.clone()).build().unwrap();
-        let press = LoadStep::force([0.0, 0.0]).normal(NormalControl::Force(0.08));
+        let press = LoadStep::force([0.0, 0.0]).normal(NormalLoad::Force(0.08));
         history.step(&press.relative_displacement(0.02)).unwrap();
         let reached = |history: &History| {
             let reached = history.state().relative_displacement();
@@ -283,7 +283,7 @@ fn loop_of_force_and_shift_encloses_work_of_force() {
     let bulk = RelativeDisplacement::bulk_strain(bodies.grid(), strain).unwrap();
     let builder = History::builder(&bodies, &gap, friction()).tolerance(1e-10);
     let mut history = builder.relative_displacement(bulk).build().unwrap();
-    let press = LoadStep::hold().normal(NormalControl::Force(LOAD));
+    let press = LoadStep::hold().normal(NormalLoad::Force(LOAD));
     history.step(&press).unwrap();
     let load = |force: [f64; 2]| {
         let amount = bulk_stress * force[0] / (part * FRICTION * LOAD);
@@ -339,7 +339,7 @@ fn step_from_rest_matches_the_single_problem() {
     for parts in [1, 5] {
         let builder = History::builder(&bodies, &gap, friction()).tolerance(1e-11);
         let mut history = builder.relative_displacement(bulk.clone()).build().unwrap();
-        let press = LoadStep::hold().normal(NormalControl::Force(LOAD));
+        let press = LoadStep::hold().normal(NormalLoad::Force(LOAD));
         history.step(&press).unwrap();
         for part in 1..=parts {
             let part = f64::from(part) / f64::from(parts);
@@ -377,7 +377,7 @@ fn relative_displacement_on_wrong_grid_or_axis_is_rejected() {
         assert!(refused.is_err());
     }
     let bytes = history.to_bytes();
-    let press = LoadStep::hold().normal(NormalControl::Force(0.1));
+    let press = LoadStep::hold().normal(NormalLoad::Force(0.1));
     kit::assert_refused! {
         history.step(&press.relative_displacement(2.0)) => Error::UnsupportedByModel { value: 2.0, .. },
         history.step(&press.relative_displacement(f64::NAN)) => Error::NotFinite { .. },
@@ -399,7 +399,7 @@ fn relative_displacement_on_wrong_grid_or_axis_is_rejected() {
 fn strain_along_periodic_axis_is_rejected() {
     let grid = Grid::square(8, 4.0).unwrap();
     let gap = surface::sphere(grid, 10.0).unwrap();
-    let force = NormalControl::Force(0.1);
+    let force = NormalLoad::Force(0.1);
     for boundary in boundaries(grid) {
         let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), boundary).unwrap();
         let normal = NormalProblem::builder(&bodies, &gap, force)

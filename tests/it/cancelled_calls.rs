@@ -5,12 +5,12 @@ use std::fmt::Debug;
 use std::ops::ControlFlow;
 
 use kit::unit_bodies;
-use stickslip::cgm::Iteration;
+use stickslip::Iteration;
 use stickslip::stiffness::ContactStiffness;
 use stickslip::subsurface::{self, Body, Planes, Tractions};
 use stickslip::surface::SelfAffine;
 use stickslip::{
-    Axis, Coupling, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
+    Axis, Coupling, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad,
     NormalProblem, NormalSolution, Status, TangentialLoad, TangentialModel, TangentialProblem,
     surface,
 };
@@ -53,7 +53,7 @@ fn assert_stops_when_cancelled<T: Debug + PartialEq>(
 fn scene() -> (HalfSpace, Field, NormalSolution, Friction) {
     let bodies = unit_bodies(Grid::square(kit::thorough(16, 24), 8.0).unwrap(), 0.3);
     let ball = surface::sphere(bodies.grid(), 10.0).unwrap();
-    let load = NormalControl::Force(0.5);
+    let load = NormalLoad::Force(0.5);
     let problem = NormalProblem::builder(&bodies, &ball, load)
         .build()
         .unwrap();
@@ -77,7 +77,7 @@ fn stiffness_stops_when_cancelled() {
     }
     let builder = History::builder(&bodies, &ball, friction).axis(Axis::X);
     let mut history = builder.coupling(Coupling::Neglected).build().unwrap();
-    let load = LoadStep::force([0.05, 0.0]).normal(NormalControl::Force(0.5));
+    let load = LoadStep::force([0.05, 0.0]).normal(NormalLoad::Force(0.5));
     history.step(&load).unwrap();
     let state = history.to_bytes();
     assert_stops_when_cancelled(|observer| history.stiffness_observed(observer));

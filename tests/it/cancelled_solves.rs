@@ -4,13 +4,14 @@
 use std::ops::ControlFlow;
 
 use kit::{Random, rough, thorough, unit_bodies};
-use stickslip::cgm::{self, AbsBound, Iteration, Method, NonNegative, Problem};
+use stickslip::Iteration;
+use stickslip::cgm::{self, AbsBound, Method, NonNegative, Problem};
 use stickslip::influence::Component;
 use stickslip::normal::Hardness;
 use stickslip::rolling::{RollingControl, RollingProblem};
 use stickslip::{
     Axis, Boundary, CoupledProblem, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace,
-    History, LoadStep, Material, NormalControl, NormalProblem, Status, TangentialControl,
+    History, LoadStep, Material, NormalLoad, NormalProblem, Status, TangentialControl,
     TangentialLoad, TangentialModel, TangentialProblem, surface,
 };
 
@@ -72,7 +73,7 @@ fn assert_steps_cancelled(history: &mut History, steps: &[LoadStep]) -> usize {
 }
 
 fn press_step(force: f64) -> LoadStep {
-    LoadStep::hold().normal(NormalControl::Force(force))
+    LoadStep::hold().normal(NormalLoad::Force(force))
 }
 
 fn with_tangential_force(load: LoadStep, force: f64) -> LoadStep {
@@ -173,9 +174,9 @@ fn solver_cancelled_reports_cancellation() {
     let stride = thorough(2, 1);
     let bodies = unit_bodies(grid, 0.3);
     for (load, method) in [
-        (NormalControl::Force(0.2), Method::ActiveSet),
-        (NormalControl::Force(0.2), Method::PolonskyKeer),
-        (NormalControl::Approach(0.05), Method::ActiveSet),
+        (NormalLoad::Force(0.2), Method::ActiveSet),
+        (NormalLoad::Force(0.2), Method::PolonskyKeer),
+        (NormalLoad::Approach(0.05), Method::ActiveSet),
     ] {
         let problem = NormalProblem::builder(&bodies, &gap, load).method(method);
         let problem = problem
@@ -191,7 +192,7 @@ fn solver_cancelled_reports_cancellation() {
         };
         assert_cancelled(stride, solve);
     }
-    let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(0.2));
+    let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(0.2));
     let normal = kit::solve(problem);
     for (load, model) in [
         (TangentialLoad::force([0.03, 0.0]), TangentialModel::Scalar),
@@ -217,7 +218,7 @@ fn solver_cancelled_reports_cancellation() {
         let solve = |observer: Observer<'_>| {
             let mut solver = problem.clone().into_solver().unwrap();
             let controls = [RollingControl::Creepage(0.02), RollingControl::Force(0.01)];
-            solver.set_control(controls, spin).unwrap();
+            solver.set_load(controls, spin).unwrap();
             let mut solution = solver.new_solution();
             let outcome = solver.solve_observed(&mut solution, observer);
             assert_eq!(solution.report().is_converged(), outcome.is_ok());
@@ -235,7 +236,7 @@ fn coupled_solver_cancelled_reports_cancellation() {
         TangentialLoad::force([0.03, 0.0]),
         TangentialLoad::shift([0.02, 0.0]),
     ] {
-        let control = NormalControl::Force(0.2);
+        let control = NormalLoad::Force(0.2);
         let problem = CoupledProblem::builder(&bodies, &gap, coulomb_friction(), control, load);
         let problem = problem.build().unwrap();
         let solve = |observer: Observer<'_>| {

@@ -342,7 +342,7 @@ fn mismatched_cell_values_are_rejected() {
     let (uniform, centres) = (of(CellValue::Uniform), of(CellValue::Centre));
     let gap = Smooth::sphere().gap(grid, [0.0; 2]);
     let press = |bodies: &HalfSpace| {
-        let problem = NormalProblem::builder(bodies, &gap, NormalControl::Force(0.5));
+        let problem = NormalProblem::builder(bodies, &gap, NormalLoad::Force(0.5));
         kit::solve(problem)
     };
     let contact = press(&centres);
@@ -371,7 +371,7 @@ fn mismatched_cell_values_are_rejected() {
     let history = |bodies: &HalfSpace| {
         let mut history = History::builder(bodies, &gap, friction()).build().unwrap();
         history
-            .step(&LoadStep::hold().normal(NormalControl::Force(0.5)))
+            .step(&LoadStep::hold().normal(NormalLoad::Force(0.5)))
             .unwrap();
         history
     };

@@ -4,7 +4,8 @@ use std::ops::ControlFlow;
 
 use approx::assert_relative_eq;
 use kit::{Random, max_abs};
-use stickslip::cgm::{self, Bounds, Method, NonNegative, Problem, Report, Settings};
+use stickslip::Report;
+use stickslip::cgm::{self, Bounds, Method, NonNegative, Problem, Settings};
 use stickslip::{Error, Operator, Scratch};
 
 /// Ring of springs, each coupled to its neighbours. The entries are 2 on the diagonal and `coupling` next to the
@@ -201,7 +202,8 @@ fn duality_gap_is_not_negative() {
 #[cfg(feature = "dense")]
 #[test]
 fn certificate_with_stiff_spring_bounds_error() {
-    use stickslip::cgm::{Status, Total};
+    use stickslip::Status;
+    use stickslip::cgm::Total;
     use stickslip::dense::DenseOperator;
 
     let mut random = Random(9);

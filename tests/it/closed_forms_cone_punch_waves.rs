@@ -10,7 +10,7 @@ use stickslip::analytical::{
     Cone, ConePartialSlip, FlatPunch, Westergaard, WestergaardPartialSlip,
 };
 use stickslip::{
-    Boundary, Field, Friction, Grid, HalfSpace, NormalControl, NormalProblem, NormalSolution,
+    Boundary, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
     TangentialLoad, TangentialProblem, TangentialSolution,
 };
 
@@ -18,7 +18,7 @@ const FRICTION: f64 = 0.4;
 const TOLERANCE: f64 = 1e-10;
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
-    let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(force))
+    let problem = NormalProblem::builder(bodies, gap, NormalLoad::Force(force))
         .tolerance(TOLERANCE)
         .build();
     problem.unwrap().solve().unwrap()

@@ -11,7 +11,7 @@ use stickslip::layers::{LIMIT, Layer};
 use stickslip::subsurface::{Body, Tractions, at_points};
 use stickslip::{
     Boundary, CellValue, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material,
-    NormalControl, TangentialLoad, analytical, surface,
+    NormalLoad, TangentialLoad, analytical, surface,
 };
 
 /// Reference values from mpmath with 60 digits, computed from Papkovich-Neuber potentials. The factor of a cell and the
@@ -182,7 +182,7 @@ fn layer_of_substrate_material_has_no_effect() {
     let [plain, layered] = [against_rigid(body), against_rigid(coated)].map(|pair| {
         let bodies = HalfSpace::new(Grid::square(48, 12.0).unwrap(), pair).unwrap();
         let gap = surface::sphere(bodies.grid(), 20.0).unwrap();
-        press(&bodies, &gap, NormalControl::Force(4.0), 1e-10)
+        press(&bodies, &gap, NormalLoad::Force(4.0), 1e-10)
     });
     let [plain, layered] = [plain, layered].map(|of| of.pressure().clone());
     assert!(l2_difference(layered.as_slice(), plain.as_slice()) < 1e-9);
@@ -217,7 +217,7 @@ fn thin_bed_on_rigid_base_matches_winkler() {
     // The contact radius is fifty thicknesses.
     let (radius, approach) = (1000.0, 5e-4);
     let gap = surface::sphere(grid, radius).unwrap();
-    let contact = press(&bodies, &gap, NormalControl::Approach(approach), 1e-8);
+    let contact = press(&bodies, &gap, NormalLoad::Approach(approach), 1e-8);
     let displacement = contact.displacement(&bodies).unwrap();
     let centre = 96 * 192 + 96;
     let (p, u) = (
@@ -247,7 +247,7 @@ fn sphere_on_coating_matches_axisymmetric_solution() {
             let grid = Grid::square(n, 3.1 * radius * hertz.contact_radius()).unwrap();
             let bodies = HalfSpace::new(grid, pair).unwrap();
             let gap = surface::sphere(grid, hertz.radius()).unwrap();
-            let load = NormalControl::Force(load);
+            let load = NormalLoad::Force(load);
             let contact = press(&bodies, &gap, load, 1e-8);
             [
                 contact.approach() / hertz.approach() - approach,
@@ -281,7 +281,7 @@ fn paraboloid_on_bonded_layer_matches_published_series() {
         let bodies = HalfSpace::new(grid, pair).unwrap();
         let bodies = bodies.with_cell_value(CellValue::Centre).unwrap();
         let gap = Field::from_fn(grid, |x, y| 0.5 * (x * x + y * y) / radius);
-        let load = NormalControl::Approach(approach);
+        let load = NormalLoad::Approach(approach);
         let contact = press(&bodies, &gap, load, 1e-9);
         // E* = 2 G / (1 - nu).
         contact.force() / (4.0 / 3.0 * 4.0 * radius.sqrt() * approach.powf(1.5))
@@ -318,7 +318,7 @@ fn certificate_bounds_error_for_random_coatings() {
         let boundary = [Boundary::NonPeriodic, Boundary::Periodic][case % 2];
         let bodies = HalfSpace::with_boundary(grid, against_rigid(body), boundary).unwrap();
         let heights = rough(grid, 3 + case as u64);
-        let control = NormalControl::Force(load);
+        let control = NormalLoad::Force(load);
         let exact = press(&bodies, &heights, control, 1e-11);
         for tolerance in [1e-1, 1e-4] {
             let found = press(&bodies, &heights, control, tolerance);
@@ -343,7 +343,7 @@ fn shear_stiffness_matches_mindlin_in_both_limits() {
         assert!(!pair.is_coupled());
         let bodies = HalfSpace::new(grid, pair).unwrap();
         let gap = surface::sphere(grid, 2.0).unwrap();
-        let pressed = |load| press(&bodies, &gap, NormalControl::Force(load), 1e-10);
+        let pressed = |load| press(&bodies, &gap, NormalLoad::Force(load), 1e-10);
         let (normal, more) = (pressed(0.5), pressed(0.501));
         let stiffness = 0.001 / (more.approach() - normal.approach());
         let friction = Friction::coulomb(1.0).unwrap();
@@ -426,6 +426,6 @@ fn functions_of_a_single_modulus_reject_coated_bodies() {
             => Error::UnsupportedForCoatings { .. },
     }
     let gap = surface::sphere(grid, 5.0).unwrap();
-    let contact = press(&bodies, &gap, NormalControl::Force(0.3), 1e-6);
+    let contact = press(&bodies, &gap, NormalLoad::Force(0.3), 1e-6);
     kit::assert_refused! { contact.edges() => Error::UnsupportedForCoatings { .. } }
 }

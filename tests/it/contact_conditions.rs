@@ -3,7 +3,7 @@
 use kit::{Random, l2_difference};
 use proptest::prelude::*;
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
+    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
     NormalSolution, TangentialLoad, TangentialProblem, TangentialSolution, Zone,
 };
 
@@ -74,10 +74,10 @@ impl RandomContact {
 
 impl TestProblem {
     fn press(&self) -> NormalSolution {
-        self.press_by(NormalControl::Force(self.force))
+        self.press_by(NormalLoad::Force(self.force))
     }
 
-    fn press_by(&self, load: NormalControl) -> NormalSolution {
+    fn press_by(&self, load: NormalLoad) -> NormalSolution {
         let builder = NormalProblem::builder(&self.bodies, &self.gap, load).tolerance(1e-11);
         kit::solve(builder)
     }
@@ -181,7 +181,7 @@ proptest! {
         let span = problem.gap.max() - problem.gap.min() + 0.1;
         let mut last = 0.0;
         for approach in [-0.5, 0.0, 0.1, 0.3, 1.0, 3.0] {
-            let solution = problem.press_by(NormalControl::Approach(problem.gap.min() + approach * span));
+            let solution = problem.press_by(NormalLoad::Approach(problem.gap.min() + approach * span));
             prop_assert!(solution.force() >= last);
             prop_assert_eq!(solution.force() > 0.0, approach > 0.0);
             last = solution.force();

@@ -19,7 +19,7 @@ fn bodies_with(grid: Grid, nu: f64, cell_value: CellValue) -> HalfSpace {
     bodies.with_cell_value(cell_value).unwrap()
 }
 
-fn press(bodies: &HalfSpace, gap: &Field, load: NormalControl) -> NormalSolution {
+fn press(bodies: &HalfSpace, gap: &Field, load: NormalLoad) -> NormalSolution {
     let problem = NormalProblem::builder(bodies, gap, load).tolerance(1e-7);
     kit::solve(problem)
 }
@@ -183,7 +183,7 @@ fn edges_of_singular_pressure_are_not_fitted() {
         let contact = press(
             &bodies_with(grid, 0.0, cell_value),
             &punch,
-            NormalControl::Force(1.0),
+            NormalLoad::Force(1.0),
         );
         let edges = contact.edges().unwrap();
         assert!(
@@ -223,7 +223,7 @@ fn areas_of_rough_contacts_are_accurate_if_most_fits_fail() {
             }
             0.01 * height
         });
-        let problem = NormalProblem::builder(&bodies, &surface, NormalControl::Force(0.02));
+        let problem = NormalProblem::builder(&bodies, &surface, NormalLoad::Force(0.02));
         let contact = kit::solve(problem.tolerance(1e-4));
         let edges = contact.edges().unwrap();
         (contact.contact_area(), edges.area(), edges)
@@ -247,7 +247,7 @@ fn edges_on_periodic_lines_and_without_contact_exist() {
     let bodies = bodies.with_cell_value(CellValue::Centre).unwrap();
     let roller = Field::from_fn(grid, |x, _| 0.5 * (x - 0.011).powi(2));
     // The half-width is one.
-    let load = NormalControl::Force(std::f64::consts::PI / 4.0 * grid.dy());
+    let load = NormalLoad::Force(std::f64::consts::PI / 4.0 * grid.dy());
     let contact = press(&bodies, &roller, load);
     let edges = contact.edges().unwrap();
     let [raw, found] = [contact.contact_area(), edges.area()].map(|area| area / (2.0 * grid.dy()));
@@ -256,11 +256,7 @@ fn edges_on_periodic_lines_and_without_contact_exist() {
         "{raw} {found}"
     );
 
-    let apart = press(
-        &unit_bodies(grid, 0.0),
-        &roller,
-        NormalControl::Approach(-1.0),
-    );
+    let apart = press(&unit_bodies(grid, 0.0), &roller, NormalLoad::Approach(-1.0));
     let edges = apart.edges().unwrap();
     assert!(edges.cells().is_empty() && edges.outline().is_empty());
     assert_eq!((edges.area(), edges.unfitted_fraction()), (0.0, 0.0));
@@ -271,7 +267,7 @@ fn edges_on_periodic_lines_and_without_contact_exist() {
 fn edges_for_mismatched_bodies_and_slabs_are_rejected() {
     let grid = Grid::square(24, 3.0).unwrap();
     let gap = Smooth::sphere().gap(grid, [0.0; 2]);
-    let load = NormalControl::Force(0.5);
+    let load = NormalLoad::Force(0.5);
     let friction = Friction::coulomb(0.5).unwrap();
     let [uniform, centres] = [CellValue::Uniform, CellValue::Centre].map(|cell_value| {
         let bodies = bodies_with(grid, 0.0, cell_value);

@@ -1,6 +1,6 @@
 //! Comparison with the discrete solution of CONTACT, an independent code with the same elements.
 
-use stickslip::{ElasticPair, Field, Grid, HalfSpace, Material, NormalControl, NormalProblem};
+use stickslip::{ElasticPair, Field, Grid, HalfSpace, Material, NormalLoad, NormalProblem};
 
 /// The header of the file states the case and its source.
 const HERTZ: &str = include_str!("../data/hertz_contact.csv");
@@ -12,8 +12,7 @@ fn hertz_contact_on_nineteen_cells_matches() {
     let body = Material::from_shear_modulus(200.0, 0.42).unwrap();
     let bodies = HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap();
     let gap = Field::from_fn(grid, |x, y| 0.01 * x * x + 0.01 * y * y);
-    let problem =
-        NormalProblem::builder(&bodies, &gap, NormalControl::Force(9.1954)).tolerance(1e-12);
+    let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(9.1954)).tolerance(1e-12);
     let solution = kit::solve(problem);
 
     let mut expected = Field::zeros(grid);

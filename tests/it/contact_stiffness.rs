@@ -8,7 +8,7 @@ use stickslip::normal::Hardness;
 use stickslip::stiffness::{ContactStiffness, StiffnessWorkspace};
 use stickslip::{
     Axis, Boundary, CoupledProblem, CoupledSolution, Coupling, ElasticPair, Error, Field, Friction,
-    Grid, HalfSpace, History, LoadStep, Material, NormalControl, NormalProblem, NormalSolution,
+    Grid, HalfSpace, History, LoadStep, Material, NormalLoad, NormalProblem, NormalSolution,
     TangentialControl, TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution,
     surface,
 };
@@ -48,7 +48,7 @@ impl StiffnessCase {
         }
     }
 
-    fn press(&self, control: NormalControl) -> NormalSolution {
+    fn press(&self, control: NormalLoad) -> NormalSolution {
         let problem = NormalProblem::builder(&self.bodies, &self.gap, control).tolerance(SOLVE);
         kit::solve(problem)
     }
@@ -95,12 +95,12 @@ fn normal_stiffness_matches_difference_of_forces() {
         StiffnessCase::rough(Boundary::NonPeriodic, TangentialModel::Scalar),
         StiffnessCase::rough(Boundary::Periodic, TangentialModel::Scalar),
     ] {
-        let contact = scene.press(NormalControl::Force(6.0));
+        let contact = scene.press(NormalLoad::Force(6.0));
         let stiffness = contact.stiffness(&scene.bodies).unwrap();
         assert!(stiffness.bound <= 1e-10);
         let step = 1e-6 * contact.approach().abs();
         let [more, less] = [step, -step].map(|step| {
-            let solution = scene.press(NormalControl::Approach(contact.approach() + step));
+            let solution = scene.press(NormalLoad::Approach(contact.approach() + step));
             assert_eq!(solution.contact_cells(), contact.contact_cells());
             solution.force()
         });
@@ -110,7 +110,7 @@ fn normal_stiffness_matches_difference_of_forces() {
         // A larger step within the same active set has less round-off.
         let step = 100.0 * step;
         let [more, less] = [step, -step].map(|step| {
-            let solution = scene.press(NormalControl::Approach(contact.approach() + step));
+            let solution = scene.press(NormalLoad::Approach(contact.approach() + step));
             (solution.contact_cells(), solution.force())
         });
         if more.0 == contact.contact_cells() && less.0 == more.0 {
@@ -129,7 +129,7 @@ fn stiffness_converges_to_hertz_and_mindlin() {
         let scene = StiffnessCase::ball(cells, poisson, TangentialModel::Scalar);
         let loads = [5.0, 5.3, 5.6, 5.9, 6.2, 6.5, 6.8, 7.1];
         let errors = loads.map(|load| {
-            let normal = scene.press(NormalControl::Force(load));
+            let normal = scene.press(NormalLoad::Force(load));
             let hertz = HertzSphere::new(scene.bodies.pair(), 20.0, load).unwrap();
             let exact = 2.0 * scene.bodies.pair().contact_modulus() * hertz.contact_radius();
             let shear = scene.shear(&normal, TangentialLoad::force([0.1, 0.0]));
@@ -156,7 +156,7 @@ fn partial_slip_stiffness_is_that_of_lighter_contact() {
     for model in [TangentialModel::Scalar, TangentialModel::Vector] {
         let scene = StiffnessCase::ball(64, 0.0, model);
         let load = 6.0;
-        let normal = scene.press(NormalControl::Force(load));
+        let normal = scene.press(NormalLoad::Force(load));
         let full = normal.stiffness(&scene.bodies).unwrap();
         let pair = scene.bodies.pair();
         let hertz = HertzSphere::new(pair, 20.0, load).unwrap();
@@ -165,7 +165,7 @@ fn partial_slip_stiffness_is_that_of_lighter_contact() {
             let shear = scene.shear(&normal, TangentialLoad::force([force, 0.0]));
             let found =
                 ContactStiffness::new(&scene.bodies, &normal, &scene.friction, &shear).unwrap();
-            let lighter = scene.press(NormalControl::Force(load - force / FRICTION));
+            let lighter = scene.press(NormalLoad::Force(load - force / FRICTION));
             let stick = lighter.stiffness(&scene.bodies).unwrap();
             let [loading, reversal] = [found.tangential.loading, found.tangential.reversal]
                 .map(|matrix| numbers(matrix)[0][0]);
@@ -198,7 +198,7 @@ fn loading_stiffness_matches_differences_in_vector_model() {
             0.0,
         ),
     ] {
-        let normal = scene.press(NormalControl::Force(6.0));
+        let normal = scene.press(NormalLoad::Force(6.0));
         let along = scene.shear(&normal, TangentialLoad::force([1.2, 0.6]));
         let shift = along.shift();
         let load =
@@ -244,7 +244,7 @@ fn pressing_increases_force_by_limit_of_slipping_cells() {
                 .max_shear_stress(cap)
                 .unwrap();
         }
-        let normal = scene.press(NormalControl::Force(6.0));
+        let normal = scene.press(NormalLoad::Force(6.0));
         let shift = scene
             .shear(&normal, TangentialLoad::force([0.9, 0.4]))
             .shift();
@@ -254,7 +254,7 @@ fn pressing_increases_force_by_limit_of_slipping_cells() {
         let slope = |part: f64| {
             let at = |sign: f64| {
                 let approach = normal.approach() * (1.0 + sign * part);
-                loads(&scene.shear(&scene.press(NormalControl::Approach(approach)), load))
+                loads(&scene.shear(&scene.press(NormalLoad::Approach(approach)), load))
             };
             let (more, less) = (at(1.0), at(-1.0));
             [0, 1, 2].map(|row| (more[row] - less[row]) / (2.0 * part * normal.approach()))
@@ -277,7 +277,7 @@ fn history_stiffness_matches_steps_forward_and_back() {
     let builder = History::builder(&scene.bodies, &scene.gap, scene.friction.clone());
     let mut history = builder.axis(Axis::Y).tolerance(SOLVE).build().unwrap();
     assert_eq!(history.stiffness().unwrap().normal.value, 0.0);
-    let press = LoadStep::hold().normal(NormalControl::Force(6.0));
+    let press = LoadStep::hold().normal(NormalLoad::Force(6.0));
     history.step(&press).unwrap();
     let shear = |force| LoadStep::hold().tangential(Axis::Y, TangentialControl::Force(force));
     history.step(&shear(1.3)).unwrap();
@@ -311,7 +311,7 @@ fn history_stiffness_matches_steps_forward_and_back() {
 fn sliding_contact_has_no_stiffness_along_slip() {
     for model in [TangentialModel::Scalar, TangentialModel::Vector] {
         let scene = StiffnessCase::ball(32, 0.0, model);
-        let normal = scene.press(NormalControl::Force(6.0));
+        let normal = scene.press(NormalLoad::Force(6.0));
         let stuck = scene.shear(&normal, TangentialLoad::force([0.1, 0.0]));
         let shear = scene.shear(&normal, TangentialLoad::shift([5.0, 0.0]));
         assert!(shear.is_gross_slip());
@@ -330,7 +330,7 @@ fn sliding_contact_has_no_stiffness_along_slip() {
 #[test]
 fn dependent_motions_of_sliding_cells_are_handled() {
     let scene = StiffnessCase::ball(32, 0.0, TangentialModel::Vector);
-    let normal = scene.press(NormalControl::Force(6.0));
+    let normal = scene.press(NormalLoad::Force(6.0));
     let straight = scene.shear(&normal, TangentialLoad::shift([5.0, 0.0]));
     let across = numbers(straight.stiffness(&scene.bodies).unwrap().loading)[1][1];
     let oblique = scene.shear(&normal, TangentialLoad::shift([3.0, 4.0]));
@@ -365,7 +365,7 @@ fn dependent_motions_of_sliding_cells_are_handled() {
 #[test]
 fn scalar_model_has_stiffness_of_one_motion() {
     let scene = StiffnessCase::ball(24, 0.3, TangentialModel::Scalar);
-    let normal = scene.press(NormalControl::Force(6.0));
+    let normal = scene.press(NormalLoad::Force(6.0));
     for axis in [0, 1] {
         let mut force = [0.0; 2];
         force[axis] = 0.5;
@@ -395,7 +395,7 @@ fn parts_of_coupled_solution_are_rejected() {
     let grid = Grid::square(16, 3.0).unwrap();
     let gap = surface::sphere(grid, 10.0).unwrap();
     let friction = Friction::coulomb(FRICTION).unwrap();
-    let press = NormalControl::Force(0.1);
+    let press = NormalLoad::Force(0.1);
     let load = TangentialLoad::force([0.01, 0.0]);
     let solve = |pair: ElasticPair| {
         let bodies = HalfSpace::new(grid, pair).unwrap();
@@ -435,10 +435,7 @@ fn coupled_stiffness_matches_differences_of_solves() {
     let pair = ElasticPair::new(body, Material::rigid()).unwrap();
     let bodies = HalfSpace::new(grid, pair).unwrap();
     let solve = |approach: f64, shift: [f64; 2]| {
-        let (press, load) = (
-            NormalControl::Approach(approach),
-            TangentialLoad::shift(shift),
-        );
+        let (press, load) = (NormalLoad::Approach(approach), TangentialLoad::shift(shift));
         let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), press, load);
         kit::solve(problem.tolerance(SOLVE))
     };
@@ -488,7 +485,7 @@ fn coupled_stiffness_matches_differences_of_solves() {
 #[test]
 fn periodic_grid_has_no_twist_stiffness() {
     let scene = StiffnessCase::rough(Boundary::Periodic, TangentialModel::Vector);
-    let normal = scene.press(NormalControl::Force(6.0));
+    let normal = scene.press(NormalLoad::Force(6.0));
     let shear = scene.shear(&normal, TangentialLoad::force([0.5, 0.2]));
     let found = ContactStiffness::new(&scene.bodies, &normal, &scene.friction, &shear).unwrap();
     for matrix in [found.tangential.loading, found.tangential.reversal] {
@@ -501,7 +498,7 @@ fn periodic_grid_has_no_twist_stiffness() {
 #[test]
 fn different_bodies_and_closed_gaps_are_rejected() {
     let scene = StiffnessCase::ball(32, 0.3, TangentialModel::Scalar);
-    let normal = scene.press(NormalControl::Force(6.0));
+    let normal = scene.press(NormalLoad::Force(6.0));
     let shear = scene.shear(&normal, TangentialLoad::force([1.0, 0.0]));
     let other = StiffnessCase::ball(31, 0.3, TangentialModel::Scalar);
     let refused = normal.stiffness(&other.bodies);
@@ -517,7 +514,7 @@ fn different_bodies_and_closed_gaps_are_rejected() {
     let grid = Grid::square(8, 1.0).unwrap();
     let bodies = HalfSpace::with_boundary(grid, *scene.bodies.pair(), Boundary::Periodic).unwrap();
     let flat = Field::zeros(grid);
-    let contact = NormalProblem::builder(&bodies, &flat, NormalControl::Force(1.0));
+    let contact = NormalProblem::builder(&bodies, &flat, NormalLoad::Force(1.0));
     let contact = kit::solve(contact);
     kit::assert_refused! { contact.stiffness(&bodies) => Error::NotFinite { .. } }
 }
@@ -550,7 +547,7 @@ fn yielding_contact_stiffness_matches_steps() {
         StiffnessCase::ball(48, 0.3, TangentialModel::Vector),
         coupled,
     ] {
-        let elastic = scene.press(NormalControl::Force(6.0));
+        let elastic = scene.press(NormalLoad::Force(6.0));
         let hardness = Hardness::uniform(0.7 * elastic.pressure().max()).unwrap();
         let builder = History::builder(&scene.bodies, &scene.gap, scene.friction.clone());
         let builder = builder.model(scene.model).hardness(hardness);
@@ -600,7 +597,7 @@ fn fully_coupled_stiffness_matches_steps() {
 /// Asserts that central differences of whole steps, from a contact to a larger one, agree with the stiffness at the
 /// end.
 fn assert_stiffness_matches_steps(scene: &StiffnessCase, builder: HistoryBuilder<'_>) {
-    let [low, deep] = [3.0, 6.0].map(|force| scene.press(NormalControl::Force(force)).approach());
+    let [low, deep] = [3.0, 6.0].map(|force| scene.press(NormalLoad::Force(force)).approach());
     let growth = deep - low;
     let first = builder.tolerance(SOLVE).build().unwrap();
     let axes = if scene.model == TangentialModel::Vector {
@@ -612,7 +609,7 @@ fn assert_stiffness_matches_steps(scene: &StiffnessCase, builder: HistoryBuilder
         let across = if axes == 2 { 0.4 } else { 0.0 };
         let shift = [part * growth, across * part * growth];
         let load = |approach: f64, shift: [f64; 2]| {
-            LoadStep::shift(shift).normal(NormalControl::Approach(approach))
+            LoadStep::shift(shift).normal(NormalLoad::Approach(approach))
         };
         let mut start = first.clone();
         start.step(&load(low, [0.0; 2])).unwrap();
@@ -669,7 +666,7 @@ fn reused_buffers_do_not_change_stiffness() {
             .build()
             .unwrap();
         for approach in [0.2, 0.4, 0.3] {
-            let press = LoadStep::shift([0.02, 0.0]).normal(NormalControl::Approach(approach));
+            let press = LoadStep::shift([0.02, 0.0]).normal(NormalLoad::Approach(approach));
             history.step(&press).unwrap();
             let fresh = history.stiffness().unwrap();
             assert_eq!(
@@ -695,7 +692,7 @@ fn larger_tolerance_costs_less() {
         .model(scene.model)
         .build()
         .unwrap();
-    let load = LoadStep::shift([0.02, 0.01]).normal(NormalControl::Approach(0.3));
+    let load = LoadStep::shift([0.02, 0.01]).normal(NormalLoad::Approach(0.3));
     history.step(&load).unwrap();
     let found = |tolerance: f64| {
         let mut workspace = StiffnessWorkspace::new().tolerance(tolerance).unwrap();

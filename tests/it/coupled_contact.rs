@@ -7,7 +7,7 @@ use stickslip::influence::Component;
 use stickslip::influence::Direction::{X, Y, Z};
 use stickslip::{
     Axis, Boundary, CoupledProblem, CoupledSolution, ElasticPair, Error, Field, Friction, Grid,
-    HalfSpace, Material, NormalControl, NormalProblem, Operator, Status, TangentialControl,
+    HalfSpace, Material, NormalLoad, NormalProblem, Operator, Status, TangentialControl,
     TangentialLoad, TangentialModel, TangentialProblem, cgm, surface,
 };
 
@@ -47,7 +47,7 @@ fn solve(
     bodies: &HalfSpace,
     gap: &Field,
     coefficient: f64,
-    normal: NormalControl,
+    normal: NormalLoad,
     load: TangentialLoad,
     tolerance: f64,
 ) -> CoupledSolution {
@@ -71,7 +71,7 @@ fn punch_stick_radii_match_spence() {
         let bodies = HalfSpace::new(grid, against_rigid(beta)).unwrap();
         let values = STICK_RADII.into_iter().zip(coefficients);
         for (radius, coefficient) in values.step_by(kit::thorough(2, 1)) {
-            let force = NormalControl::Force(1.0);
+            let force = NormalLoad::Force(1.0);
             let contact = solve(
                 &bodies,
                 &punch_gap(grid),
@@ -97,7 +97,7 @@ fn punch_stick_radii_converge_with_the_grid() {
         let errors = errors.step_by(kit::thorough(3, 1));
         let errors: Vec<f64> = errors
             .map(|(radius, coefficient)| {
-                let force = NormalControl::Force(1.0);
+                let force = NormalLoad::Force(1.0);
                 let contact = solve(
                     &bodies,
                     &punch_gap(grid),
@@ -127,7 +127,7 @@ fn punch_in_full_stick_matches_mossakovskii() {
         let errors = [33, 129].map(|cells| {
             let grid = Grid::square(cells, 2.4).unwrap();
             let bodies = HalfSpace::new(grid, pair).unwrap();
-            let (gap, press) = (punch_gap(grid), NormalControl::Force(1.0));
+            let (gap, press) = (punch_gap(grid), NormalLoad::Force(1.0));
             let stuck = solve(&bodies, &gap, 20.0, press, zero_shift(), 1e-6);
             let smooth = NormalProblem::builder(&bodies, &gap, press)
                 .build()
@@ -187,7 +187,7 @@ fn uncoupled_bodies_match_separate_solves() {
         (unit_bodies(grid, 0.3), rough(grid, 3)),
     ] {
         assert!(bodies.pair().dundurs_beta().abs() < 1e-15);
-        let press = NormalControl::Force(0.15 * bodies.pair().contact_modulus());
+        let press = NormalLoad::Force(0.15 * bodies.pair().contact_modulus());
         let (tolerance, coefficient) = (1e-11, 0.3);
         let force = 0.6 * coefficient * 0.15 * bodies.pair().contact_modulus();
         let load = TangentialLoad::force([0.8 * force, 0.6 * force]);
@@ -224,7 +224,7 @@ fn controls_of_the_same_state_are_equivalent() {
     let bodies = HalfSpace::new(grid, against_rigid(0.35)).unwrap();
     let gap = surface::ellipsoid(grid, 8.0, 5.0).unwrap();
     let load = TangentialLoad::force([0.02, -0.01]).twist(0.01);
-    let found = solve(&bodies, &gap, 0.5, NormalControl::Force(0.1), load, 1e-12);
+    let found = solve(&bodies, &gap, 0.5, NormalLoad::Force(0.1), load, 1e-12);
     let (stiffness, [x, y]) = (0.4, found.tangential().shift());
     let spring = |shift: f64, force: f64| TangentialControl::Spring {
         position: shift + force / stiffness,
@@ -232,11 +232,11 @@ fn controls_of_the_same_state_are_equivalent() {
     };
     let sheared = TangentialLoad::shift([x, y]).twist(0.01);
     for (normal, load) in [
-        (NormalControl::Approach(found.normal().approach()), load),
-        (NormalControl::Force(0.1), sheared),
-        (NormalControl::Approach(found.normal().approach()), sheared),
+        (NormalLoad::Approach(found.normal().approach()), load),
+        (NormalLoad::Force(0.1), sheared),
+        (NormalLoad::Approach(found.normal().approach()), sheared),
         (
-            NormalControl::Force(0.1),
+            NormalLoad::Force(0.1),
             load.along(Axis::X, spring(x, 0.02))
                 .along(Axis::Y, spring(y, -0.01)),
         ),
@@ -266,7 +266,7 @@ fn halves_are_within_their_error_bounds() {
         let gap = Field::from_indices(grid, |ix, iy| 0.05 * gap.get(ix, iy).unwrap());
         let force = 0.02 * grid.area();
         let (press, load) = (
-            NormalControl::Force(force),
+            NormalLoad::Force(force),
             TangentialLoad::force([0.2 * force, 0.0]),
         );
         let found = solve(&bodies, &gap, 0.5, press, load, 3e-3);
@@ -358,7 +358,7 @@ fn errors_are_within_their_estimates() {
         let gap = Field::from_fn(grid, |x, y| {
             0.05 * (x * x + y * y) + height * random.uniform(0.0, 1.0)
         });
-        let (coefficient, press) = (random.decade(-1.0, 0.0), NormalControl::Force(0.1));
+        let (coefficient, press) = (random.decade(-1.0, 0.0), NormalLoad::Force(0.1));
         let load = if scene % 2 == 0 {
             TangentialLoad::shift([0.2 * coefficient, 0.1 * coefficient])
         } else {
@@ -387,7 +387,7 @@ fn weak_friction_errors_are_within_certified_bounds() {
     let grid = Grid::square(20, 2.6).unwrap();
     let bodies = HalfSpace::new(grid, against_rigid(0.12)).unwrap();
     let gap = surface::sphere(grid, 10.0).unwrap();
-    let press = NormalControl::Force(0.1);
+    let press = NormalLoad::Force(0.1);
     let load = TangentialLoad::shift([0.02, 0.01]);
     let exact = solve(&bodies, &gap, 0.1, press, load, 1e-13);
     for tolerance in [3e-2, 1e-3, 1e-5] {
@@ -458,7 +458,7 @@ fn rough_bodies_of_random_pairs_converge() {
             &bodies,
             &gap,
             coefficient,
-            NormalControl::Force(force),
+            NormalLoad::Force(force),
             load,
             1e-10,
         );
@@ -480,13 +480,13 @@ fn zero_load_and_zero_friction_are_solved() {
         &bodies,
         &gap,
         0.3,
-        NormalControl::Force(0.0),
+        NormalLoad::Force(0.0),
         zero_shift(),
         1e-8,
     );
     assert!(empty.normal().pressure().max() == 0.0 && empty.tangential().stick_ratio() == 0.0);
 
-    let press = NormalControl::Force(0.05);
+    let press = NormalLoad::Force(0.05);
     let smooth = solve(&bodies, &gap, 0.0, press, zero_shift(), 1e-10);
     let normal = NormalProblem::builder(&bodies, &gap, press).tolerance(1e-10);
     let normal = kit::solve(normal);
@@ -510,16 +510,16 @@ fn loads_that_are_invalid_or_beyond_capacity_are_rejected() {
     let grid = Grid::square(16, 2.0).unwrap();
     let bodies = HalfSpace::new(grid, against_rigid(0.5)).unwrap();
     let gap = surface::sphere(grid, 5.0).unwrap();
-    let build = |normal: NormalControl, load: TangentialLoad| {
+    let build = |normal: NormalLoad, load: TangentialLoad| {
         let friction = Friction::coulomb(0.3).unwrap();
         CoupledProblem::builder(&bodies, &gap, friction, normal, load)
     };
-    let refused = build(NormalControl::Force(-1.0), zero_shift()).build();
+    let refused = build(NormalLoad::Force(-1.0), zero_shift()).build();
     assert!(matches!(refused, Err(Error::NegativeOrNotFinite { value, .. }) if value == -1.0));
-    let sliding = build(NormalControl::Force(1.0), TangentialLoad::force([0.3, 0.1])).build();
+    let sliding = build(NormalLoad::Force(1.0), TangentialLoad::force([0.3, 0.1])).build();
     kit::assert_refused! { sliding.unwrap().solve() => Error::BeyondFrictionCapacity { limit, .. } if limit == 0.3 }
 
-    let short = build(NormalControl::Force(1.0), zero_shift())
+    let short = build(NormalLoad::Force(1.0), zero_shift())
         .max_iterations(3)
         .build();
     let Err(Error::NotConverged(report)) = short.unwrap().solve() else {
@@ -537,14 +537,14 @@ fn tolerances_of_any_size_are_met() {
     let gap = surface::sphere(grid, 10.0).unwrap();
     let friction = Friction::coulomb(0.3).unwrap();
     for tolerance in [0.9, 0.1, 1e-2, 1e-6] {
-        let press = NormalControl::Force(0.01);
+        let press = NormalLoad::Force(0.01);
         let load = TangentialLoad::force([0.001, 0.0]);
         let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), press, load);
         let problem = problem.tolerance(tolerance).build().unwrap();
         let mut solver = problem.into_solver().unwrap();
         let mut contact = solver.new_solution();
         for force in [0.01, 0.2, 0.02, 0.3] {
-            solver.set_load(NormalControl::Force(force), load).unwrap();
+            solver.set_load(NormalLoad::Force(force), load).unwrap();
             solver.solve_into(&mut contact).unwrap();
             let report = contact.report();
             assert!(report.work.residual <= tolerance && report.work.load_error <= tolerance);

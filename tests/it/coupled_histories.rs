@@ -9,7 +9,7 @@ use stickslip::history::wear::{self, CycleJump};
 use stickslip::history::{AdaptiveSteps, Cycle, EntryRule, FrettingLoop, LoadPath};
 use stickslip::{
     Axis, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
-    Material, NormalControl, Status, TangentialControl, TangentialModel, Warning, Zone, surface,
+    Material, NormalLoad, Status, TangentialControl, TangentialModel, Warning, Zone, surface,
 };
 
 /// Tolerance relative to the largest pressure.
@@ -119,7 +119,7 @@ fn stick_radius_converges_with_first_order_in_steps() {
         let mut history = builder.build().unwrap();
         for step in 1..=steps {
             let radius = f64::from(step) / f64::from(steps);
-            let force = NormalControl::Force(whole * radius.powi(3));
+            let force = NormalLoad::Force(whole * radius.powi(3));
             history.step(&LoadStep::hold().normal(force)).unwrap();
         }
         assert!((history.approach() / hertz.approach() - 0.979).abs() < 2e-3);
@@ -140,7 +140,7 @@ fn loop_area_equals_dissipation() {
         .tolerance(1e-10)
         .build()
         .unwrap();
-    let press = |shift| LoadStep::shift([shift, 0.0]).normal(NormalControl::Force(0.1));
+    let press = |shift| LoadStep::shift([shift, 0.0]).normal(NormalLoad::Force(0.1));
     history.step(&press(0.0)).unwrap();
     let turns = [0.05, 0.0, -0.05, 0.0];
     let cycle =
@@ -174,7 +174,7 @@ fn weak_coupling_matches_uncoupled_solution() {
         let builder = builder.entry_rule(EntryRule::WholeStep);
         let mut history = builder.tolerance(1e-11).build().unwrap();
         assert_eq!(bodies.pair().is_coupled(), body == other);
-        let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
+        let press = |force| LoadStep::hold().normal(NormalLoad::Force(force));
         let drag = TangentialControl::Force(0.01);
         history.step(&press(0.04)).unwrap();
         history
@@ -218,7 +218,7 @@ fn rough_histories_of_random_pairs_converge() {
             let shear = part * coefficient * force;
             let load = LoadStep::force([shear * angle.cos(), shear * angle.sin()]);
             let step = history
-                .step(&load.normal(NormalControl::Force(force)))
+                .step(&load.normal(NormalLoad::Force(force)))
                 .unwrap();
             assert!(
                 step.tangential_report().unwrap().history.len() < 30,
@@ -241,7 +241,7 @@ fn aluminium_on_steel(cells: usize, coefficient: f64, coupling: Coupling) -> His
 }
 
 fn press_to(force: f64) -> LoadStep {
-    LoadStep::hold().normal(NormalControl::Force(force))
+    LoadStep::hold().normal(NormalLoad::Force(force))
 }
 
 /// The stick ratio of a pressed sphere approaches Spence's law as the tolerance decreases.
@@ -276,7 +276,7 @@ fn press_to_tolerance_estimates_its_error() {
     };
     let loads = [
         press_to(60.0),
-        LoadStep::hold().normal(NormalControl::Approach(3.5e-6)),
+        LoadStep::hold().normal(NormalLoad::Approach(3.5e-6)),
         press_to(60.0).tangential(Axis::X, TangentialControl::Force(2.0)),
     ];
     for load in loads.into_iter().take(kit::thorough(1, 3)) {
@@ -379,7 +379,7 @@ fn adaptive_steps_divide_the_pressing() {
     let (bodies, gap) = ball_problem(27);
     let friction = Friction::coulomb(0.3).unwrap();
     let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
-    let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
+    let press = |force| LoadStep::hold().normal(NormalLoad::Force(force));
     history.step(&press(0.01)).unwrap();
     let mut adaptive = AdaptiveSteps::new(&history, 0.02).unwrap();
     let taken = adaptive.step(&mut history, &press(0.13)).unwrap();
@@ -394,7 +394,7 @@ fn wear_after_restart_is_bitwise_identical() {
     let (bodies, gap) = ball_problem(21);
     let friction = Friction::coulomb(0.4).unwrap();
     let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
-    let press = NormalControl::Force(0.1);
+    let press = NormalLoad::Force(0.1);
     history.step(&LoadStep::hold().normal(press)).unwrap();
     let path = LoadPath::triangle([0.05, 0.0], 4).unwrap();
     let fretting = FrettingLoop::new(path, |shift| LoadStep::shift(shift).normal(press));
@@ -408,7 +408,7 @@ fn wear_after_restart_is_bitwise_identical() {
                 fretting.cycle(history, &mut cycle).unwrap();
             }
             let mut depth = Field::zeros(gap.grid());
-            wear::energy(1e-3, cycle.dissipated_energy(), &mut depth).unwrap();
+            wear::energy(1e-3, cycle.dissipation(), &mut depth).unwrap();
             let jump = CycleJump::new(&bodies, &cycle, &depth).unwrap();
             let jump = jump.largest_depth(0.02 * history.approach());
             let jump = jump.cycles_left(end - cycles).cycles().unwrap();
@@ -440,7 +440,7 @@ fn growing_contact_in_one_step_matches_many_steps() {
             let friction = Friction::coulomb(0.6).unwrap();
             let builder = History::builder(&bodies, &gap, friction).entry_rule(rule);
             let mut history = builder.tolerance(1e-8).build().unwrap();
-            let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
+            let press = |force| LoadStep::hold().normal(NormalLoad::Force(force));
             let mut take = |load: LoadStep| {
                 let energy = history.step(&load).unwrap().energy();
                 assert!(energy.imbalance().abs() < 1e-13 * energy.elastic_after);
@@ -482,7 +482,7 @@ fn weakly_coupled_press_sticks_for_any_number_of_steps() {
         let mut history = builder.build().unwrap();
         for step in 1..=steps {
             let part = f64::from(step) / f64::from(steps);
-            let press = NormalControl::Force(whole * part.powi(3));
+            let press = NormalLoad::Force(whole * part.powi(3));
             history.step(&LoadStep::hold().normal(press)).unwrap();
         }
         let slips = |zone: &&Zone| **zone == Zone::Slip;

@@ -8,7 +8,7 @@ use stickslip::influence::Direction::{X, Y, Z};
 use stickslip::layers::Layer;
 use stickslip::{
     Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
-    NormalControl, Operator,
+    NormalLoad, Operator,
 };
 
 /// Pressures and tractions of all cells. The z component is the first.
@@ -210,7 +210,7 @@ fn assert_scene_agrees(scene: u64, coating: Option<Layer>) {
         let load = Load { twist, ..load };
         let step = LoadStep::shift(load.shift)
             .twist(load.twist)
-            .normal(NormalControl::Approach(load.approach));
+            .normal(NormalLoad::Approach(load.approach));
         history.step(&step).unwrap();
         reference.take_step(&gap, friction, load);
         let largest = history.pressure().max();

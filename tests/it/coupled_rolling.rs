@@ -12,7 +12,7 @@ use stickslip::rolling::{
 };
 use stickslip::{
     Axis, Boundary, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
-    LoadStep, Material, NormalControl, NormalProblem, Operator, Status, TangentialModel, Warning,
+    LoadStep, Material, NormalLoad, NormalProblem, Operator, Status, TangentialModel, Warning,
     Zone, surface,
 };
 
@@ -23,16 +23,16 @@ fn against_rigid(grid: Grid, poisson_ratio: f64) -> HalfSpace {
 
 /// Returns a ball of radius one on a square grid with the given number of cells along a side. Without friction, the
 /// load gives a contact radius of one.
-fn ball_problem(cells: usize, poisson_ratio: f64) -> (HalfSpace, Field, NormalControl) {
+fn ball_problem(cells: usize, poisson_ratio: f64) -> (HalfSpace, Field, NormalLoad) {
     let grid = Grid::square(cells, 2.6).unwrap();
     let bodies = against_rigid(grid, poisson_ratio);
     let gap = surface::sphere(grid, 1.0).unwrap();
-    let load = NormalControl::Force(4.0 / 3.0 * bodies.pair().contact_modulus());
+    let load = NormalLoad::Force(4.0 / 3.0 * bodies.pair().contact_modulus());
     (bodies, gap, load)
 }
 
 fn coupled_builder(
-    (bodies, gap, load): &(HalfSpace, Field, NormalControl),
+    (bodies, gap, load): &(HalfSpace, Field, NormalLoad),
     coefficient: f64,
 ) -> CoupledRollingProblemBuilder {
     let friction = Friction::coulomb(coefficient).unwrap();
@@ -62,7 +62,7 @@ fn coupled_rollers_match_printed_digits_of_contact() {
     );
     let bodies = HalfSpace::new(grid, ElasticPair::new(aluminium, steel).unwrap()).unwrap();
     let (gap, load) = (Field::from_fn(grid, |x, _| 0.02 * x * x), 16_201.9);
-    let pressed = (bodies, gap, NormalControl::Force(load));
+    let pressed = (bodies, gap, NormalLoad::Force(load));
     let cases = [
         (10.0, 0.0, 3.591e-4, [200, 0], 103.8),
         (0.05, 0.0, 4.294e-4, [125, 75], 103.6),
@@ -197,7 +197,7 @@ proptest! {
         let gap = Field::from_fn(grid, |x, y| {
             0.5 * (x * x + y * y) + roughness * (9.0 * x).cos() * (7.0 * y + 1.0).cos()
         });
-        let load = depth.map_or(NormalControl::Force(1.0), NormalControl::Approach);
+        let load = depth.map_or(NormalLoad::Force(1.0), NormalLoad::Approach);
         let pressed = (bodies, gap, load);
         let problem = |tolerance: f64| {
             let builder = coupled_builder(&pressed, friction).creepage(creepage).spin(spin).tolerance(tolerance);
@@ -221,10 +221,7 @@ fn uncoupled_bodies_match_separate_solves_bitwise() {
     let grid = Grid::square(24, 2.6).unwrap();
     let body = Material::from_shear_modulus(1.0, 0.3).unwrap();
     let bodies = HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap();
-    let (gap, load) = (
-        surface::sphere(grid, 1.0).unwrap(),
-        NormalControl::Force(0.9),
-    );
+    let (gap, load) = (surface::sphere(grid, 1.0).unwrap(), NormalLoad::Force(0.9));
     let friction = Friction::coulomb(0.3).unwrap();
     let normal = kit::solve(NormalProblem::builder(&bodies, &gap, load));
     let alone = kit::solve(
@@ -298,7 +295,7 @@ fn coupled_stiffness_matches_finite_differences() {
 
 /// Computes the stiffness for the fixed pressure of a solution.
 fn stiffness_at_fixed_pressure(
-    (bodies, ..): &(HalfSpace, Field, NormalControl),
+    (bodies, ..): &(HalfSpace, Field, NormalLoad),
     rolling: &CoupledRollingSolution,
     motion: [f64; 3],
     entry_rule: EntryRule,
@@ -352,7 +349,7 @@ fn coupled_free_rollers_match_bentall_johnson() {
         let boundary = Boundary::PeriodicAlongY { datum: 50.0 };
         let bodies = HalfSpace::with_boundary(grid, pair, boundary).unwrap();
         let gap = surface::cylinder(grid, radius).unwrap();
-        let problem = coupled_builder(&(bodies, gap, NormalControl::Force(load)), friction);
+        let problem = coupled_builder(&(bodies, gap, NormalLoad::Force(load)), friction);
         let rolling = solve(problem.control(Axis::X, RollingControl::Force(0.0)));
         let creepage = rolling.rolling().creepage()[0];
         assert!(
@@ -373,14 +370,14 @@ fn coupled_rolling_solver_starts_from_last_solution() {
         RollingControl::Creepage(0.002),
         RollingControl::Creepage(0.0),
     ];
-    solver.set_control(moved, 0.0).unwrap();
+    solver.set_load(moved, 0.0).unwrap();
     solver.solve_into(&mut rolling).unwrap();
     assert!(rolling.report().work.products() < cold);
     let alone = solve(coupled_builder(&pressed, 0.3).creepage([0.002, 0.0]));
     let [found, expected] = [&rolling, &alone].map(|rolling| rolling.rolling().force()[0]);
     assert!((found - expected).abs() < 1e-8, "{found} {expected}");
     // Solve for a different load, gap and friction, then reset to a cold start.
-    solver.set_load(NormalControl::Force(0.5)).unwrap();
+    solver.set_normal_load(NormalLoad::Force(0.5)).unwrap();
     solver
         .set_friction(&Friction::coulomb(0.2).unwrap())
         .unwrap();
@@ -444,7 +441,7 @@ fn coupled_rolling_with_invalid_input_is_rejected() {
     let apart = (
         pressed.0.clone(),
         pressed.1.clone(),
-        NormalControl::Approach(-1.0),
+        NormalLoad::Approach(-1.0),
     );
     kit::assert_refused! { coupled_builder(&apart, 0.3).build().unwrap().solve() => Error::EmptyContact }
     let waves = HalfSpace::with_boundary(pressed.0.grid(), *pressed.0.pair(), Boundary::Periodic);

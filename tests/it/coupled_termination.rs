@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 
 use stickslip::{
     Axis, Boundary, CoupledProblem, CoupledSolution, CoupledSolver, ElasticPair, Error, Field,
-    Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl, TangentialControl,
+    Friction, Grid, HalfSpace, History, LoadStep, Material, NormalLoad, TangentialControl,
     TangentialLoad, cgm, surface,
 };
 
@@ -39,12 +39,12 @@ fn assert_feasible(contact: &CoupledSolution) {
 /// Returns a solver that has pressed the bodies and will next press harder and shear.
 fn pressed_solver(cells: usize, load: TangentialLoad) -> (CoupledSolver, CoupledSolution) {
     let (bodies, gap) = ball_problem(cells, 0.0);
-    let (press, still) = (NormalControl::Force(0.1), TangentialLoad::shift([0.0; 2]));
+    let (press, still) = (NormalLoad::Force(0.1), TangentialLoad::shift([0.0; 2]));
     let problem = CoupledProblem::builder(&bodies, &gap, coulomb_friction(), press, still);
     let mut solver = kit::solver(problem);
     let mut contact = solver.new_solution();
     solver.solve_into(&mut contact).unwrap();
-    solver.set_load(NormalControl::Force(0.15), load).unwrap();
+    solver.set_load(NormalLoad::Force(0.15), load).unwrap();
     (solver, contact)
 }
 
@@ -100,7 +100,7 @@ fn flat_periodic_bodies_touch_everywhere() {
             let side = grid.dx() * size[0] as f64;
             let gap = Field::from_fn(grid, |x, _| height * (TAU * x / side).cos());
             for load in loads {
-                let press = NormalControl::Force(grid.area());
+                let press = NormalLoad::Force(grid.area());
                 let problem =
                     CoupledProblem::builder(&bodies, &gap, coulomb_friction(), press, load);
                 let contact = kit::solve(problem);
@@ -129,7 +129,7 @@ fn single_cell_sheared_in_a_new_direction_converges() {
         let gap = Field::from_fn(grid, |x, y| if x.hypot(y) < 0.5 { 0.0 } else { 1e3 });
         let friction = Friction::coulomb(0.111).unwrap();
         let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
-        let press = LoadStep::hold().normal(NormalControl::Force(1.0));
+        let press = LoadStep::hold().normal(NormalLoad::Force(1.0));
         history.step(&press).unwrap();
         history.step(&LoadStep::shift([1.88, 2.48])).unwrap();
         assert!(history.last_step().is_gross_slip());
@@ -146,7 +146,7 @@ fn single_cell_sheared_in_a_new_direction_converges() {
 fn forces_close_to_sliding_converge() {
     for (cells, poisson_ratio) in [(17, 0.0), (17, 0.3), (24, 0.2)] {
         let (bodies, gap) = ball_problem(cells, poisson_ratio);
-        let press = NormalControl::Force(0.1);
+        let press = NormalLoad::Force(0.1);
         let mut shifts = Vec::new();
         for missing in [1e-5, 1e-6, 1e-7, 1e-8] {
             let force = (1.0 - missing) * FRICTION * 0.1;
@@ -177,7 +177,7 @@ fn forces_beyond_sliding_are_rejected() {
     let halves = Field::from_fn(bodies.grid(), |x, _| if x < 0.0 { 0.1 } else { FRICTION });
     let rough = Friction::per_cell(halves).unwrap();
     let capped = coulomb_friction().max_shear_stress(0.01).unwrap();
-    let (approach, force) = (NormalControl::Approach(0.09), NormalControl::Force(0.1));
+    let (approach, force) = (NormalLoad::Approach(0.09), NormalLoad::Force(0.1));
     for (friction, press) in [
         (coulomb_friction(), approach),
         (rough.clone(), approach),

@@ -4,7 +4,7 @@ use kit::{max_abs, max_difference, rough, unit_bodies, unit_pair};
 use stickslip::analytical::{HertzSphere, MindlinDeresiewicz};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath, Regime, wear};
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, History, LoadStep, NormalControl, TangentialControl,
+    Axis, Error, Field, Friction, Grid, History, LoadStep, NormalLoad, TangentialControl,
     TangentialModel, surface,
 };
 
@@ -19,7 +19,7 @@ fn new_history(gap: &Field, load: f64, lateral: TangentialModel, tolerance: f64)
         .tolerance(tolerance)
         .build()
         .unwrap();
-    let press = LoadStep::force([0.0; 2]).normal(NormalControl::Force(load));
+    let press = LoadStep::force([0.0; 2]).normal(NormalLoad::Force(load));
     history.step(&press).unwrap();
     history
 }
@@ -64,15 +64,13 @@ fn cycle_quantities_are_sums_over_steps() {
         let mut shifts = vec![history.shift()];
         for (number, &force) in path.steps().iter().enumerate() {
             let part = 1.0 + 0.1 * (number as f64).sin();
-            let load = LoadStep::force(force).normal(NormalControl::Force(part * load));
+            let load = LoadStep::force(force).normal(NormalLoad::Force(part * load));
             let pressure = |history: &History| history.pressure().clone();
             history.step(&load).unwrap();
             cycle.add(&history).unwrap();
             let (pressure, step) = (pressure(&history), history.last_step());
             slip_distance.add_scaled(1.0, step.slip_distance()).unwrap();
-            dissipation
-                .add_scaled(1.0, step.dissipated_energy())
-                .unwrap();
+            dissipation.add_scaled(1.0, step.dissipation()).unwrap();
             wear::archard(0.1, &pressure, step.slip_distance(), &mut depth).unwrap();
             slips.push(history.slip().map(Clone::clone));
             work += step.energy().work;
@@ -83,7 +81,7 @@ fn cycle_quantities_are_sums_over_steps() {
         }
         assert_eq!(cycle.steps(), 16);
         assert_eq!(cycle.slip_distance(), &slip_distance);
-        assert_eq!(cycle.dissipated_energy(), &dissipation);
+        assert_eq!(cycle.dissipation(), &dissipation);
         let mut by_cycle = Field::zeros(grid);
         wear::archard(
             0.1,

@@ -19,7 +19,7 @@ fn debug_outputs(n: usize) -> Vec<String> {
     };
     let (bodies, dissimilar) = (on(1.0), on(3.0));
     let ball = surface::sphere(grid, 10.0).unwrap();
-    let press = NormalControl::Force(0.5);
+    let press = NormalLoad::Force(0.5);
     let load = TangentialLoad::force([0.05, 0.0]);
     let friction = Friction::per_cell(Field::constant(grid, 0.3)).unwrap();
 
@@ -39,7 +39,7 @@ fn debug_outputs(n: usize) -> Vec<String> {
     let pressed = normal.solve().unwrap();
     show(&normal);
     show(&pressed);
-    show(&pressed.spots());
+    show(&pressed.spots().unwrap());
     show(&normal.into_solver().unwrap());
 
     let shear = TangentialProblem::builder(&bodies, &pressed, friction.clone(), load);
@@ -97,7 +97,7 @@ fn debug_output_has_values_of_whole_field() {
     let bodies =
         HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid()).unwrap()).unwrap();
     let ball = surface::sphere(grid, 10.0).unwrap();
-    let problem = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.5));
+    let problem = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(0.5));
     let solution = kit::solve(problem);
     let output = format!("{solution:?}");
     for number in [

@@ -4,7 +4,7 @@
 use kit::{energy_difference, l2_difference, rough, unit_bodies, unit_pair};
 use stickslip::influence::Component;
 use stickslip::{
-    Boundary, Friction, Grid, HalfSpace, NormalControl, NormalProblem, TangentialLoad,
+    Boundary, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, TangentialLoad,
     TangentialProblem, surface,
 };
 
@@ -20,8 +20,8 @@ fn approach_and_shift_reproduce_the_forces() {
             let builder = NormalProblem::builder(&bodies, &gap, load).tolerance(1e-12);
             kit::solve(builder)
         };
-        let by_force = press(NormalControl::Force(30.0));
-        let by_approach = press(NormalControl::Approach(by_force.approach()));
+        let by_force = press(NormalLoad::Force(30.0));
+        let by_approach = press(NormalLoad::Approach(by_force.approach()));
         assert!((by_approach.force() / 30.0 - 1.0).abs() < 1e-8);
         assert_eq!(by_approach.approach(), by_force.approach());
         assert!(
@@ -68,8 +68,8 @@ fn error_of_prescribed_motion_on_periodic_grid_is_within_certificate() {
             let builder = NormalProblem::builder(&bodies, &gap, load).tolerance(tolerance);
             kit::solve(builder)
         };
-        let found = press(NormalControl::Approach(closed * mean), tolerance);
-        let exact = press(NormalControl::Force(found.force()), 1e-12);
+        let found = press(NormalLoad::Approach(closed * mean), tolerance);
+        let exact = press(NormalLoad::Force(found.force()), 1e-12);
         let error = energy_difference(&bodies, Component::ZZ, exact.pressure(), found.pressure());
         let bound = found.report().energy_error_bound();
         assert!(

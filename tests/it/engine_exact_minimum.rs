@@ -247,7 +247,7 @@ fn certificate_bounds_error_of_unfinished_iterates() {
     );
 }
 
-fn unwrap_report(outcome: Result<Minimum>) -> cgm::Report {
+fn unwrap_report(outcome: Result<Minimum>) -> stickslip::Report {
     match outcome {
         Ok(minimum) => minimum.report,
         Err(Error::NotConverged(report)) => *report,
@@ -338,7 +338,7 @@ fn failing_operator_never_converges() {
                 let Err(Error::NotConverged(report)) = outcome else {
                     panic!("{method:?} after {sound_products} products: {outcome:?}");
                 };
-                assert_eq!(report.status, cgm::Status::Stalled);
+                assert_eq!(report.status, stickslip::Status::Stalled);
                 assert!(x.iter().all(|x| x.is_finite() && *x >= 0.0));
             }
         }

@@ -5,7 +5,7 @@ use stickslip::history::State;
 use stickslip::layers::Layer;
 use stickslip::{
     Boundary, CellValue, ElasticPair, Friction, Grid, HalfSpace, History, Kernel, LoadStep,
-    Material, NormalControl, NormalProblem, Result, TangentialModel, surface,
+    Material, NormalLoad, NormalProblem, Result, TangentialModel, surface,
 };
 
 fn grid() -> Grid {
@@ -32,7 +32,7 @@ fn bodies_are_equal_if_their_physics_is_equal() -> Result<()> {
     let bodies = HalfSpace::new(grid, unit_pair(0.3))?;
     let used = HalfSpace::new(grid, unit_pair(0.3))?;
     let ball = surface::sphere(grid, 20.0)?;
-    let press = NormalControl::Force(1.0);
+    let press = NormalLoad::Force(1.0);
     NormalProblem::builder(&used, &ball, press)
         .build()?
         .solve()?;
@@ -83,8 +83,8 @@ fn states_are_equal_until_a_step_differs() -> Result<()> {
         let (mut one, mut same) = (start()?, start()?);
         assert_eq!(one.state(), same.state());
         let steps = [
-            LoadStep::hold().normal(NormalControl::Force(1.0)),
-            LoadStep::force([0.2, 0.0]).normal(NormalControl::Force(1.5)),
+            LoadStep::hold().normal(NormalLoad::Force(1.0)),
+            LoadStep::force([0.2, 0.0]).normal(NormalLoad::Force(1.5)),
             LoadStep::force([-0.2, 0.0]),
         ];
         for step in &steps {

@@ -10,7 +10,7 @@ use stickslip::influence::Rectangle;
 use stickslip::layers::Layer;
 use stickslip::{
     Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
-    Identity, LoadStep, Material, NormalControl, NormalProblem, TangentialLoad, TangentialModel,
+    Identity, LoadStep, Material, NormalLoad, NormalProblem, TangentialLoad, TangentialModel,
     TangentialProblem, surface,
 };
 
@@ -27,7 +27,7 @@ fn single_periodic_cell_slides() {
     let (bodies, gap) = (periodic_bodies(grid), Field::zeros(grid));
     let (load, coefficient) = (2.0, 0.3);
     let friction = Friction::coulomb(coefficient).unwrap();
-    let press = NormalControl::Force(load);
+    let press = NormalLoad::Force(load);
     let pressed = NormalProblem::builder(&bodies, &gap, press)
         .build()
         .unwrap();
@@ -65,7 +65,7 @@ fn single_periodic_cell_slides_in_any_direction() {
         let (bodies, gap) = (periodic_bodies(grid), Field::zeros(grid));
         let (load, coefficient) = (random.decade(-6.0, 0.0), random.uniform(0.1, 1.0));
         let friction = Friction::coulomb(coefficient).unwrap();
-        let press = NormalControl::Force(load);
+        let press = NormalLoad::Force(load);
         let pressed = NormalProblem::builder(&bodies, &gap, press)
             .build()
             .unwrap();
@@ -109,7 +109,7 @@ fn long_periodic_cells_converge() {
         let heights = Field::from_fn(grid, |_, _| random.uniform(0.0, 1.0));
         let gap = surface::gap_from_heights(&heights).unwrap();
         let force = 10_f64.powf(random.uniform(-3.0, 0.0)) * grid.area();
-        let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(force));
+        let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(force));
         let pressed = problem.build().unwrap().solve();
         let pressed =
             pressed.unwrap_or_else(|error| panic!("{scene}: {nx} x {ny}, {sides:?}: {error}"));
@@ -135,7 +135,7 @@ fn long_periodic_cells_converge() {
 fn cells_too_long_to_certify_are_rejected() {
     let grid = Grid::new(14, 14, 1e15, 1.0).unwrap();
     let gap = Field::from_fn(grid, |x, y| (x * 1e-15 + y).sin() + 1.0);
-    let force = NormalControl::Force(0.1 * grid.area());
+    let force = NormalLoad::Force(0.1 * grid.area());
     let problem = NormalProblem::builder(&periodic_bodies(grid), &gap, force).build();
     kit::assert_refused! {
         problem.and_then(|problem| problem.solve()) => Error::CellsTooLong { sides } if sides == [1e15, 1.0],
@@ -147,7 +147,7 @@ fn cells_too_long_to_certify_are_rejected() {
 fn tractions_of_any_size_scale() {
     let grid = Grid::square(24, 8.0).unwrap();
     let (bodies, ball) = (unit_bodies(grid, 0.3), surface::sphere(grid, 20.0).unwrap());
-    let pressed = NormalProblem::builder(&bodies, &ball, NormalControl::Force(1.0));
+    let pressed = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(1.0));
     let pressed = kit::solve(pressed);
     for model in MODELS {
         let solve = |coefficient: f64| {
@@ -212,7 +212,7 @@ fn slender_cells_have_finite_coefficients_or_are_rejected() {
         let gap = Field::zeros(grid);
         let bodies = HalfSpace::new(grid, unit_pair(0.3));
         let refused = bodies.and_then(|bodies| {
-            let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0));
+            let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(1.0));
             problem.build()?.solve()
         });
         assert!(refused.is_err());
@@ -256,7 +256,7 @@ fn dissipation_close_to_sliding_is_not_negative() {
         let grid = Grid::new(12, 14, 1.0, random.uniform(0.5, 2.0)).unwrap();
         let bodies = periodic_bodies(grid);
         let gap = Field::from_fn(grid, |_, _| random.uniform(0.0, 1.0));
-        let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(20.0));
+        let normal = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(20.0));
         let normal = kit::solve(normal);
         for model in MODELS {
             // Closer to sliding the vector model may stall, as documented.
@@ -313,13 +313,13 @@ fn units_with_squares_out_of_range_are_rejected_before_any_work() {
         HalfSpace::new(grid, ElasticPair::new(body, body).unwrap())
     };
     let ordinary = bodies(1.0).unwrap();
-    let expected = press(&ordinary, &ball, NormalControl::Force(1.0)).unwrap();
+    let expected = press(&ordinary, &ball, NormalLoad::Force(1.0)).unwrap();
     let relative = |found: f64, unit: f64, expected: f64| found / unit / expected - 1.0;
     for unit in [1e-120, 1e120] {
         let stiff = bodies(unit).unwrap();
-        let found = press(&stiff, &ball, NormalControl::Force(unit)).unwrap();
+        let found = press(&stiff, &ball, NormalLoad::Force(unit)).unwrap();
         assert!(relative(found.approach(), 1.0, expected.approach()).abs() < 1e-8);
-        let found = press(&ordinary, &scaled(unit), NormalControl::Force(unit)).unwrap();
+        let found = press(&ordinary, &scaled(unit), NormalLoad::Force(unit)).unwrap();
         assert!(relative(found.approach(), unit, expected.approach()).abs() < 1e-8);
         let energy_error = found.report().energy_error_bound();
         assert!(energy_error > 0.0 && energy_error < 1e-7, "{energy_error}");
@@ -330,7 +330,7 @@ fn units_with_squares_out_of_range_are_rejected_before_any_work() {
             (value * unit / (0.5 * 2.0 * 0.91) - 1.0).abs() < 1e-12,
             "{value:e}"
         );
-        for load in [NormalControl::Force(unit), NormalControl::Approach(unit)] {
+        for load in [NormalLoad::Force(unit), NormalLoad::Approach(unit)] {
             let refused = extreme_number(press(&ordinary, &scaled(unit), load));
             let (_, value) = refused.unwrap_or_else(|| panic!("{load:?}"));
             assert!(
@@ -357,11 +357,11 @@ fn units_with_squares_out_of_range_are_rejected_before_any_work() {
         let mut history = History::builder(&ordinary, &ball, friction)
             .build()
             .unwrap();
-        let step = LoadStep::hold().normal(NormalControl::Force(unit));
+        let step = LoadStep::hold().normal(NormalLoad::Force(unit));
         assert!(extreme_number(history.step(&step)).is_some(), "{unit:e}");
     }
     // A load of zero is accepted.
-    let none = press(&ordinary, &ball, NormalControl::Force(0.0)).unwrap();
+    let none = press(&ordinary, &ball, NormalLoad::Force(0.0)).unwrap();
     assert_eq!(none.contact_cells(), 0);
 }
 
@@ -375,7 +375,7 @@ fn coupled_loads_with_squares_out_of_range_are_rejected() {
     for force in [1e-300, 1e-140, 1e140, 1e300] {
         let friction = Friction::coulomb(0.5).unwrap();
         let still = TangentialLoad::shift([0.0; 2]);
-        let press = NormalControl::Force(force);
+        let press = NormalLoad::Force(force);
         let problem = CoupledProblem::builder(&bodies, &ball, friction, press, still);
         assert!(extreme_number(problem.build()).is_some(), "{force:e}");
     }

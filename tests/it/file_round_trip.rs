@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use proptest::prelude::*;
 use stickslip::io::pvd::PvdWriter;
 use stickslip::io::vti::Array;
-use stickslip::{Error, Field, Friction, Grid, History, LoadStep, NormalControl, io, surface};
+use stickslip::{Error, Field, Friction, Grid, History, LoadStep, NormalLoad, io, surface};
 
 /// Values that an inexact conversion would change.
 const DELICATE: [f64; 14] = [
@@ -175,7 +175,7 @@ fn history_save_replaces_the_whole_file() {
     let file = temporary_path("history.state");
     history.save(&file).unwrap();
     history
-        .step(&LoadStep::hold().normal(NormalControl::Force(1.0)))
+        .step(&LoadStep::hold().normal(NormalLoad::Force(1.0)))
         .unwrap();
     history.save(&file).unwrap();
     assert_eq!(std::fs::read(&file).unwrap(), history.to_bytes());

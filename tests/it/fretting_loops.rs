@@ -7,7 +7,7 @@ use std::ops::ControlFlow;
 use kit::unit_bodies;
 use stickslip::history::{Cycle, FrettingLoop, LoadPath, StopReason, wear};
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
+    Axis, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad,
     TangentialControl, TangentialModel, surface,
 };
 
@@ -30,7 +30,7 @@ fn press_sphere(axis: Option<Axis>) -> History {
         None => builder.model(TangentialModel::Vector),
     };
     let mut history = builder.tolerance(1e-7).build().unwrap();
-    let press = LoadStep::hold().normal(NormalControl::Force(LOAD));
+    let press = LoadStep::hold().normal(NormalLoad::Force(LOAD));
     history.step(&press).unwrap();
     history
 }
@@ -70,7 +70,7 @@ fn loop_stops_when_steady() {
     let quarter = std::f64::consts::FRAC_PI_2;
     let by_force = |y| LoadPath::ellipse([0.7 * LIMIT, y * LIMIT], quarter, 16).unwrap();
     let by_shift = LoadPath::triangle([0.4, 0.0], 16).unwrap();
-    let load = |force: [f64; 2]| LoadStep::force(force).normal(NormalControl::Force(LOAD));
+    let load = |force: [f64; 2]| LoadStep::force(force).normal(NormalLoad::Force(LOAD));
     let sheared = FrettingLoop::new(by_force(0.0), load).until_steady(1e-4);
     let shifted = FrettingLoop::new(by_shift, LoadStep::shift).until_steady(1e-4);
     let mut along = [(); 2].map(|()| press_sphere(Some(Axis::X)));
@@ -116,11 +116,11 @@ fn loop_that_is_not_steady_reports_cycle_limit() {
     let friction = Friction::coulomb(FRICTION).unwrap();
     let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
     let path = LoadPath::sine([0.3, 0.0], 8).unwrap();
-    let load = |shift| LoadStep::shift(shift).normal(NormalControl::Force(LOAD));
+    let load = |shift| LoadStep::shift(shift).normal(NormalLoad::Force(LOAD));
     let outcome = FrettingLoop::new(path, load)
         .until_steady(1e-4)
         .run_observed(&mut history, 4, |history, _| {
-            let energy = history.last_step().dissipated_energy();
+            let energy = history.last_step().dissipation();
             wear::energy(0.5, energy, &mut gap)?;
             history.set_gap(&gap)?;
             Ok(ControlFlow::Continue(()))

@@ -18,11 +18,12 @@
 use std::fmt::Write;
 
 use kit::{Random, rough, unit_bodies, unit_pair};
-use stickslip::cgm::{Method, Report};
+use stickslip::Report;
+use stickslip::cgm::Method;
 use stickslip::history::{EntryRule, LoadPath, wear};
 use stickslip::{
-    Axis, Boundary, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
-    NormalProblem, NormalSolution, NormalSolver, PressureSource, TangentialControl, TangentialLoad,
+    Axis, Boundary, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad, NormalProblem,
+    NormalSolution, NormalSolver, PressureSource, TangentialControl, TangentialLoad,
     TangentialModel, TangentialProblem, TangentialSolution, TangentialSolver, Zone, surface,
 };
 
@@ -291,8 +292,7 @@ impl<'a> Steps<'a> {
             energy.released,
         ];
         self.record.bits(step.slip_distance().as_slice());
-        self.record
-            .bits(step.dissipated_energy_midpoint().as_slice());
+        self.record.bits(step.dissipation_midpoint().as_slice());
         for (list, number) in self.numbers.iter_mut().zip(numbers) {
             list.push(number);
         }
@@ -311,7 +311,7 @@ impl<'a> Steps<'a> {
         record.zones(history.zones());
         record.sums(&[("pressure", history.pressure().as_slice())]);
         record.sums(&[("slip path", history.accumulated_slip().as_slice())]);
-        record.sums(&[("dissipation", history.dissipated_energy().as_slice())]);
+        record.sums(&[("dissipation", history.dissipation().as_slice())]);
         record.plane("traction", history.traction());
         record.plane("slip", history.slip());
     }
@@ -342,7 +342,7 @@ fn rough_plate(cells: usize, seed: u64) -> (HalfSpace, Field) {
 fn normal_solver(
     bodies: &HalfSpace,
     gap: &Field,
-    load: NormalControl,
+    load: NormalLoad,
     method: Method,
     tolerance: f64,
 ) -> NormalSolver {
@@ -353,7 +353,7 @@ fn normal_solver(
 }
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
-    kit::press(bodies, gap, NormalControl::Force(force), 1e-8)
+    kit::press(bodies, gap, NormalLoad::Force(force), 1e-8)
 }
 
 fn coulomb_friction() -> Friction {
@@ -433,7 +433,7 @@ fn new_history(
 }
 
 fn press_step(force: f64) -> LoadStep {
-    LoadStep::hold().normal(NormalControl::Force(force))
+    LoadStep::hold().normal(NormalLoad::Force(force))
 }
 
 fn spring(position: f64, stiffness: f64) -> TangentialControl {
@@ -446,12 +446,7 @@ fn spring(position: f64, stiffness: f64) -> TangentialControl {
 // ---------------------------------------------------------------------------------------------------------------------
 // Normal contacts.
 
-fn press_by_both_methods(
-    record: &mut Record,
-    bodies: &HalfSpace,
-    gap: &Field,
-    load: NormalControl,
-) {
+fn press_by_both_methods(record: &mut Record, bodies: &HalfSpace, gap: &Field, load: NormalLoad) {
     for (solve, method) in [
         ("active set", Method::ActiveSet),
         ("polonsky keer", Method::PolonskyKeer),
@@ -462,27 +457,22 @@ fn press_by_both_methods(
 
 fn sphere_by_force(record: &mut Record) {
     let (bodies, gap) = ball_problem(64);
-    press_by_both_methods(record, &bodies, &gap, NormalControl::Force(LOAD));
+    press_by_both_methods(record, &bodies, &gap, NormalLoad::Force(LOAD));
 }
 
 fn sphere_by_approach(record: &mut Record) {
     let (bodies, gap) = ball_problem(65);
-    press_by_both_methods(record, &bodies, &gap, NormalControl::Approach(0.7));
+    press_by_both_methods(record, &bodies, &gap, NormalLoad::Approach(0.7));
 }
 
 fn rough_tenth_in_contact(record: &mut Record) {
     let (bodies, gap) = rough_plate(96, 1);
-    press_by_both_methods(record, &bodies, &gap, NormalControl::Force(ROUGH_TENTH));
+    press_by_both_methods(record, &bodies, &gap, NormalLoad::Force(ROUGH_TENTH));
 }
 
 fn rough_two_fifths(record: &mut Record) {
     let (bodies, gap) = rough_plate(96, 2);
-    press_by_both_methods(
-        record,
-        &bodies,
-        &gap,
-        NormalControl::Force(ROUGH_TWO_FIFTHS),
-    );
+    press_by_both_methods(record, &bodies, &gap, NormalLoad::Force(ROUGH_TWO_FIFTHS));
 }
 
 /// Normal force under which a tenth of a rough surface of 96 x 96 cells is in contact.
@@ -493,15 +483,10 @@ const ROUGH_TWO_FIFTHS: f64 = 300.0;
 fn periodic_rough(record: &mut Record) {
     let grid = Grid::new(64, 48, 1.0, 1.0).unwrap();
     let (bodies, gap) = (periodic_bodies(grid), rough(grid, 3));
-    press_by_both_methods(
-        record,
-        &bodies,
-        &gap,
-        NormalControl::Force(0.03 * grid.area()),
-    );
+    press_by_both_methods(record, &bodies, &gap, NormalLoad::Force(0.03 * grid.area()));
     record.record_normal(
         "approach",
-        &kit::press(&bodies, &gap, NormalControl::Approach(2.0), 1e-8),
+        &kit::press(&bodies, &gap, NormalLoad::Approach(2.0), 1e-8),
     );
 }
 
@@ -511,12 +496,7 @@ fn periodic_wavy(record: &mut Record) {
         periodic_bodies(grid),
         surface::bisinusoidal(grid, 0.3, [6.0, 12.0]).unwrap(),
     );
-    press_by_both_methods(
-        record,
-        &bodies,
-        &gap,
-        NormalControl::Force(0.03 * grid.area()),
-    );
+    press_by_both_methods(record, &bodies, &gap, NormalLoad::Force(0.03 * grid.area()));
 }
 
 fn oblong_odd_grid(record: &mut Record) {
@@ -526,18 +506,18 @@ fn oblong_odd_grid(record: &mut Record) {
         surface::ellipsoid(grid, 150.0, 70.0).unwrap(),
     );
     gap.add_scaled(0.1, &rough(grid, 4)).unwrap();
-    press_by_both_methods(record, &bodies, &gap, NormalControl::Force(20.0));
+    press_by_both_methods(record, &bodies, &gap, NormalLoad::Force(20.0));
 }
 
 fn warm_normal_loads(record: &mut Record) {
     let (bodies, gap) = rough_plate(64, 5);
-    let first = NormalControl::Force(60.0);
+    let first = NormalLoad::Force(60.0);
     let mut solver = normal_solver(&bodies, &gap, first, Method::ActiveSet, 1e-8);
     record.record_normal("first", &solve_normal(&mut solver));
     for (solve, load) in [
-        ("more", NormalControl::Force(66.0)),
-        ("less", NormalControl::Force(30.0)),
-        ("approach", NormalControl::Approach(2.0)),
+        ("more", NormalLoad::Force(66.0)),
+        ("less", NormalLoad::Force(30.0)),
+        ("approach", NormalLoad::Approach(2.0)),
     ] {
         solver.set_load(load).unwrap();
         record.record_normal(solve, &solve_normal(&mut solver));
@@ -550,11 +530,11 @@ fn warm_normal_loads(record: &mut Record) {
 
 fn contact_leaves_window(record: &mut Record) {
     let (bodies, gap) = ball_problem(72);
-    let first = NormalControl::Force(0.01 * LOAD);
+    let first = NormalLoad::Force(0.01 * LOAD);
     let mut solver = normal_solver(&bodies, &gap, first, Method::ActiveSet, 1e-8);
     record.record_normal("small", &solve_normal(&mut solver));
     for (solve, force) in [("big", 1.5 * LOAD), ("small again", 0.02 * LOAD)] {
-        solver.set_load(NormalControl::Force(force)).unwrap();
+        solver.set_load(NormalLoad::Force(force)).unwrap();
         record.record_normal(solve, &solve_normal(&mut solver));
     }
 }
@@ -563,7 +543,7 @@ fn contact_leaves_window(record: &mut Record) {
 fn large_nested(record: &mut Record) {
     let (bodies, mut gap) = ball_problem(256);
     gap.add_scaled(0.02, &rough(bodies.grid(), 7)).unwrap();
-    let load = NormalControl::Force(LOAD);
+    let load = NormalLoad::Force(LOAD);
     let normal = kit::press(&bodies, &gap, load, 1e-6);
     record.record_normal("press", &normal);
     for (solve, lateral) in [
@@ -794,7 +774,7 @@ fn history_wear(record: &mut Record) {
     let path = LoadPath::sine([0.7 * LIMIT, 0.0], 8).unwrap();
     for (number, force) in path.cycles(2).enumerate() {
         let normal = LOAD * [1.0, 1.1, 1.3, 0.9][number % 4];
-        let load = LoadStep::force(force).normal(NormalControl::Force(normal));
+        let load = LoadStep::force(force).normal(NormalLoad::Force(normal));
         steps.step(&mut history, &load);
         let mut worn = history.gap().clone();
         wear::archard(
@@ -823,7 +803,7 @@ fn history_plane_growth(record: &mut Record) {
         let load = LoadStep::force(force).twist(twist);
         steps.step(
             &mut history,
-            &load.normal(NormalControl::Force(LOAD * (1.0 + 0.1 * number as f64))),
+            &load.normal(NormalLoad::Force(LOAD * (1.0 + 0.1 * number as f64))),
         );
     }
     steps.step(&mut history, &LoadStep::hold().twist(0.03));
@@ -853,9 +833,9 @@ fn history_shifts_holds(record: &mut Record) {
         let across = if axis.is_none() { 0.1 } else { 0.0 };
         let mut steps = Steps::new(record, name);
         for load in [
-            LoadStep::hold().normal(NormalControl::Approach(0.5)),
+            LoadStep::hold().normal(NormalLoad::Approach(0.5)),
             LoadStep::shift([across, 0.1]),
-            LoadStep::shift([-across, 0.25]).normal(NormalControl::Force(LOAD)),
+            LoadStep::shift([-across, 0.25]).normal(NormalLoad::Force(LOAD)),
             press_step(0.6 * LOAD),
             LoadStep::hold(),
             LoadStep::hold().tangential(Axis::Y, TangentialControl::Shift(-0.2)),
@@ -882,7 +862,7 @@ fn history_restored(record: &mut Record) {
         let mut restored = History::from_bytes(&bodies, &history.to_bytes()).unwrap();
         for load in [
             load(0.4),
-            load(0.1).normal(NormalControl::Force(1.4 * LOAD)),
+            load(0.1).normal(NormalLoad::Force(1.4 * LOAD)),
             load(-0.8),
         ] {
             steps.step(&mut restored, &load);

@@ -8,7 +8,7 @@ use kit::Random;
 use proptest::prelude::*;
 use stickslip::surface::{self, GaussianFilter, SelfAffine, crop};
 use stickslip::{
-    Boundary, ElasticPair, Error, Field, Grid, HalfSpace, Material, NormalControl, NormalProblem,
+    Boundary, ElasticPair, Error, Field, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
     NormalSolution,
 };
 
@@ -333,7 +333,7 @@ fn filters_with_invalid_indices_are_rejected() {
 /// Returns the number of spots, the largest pressure and the area of a contact.
 fn contact_quantities(contact: &NormalSolution) -> [f64; 3] {
     [
-        contact.spots().as_slice().len() as f64,
+        contact.spots().unwrap().as_slice().len() as f64,
         contact.pressure().max(),
         contact.contact_area_corrected(),
     ]
@@ -360,7 +360,7 @@ fn filter_removes_noise_from_a_contact() {
     let press = |surfaces: &[Field; 2]| {
         let gap = surface::gap_between(&surfaces[0], &surfaces[1]).unwrap();
         let force = 0.002 * pair.contact_modulus() * grid.area();
-        let problem = NormalProblem::builder(bodies, &gap, NormalControl::Force(force));
+        let problem = NormalProblem::builder(bodies, &gap, NormalLoad::Force(force));
         contact_quantities(&kit::solve(problem.tolerance(1e-6)))
     };
     // The index is less than a third of the shortest wavelength, so 93 % of the amplitude of this wave is transmitted.

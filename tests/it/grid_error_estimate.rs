@@ -11,7 +11,7 @@ fn bodies(grid: Grid, cell_value: CellValue) -> HalfSpace {
     unit_bodies(grid, 0.0).with_cell_value(cell_value).unwrap()
 }
 
-fn press(bodies: &HalfSpace, gap: &Field, load: NormalControl) -> NormalSolution {
+fn press(bodies: &HalfSpace, gap: &Field, load: NormalLoad) -> NormalSolution {
     let problem = NormalProblem::builder(bodies, gap, load).tolerance(1e-6);
     kit::solve(problem)
 }

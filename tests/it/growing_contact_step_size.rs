@@ -7,7 +7,7 @@ use stickslip::history::{AdaptiveSteps, EntryRule};
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
     Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
-    Material, NormalControl, NormalProblem, TangentialControl, TangentialModel, surface,
+    Material, NormalLoad, NormalProblem, TangentialControl, TangentialModel, surface,
 };
 
 const FRICTION: f64 = 0.5;
@@ -102,11 +102,11 @@ fn follow_legs(history: &mut History, legs: &[Leg], steps: usize, load: impl Fn(
 }
 
 fn shift_step((approach, shift): Leg) -> LoadStep {
-    LoadStep::shift(shift).normal(NormalControl::Approach(approach))
+    LoadStep::shift(shift).normal(NormalLoad::Approach(approach))
 }
 
 fn force_step((force, shear): Leg) -> LoadStep {
-    LoadStep::force(shear).normal(NormalControl::Force(force))
+    LoadStep::force(shear).normal(NormalLoad::Force(force))
 }
 
 /// Returns the sum of the differences of the tractions, relative to the sum of the second tractions.
@@ -166,7 +166,7 @@ fn straight_path_in_one_step_is_exact_under_any_control() {
                     });
                     let load = LoadStep::spring(end, stiffness);
                     spring
-                        .step(&load.normal(NormalControl::Approach(leg.0)))
+                        .step(&load.normal(NormalLoad::Approach(leg.0)))
                         .unwrap();
                 }
                 assert!(traction_difference(&spring, &many) < 1e-8);
@@ -241,7 +241,7 @@ fn growing_contact_matches_jaeger_superposition() {
             NormalProblem::builder(
                 &scene.bodies,
                 &scene.gap,
-                NormalControl::Force(force * scene.load),
+                NormalLoad::Force(force * scene.load),
             )
             .tolerance(1e-11),
         )

@@ -8,7 +8,7 @@ use stickslip::influence::Component;
 use stickslip::normal::Hardness;
 use stickslip::{
     Axis, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
-    Material, NormalControl, NormalProblem, NormalSolution, Operator, Scratch, TangentialControl,
+    Material, NormalLoad, NormalProblem, NormalSolution, Operator, Scratch, TangentialControl,
     TangentialLoad, TangentialModel, analytical, history::EntryRule, surface,
 };
 
@@ -20,7 +20,7 @@ fn steel(grid: Grid) -> HalfSpace {
 
 fn solved(bodies: &HalfSpace, gap: &Field, force: f64, hardness: &Hardness) -> NormalSolution {
     kit::solve(
-        NormalProblem::builder(bodies, gap, NormalControl::Force(force))
+        NormalProblem::builder(bodies, gap, NormalLoad::Force(force))
             .hardness(hardness.clone())
             .tolerance(1e-12),
     )
@@ -108,7 +108,7 @@ fn certificate_bounds_error_on_random_problems() {
         let hardness = Hardness::per_cell(limits.clone()).unwrap();
         let force = random.uniform(0.02, 0.98) * hardness.capacity(bodies.grid());
         let settings = 10_f64.powf(random.uniform(-11.0, -2.0));
-        let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(force));
+        let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(force));
         let problem = problem.hardness(hardness).tolerance(settings);
         let found = kit::solve(problem);
 
@@ -171,7 +171,7 @@ fn yielded_contact_is_elastic_when_loaded_again() {
         assert!(yielded_again < 1e-9 * yielded.max(), "{yielded_again:e}");
         // Under a smaller load the contact is elastic as well.
         let less = solved(&bodies, &worn, 0.002, &hardness);
-        let free = NormalProblem::builder(&bodies, &worn, NormalControl::Force(0.002));
+        let free = NormalProblem::builder(&bodies, &worn, NormalLoad::Force(0.002));
         let free = kit::solve(free.tolerance(1e-12));
         let (a, b) = (less.pressure().as_slice(), free.pressure().as_slice());
         assert!(max_difference(a, b) < 1e-9 * 0.02);
@@ -185,7 +185,7 @@ fn unreached_hardness_changes_nothing() {
     let ball = surface::sphere(grid, 10.0).unwrap();
     let hertz = analytical::HertzSphere::new(bodies.pair(), 10.0, 0.1).unwrap();
     let limit = 1.1 * hertz.max_pressure();
-    let unlimited = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.1));
+    let unlimited = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(0.1));
     let unlimited = kit::solve(unlimited.tolerance(1e-12));
     let uniform = Hardness::uniform(limit).unwrap();
     let of_cells = Hardness::per_cell(Field::constant(grid, limit)).unwrap();
@@ -219,7 +219,7 @@ fn unreached_hardness_leaves_punch_bitwise_identical() {
             0 => 1e-3,
             _ => random.decade(-5.0, -1.0),
         };
-        let problem = || NormalProblem::builder(&bodies, &gap, NormalControl::Force(load));
+        let problem = || NormalProblem::builder(&bodies, &gap, NormalLoad::Force(load));
         let free = kit::solve(problem());
         let limit = free.pressure().max() * random.uniform(1.001, 3.0);
         let limited = problem().hardness(Hardness::uniform(limit).unwrap());
@@ -245,18 +245,15 @@ fn loads_beyond_capacity_are_rejected() {
     let hardness = Hardness::uniform(0.1).unwrap();
     let problem = |load| NormalProblem::builder(&bodies, &flat, load).hardness(hardness.clone());
     let capacity = hardness.capacity(grid);
-    let beyond = problem(NormalControl::Force(1.01 * capacity)).build();
+    let beyond = problem(NormalLoad::Force(1.01 * capacity)).build();
     assert!(matches!(beyond, Err(Error::BeyondHardness { force, .. }) if force > capacity));
-    for load in [
-        NormalControl::Force(capacity),
-        NormalControl::Approach(10.0),
-    ] {
+    for load in [NormalLoad::Force(capacity), NormalLoad::Approach(10.0)] {
         let contact = kit::solve(problem(load));
         assert!(contact.pressure().as_slice().iter().all(|p| *p == 0.1));
     }
-    let press = problem(NormalControl::Force(0.5 * capacity));
+    let press = problem(NormalLoad::Force(0.5 * capacity));
     let mut press = kit::solver(press);
-    kit::assert_refused! { press.set_load(NormalControl::Force(2.0 * capacity)) => _ }
+    kit::assert_refused! { press.set_load(NormalLoad::Force(2.0 * capacity)) => _ }
     let mut contact = press.new_solution();
     press.solve_into(&mut contact).unwrap();
     assert!((contact.force() / capacity - 0.5).abs() < 1e-12);
@@ -268,7 +265,7 @@ fn loads_beyond_capacity_are_rejected() {
     kit::assert_refused! { Hardness::per_cell(negative) => Error::Sample { .. } }
     let other = Field::constant(Grid::square(8, 1.0).unwrap(), 1.0);
     let other = Hardness::per_cell(other).unwrap();
-    let problem = NormalProblem::builder(&bodies, &flat, NormalControl::Force(0.01));
+    let problem = NormalProblem::builder(&bodies, &flat, NormalLoad::Force(0.01));
     kit::assert_refused! {
         problem.hardness(other.clone()).build() => Error::GridMismatch { .. },
         other.overlap(&contact) => Error::GridMismatch { .. },
@@ -308,7 +305,7 @@ fn coupled_problem_with_hardness_matches_first_history_step() {
     let pair = ElasticPair::new(Material::new(1.0, 0.1).unwrap(), Material::rigid()).unwrap();
     let bodies = HalfSpace::new(grid, pair).unwrap();
     let ball = surface::sphere(grid, 10.0).unwrap();
-    let (friction, press) = (Friction::coulomb(0.4).unwrap(), NormalControl::Force(0.2));
+    let (friction, press) = (Friction::coulomb(0.4).unwrap(), NormalLoad::Force(0.2));
     let sloping = Field::from_fn(grid, |x, _| 0.06 + 0.01 * x);
     for hardness in [Hardness::uniform(0.06), Hardness::per_cell(sloping)] {
         let hardness = hardness.unwrap();
@@ -348,10 +345,7 @@ fn coupled_problem_with_hardness_matches_first_history_step() {
 
         // Continuing under a smaller load, no cell is at the limit, and the contact equals the contact of elastic
         // bodies.
-        let lighter = (
-            NormalControl::Force(0.02),
-            TangentialLoad::force([0.003, 0.0]),
-        );
+        let lighter = (NormalLoad::Force(0.02), TangentialLoad::force([0.003, 0.0]));
         solver.set_load(lighter.0, lighter.1).unwrap();
         solver.solve_into(&mut contact).unwrap();
         let elastic =
@@ -362,7 +356,7 @@ fn coupled_problem_with_hardness_matches_first_history_step() {
         assert!(max_difference(found, known) < 1e-9);
 
         // A force beyond the capacity of all cells is rejected and leaves the loads unchanged.
-        let beyond = NormalControl::Force(1.01 * hardness.capacity(grid));
+        let beyond = NormalLoad::Force(1.01 * hardness.capacity(grid));
         kit::assert_refused! { solver.set_load(beyond, lighter.1) => Error::BeyondHardness { .. } }
         solver.solve_into(&mut contact).unwrap();
         assert!((contact.normal().force() / 0.02 - 1.0).abs() < 1e-10);

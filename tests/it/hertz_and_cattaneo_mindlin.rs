@@ -6,7 +6,7 @@
 use kit::{Random, Table2, l2_difference, max_abs};
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::{
-    Field, Friction, Grid, HalfSpace, NormalControl, NormalProblem, NormalSolution, TangentialLoad,
+    Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution, TangentialLoad,
     TangentialProblem, TangentialSolution,
 };
 
@@ -25,7 +25,7 @@ fn press(n: usize, width: f64, centre: [f64; 2], tolerance: f64) -> (HalfSpace, 
     let ball = Field::from_fn(grid, |x, y| {
         ((x - centre[0]).powi(2) + (y - centre[1]).powi(2)) / (2.0 * Table2::RADIUS)
     });
-    let load = NormalControl::Force(Table2::FORCE);
+    let load = NormalLoad::Force(Table2::FORCE);
     let problem = NormalProblem::builder(&bodies, &ball, load)
         .tolerance(tolerance)
         .build()

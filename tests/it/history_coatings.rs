@@ -4,7 +4,7 @@ use kit::{max_difference, press};
 use stickslip::history::{Rolling, wear};
 use stickslip::layers::Layer;
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl,
+    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalLoad,
     TangentialModel, surface,
 };
 
@@ -47,11 +47,11 @@ fn coated_contact_grows_equally_in_any_steps() {
             let mut history = new_history(&bodies, &gap, TangentialModel::Scalar);
             take_step(
                 &mut history,
-                LoadStep::hold().normal(NormalControl::Approach(0.4)),
+                LoadStep::hold().normal(NormalLoad::Approach(0.4)),
             );
             for n in 1..=steps {
                 let part = n as f64 / steps as f64;
-                let load = NormalControl::Approach(0.4 + 0.6 * part);
+                let load = NormalLoad::Approach(0.4 + 0.6 * part);
                 take_step(
                     &mut history,
                     LoadStep::shift([0.15 * part, 0.0]).normal(load),
@@ -77,10 +77,10 @@ fn layer_of_substrate_material_does_not_affect_rolling_and_wear() {
     let results = [plain, coated_bodies(grid, 1.0, 0.3)].map(|bodies| {
         let mut gap = surface::sphere(grid, 10.0).unwrap();
         let mut history = new_history(&bodies, &gap, TangentialModel::Vector);
-        let load = || LoadStep::hold().normal(NormalControl::Force(0.4));
+        let load = || LoadStep::hold().normal(NormalLoad::Force(0.4));
         take_step(&mut history, load());
         for n in 0..3 {
-            let load = LoadStep::hold().normal(NormalControl::Force(0.4 + 0.1 * f64::from(n)));
+            let load = LoadStep::hold().normal(NormalLoad::Force(0.4 + 0.1 * f64::from(n)));
             take_step(
                 &mut history,
                 load.roll(Rolling::new(1).creepage([0.02, 0.01])),
@@ -107,7 +107,7 @@ fn coating_wear_is_load_times_path() {
     let mut history = new_history(&bodies, &gap, TangentialModel::Scalar);
     take_step(
         &mut history,
-        LoadStep::hold().normal(NormalControl::Force(0.4)),
+        LoadStep::hold().normal(NormalLoad::Force(0.4)),
     );
     take_step(&mut history, LoadStep::shift([0.5, 0.0]));
     let before = history.pressure().max();
@@ -119,7 +119,7 @@ fn coating_wear_is_load_times_path() {
     let mut worn = gap.clone();
     worn.add_scaled(1.0, &depth).unwrap();
     history.set_gap(&worn).unwrap();
-    let load = NormalControl::Force(0.4);
+    let load = NormalLoad::Force(0.4);
     take_step(&mut history, LoadStep::shift([0.8, 0.0]).normal(load));
     assert!(history.pressure().max() < before);
 }
@@ -132,11 +132,11 @@ fn coated_stiffness_matches_finite_difference() {
     let stiffness = [1.0, 4.0].map(|ratio| {
         let bodies = coated_bodies(grid, ratio, 0.3);
         let solve = |control| press(&bodies, &gap, control, 1e-12);
-        let contact = solve(NormalControl::Force(0.8));
+        let contact = solve(NormalLoad::Force(0.8));
         let stiffness = contact.stiffness(&bodies).unwrap();
         let step = 1e-6 * contact.approach();
         let [more, less] = [step, -step].map(|step| {
-            let solution = solve(NormalControl::Approach(contact.approach() + step));
+            let solution = solve(NormalLoad::Approach(contact.approach() + step));
             assert_eq!(solution.contact_cells(), contact.contact_cells());
             solution.force()
         });

@@ -8,11 +8,11 @@ use std::sync::Arc;
 use std::thread;
 
 use kit::table::{Scene, UnitTransform, bits, cells, known, scenes};
-use stickslip::cgm::Iteration;
+use stickslip::Iteration;
 use stickslip::history::{Rolling, State};
 use stickslip::ranks::Threads;
 use stickslip::{
-    Axis, Error, Friction, HalfSpace, History, LoadStep, NormalControl, Status, TangentialControl,
+    Axis, Error, Friction, HalfSpace, History, LoadStep, NormalLoad, Status, TangentialControl,
     TangentialModel, TryClone,
 };
 
@@ -58,7 +58,7 @@ fn disturb(history: &mut History, scene: &Scene) {
         .unwrap();
     let settings = history.settings().tolerance(1e-4);
     history.set_settings(settings).unwrap();
-    let heavy = LoadStep::hold().normal(NormalControl::Force(0.15));
+    let heavy = LoadStep::hold().normal(NormalLoad::Force(0.15));
     let _ = history.step(&heavy);
     let _ = history.step(&scene.load(&scene.path[1], &POSE));
 }
@@ -146,8 +146,8 @@ fn invalid_loads(history: &History) -> Vec<LoadStep> {
     let along = |control| hold.tangential(Axis::X, control);
     let too_far = along(TangentialControl::Force(1e3));
     vec![
-        hold.normal(NormalControl::Force(-1.0)),
-        hold.normal(NormalControl::Approach(f64::NAN)),
+        hold.normal(NormalLoad::Force(-1.0)),
+        hold.normal(NormalLoad::Approach(f64::NAN)),
         along(TangentialControl::Force(f64::NAN)),
         along(TangentialControl::Spring {
             position: 1.0,
@@ -157,8 +157,8 @@ fn invalid_loads(history: &History) -> Vec<LoadStep> {
         hold.roll(Rolling::new(0)),
         hold.roll(Rolling::new(1).creepage([f64::NAN, 0.0])),
         // This load requires a contact far wider than the last contact.
-        too_far.normal(NormalControl::Force(0.12)),
-        hold.normal(NormalControl::Force(history.normal().force()))
+        too_far.normal(NormalLoad::Force(0.12)),
+        hold.normal(NormalLoad::Force(history.normal().force()))
             .tangential(Axis::Y, TangentialControl::Force(1e3)),
     ]
 }
@@ -381,7 +381,7 @@ pub(crate) fn shared_scenes() -> Vec<Scene> {
 /// Returns the global numbers of a history and the values of its local cells as bits, including contact spots and their
 /// labels.
 pub(crate) fn found(history: &History) -> (Vec<u64>, Vec<[u64; 9]>) {
-    let spots = history.spots();
+    let spots = history.spots().unwrap();
     let sums = spots.as_slice().iter().flat_map(|spot| {
         let [x, y] = spot.centroid;
         let stick = spot.stick_ratio.unwrap_or(f64::NAN);

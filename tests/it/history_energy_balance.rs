@@ -2,7 +2,7 @@
 
 use kit::unit_bodies;
 use stickslip::{
-    Axis, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl, TangentialControl,
+    Axis, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad, TangentialControl,
     surface,
 };
 
@@ -23,7 +23,7 @@ fn new_history((bodies, gap, load): &(HalfSpace, Field, f64), tolerance: f64) ->
 }
 
 fn press(history: &mut History, load: f64) {
-    let step = LoadStep::hold().normal(NormalControl::Force(load));
+    let step = LoadStep::hold().normal(NormalLoad::Force(load));
     history.step(&step).unwrap();
 }
 

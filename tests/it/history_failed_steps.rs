@@ -1,9 +1,9 @@
 //! If a step is rejected or does not converge, the state and the start of the next step are bitwise unchanged.
 
 use kit::{rough, unit_bodies};
-use stickslip::cgm::Status;
+use stickslip::Status;
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, History, LoadStep, NormalControl, TangentialControl,
+    Axis, Error, Field, Friction, Grid, History, LoadStep, NormalLoad, TangentialControl,
     TangentialModel, surface,
 };
 
@@ -20,7 +20,7 @@ fn new_history(axis: Axis) -> History {
 }
 
 fn load_step(force: f64, axis: Axis, tangential: TangentialControl) -> LoadStep {
-    let step = LoadStep::hold().normal(NormalControl::Force(force));
+    let step = LoadStep::hold().normal(NormalLoad::Force(force));
     step.tangential(axis, tangential)
 }
 
@@ -69,7 +69,7 @@ fn rejected_loads_leave_state_unchanged() {
             load_step(f64::NAN, axis, hold),
             load_step(-1.0, axis, hold),
             load_step(f64::INFINITY, axis, hold),
-            LoadStep::hold().normal(NormalControl::Approach(f64::NAN)),
+            LoadStep::hold().normal(NormalLoad::Approach(f64::NAN)),
             load_step(12.0, axis, TangentialControl::Force(f64::NAN)),
             load_step(12.0, axis, TangentialControl::Shift(f64::INFINITY)),
             load_step(12.0, axis, spring(f64::NAN, 1.0)),
@@ -132,7 +132,7 @@ fn steps_not_converged_leave_state_unchanged() {
     };
     let [mut history, mut twin] = [builder(), builder()].map(|builder| builder.build().unwrap());
     for history in [&mut history, &mut twin] {
-        let press = LoadStep::hold().normal(NormalControl::Force(3.0));
+        let press = LoadStep::hold().normal(NormalLoad::Force(3.0));
         history.step(&press).unwrap();
     }
     let step = |force| LoadStep::hold().tangential(Axis::X, TangentialControl::Force(force));
@@ -165,7 +165,7 @@ fn loads_of_extreme_size_give_finite_results_or_errors() {
         let friction = Friction::coulomb(0.5).unwrap();
         let builder = History::builder(&bodies, &ball, friction).model(lateral);
         let mut history = builder.build().unwrap();
-        let press = LoadStep::hold().normal(NormalControl::Force(3.0));
+        let press = LoadStep::hold().normal(NormalLoad::Force(3.0));
         let drag = press.tangential(Axis::X, TangentialControl::Force(0.7));
         history.step(&press).unwrap();
         history.step(&drag).unwrap();
@@ -187,13 +187,13 @@ fn loads_of_extreme_size_give_finite_results_or_errors() {
                     drag.tangential(Axis::X, tangential),
                     drag.tangential(Axis::X, tangential).twist(size),
                     press
-                        .normal(NormalControl::Force(size))
+                        .normal(NormalLoad::Force(size))
                         .tangential(Axis::X, tangential),
                     press
-                        .normal(NormalControl::Approach(size))
+                        .normal(NormalLoad::Approach(size))
                         .tangential(Axis::X, tangential),
                     press
-                        .normal(NormalControl::Approach(-size))
+                        .normal(NormalLoad::Approach(-size))
                         .tangential(Axis::X, tangential),
                 ] {
                     if history.step(&step).is_err() {

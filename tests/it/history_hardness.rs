@@ -5,7 +5,7 @@ use kit::{max_difference, rough, unit_bodies};
 use stickslip::normal::Hardness;
 use stickslip::{
     Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
-    NormalControl, NormalProblem, TangentialModel, Warning, surface,
+    NormalLoad, NormalProblem, TangentialModel, Warning, surface,
 };
 
 const LIMIT: f64 = 0.02;
@@ -23,7 +23,7 @@ fn new_history(bodies: &HalfSpace, gap: &Field, model: TangentialModel, stays: b
 }
 
 fn press_step(force: f64) -> LoadStep {
-    LoadStep::hold().normal(NormalControl::Force(force))
+    LoadStep::hold().normal(NormalLoad::Force(force))
 }
 
 #[test]
@@ -49,7 +49,7 @@ fn second_loading_is_elastic() {
     for force in [0.001, 0.0, 0.0039] {
         stays.step(&press_step(force)).unwrap();
         assert_eq!(stays.state().yielded(), Some(&yielded), "at {force}");
-        let elastic = NormalProblem::builder(&bodies, &worn, NormalControl::Force(force));
+        let elastic = NormalProblem::builder(&bodies, &worn, NormalLoad::Force(force));
         let elastic = kit::solve(elastic.tolerance(1e-10));
         let (a, b) = (stays.pressure().as_slice(), elastic.pressure().as_slice());
         assert!(max_difference(a, b) < 1e-7 * LIMIT);
@@ -93,7 +93,7 @@ fn stiffness_of_yielded_solution_is_rejected() {
     assert_eq!((pair.hardness(), rubber.hardness()), (0.01, f64::INFINITY));
     let bodies = HalfSpace::new(grid, pair).unwrap();
     let problem = |force| {
-        let problem = NormalProblem::builder(&bodies, &ball, NormalControl::Force(force));
+        let problem = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(force));
         kit::solve(problem)
     };
     let warns = |warnings: Vec<Warning>| {
@@ -122,7 +122,7 @@ fn coupled_contact_yields_at_the_hardness() {
     let hardness = Field::from_fn(grid, |x, _| 0.03 + 0.004 * x);
     let limit = Hardness::per_cell(hardness.clone()).unwrap();
     let load =
-        |force: f64, shear: [f64; 2]| LoadStep::force(shear).normal(NormalControl::Force(force));
+        |force: f64, shear: [f64; 2]| LoadStep::force(shear).normal(NormalLoad::Force(force));
     let sheared = |poisson_ratio: f64, coupling: Coupling| {
         let body = Material::new(1.0, poisson_ratio).unwrap();
         let pair = ElasticPair::new(body, Material::rigid()).unwrap();

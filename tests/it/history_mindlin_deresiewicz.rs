@@ -4,8 +4,8 @@
 use kit::{Table2, l2_difference, max_difference};
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::{
-    Axis, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl, TangentialControl,
-    Zone, surface,
+    Axis, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad, TangentialControl, Zone,
+    surface,
 };
 
 /// Largest force relative to the friction limit.
@@ -20,7 +20,7 @@ fn press_sphere(cells: usize, tolerance: f64) -> History {
     let friction = Friction::coulomb(Table2::FRICTION).unwrap();
     let builder = History::builder(&bodies, &ball, friction).tolerance(tolerance);
     let mut history = builder.build().unwrap();
-    let press = LoadStep::hold().normal(NormalControl::Force(Table2::FORCE));
+    let press = LoadStep::hold().normal(NormalLoad::Force(Table2::FORCE));
     history.step(&press).unwrap();
     history
 }
@@ -89,7 +89,7 @@ fn unloading_traction_and_shift_converge() {
 #[test]
 fn energy_of_a_cycle_converges() {
     let exact = monotonic(AMPLITUDE).energy_per_cycle();
-    let energy = |history: &History| history.dissipated_energy().as_slice().iter().sum::<f64>();
+    let energy = |history: &History| history.dissipation().as_slice().iter().sum::<f64>();
     for (cells, bound) in [(48, 4e-4), (96, 8e-5), (192, 5e-5)] {
         let mut history = press_sphere(cells, 1e-9);
         shear_to(&mut history, AMPLITUDE, 1);
@@ -134,7 +134,7 @@ fn number_of_steps_does_not_change_the_cycle() {
         assert!((few.shift()[0] / many.shift()[0] - 1.0).abs() < 1e-7);
         let [a, b] = [few, many].map(|history| history.accumulated_slip().as_slice());
         assert!(max_difference(a, b) < 1e-6 * few.accumulated_slip().max());
-        let [a, b] = [few, many].map(|history| history.dissipated_energy().integral());
+        let [a, b] = [few, many].map(|history| history.dissipation().integral());
         assert!((a / b - 1.0).abs() < 1e-7, "{a:e} {b:e}");
         let [a, b] = [few, many].map(stick_cells);
         assert_eq!(a, b);

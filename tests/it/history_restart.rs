@@ -6,14 +6,14 @@ use stickslip::io::Place;
 use stickslip::layers::Layer;
 use stickslip::{
     Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
-    NormalControl, TangentialControl, TangentialModel, Warning, surface,
+    NormalLoad, TangentialControl, TangentialModel, Warning, surface,
 };
 
 fn take_steps(history: &mut History, forces: &[[f64; 2]]) {
     let axis = history.axis().unwrap();
     for &[normal, tangential] in forces {
         let step = LoadStep::hold()
-            .normal(NormalControl::Force(normal))
+            .normal(NormalLoad::Force(normal))
             .tangential(axis, TangentialControl::Force(tangential));
         history.step(&step).unwrap();
     }
@@ -208,7 +208,7 @@ fn saved_state_has_the_documented_size() {
         let builder = History::builder(bodies, gap, friction.clone()).model(model);
         let mut history = builder.build().unwrap();
         for force in [1.0, 1.1, 1.2] {
-            let press = LoadStep::hold().normal(NormalControl::Force(force));
+            let press = LoadStep::hold().normal(NormalLoad::Force(force));
             history.step(&press).unwrap();
         }
         let mut changed = gap.clone();

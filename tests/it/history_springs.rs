@@ -2,9 +2,7 @@
 //! under the equivalent force or shift.
 
 use kit::{max_difference, unit_bodies};
-use stickslip::{
-    Axis, Friction, Grid, History, LoadStep, NormalControl, TangentialControl, surface,
-};
+use stickslip::{Axis, Friction, Grid, History, LoadStep, NormalLoad, TangentialControl, surface};
 
 const FRICTION: f64 = 0.4;
 const LOAD: f64 = 4.0;
@@ -18,7 +16,7 @@ fn press_sphere() -> History {
     let friction = Friction::coulomb(FRICTION).unwrap();
     let builder = History::builder(&bodies, &ball, friction).axis(Axis::Y);
     let mut history = builder.tolerance(TOLERANCE).build().unwrap();
-    let press = LoadStep::hold().normal(NormalControl::Force(LOAD));
+    let press = LoadStep::hold().normal(NormalLoad::Force(LOAD));
     history.step(&press).unwrap();
     history
 }

@@ -3,7 +3,7 @@
 use kit::{rough, unit_bodies};
 use stickslip::history::State;
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, History, LoadStep, NormalControl, TangentialControl,
+    Axis, Error, Field, Friction, Grid, History, LoadStep, NormalLoad, TangentialControl,
     TangentialModel,
 };
 
@@ -19,7 +19,7 @@ fn start(lateral: TangentialModel) -> History {
 }
 
 fn load(normal: f64, shear: f64) -> LoadStep {
-    let step = LoadStep::hold().normal(NormalControl::Force(normal));
+    let step = LoadStep::hold().normal(NormalLoad::Force(normal));
     step.tangential(Axis::X, TangentialControl::Force(shear))
 }
 
@@ -57,7 +57,7 @@ fn state_has_values_of_history() {
     assert_eq!(state.steps(), 3);
     let read = State::from_bytes(&state.to_bytes()).unwrap();
     assert_eq!(read.accumulated_slip(), history.accumulated_slip());
-    assert_eq!(read.dissipated_energy(), history.dissipated_energy());
+    assert_eq!(read.dissipation(), history.dissipation());
     assert_eq!(read.gap(), history.gap());
     assert_eq!(read.friction(), history.friction());
     assert_eq!(read.settings(), history.settings());

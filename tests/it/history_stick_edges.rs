@@ -36,7 +36,7 @@ fn history(bodies: &HalfSpace, offset: [f64; 2], forces: &[f64]) -> History {
     let gap = Smooth::sphere().gap(bodies.grid(), offset);
     let builder = History::builder(bodies, &gap, Friction::coulomb(FRICTION).unwrap());
     let mut history = builder.tolerance(1e-7).build().unwrap();
-    let press = LoadStep::hold().normal(NormalControl::Force(LOAD));
+    let press = LoadStep::hold().normal(NormalLoad::Force(LOAD));
     history.step(&press).unwrap();
     for force in forces {
         history.step(&shear(*force)).unwrap();
@@ -144,7 +144,7 @@ fn every_state_has_stick_edges() {
     let edges = history.edges().unwrap();
     assert_eq!((edges.stick_area(), edges.contact().area()), (0.0, 0.0));
     history
-        .step(&LoadStep::hold().normal(NormalControl::Force(LOAD)))
+        .step(&LoadStep::hold().normal(NormalLoad::Force(LOAD)))
         .unwrap();
     let edges = history.edges().unwrap();
     assert!(

@@ -4,7 +4,7 @@ use kit::{max_abs, max_difference, rough, unit_bodies, unit_pair};
 use stickslip::analytical::{HertzSphere, LubkinTorsion};
 use stickslip::history::LoadPath;
 use stickslip::{
-    Axis, Boundary, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
+    Axis, Boundary, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad,
     TangentialControl, TangentialModel, surface,
 };
 
@@ -23,7 +23,7 @@ fn press(bodies: &HalfSpace, gap: &Field, lateral: TangentialModel, tolerance: f
         .tolerance(tolerance)
         .build()
         .unwrap();
-    let press = LoadStep::hold().normal(NormalControl::Force(LOAD));
+    let press = LoadStep::hold().normal(NormalLoad::Force(LOAD));
     history.step(&press).unwrap();
     history
 }
@@ -108,7 +108,7 @@ fn load_path_without_slip_is_reversible() {
     let friction = Friction::coulomb(50.0).unwrap();
     let builder = History::builder(&bodies, &gap, friction).model(TangentialModel::Vector);
     let mut history = builder.tolerance(1e-10).build().unwrap();
-    let press = LoadStep::hold().normal(NormalControl::Force(LOAD));
+    let press = LoadStep::hold().normal(NormalLoad::Force(LOAD));
     history.step(&press).unwrap();
     let mut largest = 0.0_f64;
     for (force, twist) in [
@@ -172,7 +172,7 @@ fn sliding_along_x_preserves_the_shift_along_y() {
     assert!(history.last_step().is_gross_slip());
     assert!((history.shift()[1] - 0.01).abs() < 1e-15);
     assert!((history.tangential_force()[0] / LIMIT - 1.0).abs() < 1e-12);
-    assert!(history.last_step().dissipated_energy().min() >= 0.0);
+    assert!(history.last_step().dissipation().min() >= 0.0);
 }
 
 /// The contact is dragged along y or twisted beyond the friction limit while it carries a constant force.
@@ -190,7 +190,7 @@ fn contact_slides_at_constant_force() {
                 history.step(&load).unwrap();
                 let [x, y] = history.tangential_force();
                 assert!((x - part * LIMIT).abs() < 1e-11 * LIMIT);
-                assert!(history.last_step().dissipated_energy().min() >= 0.0);
+                assert!(history.last_step().dissipation().min() >= 0.0);
                 if shift.abs() >= 1.0 {
                     assert!(history.last_step().is_gross_slip());
                     let sliding = (LIMIT * LIMIT - x * x).sqrt().copysign(shift);

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use kit::{Table2, rough, unit_bodies};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath, wear};
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl, Operator,
+    Axis, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad, Operator,
     TangentialControl, Warning, influence::Component, surface,
 };
 
@@ -15,7 +15,7 @@ fn shear(history: &mut History, tangential: TangentialControl) {
     history.step(&step).unwrap();
 }
 
-fn press(history: &mut History, normal: NormalControl) {
+fn press(history: &mut History, normal: NormalLoad) {
     history.step(&LoadStep::hold().normal(normal)).unwrap();
 }
 
@@ -28,7 +28,7 @@ fn full_slip_wear_is_load_times_path() {
     for gap in [surface::sphere(grid, 300.0).unwrap(), rough(grid, 5)] {
         let builder = History::builder(&bodies, &gap, friction.clone());
         let mut history = builder.build().unwrap();
-        press(&mut history, NormalControl::Force(30.0));
+        press(&mut history, NormalLoad::Force(30.0));
         shear(&mut history, TangentialControl::Shift(50.0));
         let mut removed = [Field::zeros(grid), Field::zeros(grid)];
         let mut path = 0.0;
@@ -39,7 +39,7 @@ fn full_slip_wear_is_load_times_path() {
             path += to - from;
             let [by_slip, by_energy] = &mut removed;
             wear::archard(2e-3, history.pressure(), step.slip_distance(), by_slip).unwrap();
-            wear::energy(2e-3 / 0.4, step.dissipated_energy(), by_energy).unwrap();
+            wear::energy(2e-3 / 0.4, step.dissipation(), by_energy).unwrap();
         }
         for removed in removed {
             let expected = 2e-3 * 30.0 * path;
@@ -58,7 +58,7 @@ fn new_gap_preserves_the_state() {
     let build = || {
         let builder = History::builder(&bodies, &ball, friction.clone());
         let mut history = builder.build().unwrap();
-        press(&mut history, NormalControl::Force(4.0));
+        press(&mut history, NormalLoad::Force(4.0));
         shear(&mut history, TangentialControl::Force(1.2));
         shear(&mut history, TangentialControl::Force(-0.3));
         history
@@ -72,13 +72,13 @@ fn new_gap_preserves_the_state() {
         [history.traction()[0], twin.traction()[0]],
         [history.slip()[0], twin.slip()[0]],
         [history.accumulated_slip(), twin.accumulated_slip()],
-        [history.dissipated_energy(), twin.dissipated_energy()],
+        [history.dissipation(), twin.dissipation()],
         [history.pressure(), twin.pressure()],
     ] {
         assert_eq!(a, b);
     }
     for history in [&mut history, &mut twin] {
-        press(history, NormalControl::Force(4.0));
+        press(history, NormalLoad::Force(4.0));
         shear(history, TangentialControl::Force(0.5));
     }
     assert!((history.approach() - twin.approach() - 0.125).abs() < 1e-12);
@@ -102,7 +102,7 @@ fn new_gap_preserves_the_state() {
     assert!(twin.last_step().normal_report().is_none());
     let change = kit::max_difference(twin.traction()[0].as_slice(), traction.as_slice());
     assert!(change < 1e-7 * pressure.max());
-    press(&mut twin, NormalControl::Force(4.0));
+    press(&mut twin, NormalLoad::Force(4.0));
     assert!(twin.pressure().max() < 0.99 * pressure.max());
     // The shift was constant. Force and traction followed the pressure.
     assert!(twin.tangential_force()[0] != 0.5 && twin.tangential_force()[0].abs() < 1.6);
@@ -131,7 +131,7 @@ fn stale_pressure_causes_a_warning() {
         without_resolution_warnings(history.last_step().warnings()),
         [Warning::NoContact]
     );
-    press(&mut history, NormalControl::Force(4.0));
+    press(&mut history, NormalLoad::Force(4.0));
     // Setting an identical gap does not make the pressure stale, either.
     history.set_gap(&worn).unwrap();
     shear(&mut history, TangentialControl::Shift(0.1));
@@ -142,7 +142,7 @@ fn stale_pressure_causes_a_warning() {
 
     let path = LoadPath::sine([0.1, 0.0], 4).unwrap();
     let forgetful = FrettingLoop::new(path.clone(), LoadStep::shift);
-    let load = |shift| LoadStep::shift(shift).normal(NormalControl::Force(4.0));
+    let load = |shift| LoadStep::shift(shift).normal(NormalLoad::Force(4.0));
     let mindful = FrettingLoop::new(path, load);
     let mut warnings = Vec::new();
     let mut wear = |history: &mut History, _: &Cycle| {
@@ -172,7 +172,7 @@ fn stale_pressure_causes_a_warning() {
 
     history.set_gap(&worn).unwrap();
     // After a step that fails, the pressure is still stale.
-    kit::assert_refused! { history.step(&LoadStep::force([99.0, 0.0]).normal(NormalControl::Force(4.0))) => _ }
+    kit::assert_refused! { history.step(&LoadStep::force([99.0, 0.0]).normal(NormalLoad::Force(4.0))) => _ }
     let step = history.step(&LoadStep::hold()).unwrap();
     assert_eq!(
         without_resolution_warnings(step.warnings()),
@@ -189,7 +189,7 @@ fn contact_at_grid_edge_causes_a_warning() {
     let flat = Field::zeros(grid);
     let builder = History::builder(&bodies, &flat, Friction::coulomb(0.4).unwrap());
     let mut history = builder.build().unwrap();
-    let press = LoadStep::hold().normal(NormalControl::Force(4.0));
+    let press = LoadStep::hold().normal(NormalLoad::Force(4.0));
     let step = history.step(&press).unwrap();
     let expected = [Warning::ContactAtEdge {
         cells: 2 * (9 + 7) - 4,
@@ -209,7 +209,7 @@ fn new_friction_limits_the_force() {
     let builder = History::builder(&bodies, &ball, Friction::coulomb(0.4).unwrap());
     let mut history = builder.build().unwrap();
     assert_eq!(history.friction_capacity(), 0.0);
-    press(&mut history, NormalControl::Force(4.0));
+    press(&mut history, NormalLoad::Force(4.0));
     shear(&mut history, TangentialControl::Force(1.2));
     let (shift, path) = (history.shift()[0], history.accumulated_slip().integral());
     assert!((history.friction_capacity() - 1.6).abs() < 1e-12);
@@ -278,7 +278,7 @@ fn max_stable_cycles_separate_stable_from_unstable_wear() {
         let builder = History::builder(&bodies, &gap, Friction::coulomb(0.0).unwrap());
         let mut history = builder.build().unwrap();
         for _ in 0..30 {
-            press(&mut history, NormalControl::Force(25.6));
+            press(&mut history, NormalLoad::Force(25.6));
             let pressure = history.pressure();
             wear::archard(cycles, pressure, &slip, &mut gap).unwrap();
             history.set_gap(&gap).unwrap();

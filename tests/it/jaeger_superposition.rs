@@ -4,15 +4,15 @@
 use kit::{max_abs, max_difference, rough, unit_bodies};
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
-    Boundary, Error, Field, Friction, Grid, HalfSpace, NormalControl, NormalProblem,
-    NormalSolution, TangentialLoad, TangentialSolution, surface,
+    Boundary, Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
+    TangentialLoad, TangentialSolution, surface,
 };
 
 const FRICTION: f64 = 0.4;
 const TOLERANCE: f64 = 1e-13;
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
-    kit::press(bodies, gap, NormalControl::Force(force), TOLERANCE)
+    kit::press(bodies, gap, NormalLoad::Force(force), TOLERANCE)
 }
 
 fn shear(bodies: &HalfSpace, normal: &NormalSolution, force: [f64; 2]) -> TangentialSolution {
@@ -101,7 +101,7 @@ fn mismatched_contacts_are_rejected() {
     let repeated = press(&repeated, &gap, 1.0);
     kit::assert_refused! { refused(&full, &repeated) => Error::BoundaryMismatch { .. } }
 
-    let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0));
+    let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(1.0));
     let unsolved = kit::solver(problem).new_solution();
     for error in [refused(&full, &unsolved), refused(&unsolved, &stick)] {
         assert!(matches!(error, Error::NotConverged(_)), "{error}");

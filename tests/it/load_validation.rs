@@ -7,8 +7,8 @@ use stickslip::cgm::{Method, Settings};
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
     Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
-    NormalControl, NormalProblem, NormalSolution, TangentialLoad, TangentialModel,
-    TangentialProblem, surface,
+    NormalLoad, NormalProblem, NormalSolution, TangentialLoad, TangentialModel, TangentialProblem,
+    surface,
 };
 
 const NEGATIVE: [f64; 4] = [-1e-300, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
@@ -31,7 +31,7 @@ fn press_ball(bodies: &HalfSpace) -> NormalSolution {
     kit::solve(NormalProblem::builder(
         bodies,
         ball_gap(bodies),
-        NormalControl::Force(1.0),
+        NormalLoad::Force(1.0),
     ))
 }
 
@@ -41,33 +41,33 @@ fn normal_problem_with_invalid_load_or_gap_is_rejected() {
     let gap = ball_gap(&bodies);
     let build = |gap: &Field, load| NormalProblem::builder(&bodies, gap, load).build();
     for value in NEGATIVE {
-        let error = build(&gap, NormalControl::Force(value)).err();
+        let error = build(&gap, NormalLoad::Force(value)).err();
         assert!(
             matches!(error, Some(Error::NegativeOrNotFinite { value: v, .. }) if is_identical(v, value))
         );
     }
     for value in NOT_FINITE {
-        let error = build(&gap, NormalControl::Approach(value)).err();
+        let error = build(&gap, NormalLoad::Approach(value)).err();
         assert!(matches!(error, Some(Error::NotFinite { value: v, .. }) if is_identical(v, value)));
         let mut broken = gap.clone();
         broken.as_mut_slice()[7] = value;
-        let error = build(&broken, NormalControl::Force(1.0)).err();
+        let error = build(&broken, NormalLoad::Force(1.0)).err();
         assert!(
             matches!(error, Some(Error::Sample { index: 7, value: v, .. }) if is_identical(v, value))
         );
     }
     let other = Field::zeros(Grid::new(6, 8, 1.0, 1.0).unwrap());
     kit::assert_refused! {
-        build(&other, NormalControl::Force(1.0)) => error if error == mismatch("gap", bodies.grid(), other.grid()),
+        build(&other, NormalLoad::Force(1.0)) => error if error == mismatch("gap", bodies.grid(), other.grid()),
     }
     for tolerance in [0.0, 1.0, -1e-6, f64::NAN] {
         kit::assert_refused! {
-            NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0)).tolerance(tolerance).build()
+            NormalProblem::builder(&bodies, &gap, NormalLoad::Force(1.0)).tolerance(tolerance).build()
                 => Error::Tolerance(t) if is_identical(t, tolerance),
         }
     }
     kit::assert_refused! {
-        NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0)).max_iterations(0).build()
+        NormalProblem::builder(&bodies, &gap, NormalLoad::Force(1.0)).max_iterations(0).build()
             => Error::IterationLimit,
     }
 }
@@ -76,13 +76,13 @@ fn normal_problem_with_invalid_load_or_gap_is_rejected() {
 fn normal_solver_rejected_change_leaves_it_unchanged() {
     let bodies = unit_half_space();
     let gap = ball_gap(&bodies);
-    let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0))
+    let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(1.0))
         .build()
         .unwrap();
     let expected = problem.solve().unwrap();
     let mut solver = problem.into_solver().unwrap();
     kit::assert_refused! {
-        solver.set_load(NormalControl::Force(-1.0)) => _,
+        solver.set_load(NormalLoad::Force(-1.0)) => _,
         solver.set_gap(&Field::constant(bodies.grid(), f64::NAN)) => _,
     }
     let other = Grid::new(6, 8, 1.0, 1.0).unwrap();
@@ -90,7 +90,7 @@ fn normal_solver_rejected_change_leaves_it_unchanged() {
     let mut foreign = kit::solve(NormalProblem::builder(
         &unit_bodies(other, 0.3),
         Field::zeros(other),
-        NormalControl::Force(1.0),
+        NormalLoad::Force(1.0),
     ));
     let before = foreign.clone();
     kit::assert_refused! {
@@ -178,7 +178,7 @@ fn tangential_problem_with_unsuitable_pressure_is_rejected() {
     let apart = kit::solve(NormalProblem::builder(
         &bodies,
         ball_gap(&bodies),
-        NormalControl::Force(0.0),
+        NormalLoad::Force(0.0),
     ));
     kit::assert_refused! {
         TangentialProblem::builder(&bodies, &apart, friction.clone(), TangentialLoad::force([0.0, 0.0])).build()
@@ -223,7 +223,7 @@ fn grids_with_sides_equal_to_round_off_are_accepted() {
     let own = Grid::new(8, 6, 0.8 / 8.0, 0.6 / 6.0).unwrap();
     let bodies = unit_bodies(own, 0.3);
     let contact = |gap: &Field| {
-        let problem = NormalProblem::builder(&bodies, gap, NormalControl::Force(0.01));
+        let problem = NormalProblem::builder(&bodies, gap, NormalLoad::Force(0.01));
         problem.tolerance(1e-12).build()?.solve()
     };
     let expected = contact(&surface::sphere(own, 2.0).unwrap()).unwrap();
@@ -279,7 +279,7 @@ fn solution_for_other_materials_is_rejected() {
 
     // A solution that is overwritten by a solver belongs to the bodies of the solver.
     let (mut solution, gap) = (foreign, ball_gap(&bodies));
-    let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0));
+    let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(1.0));
     let mut solver = kit::solver(problem);
     solver.solve_into(&mut solution).unwrap();
     assert_eq!(solution.pair(), normal.pair());
@@ -328,7 +328,7 @@ fn tangential_solver_rejected_pressure_leaves_it_unchanged() {
     let other = unit_bodies(Grid::new(6, 8, 1.0, 1.0).unwrap(), 0.3);
     let gap = ball_gap(&bodies);
     let light = |force| {
-        let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(force));
+        let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(force));
         kit::solve(problem)
     };
     for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
@@ -348,7 +348,7 @@ fn tangential_solver_rejected_pressure_leaves_it_unchanged() {
             solver.set_pressure(&light(0.0)) => Error::EmptyContact,
             solver.set_pressure(&light(0.3)) => Error::BeyondFrictionCapacity { .. },
         }
-        let unsolved = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0));
+        let unsolved = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(1.0));
         let unsolved = kit::solver(unsolved).new_solution();
         kit::assert_refused! {
             solver.set_pressure(&unsolved) => Error::NotConverged(_),
@@ -369,16 +369,16 @@ fn normal_loads_of_extreme_size_converge_or_are_rejected() {
     let all = [5e-324, 1e-310, 1e-300, 1e-200, 1e-100, 1e100, 1e200, 1e300];
     for &value in kit::thorough(&[5e-324, 1e-300, 1e-100, 1e200][..], &all) {
         for load in [
-            NormalControl::Force(value),
-            NormalControl::Approach(value),
-            NormalControl::Approach(-value),
+            NormalLoad::Force(value),
+            NormalLoad::Approach(value),
+            NormalLoad::Approach(-value),
         ] {
             let problem = NormalProblem::builder(&bodies, &gap, load).build();
             match problem.and_then(|problem| problem.solve()) {
                 Ok(contact) => {
                     assert!(contact.report().is_converged(), "{load:?}");
                     assert!(contact.pressure().min() >= 0.0 && contact.approach().is_finite());
-                    if let NormalControl::Force(force) = load {
+                    if let NormalLoad::Force(force) = load {
                         assert!(
                             (contact.force() / force - 1.0).abs() < 1e-12 || force < 1e-300,
                             "{load:?}"
@@ -431,7 +431,7 @@ fn tangential_loads_of_extreme_size_converge_or_are_rejected() {
 fn unsupported_method_is_rejected() {
     let bodies = unit_bodies(Grid::square(24, 12.0).unwrap(), 0.3);
     let gap = surface::sphere(bodies.grid(), 20.0).unwrap();
-    let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(4.0));
+    let press = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(4.0));
     let normal = kit::solve(press);
     let friction = Friction::coulomb(0.5).unwrap();
     let is_refused = |error: Option<Error>| matches!(error, Some(Error::Method { .. }));
@@ -464,7 +464,7 @@ fn step_all_with_wrong_number_of_loads_is_rejected() {
     let history = History::builder(&bodies, ball_gap(&bodies), friction).build();
     let mut histories = [history.unwrap()];
     let before = histories[0].to_bytes();
-    let two = [LoadStep::hold().normal(NormalControl::Force(1.0)); 2];
+    let two = [LoadStep::hold().normal(NormalLoad::Force(1.0)); 2];
     for loads in [&two[..0], &two] {
         assert!(matches!(
             History::step_all(&mut histories, loads),

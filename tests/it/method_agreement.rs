@@ -4,14 +4,14 @@ use kit::{Table2, energy_difference, rough, unit_bodies, unit_pair};
 use stickslip::cgm::{self, AbsBound, Method, NonNegative, Problem, Settings};
 use stickslip::influence::Component;
 use stickslip::{
-    Field, Friction, Grid, HalfSpace, NormalControl, NormalSolution, Report, TangentialLoad,
+    Field, Friction, Grid, HalfSpace, NormalLoad, NormalSolution, Report, TangentialLoad,
     TangentialSolution, surface,
 };
 
 const TOLERANCE: f64 = 1e-6;
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64, method: Method) -> NormalSolution {
-    kit::press_by(bodies, gap, NormalControl::Force(force), TOLERANCE, method)
+    kit::press_by(bodies, gap, NormalLoad::Force(force), TOLERANCE, method)
 }
 
 fn shear(

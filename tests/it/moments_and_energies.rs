@@ -2,8 +2,8 @@
 
 use stickslip::analytical::HertzSphere;
 use stickslip::{
-    Boundary, Error, Field, Friction, Grid, HalfSpace, NormalControl, NormalProblem,
-    NormalSolution, TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution,
+    Boundary, Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
+    TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution,
 };
 
 const RADIUS: f64 = 20.0;
@@ -11,7 +11,7 @@ const RADIUS: f64 = 20.0;
 fn press(bodies: &HalfSpace, [x0, y0]: [f64; 2], force: f64) -> NormalSolution {
     let ball = |x: f64, y: f64| ((x - x0).powi(2) + (y - y0).powi(2)) / (2.0 * RADIUS);
     let gap = Field::from_fn(bodies.grid(), ball);
-    let problem = NormalProblem::builder(bodies, &gap, NormalControl::Force(force));
+    let problem = NormalProblem::builder(bodies, &gap, NormalLoad::Force(force));
     kit::solve(problem.tolerance(1e-9))
 }
 

@@ -4,7 +4,7 @@ use kit::{Random, unit_bodies};
 use stickslip::influence::Direction::{X, Y};
 use stickslip::layers::Layer;
 use stickslip::{
-    Boundary, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
+    Boundary, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad,
     NormalProblem, NormalSolution, Operator, TangentialLoad, TangentialModel, TangentialProblem,
     TangentialSolution, Zone, surface,
 };
@@ -15,7 +15,7 @@ const DIRECTION: [f64; 2] = [0.8, 0.6];
 fn press_ball(cells: usize, poisson_ratio: f64) -> (HalfSpace, NormalSolution) {
     let bodies = unit_bodies(Grid::square(cells, 3.0).unwrap(), poisson_ratio);
     let gap = surface::sphere(bodies.grid(), 1.0).unwrap();
-    let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(0.6));
+    let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(0.6));
     let normal = kit::solve(problem);
     (bodies, normal)
 }

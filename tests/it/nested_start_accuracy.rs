@@ -15,7 +15,7 @@ fn iterations(n: usize, seed: u64) -> usize {
         .cut_off_wavelength(8.0 * grid.dx())
         .seed(seed);
     let gap = rough.generate(grid).unwrap().heights().map(|z| -z);
-    let load = NormalControl::Force(0.005 * pair.contact_modulus());
+    let load = NormalLoad::Force(0.005 * pair.contact_modulus());
     let normal = NormalProblem::builder(&bodies, &gap, load);
     let normal = kit::solve(normal);
 
@@ -54,7 +54,7 @@ fn nested_start_of_sphere_needs_few_products() {
     let ball = surface::sphere(grid, 20.0).unwrap();
     let force = 4.0 / 3.0 * pair.contact_modulus() / 20.0;
     for (tolerance, most) in [(1e-3, [5, 8]), (1e-6, [9, 13])] {
-        let normal = NormalProblem::builder(&bodies, &ball, NormalControl::Force(force));
+        let normal = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(force));
         let normal = normal.tolerance(tolerance).build().unwrap();
         let normal = normal.solve().unwrap();
         let load = TangentialLoad::force([0.2 * force, 0.0]);

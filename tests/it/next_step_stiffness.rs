@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use stickslip::analytical::{HertzSphere, MindlinFullStick};
 use stickslip::stiffness::{ContactStiffness, StiffnessWorkspace};
 use stickslip::{
-    Coupling, ElasticPair, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl,
+    Coupling, ElasticPair, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalLoad,
     TangentialModel, Zone, surface,
 };
 
@@ -22,7 +22,7 @@ fn pressed(pair: &ElasticPair, model: TangentialModel, coupling: Coupling) -> Hi
     let builder = builder.coupling(coupling).tolerance(1e-13);
     let mut history = builder.build().unwrap();
     for part in [0.5, 1.0] {
-        let press = NormalControl::Force(FORCE * part);
+        let press = NormalLoad::Force(FORCE * part);
         history.step(&LoadStep::hold().normal(press)).unwrap();
     }
     history

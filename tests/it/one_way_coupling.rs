@@ -5,7 +5,7 @@ use kit::{l2_difference, max_difference};
 use stickslip::analytical::SpencePressing;
 use stickslip::{
     Axis, Boundary, CoupledProblem, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace,
-    History, LoadStep, Material, NormalControl, NormalProblem, TangentialControl, TangentialLoad,
+    History, LoadStep, Material, NormalLoad, NormalProblem, TangentialControl, TangentialLoad,
     TangentialModel, TangentialProblem, TangentialSolution, surface,
 };
 
@@ -20,7 +20,7 @@ fn punch(cells: usize, beta: f64, coefficient: f64) -> TangentialSolution {
     let grid = Grid::square(cells, 2.4).unwrap();
     let bodies = HalfSpace::new(grid, on_rigid(beta)).unwrap();
     let gap = Field::from_fn(grid, |x, y| if x.hypot(y) < 1.0 { 0.0 } else { 1e3 });
-    let press = NormalControl::Force(1.0);
+    let press = NormalLoad::Force(1.0);
     let normal = kit::solve(NormalProblem::builder(&bodies, &gap, press));
     let friction = Friction::coulomb(coefficient).unwrap();
     kit::solve(
@@ -61,7 +61,7 @@ fn pressed_flat_surface_slides_in_both_halves() {
             let datum = 10.0 * cells as f64;
             let boundary = Boundary::PeriodicAlongY { datum };
             let bodies = HalfSpace::with_boundary(grid, on_rigid(0.5), boundary).unwrap();
-            let press = NormalControl::Force(1e-3 * grid.area());
+            let press = NormalLoad::Force(1e-3 * grid.area());
             let flat = Field::zeros(grid);
             let normal = NormalProblem::builder(&bodies, &flat, press)
                 .build()
@@ -102,7 +102,7 @@ fn small_force_along_diverging_row_leaves_a_cell_sticking() {
         let grid = Grid::new(cells, 1, 1.8, 1.0).unwrap();
         let bodies = HalfSpace::new(grid, pair).unwrap();
         let gap = Field::zeros(grid);
-        let press = NormalControl::Force(1e-3);
+        let press = NormalLoad::Force(1e-3);
         let normal = NormalProblem::builder(&bodies, &gap, press)
             .build()
             .unwrap();
@@ -143,7 +143,7 @@ fn tractions_match_full_coupling_under_its_pressure() {
         let friction = || Friction::coulomb(0.4).unwrap();
         let load =
             TangentialLoad::force([0.01, 0.0]).along(Axis::Y, TangentialControl::Shift(0.002));
-        let press = NormalControl::Force(0.08);
+        let press = NormalLoad::Force(0.08);
         let full = CoupledProblem::builder(&bodies, &gap, friction(), press, load);
         let full = kit::solve(full.tolerance(1e-12));
         let given = TangentialProblem::builder(&bodies, full.normal().pressure(), friction(), load);
@@ -190,7 +190,7 @@ fn history(bodies: &HalfSpace, gap: &Field, coupling: Coupling) -> History {
 
 /// Takes steps of all types: pressing, shear, twist, unloading, wear, separation, and renewed pressing.
 fn steps(history: &mut History, mut seen: impl FnMut(usize, &History)) {
-    let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
+    let press = |force| LoadStep::hold().normal(NormalLoad::Force(force));
     let path = [
         press(0.05),
         press(0.1),
@@ -199,7 +199,7 @@ fn steps(history: &mut History, mut seen: impl FnMut(usize, &History)) {
         LoadStep::hold().twist(0.02),
         press(0.03).tangential(Axis::X, TangentialControl::Force(-0.005)),
         press(0.0).tangential(Axis::X, TangentialControl::Hold),
-        LoadStep::hold().normal(NormalControl::Approach(0.05)),
+        LoadStep::hold().normal(NormalLoad::Approach(0.05)),
         press(0.06).tangential(Axis::Y, TangentialControl::Force(0.005)),
     ];
     for (number, load) in path.iter().enumerate() {
@@ -250,7 +250,7 @@ fn one_way_error_vanishes_with_beta() {
 fn set_state_takes_coupling_of_state() {
     let (bodies, gap) = ball(0.4);
     let all = [Coupling::Full, Coupling::OneWay, Coupling::Neglected];
-    let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
+    let press = |force| LoadStep::hold().normal(NormalLoad::Force(force));
     let started = all.map(|coupling| {
         let mut history = history(&bodies, &gap, coupling);
         history.step(&press(0.1)).unwrap();

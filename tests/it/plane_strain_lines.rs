@@ -7,7 +7,7 @@ use stickslip::analytical::{CattaneoMindlinLine, HertzLine, RoundedPunch, Spence
 use stickslip::influence::Component;
 use stickslip::{
     Axis, Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
-    LoadStep, Material, NormalControl, NormalProblem, NormalSolution, Operator, TangentialControl,
+    LoadStep, Material, NormalLoad, NormalProblem, NormalSolution, Operator, TangentialControl,
     TangentialLoad, TangentialModel, TangentialProblem, surface,
 };
 
@@ -106,7 +106,7 @@ fn kernel_of_twice_the_period_adds_up_to_kernel_of_period() {
 }
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
-    let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(force));
+    let problem = NormalProblem::builder(bodies, gap, NormalLoad::Force(force));
     kit::solve(problem.tolerance(1e-13))
 }
 
@@ -125,7 +125,7 @@ fn finer_lines_take_no_more_iterations() {
         let grid = Grid::new(nx, 1, 4.8 / nx as f64, 1.0).unwrap();
         let bodies = along_y(grid, &pair);
         let gap = surface::cylinder(grid, 20.0).unwrap();
-        let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(0.06));
+        let normal = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(0.06));
         let normal = kit::solve(normal.tolerance(1e-6));
         let load = TangentialLoad::force([0.012, 0.0]);
         let friction = Friction::coulomb(FRICTION).unwrap();
@@ -240,7 +240,7 @@ fn cycle_dissipates_area_of_its_loop() {
         let builder = History::builder(&bodies, &gap, Friction::coulomb(FRICTION).unwrap());
         let mut history = builder.model(model).tolerance(1e-10).build().unwrap();
         history
-            .step(&LoadStep::hold().normal(NormalControl::Force(load)))
+            .step(&LoadStep::hold().normal(NormalLoad::Force(load)))
             .unwrap();
         let mut dissipated = [0.0; 4];
         for half in &mut dissipated {
@@ -330,7 +330,7 @@ fn punch(cells: usize, beta: f64, coefficient: f64) -> [f64; 2] {
     let grid = Grid::line(cells + cells / 8, 2.0 / cells as f64).unwrap();
     let bodies = along_y(grid, &pair);
     let gap = Field::from_fn(grid, |x, _| if x.abs() < 1.0 { 0.0 } else { 1e3 });
-    let (press, still) = (NormalControl::Force(1.0), TangentialLoad::shift([0.0; 2]));
+    let (press, still) = (NormalLoad::Force(1.0), TangentialLoad::shift([0.0; 2]));
     let friction = || Friction::coulomb(coefficient).unwrap();
     let normal = press_tightly(&bodies, &gap, press);
     let one_way = TangentialProblem::builder(&bodies, &normal, friction(), still);
@@ -340,7 +340,7 @@ fn punch(cells: usize, beta: f64, coefficient: f64) -> [f64; 2] {
     [one_way.stick_ratio(), coupled.tangential().stick_ratio()]
 }
 
-fn press_tightly(bodies: &HalfSpace, gap: &Field, press: NormalControl) -> NormalSolution {
+fn press_tightly(bodies: &HalfSpace, gap: &Field, press: NormalLoad) -> NormalSolution {
     let problem = NormalProblem::builder(bodies, gap, press);
     kit::solve(problem.tolerance(1e-10))
 }

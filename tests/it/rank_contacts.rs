@@ -156,7 +156,7 @@ fn continued_solves_on_ranks_match_one_process() {
     assert_shared(grid, Boundary::NonPeriodic, |bodies| {
         let beside = |x: f64, y: f64| 0.05 * ((x - 5.0).powi(2) + (y + 20.0).powi(2));
         let gap = Field::from_fn(bodies.grid(), beside);
-        let force = NormalControl::Force(0.5);
+        let force = NormalLoad::Force(0.5);
         let problem = NormalProblem::builder(bodies, gap, force).build().unwrap();
         let mut press = problem.into_solver().unwrap();
         let mut normal = press.new_solution();
@@ -167,7 +167,7 @@ fn continued_solves_on_ranks_match_one_process() {
         let mut slide = kit::solver(problem);
         let mut shear = slide.new_solution();
         for force in [0.52, 0.54, 8.0, 0.5] {
-            press.set_load(NormalControl::Force(force)).unwrap();
+            press.set_load(NormalLoad::Force(force)).unwrap();
             press.solve_into(&mut normal).unwrap();
             slide.set_load(TangentialLoad::force([0.0; 2])).unwrap();
             slide.set_pressure(&normal).unwrap();
@@ -213,7 +213,7 @@ fn every_rank_reports_whole_contact() {
     for &boundary in &boundaries[..kit::thorough(2, 3)] {
         let count = |bodies: &HalfSpace| {
             let gap = rough.generate_on(bodies).unwrap().map(|z| -z);
-            let force = NormalControl::Force(0.03 * bodies.grid().whole().area());
+            let force = NormalLoad::Force(0.03 * bodies.grid().whole().area());
             let problem = NormalProblem::builder(bodies, gap, force).build().unwrap();
             let contact = problem.solve().unwrap();
             let area = (contact.contact_area(), contact.contact_area_corrected());
@@ -237,7 +237,7 @@ fn press_observed(
     last: usize,
 ) -> Result<NormalSolution, Error> {
     let gap = Field::from_fn(bodies.grid(), |x, y| 0.05 * (x * x + y * y));
-    let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(0.5));
+    let problem = NormalProblem::builder(bodies, gap, NormalLoad::Force(0.5));
     let mut solver = problem.settings(settings).build()?.into_solver()?;
     let mut contact = solver.new_solution();
     let mut left = last;
@@ -336,7 +336,7 @@ fn input_rejected_by_one_rank_is_rejected_by_all() {
         let gap = Field::from_fn(bodies.grid(), |x, y| {
             if is_broken { f64::NAN } else { x * x + y * y }
         });
-        NormalProblem::builder(bodies, gap, NormalControl::Force(0.5))
+        NormalProblem::builder(bodies, gap, NormalLoad::Force(0.5))
             .build()
             .map(drop)
     });
@@ -433,7 +433,7 @@ fn error_bound_with_spring_matches_one_process() {
     let grid = Grid::new(10, 12, 0.25, 0.25).unwrap();
     let find = |bodies: &HalfSpace| -> Found {
         let ball = Field::from_fn(bodies.grid(), |x, y| 0.25 * (x * x + y * y));
-        let force = NormalControl::Force(0.4);
+        let force = NormalLoad::Force(0.4);
         let problem = NormalProblem::builder(bodies, &ball, force);
         let normal = kit::solve(problem);
         let mut common = Vec::new();

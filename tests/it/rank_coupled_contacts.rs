@@ -21,7 +21,7 @@ fn solver(
     bodies: &HalfSpace,
     gap: fn(f64, f64) -> f64,
     friction: Friction,
-    press: NormalControl,
+    press: NormalLoad,
     load: TangentialLoad,
 ) -> CoupledSolver {
     let gap = Field::from_fn(bodies.grid(), gap);
@@ -61,13 +61,13 @@ fn samples(contact: &CoupledSolution) -> Found {
 fn continued_coupled_solves_on_ranks_match_one_process() {
     let grid = Grid::new(80, 130, 0.3, 0.2).unwrap();
     assert_shared(grid, Boundary::NonPeriodic, |bodies| {
-        let (press, weak) = (NormalControl::Force(0.5), Friction::coulomb(0.01).unwrap());
+        let (press, weak) = (NormalLoad::Force(0.5), Friction::coulomb(0.01).unwrap());
         let mut load = TangentialLoad::shift([0.0, 0.0]);
         let mut solver = solver(bodies, OFF_CENTRE_BALL, weak, press, load);
         let mut contact = solver.new_solution();
         let mut bounds = 0;
         for force in [0.5, 0.52, 6.0, 0.5] {
-            solver.set_load(NormalControl::Force(force), load).unwrap();
+            solver.set_load(NormalLoad::Force(force), load).unwrap();
             solver.solve_into(&mut contact).unwrap();
             bounds += usize::from(contact.report().error_bounds.is_some());
             load = TangentialLoad::shift([0.01 * force, 0.0]);
@@ -92,7 +92,7 @@ fn assert_first_rank_decides(grid: Grid) {
     let solve = |bodies: &HalfSpace, last: usize| {
         let load = TangentialLoad::force([0.05, 0.0]);
         let coulomb = Friction::coulomb(0.3).unwrap();
-        let press = NormalControl::Force(0.5);
+        let press = NormalLoad::Force(0.5);
         let mut solver = solver(bodies, BALL, coulomb, press, load);
         let (mut contact, mut left) = (solver.new_solution(), last);
         let outcome = solver.solve_observed(&mut contact, |_| {
@@ -137,7 +137,7 @@ fn input_rejected_by_one_rank_is_rejected_by_all() {
         let is_other = rank == 1;
         let build = |curvature: f64, mu: f64| {
             let gap = Field::from_fn(bodies.grid(), |x, y| curvature * (x * x + y * y));
-            let (press, still) = (NormalControl::Force(0.5), TangentialLoad::shift([0.0, 0.0]));
+            let (press, still) = (NormalLoad::Force(0.5), TangentialLoad::shift([0.0, 0.0]));
             let coulomb = Friction::coulomb(mu).unwrap();
             let problem = CoupledProblem::builder(bodies, &gap, coulomb, press, still);
             problem.build().map(drop)

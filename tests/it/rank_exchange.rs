@@ -137,7 +137,7 @@ fn block_of_wrong_length_is_reported() {
             let outcome = HalfSpace::distributed(grid, pair(), Boundary::NonPeriodic, shared);
             let outcome = outcome.and_then(|bodies| {
                 let ball = surface::sphere(bodies.grid(), 10.0)?;
-                let load = NormalControl::Force(0.5);
+                let load = NormalLoad::Force(0.5);
                 let problem = NormalProblem::builder(&bodies, &ball, load).tolerance(1e-3);
                 problem.build()?.solve()
             });

@@ -174,15 +174,15 @@ fn failed_step_leaves_ranks_unchanged() {
         let builder = History::builder(bodies, &gap, Friction::coulomb(0.3).unwrap());
         let mut history = builder.coupling(Coupling::OneWay).build().unwrap();
         history
-            .step(&LoadStep::force([0.2, 0.0]).normal(NormalControl::Force(2.0)))
+            .step(&LoadStep::force([0.2, 0.0]).normal(NormalLoad::Force(2.0)))
             .unwrap();
         let before = history.to_bytes();
-        let too_much = LoadStep::force([9.0, 0.0]).normal(NormalControl::Force(12.0));
+        let too_much = LoadStep::force([9.0, 0.0]).normal(NormalLoad::Force(12.0));
         kit::assert_refused! { history.step(&too_much) => Error::BeyondFrictionCapacity { .. } }
         assert!(history.to_bytes() == before);
 
         // The second rank leaves during the next step.
-        let larger = LoadStep::force([1.0, 0.0]).normal(NormalControl::Force(12.0));
+        let larger = LoadStep::force([1.0, 0.0]).normal(NormalLoad::Force(12.0));
         let mut calls = 0;
         let outcome = catch_unwind(AssertUnwindSafe(|| {
             history
@@ -223,13 +223,13 @@ fn step_is_taken_completely_or_not_at_all() {
             let builder = History::builder(&bodies, &gap, friction(&bodies));
             let builder = builder.coupling(coupling).tolerance(1e-3);
             let mut history = builder.build().unwrap();
-            let press = LoadStep::force([0.2, 0.0]).normal(NormalControl::Force(2.0));
+            let press = LoadStep::force([0.2, 0.0]).normal(NormalLoad::Force(2.0));
             history.step(&press).unwrap();
             let before = history.to_bytes();
             let mut adaptive = is_adaptive.then(|| AdaptiveSteps::new(&history, 0.2).unwrap());
             let calls = if is_lost { calls } else { last };
             ranks.calls_left.store(calls, Relaxed);
-            let larger = LoadStep::force([0.5, 0.0]).normal(NormalControl::Force(4.0));
+            let larger = LoadStep::force([0.5, 0.0]).normal(NormalLoad::Force(4.0));
             let step = || match &mut adaptive {
                 Some(adaptive) => adaptive.step(&mut history, &larger).map(drop),
                 None => history.step(&larger).map(drop),
@@ -301,8 +301,7 @@ fn change_is_made_completely_or_not_at_all() {
             let gap = ball(&bodies);
             let builder = History::builder(&bodies, &gap, friction(&bodies));
             let mut history = builder.coupling(Coupling::Neglected).build().unwrap();
-            let load =
-                |force| LoadStep::force([0.1 * force, 0.0]).normal(NormalControl::Force(force));
+            let load = |force| LoadStep::force([0.1 * force, 0.0]).normal(NormalLoad::Force(force));
             history.step(&load(2.0)).unwrap();
             let early = history.state().clone();
             let mut cycle = Cycle::new(&history);

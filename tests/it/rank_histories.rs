@@ -33,7 +33,7 @@ pub(crate) fn friction(bodies: &HalfSpace) -> Friction {
 /// Returns the local state of a history.
 fn cells(history: &History) -> Vec<f64> {
     let [qx, qy] = history.traction();
-    let [slipped, lost] = [history.accumulated_slip(), history.dissipated_energy()];
+    let [slipped, lost] = [history.accumulated_slip(), history.dissipation()];
     by_cell([history.pressure(), qx, qy, slipped, lost])
 }
 
@@ -45,7 +45,7 @@ fn fretting_results(bodies: &HalfSpace) -> Found {
     let mut history = builder.build().unwrap();
     let mut known = Vec::new();
     let mut adaptive = AdaptiveSteps::new(&history, 0.05).unwrap();
-    let press = LoadStep::force([1.5, 0.0]).normal(NormalControl::Force(10.0));
+    let press = LoadStep::force([1.5, 0.0]).normal(NormalLoad::Force(10.0));
     let mut seen = 0.0;
     let count = |_: &History| {
         seen += 1.0;
@@ -67,7 +67,7 @@ fn fretting_results(bodies: &HalfSpace) -> Found {
         cycle.energy().work,
     ]);
     let mut depth = Field::zeros(bodies.grid());
-    wear::energy(1e-2, cycle.dissipated_energy(), &mut depth).unwrap();
+    wear::energy(1e-2, cycle.dissipation(), &mut depth).unwrap();
     let jump = wear::CycleJump::new(bodies, cycle, &depth).unwrap();
     let most = wear::max_stable_cycles(bodies, 1e-2, cycle.slip_distance()).unwrap();
     known.extend([jump.max_residual(0.9).cycles().unwrap(), most]);
@@ -121,7 +121,7 @@ fn stiffnesses_on_ranks_match_one_process() {
             for (force, approach) in [(0.0, 0.1), (0.4, 0.2), (0.2, 0.2)] {
                 let press = LoadStep::shift([0.1 * force, 0.0]);
                 history
-                    .step(&press.normal(NormalControl::Approach(approach)))
+                    .step(&press.normal(NormalLoad::Approach(approach)))
                     .unwrap();
                 let go_on = |_: &Iteration| ControlFlow::Continue(());
                 let stiffness = history.stiffness_with(&mut workspace, go_on).unwrap();
@@ -172,7 +172,7 @@ fn saved_slabs_continue_on_different_number_of_ranks() {
         let alone = HalfSpace::with_boundary(grid, pair(), boundary).unwrap();
         let mut whole = started(&alone, is_rich);
         let saved_alone = whole.to_bytes();
-        let spots = whole.normal().spots();
+        let spots = whole.normal().spots().unwrap();
         let yielded = whole.normal().yielded_cells();
         assert_eq!(yielded > 0, is_rich);
         run(&mut whole, 5..6);
@@ -189,7 +189,7 @@ fn saved_slabs_continue_on_different_number_of_ranks() {
                 assert_eq!(history.normal().yielded_cells(), yielded);
                 if to == 1 {
                     assert!(history.to_bytes() == saved_alone);
-                    assert_eq!(history.normal().spots(), spots);
+                    assert_eq!(history.normal().spots().unwrap(), spots);
                 }
                 run(&mut history, 5..6);
                 cells(&history)
@@ -202,9 +202,8 @@ fn saved_slabs_continue_on_different_number_of_ranks() {
 /// Takes some steps of a load that grows and changes its direction.
 pub(crate) fn run(history: &mut History, steps: std::ops::Range<u32>) {
     for k in steps.map(f64::from) {
-        let load = LoadStep::force([0.2 * (1.0 + k) * k.sin(), 0.1 * k]).normal(
-            NormalControl::Force(2.0 + (1.0 + k) * (2.0 + (1.7 * k).cos())),
-        );
+        let load = LoadStep::force([0.2 * (1.0 + k) * k.sin(), 0.1 * k])
+            .normal(NormalLoad::Force(2.0 + (1.0 + k) * (2.0 + (1.7 * k).cos())));
         history.step(&load).unwrap();
     }
 }

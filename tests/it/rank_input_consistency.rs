@@ -121,7 +121,7 @@ fn inconsistent_surfaces_are_reported() {
 
 #[test]
 fn inconsistent_normal_problems_are_reported() {
-    let force = NormalControl::Force(2.0);
+    let force = NormalLoad::Force(2.0);
     let build = |ranks, load, hardness: Option<f64>, settings| {
         let bodies = bodies(ranks);
         let mut builder = NormalProblem::builder(&bodies, ball(&bodies), load);
@@ -132,9 +132,9 @@ fn inconsistent_normal_problems_are_reported() {
     };
     let usual = Settings::default();
     for odd in [
-        NormalControl::Force(2.1),
-        NormalControl::Force(-0.0),
-        NormalControl::Approach(2.0),
+        NormalLoad::Force(2.1),
+        NormalLoad::Force(-0.0),
+        NormalLoad::Approach(2.0),
     ] {
         assert_reported("normal load", |ranks, is_odd| {
             build(ranks, one_of(is_odd, odd, force), None, usual)
@@ -165,15 +165,15 @@ fn inconsistent_normal_problems_are_reported() {
 fn ranks_continue_after_reported_inconsistency() {
     let alone = {
         let bodies = HalfSpace::new(grid(), pair()).unwrap();
-        let problem = NormalProblem::builder(&bodies, ball(&bodies), NormalControl::Force(2.0));
+        let problem = NormalProblem::builder(&bodies, ball(&bodies), NormalLoad::Force(2.0));
         kit::solve(problem).approach()
     };
     let found = outcomes(|ranks, is_odd| {
         let bodies = bodies(ranks);
-        let load = NormalControl::Force(2.0);
+        let load = NormalLoad::Force(2.0);
         let problem = NormalProblem::builder(&bodies, ball(&bodies), load).build()?;
         let mut solver = problem.into_solver()?;
-        kit::assert_refused! { solver.set_load(NormalControl::Force(one_of(is_odd, -1.0, 1.0))) => _ }
+        kit::assert_refused! { solver.set_load(NormalLoad::Force(one_of(is_odd, -1.0, 1.0))) => _ }
         let mut contact = solver.new_solution();
         solver.solve_into(&mut contact)?;
         Ok(contact.approach())
@@ -188,7 +188,7 @@ fn inconsistent_tangential_problems_are_reported() {
     let force = TangentialLoad::force([0.1, 0.0]);
     let build = |ranks, odd: &str| {
         let bodies = bodies(ranks);
-        let normal = NormalProblem::builder(&bodies, ball(&bodies), NormalControl::Force(2.0));
+        let normal = NormalProblem::builder(&bodies, ball(&bodies), NormalLoad::Force(2.0));
         let normal = normal.build()?.solve()?;
         let is = |name: &str| odd == name;
         let load = one_of(
@@ -246,7 +246,7 @@ fn inconsistent_coupled_problems_are_reported() {
         let bodies = bodies(ranks);
         let is = |name: &str| odd == name;
         let friction = coulomb(one_of(is("friction"), 0.31, 0.3));
-        let press = NormalControl::Force(one_of(is("normal load"), 2.1, 2.0));
+        let press = NormalLoad::Force(one_of(is("normal load"), 2.1, 2.0));
         let load = TangentialLoad::shift([one_of(is("tangential load"), 0.1, 0.0), 0.0]);
         let gap = ball(&bodies);
         let builder = CoupledProblem::builder(&bodies, &gap, friction, press, load);
@@ -260,12 +260,12 @@ fn inconsistent_coupled_problems_are_reported() {
     assert_reported("normal load", |ranks, is_odd| {
         let mut solver = build(ranks, "")?.into_solver()?;
         let still = TangentialLoad::shift([0.0, 0.0]);
-        solver.set_load(NormalControl::Force(one_of(is_odd, 2.1, 2.0)), still)
+        solver.set_load(NormalLoad::Force(one_of(is_odd, 2.1, 2.0)), still)
     });
     assert_reported("tangential load", |ranks, is_odd| {
         let mut solver = build(ranks, "")?.into_solver()?;
         let moved = TangentialLoad::shift([one_of(is_odd, 0.1, 0.0), 0.0]);
-        solver.set_load(NormalControl::Force(2.0), moved)
+        solver.set_load(NormalLoad::Force(2.0), moved)
     });
 }
 
@@ -279,7 +279,7 @@ fn inconsistent_stiffnesses_are_reported() {
                 let gap = ball(&bodies);
                 let builder = History::builder(&bodies, &gap, coulomb(0.3)).coupling(coupling);
                 let mut history = builder.build()?;
-                history.step(&LoadStep::hold().normal(NormalControl::Force(2.0)))?;
+                history.step(&LoadStep::hold().normal(NormalLoad::Force(2.0)))?;
                 let tolerance = one_of(is_odd && is_tolerance, 1e-9, 1e-11);
                 let workspace = StiffnessWorkspace::new().tolerance(tolerance)?;
                 let mut workspace = workspace.reversal(!is_odd || is_tolerance);
@@ -334,7 +334,7 @@ fn inconsistent_histories_are_reported() {
     ] {
         assert_reported(name, |ranks, is_odd| build(ranks, one_of(is_odd, name, "")));
     }
-    let press = |force| LoadStep::force([0.0, 0.0]).normal(NormalControl::Force(force));
+    let press = |force| LoadStep::force([0.0, 0.0]).normal(NormalLoad::Force(force));
     assert_reported("load", |ranks, is_odd| {
         let mut history = build(ranks, "")?;
         history.step(&press(2.0))?;

@@ -6,12 +6,12 @@ use stickslip::analytical::{
 };
 use stickslip::rolling::{RollingControl, RollingProblem, RollingSolution};
 use stickslip::{
-    Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalControl,
+    Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalLoad,
     NormalProblem, NormalSolution, Result, surface,
 };
 
 fn pressed(bodies: &HalfSpace, gap: &Field, force: f64) -> Result<NormalSolution> {
-    NormalProblem::builder(bodies, gap, NormalControl::Force(force))
+    NormalProblem::builder(bodies, gap, NormalLoad::Force(force))
         .tolerance(1e-10)
         .build()?
         .solve()

@@ -7,7 +7,7 @@ use stickslip::rolling::RollingProblem;
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
     Axis, Boundary, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
-    LoadStep, Material, NormalControl, TangentialControl, TangentialModel, Warning, Zone, surface,
+    LoadStep, Material, NormalLoad, TangentialControl, TangentialModel, Warning, Zone, surface,
 };
 
 fn similar_bodies(grid: Grid, shear_modulus: f64, poisson: f64) -> HalfSpace {
@@ -26,7 +26,7 @@ fn history(bodies: &HalfSpace, gap: &Field, entry_rule: EntryRule, tolerance: f6
 }
 
 fn press(force: f64) -> LoadStep {
-    LoadStep::hold().normal(NormalControl::Force(force))
+    LoadStep::hold().normal(NormalLoad::Force(force))
 }
 
 /// Returns the bodies, the gap and the normal load of a sphere of radius one on a grid of 16 cells across.

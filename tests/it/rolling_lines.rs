@@ -8,7 +8,7 @@ use stickslip::analytical::HertzLine;
 use stickslip::history::EntryRule;
 use stickslip::rolling::{LeadingEdge, RollingControl, RollingProblem, RollingSolution};
 use stickslip::{
-    Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalControl,
+    Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalLoad,
     NormalProblem, NormalSolution, surface,
 };
 
@@ -18,7 +18,7 @@ const RADIUS: f64 = 80.0;
 const PRODUCTS: usize = 300;
 
 fn pressed(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
-    let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(force));
+    let problem = NormalProblem::builder(bodies, gap, NormalLoad::Force(force));
     kit::solve(problem.tolerance(1e-10))
 }
 

@@ -8,7 +8,7 @@ use stickslip::rolling::{
     LeadingEdge, RollingControl, RollingProblem, RollingProblemBuilder, SpinControl,
 };
 use stickslip::{
-    Axis, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalControl,
+    Axis, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalLoad,
     NormalProblem, NormalSolution, Status, surface,
 };
 
@@ -33,7 +33,7 @@ impl RollingSphere {
         let bodies = HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap();
         let load = 4.0 / 3.0 * bodies.pair().contact_modulus();
         let ball = surface::sphere(grid, 1.0).unwrap();
-        let normal = NormalProblem::builder(&bodies, &ball, NormalControl::Force(load));
+        let normal = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(load));
         let normal = kit::solve(normal.tolerance(1e-11));
         let limit = FRICTION * load;
         Self {
@@ -93,7 +93,7 @@ fn rolling_stiffness_matches_differences_of_solves() {
         }
         // Prescribed forces must give the same stiffness.
         let forces = rolling.force().map(RollingControl::Force);
-        solver.set_control(forces, rolling.spin()).unwrap();
+        solver.set_load(forces, rolling.spin()).unwrap();
         solver.solve_into(&mut rolling).unwrap();
         let again = solver.stiffness().unwrap();
         let errors = again.iter().flatten().zip(found.iter().flatten());
@@ -172,8 +172,7 @@ fn moment_beyond_friction_is_rejected() {
     // Prescribed forces reduce the largest moment, so that the moment is rejected before any solve.
     let force = RollingControl::Force(0.6 * scene.limit);
     let far = SpinControl::Moment(0.97 * capacity);
-    let Err(Error::BeyondFrictionMoment { moment, limit, .. }) =
-        solver.set_control([force; 2], far)
+    let Err(Error::BeyondFrictionMoment { moment, limit, .. }) = solver.set_load([force; 2], far)
     else {
         panic!("the moment is accepted although no spin has it");
     };
@@ -181,18 +180,18 @@ fn moment_beyond_friction_is_rejected() {
     assert!(moment == 0.97 * capacity && (limit / (0.428 * capacity) - 1.0).abs() < 0.03);
     // Nearly all of the moment of a fully sliding contact is reached.
     let near = SpinControl::Moment(0.95 * limit);
-    solver.set_control([force; 2], near).unwrap();
+    solver.set_load([force; 2], near).unwrap();
     solver.solve_into(&mut rolling).unwrap();
     assert!((rolling.moment() / (0.95 * limit) - 1.0).abs() < 1e-6);
     for sum in rolling.force() {
         assert!((sum / (0.6 * scene.limit) - 1.0).abs() < 1e-6);
     }
     let beyond = SpinControl::Moment(-1.01 * limit);
-    kit::assert_refused! { solver.set_control([force; 2], beyond) => Error::BeyondFrictionMoment { .. } }
+    kit::assert_refused! { solver.set_load([force; 2], beyond) => Error::BeyondFrictionMoment { .. } }
     solver.solve_into(&mut rolling).unwrap();
     let (force, moment) = (RollingControl::Force(0.1 * scene.limit), 0.1 * capacity);
     solver
-        .set_control([force; 2], SpinControl::Moment(moment))
+        .set_load([force; 2], SpinControl::Moment(moment))
         .unwrap();
     solver.solve_into(&mut rolling).unwrap();
     assert!((rolling.moment() / moment - 1.0).abs() < 1e-6);
@@ -236,7 +235,7 @@ fn rolling_solves_take_few_products() {
         solver.solve_into(&mut rolling).unwrap();
         assert!(rolling.report().products() <= 150, "{}", rolling.report());
         let creepage = [xi, eta].map(|part| RollingControl::Creepage(1.01 * part * scene.unit));
-        solver.set_control(creepage, spin * scene.unit).unwrap();
+        solver.set_load(creepage, spin * scene.unit).unwrap();
         solver.solve_into(&mut rolling).unwrap();
         assert!(rolling.report().products() <= 60, "{}", rolling.report());
         let mut products = 0;
@@ -325,13 +324,13 @@ fn friction_can_change_by_any_factor() {
         of(1.0),
     ));
     let mut rolling = solver.new_solution();
-    solver.set_control(creepages(1.0), 0.0).unwrap();
+    solver.set_load(creepages(1.0), 0.0).unwrap();
     solver.solve_into(&mut rolling).unwrap();
     let (ordinary, zones) = (rolling.force(), rolling.zones().to_vec());
     assert!(0.1 < rolling.stick_ratio() && rolling.stick_ratio() < 0.9);
     for coefficient in [1e290, 1e-290, 1e160, 1.0, 1e-160, 1e290] {
         solver.set_friction(&of(coefficient)).unwrap();
-        solver.set_control(creepages(coefficient), 0.0).unwrap();
+        solver.set_load(creepages(coefficient), 0.0).unwrap();
         solver.solve_into(&mut rolling).unwrap();
         for (found, expected) in rolling.force().iter().zip(ordinary) {
             let ratio = found / coefficient / expected;
@@ -415,7 +414,7 @@ fn cancelled_work_leaves_solver_usable() {
     let cut = solver.creep_forces_observed([[0.3, 0.0, 0.0]], |_| ControlFlow::Break(()));
     assert!(matches!(cut, Err(Error::NotConverged(_))));
     solver
-        .set_control([RollingControl::Creepage(0.0); 2], moment)
+        .set_load([RollingControl::Creepage(0.0); 2], moment)
         .unwrap();
     solver.solve_into(&mut rolling).unwrap();
     assert!((rolling.spin() / expected.spin() - 1.0).abs() < 1e-6);
@@ -442,7 +441,7 @@ fn row_has_least_bound_of_moment() {
     let body = Material::from_shear_modulus(1.0, 0.25).unwrap();
     let bodies = HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap();
     let ball = surface::sphere(grid, 1.0).unwrap();
-    let normal = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.05));
+    let normal = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(0.05));
     let normal = kit::solve(normal);
     let (cell, total) = (length / cells as f64, FRICTION * normal.force());
     let limits: Vec<_> = normal.pressure().as_slice().to_vec();

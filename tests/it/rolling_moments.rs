@@ -6,7 +6,7 @@ use stickslip::rolling::{
     LeadingEdge, RollingControl, RollingProblem, RollingProblemBuilder, SpinControl,
 };
 use stickslip::{
-    Axis, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalControl,
+    Axis, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalLoad,
     NormalProblem, NormalSolution,
 };
 
@@ -49,7 +49,7 @@ impl RandomRolling {
         let gap = Field::from_fn(grid, |x, y| {
             0.01 * ((x - centre[0]).powi(2) + ratio * (y - centre[1]).powi(2))
         });
-        let approach = NormalControl::Approach(random.decade(-2.5, 0.3));
+        let approach = NormalLoad::Approach(random.decade(-2.5, 0.3));
         let normal = NormalProblem::builder(&bodies, &gap, approach).tolerance(1e-11);
         let normal = normal.build().ok()?.solve().ok()?;
         let friction = random.pick(&[0.1, 0.3, 0.6]);
@@ -108,7 +108,7 @@ fn row_of_two_cells_has_one_moment() {
     let body = Material::new(1.0, 0.3).unwrap();
     let bodies = HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap();
     let gap = Field::from_fn(grid, |x, _| 0.01 * x * x);
-    let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(0.002));
+    let normal = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(0.002));
     let normal = kit::solve(normal);
     let of = |spin: SpinControl| {
         let friction = Friction::coulomb(0.3).unwrap();

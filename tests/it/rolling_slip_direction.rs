@@ -2,7 +2,7 @@
 
 use stickslip::rolling::{RollingProblem, RollingSolution};
 use stickslip::{
-    ElasticPair, Error, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem, Result,
+    ElasticPair, Error, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem, Result,
     Status, Zone, analytical, surface,
 };
 
@@ -26,7 +26,7 @@ fn rolled(
     let grid = Grid::square(side, 2.0 * radius * side as f64 / cells as f64)?;
     let bodies = HalfSpace::new(grid, pair)?;
     let ball = surface::sphere(grid, 1.0)?;
-    let normal = NormalProblem::builder(&bodies, &ball, NormalControl::Force(force))
+    let normal = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(force))
         .build()?
         .solve()?;
     RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3)?)
@@ -101,7 +101,7 @@ fn report_and_limits_count_all_passes() -> Result<()> {
     let grid = corrected.grid();
     let bodies = HalfSpace::new(grid, pair(0.0)?)?;
     let ball = surface::sphere(grid, 1.0)?;
-    let normal = NormalProblem::builder(&bodies, &ball, NormalControl::Force(1.2))
+    let normal = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(1.2))
         .build()?
         .solve()?;
     let mut solver = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3)?)

@@ -5,7 +5,7 @@ use stickslip::rolling::{
     LeadingEdge, RollingControl, RollingProblem, RollingSolution, RollingSolver, SpinControl,
 };
 use stickslip::{
-    ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
+    ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
     NormalSolution, Warning, surface,
 };
 
@@ -22,7 +22,7 @@ fn similar_pair() -> ElasticPair {
 
 fn problem(bodies: &HalfSpace, load: f64) -> NormalProblem {
     let ball = surface::sphere(bodies.grid(), 1.0).unwrap();
-    NormalProblem::builder(bodies, &ball, NormalControl::Force(load))
+    NormalProblem::builder(bodies, &ball, NormalLoad::Force(load))
         .tolerance(1e-11)
         .build()
         .unwrap()
@@ -104,9 +104,9 @@ fn rolling_solver_under_new_pressures_agrees_with_new_problems() {
         ] {
             let normal = pressed(&bodies, load);
             solver.set_pressure(&normal).unwrap();
-            solver.set_control(controls, spin).unwrap();
+            solver.set_load(controls, spin).unwrap();
             let mut new = rolling(&bodies, &normal, (edge, rule));
-            new.set_control(controls, spin).unwrap();
+            new.set_load(controls, spin).unwrap();
             assert_close(&solved(&mut solver), &solved(&mut new), 1e-6);
             assert!((solver.friction_capacity() - FRICTION * load).abs() < 1e-9);
         }
@@ -118,7 +118,7 @@ fn rolling_solver_finds_the_pressure_of_a_new_load() {
     let bodies = bodies(24, &similar_pair());
     let by_default = (LeadingEdge::PlusX, EntryRule::SinceTouch);
     let mut solver = rolling(&bodies, &pressed(&bodies, 1.0), by_default);
-    let refused = solver.set_load(NormalControl::Force(0.7)).unwrap_err();
+    let refused = solver.set_normal_load(NormalLoad::Force(0.7)).unwrap_err();
     assert!(
         refused.to_string().contains("set_normal_solver"),
         "{refused}"
@@ -128,11 +128,11 @@ fn rolling_solver_finds_the_pressure_of_a_new_load() {
     assert!(solver.normal().is_none());
     for (load, creepage) in [(0.7, 0.02), (1.2, 0.03), (0.6, 0.05)] {
         let controls = [creepage, 0.01].map(RollingControl::Creepage);
-        solver.set_load(NormalControl::Force(load)).unwrap();
-        solver.set_control(controls, 0.02).unwrap();
+        solver.set_normal_load(NormalLoad::Force(load)).unwrap();
+        solver.set_load(controls, 0.02).unwrap();
         assert!((solver.normal().unwrap().force() - load).abs() < 1e-9);
         let mut new = rolling(&bodies, &pressed(&bodies, load), by_default);
-        new.set_control(controls, 0.02).unwrap();
+        new.set_load(controls, 0.02).unwrap();
         let expected = solved(&mut new);
         // A copy continues like the original solver.
         let mut copy = solver.clone();
@@ -150,7 +150,7 @@ fn rolling_solver_accepts_pressure_field_without_entry_law() {
     let creepages = [0.03, -0.02].map(RollingControl::Creepage);
     let of = |rule| {
         let mut solver = rolling(&bodies, &first, (LeadingEdge::PlusX, rule));
-        solver.set_control(creepages, 0.02).unwrap();
+        solver.set_load(creepages, 0.02).unwrap();
         solver
     };
     let mut by_field = of(EntryRule::WholeStep);
@@ -175,8 +175,8 @@ fn rejected_load_leaves_rolling_solver_unchanged() {
     let press = problem(&bodies, 1.0).into_solver().unwrap();
     solver.set_normal_solver(press).unwrap();
     let drag = [RollingControl::Force(0.2), RollingControl::Creepage(0.01)];
-    solver.set_control(drag, 0.02).unwrap();
-    solver.set_load(NormalControl::Force(0.9)).unwrap();
+    solver.set_load(drag, 0.02).unwrap();
+    solver.set_normal_load(NormalLoad::Force(0.9)).unwrap();
     let mut rolling = solved(&mut solver);
     let stiffness = solver.stiffness().unwrap();
 
@@ -204,19 +204,19 @@ fn rejected_load_leaves_rolling_solver_unchanged() {
         ),
         // Covers a load too small for the prescribed force, a zero load, and a load whose contact leaves no room ahead.
         matches!(
-            solver.set_load(NormalControl::Force(0.5)),
+            solver.set_normal_load(NormalLoad::Force(0.5)),
             Err(Error::BeyondFrictionCapacity { .. })
         ),
         matches!(
-            solver.set_load(NormalControl::Force(0.0)),
+            solver.set_normal_load(NormalLoad::Force(0.0)),
             Err(Error::EmptyContact)
         ),
         matches!(
-            solver.set_load(NormalControl::Force(20.0)),
+            solver.set_normal_load(NormalLoad::Force(20.0)),
             Err(Error::GridTooShort { .. })
         ),
         matches!(
-            solver.set_load(NormalControl::Force(-1.0)),
+            solver.set_normal_load(NormalLoad::Force(-1.0)),
             Err(Error::NegativeOrNotFinite { .. })
         ),
     ];
@@ -225,7 +225,7 @@ fn rejected_load_leaves_rolling_solver_unchanged() {
     assert_eq!(solver.stiffness().unwrap(), stiffness);
     let again = solved(&mut solver);
     assert_eq!(again.traction(), solved(&mut untouched.clone()).traction());
-    solver.set_load(NormalControl::Force(1.0)).unwrap();
+    solver.set_normal_load(NormalLoad::Force(1.0)).unwrap();
     solver.solve_into(&mut rolling).unwrap();
     assert!((rolling.force()[0] - 0.2).abs() < 1e-9);
 }
@@ -253,7 +253,7 @@ fn stiffness_after_new_pressure_is_that_of_last_solution() {
 
     let mut solver = rolling(&bodies, &light, by_default);
     let controls = [RollingControl::Force(0.05), RollingControl::Creepage(0.01)];
-    solver.set_control(controls, 0.03).unwrap();
+    solver.set_load(controls, 0.03).unwrap();
     solved(&mut solver);
     let before = solver.stiffness().unwrap();
     solver.set_pressure(&heavy).unwrap();
@@ -277,14 +277,14 @@ fn vehicle_time_loop_takes_few_products() {
         let mut products = 0;
         for step in 0..30 {
             let phase = 0.05 * f64::from(step);
-            let load = NormalControl::Force(1.0 + 0.25 * (1.7 * phase).sin());
+            let load = NormalLoad::Force(1.0 + 0.25 * (1.7 * phase).sin());
             let creepages = [0.1 * phase.sin(), 0.05 * phase.cos()];
             if is_reset {
                 solver.reset();
             }
-            solver.set_load(load).unwrap();
+            solver.set_normal_load(load).unwrap();
             let controls = creepages.map(RollingControl::Creepage);
-            solver.set_control(controls, 0.03 * phase.sin()).unwrap();
+            solver.set_load(controls, 0.03 * phase.sin()).unwrap();
             solver.solve_into(&mut rolling).unwrap();
             let report = rolling.report();
             products += report.single_precision_products + report.double_precision_products;
@@ -308,7 +308,7 @@ fn rolling_solution_warns_of_contact_at_edge() {
     ));
     // The contact is an ellipse that is long across the rolling direction, so that it leaves the grid at the sides.
     let gap = surface::ellipsoid(bodies.grid(), 1.0, 10.0).unwrap();
-    let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.0));
+    let press = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(1.0));
     let normal = kit::solve(press);
     let wide = solved(&mut rolling(&bodies, &normal, by_default)).warnings();
     assert!(

@@ -6,8 +6,8 @@ use rayon::prelude::*;
 use stickslip::analytical::{HertzSphere, RoughSphere};
 use stickslip::surface::{self, SelfAffine};
 use stickslip::{
-    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
-    NormalSolution, TangentialLoad, TangentialProblem,
+    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalSolution,
+    TangentialLoad, TangentialProblem,
 };
 
 /// The discretisation error is much larger than this tolerance.
@@ -19,7 +19,7 @@ fn rubber() -> ElasticPair {
 }
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
-    let load = NormalControl::Force(force);
+    let load = NormalLoad::Force(force);
     let method = stickslip::cgm::Method::ActiveSet;
     kit::press_by(bodies, gap, load, TOLERANCE, method)
 }

@@ -17,7 +17,7 @@ use stickslip::ranks::Threads;
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
     Axis, Boundary, CellValue, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
-    LoadStep, Material, NormalControl, Result, TangentialControl, TangentialModel, surface,
+    LoadStep, Material, NormalLoad, Result, TangentialControl, TangentialModel, surface,
 };
 
 /// Version of the format of all files in the folder.
@@ -157,7 +157,7 @@ fn ball(bodies: &HalfSpace) -> Result<Field> {
 }
 
 fn press(force: f64) -> LoadStep {
-    LoadStep::hold().normal(NormalControl::Force(force))
+    LoadStep::hold().normal(NormalLoad::Force(force))
 }
 
 fn roll() -> LoadStep {
@@ -185,7 +185,7 @@ fn numbers(history: &History) -> Vec<f64> {
         normal.pressure().max(),
         normal.gap().max(),
         sum(history.accumulated_slip()),
-        sum(history.dissipated_energy()),
+        sum(history.dissipation()),
         sum(history.gap()),
     ];
     numbers.extend(history.shift());

@@ -126,11 +126,8 @@ fn scene_work_is_stored_or_dissipated() {
             let scale = energy.elastic_before.max(energy.elastic_after) + energy.work.abs();
             let what = || format!("step {number}: {energy:?}");
             check(energy.imbalance().abs() <= 1e-13 * scale, what)?;
-            check(taken.dissipated_energy().min() >= 0.0, what)?;
-            let sums = [
-                taken.dissipated_energy(),
-                taken.dissipated_energy_midpoint(),
-            ];
+            check(taken.dissipation().min() >= 0.0, what)?;
+            let sums = [taken.dissipation(), taken.dissipation_midpoint()];
             let sums = sums.map(|field| field.as_slice().iter().sum::<f64>());
             let named = [energy.dissipated_energy, energy.dissipated_energy_midpoint];
             for (sum, named) in sums.into_iter().zip(named) {
@@ -144,10 +141,7 @@ fn scene_work_is_stored_or_dissipated() {
                 check(energy.residual.abs() <= 1e-7 * most, what)?;
             } else if taken.normal_report().is_none() && scene.wear == 0.0 {
                 // At constant pressure no energy is released, and the tolerance leaves only a negligible residual.
-                check(
-                    taken.dissipated_energy_midpoint().min() >= -1e-9 * scale,
-                    what,
-                )?;
+                check(taken.dissipation_midpoint().min() >= -1e-9 * scale, what)?;
                 check(energy.released.abs() <= 1e-14 * scale, what)?;
                 check(energy.residual.abs() <= 1e-6 * scale, what)?;
             }
@@ -159,7 +153,7 @@ fn scene_work_is_stored_or_dissipated() {
         if scene.rolls() {
             return Ok(());
         }
-        let sum: f64 = history.dissipated_energy().as_slice().iter().sum();
+        let sum: f64 = history.dissipation().as_slice().iter().sum();
         check(total > 0.0 && (sum / total - 1.0).abs() < 1e-12, || {
             format!("{sum:e} of {total:e} is accumulated")
         })
@@ -183,8 +177,8 @@ fn scene_accumulated_slip_and_energy_move_with_particles() {
                 Some(LeadingEdge::MinusY) => [0, -cells],
             };
             let taken = history.last_step();
-            let steps = [taken.slip_distance(), taken.dissipated_energy()];
-            let found = [history.accumulated_slip(), history.dissipated_energy()];
+            let steps = [taken.slip_distance(), taken.dissipation()];
+            let found = [history.accumulated_slip(), history.dissipation()];
             for ((sum, now), found) in sums.iter_mut().zip(steps).zip(found) {
                 *sum = Field::from_indices(sum.grid(), |ix, iy| {
                     let from = ix.checked_add_signed(x).zip(iy.checked_add_signed(y));

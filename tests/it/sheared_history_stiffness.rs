@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use stickslip::stiffness::{ContactStiffness, StiffnessWorkspace, TangentialStiffness};
 use stickslip::{
     Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
-    NormalControl, TangentialModel, Zone, surface,
+    NormalLoad, TangentialModel, Zone, surface,
 };
 
 /// Largest error of an entry.
@@ -28,7 +28,7 @@ struct ShearedHistory {
 /// Normal load of a step, and the shift and the twist at its end.
 #[derive(Debug, Clone, Copy)]
 struct ShearStep {
-    normal: NormalControl,
+    normal: NormalLoad,
     motion: [f64; 3],
 }
 
@@ -102,12 +102,12 @@ impl ShearedHistory {
                 gap.min() + depth * random.uniform(0.7, 1.1)
             };
             ShearStep {
-                normal: NormalControl::Approach(approach),
+                normal: NormalLoad::Approach(approach),
                 motion: [length * angle.cos(), length * angle.sin(), twist],
             }
         };
         let mut before = vec![ShearStep {
-            normal: NormalControl::Approach(approach),
+            normal: NormalLoad::Approach(approach),
             motion: [0.0; 3],
         }];
         let last = step();
@@ -298,7 +298,7 @@ fn obliquely_sliding_ball_stiffness_matches_last_step() {
     let grid = Grid::square(8, 3.0).unwrap();
     let body = Material::from_shear_modulus(1.0, 0.3).unwrap();
     let force = |motion| ShearStep {
-        normal: NormalControl::Force(0.5),
+        normal: NormalLoad::Force(0.5),
         motion,
     };
     let scene = ShearedHistory {
@@ -318,7 +318,7 @@ fn obliquely_sliding_row_stiffness_matches_last_step() {
     let body = Material::new(1.0, 0.48).unwrap();
     let angle: f64 = 4.48;
     let pressed = |motion| ShearStep {
-        normal: NormalControl::Approach(0.1),
+        normal: NormalLoad::Approach(0.1),
         motion,
     };
     let scene = ShearedHistory {

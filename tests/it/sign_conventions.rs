@@ -2,7 +2,7 @@
 
 use stickslip::influence::Rectangle;
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
+    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
     TangentialLoad, TangentialProblem, Zone, surface,
 };
 
@@ -37,7 +37,7 @@ fn signs_are_consistent_for_two_different_bodies() {
     let bodies = HalfSpace::new(grid, ElasticPair::new(soft, stiff).unwrap()).unwrap();
     assert!(bodies.pair().dundurs_beta().abs() < 1e-15);
     let ball = surface::sphere(grid, 40.0).unwrap();
-    let press = NormalProblem::builder(&bodies, &ball, NormalControl::Force(3.0)).tolerance(1e-12);
+    let press = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(3.0)).tolerance(1e-12);
     let normal = kit::solve(press);
 
     // Each surface moves into its own body. The sum of both displacements compensates for the approach.

@@ -6,13 +6,13 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
 use kit::{rough, unit_bodies};
-use stickslip::cgm::{self, AbsBound, Iteration, Method, NonNegative, Problem, Settings};
+use stickslip::Iteration;
+use stickslip::cgm::{self, AbsBound, Method, NonNegative, Problem, Settings};
 use stickslip::influence::Component;
 use stickslip::{
-    Axis, ElasticOperator, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
-    NormalControl, NormalProblem, NormalSolution, Operator, Report, Scratch, Status,
-    TangentialControl, TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution,
-    surface,
+    Axis, ElasticOperator, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad,
+    NormalProblem, NormalSolution, Operator, Report, Scratch, Status, TangentialControl,
+    TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution, surface,
 };
 
 /// Operator that counts its products.
@@ -177,7 +177,7 @@ fn assert_stops(solve: &Solve<'_>, settings: &Settings, len: usize, total: Optio
 }
 
 fn press(bodies: &HalfSpace, gap: &Field) -> NormalSolution {
-    let problem = NormalProblem::builder(bodies, gap, NormalControl::Force(60.0));
+    let problem = NormalProblem::builder(bodies, gap, NormalLoad::Force(60.0));
     kit::solve(problem)
 }
 
@@ -238,7 +238,7 @@ fn normal_contact_stops_on_every_grid_of_nested_start() {
     let bodies = bodies();
     let gap = rough(bodies.grid(), 5);
     for end in ends() {
-        let builder = NormalProblem::builder(&bodies, &gap, NormalControl::Force(60.0));
+        let builder = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(60.0));
         let builder = builder.tolerance(1e-12);
         let builder = if end.by_clock {
             builder.time_limit(LIMIT)
@@ -351,7 +351,7 @@ fn enlarged_window_has_remaining_iterations() {
     let grid = Grid::square(64, 100.0).unwrap();
     let bodies = unit_bodies(grid, 0.3);
     let ball = surface::sphere(grid, 300.0).unwrap();
-    let light = NormalControl::Force(0.02);
+    let light = NormalLoad::Force(0.02);
     let builder = || NormalProblem::builder(&bodies, &ball, light).tolerance(1e-10);
     let alone = kit::solve(builder());
     assert_limited(alone.report().iterations.max(1), |limit| {
@@ -359,7 +359,7 @@ fn enlarged_window_has_remaining_iterations() {
         let mut solver = problem.into_solver().unwrap();
         let mut solution = solver.new_solution();
         solver.solve_into(&mut solution).unwrap();
-        solver.set_load(NormalControl::Force(50.0)).unwrap();
+        solver.set_load(NormalLoad::Force(50.0)).unwrap();
         let mut seen = Vec::new();
         let outcome = solver.solve_observed(&mut solution, |step| {
             seen.push(*step);
@@ -376,7 +376,7 @@ fn finer_pass_with_soft_spring_has_remaining_iterations() {
     let grid = Grid::square(48, 8.0).unwrap();
     let bodies = unit_bodies(grid, 0.3);
     let ball = surface::sphere(grid, 10.0).unwrap();
-    let press = LoadStep::hold().normal(NormalControl::Force(0.5));
+    let press = LoadStep::hold().normal(NormalLoad::Force(0.5));
     let stiffness = 1e-4;
     let drag = LoadStep::hold().tangential(
         Axis::X,

@@ -6,7 +6,7 @@ use stickslip::rolling::{CoupledRollingProblem, RollingControl, RollingProblem};
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
     Axis, Contact, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material,
-    NormalControl, NormalProblem, Solver, Status, TangentialLoad, TangentialProblem, surface,
+    NormalLoad, NormalProblem, Solver, Status, TangentialLoad, TangentialProblem, surface,
 };
 
 fn friction() -> Friction {
@@ -38,10 +38,7 @@ fn solve_to<P: Contact>(solver: &mut Solver<P>, tolerance: f64) -> (P::Solution,
 #[test]
 fn solvers_of_all_kinds_return_report_of_their_solution() {
     let (bodies, gap) = dissimilar(Grid::square(24, 3.0).unwrap());
-    let (press, drag) = (
-        NormalControl::Force(0.1),
-        TangentialLoad::force([0.01, 0.0]),
-    );
+    let (press, drag) = (NormalLoad::Force(0.1), TangentialLoad::force([0.01, 0.0]));
     let normal = NormalProblem::builder(&bodies, &gap, press);
     let mut solver = normal.build().unwrap().into_solver().unwrap();
     assert_eq!(solver.report().status, Status::Unsolved);
@@ -74,7 +71,7 @@ fn solvers_of_all_kinds_return_report_of_their_solution() {
 fn normal_solver_with_new_hardness_has_solution_of_new_problem() {
     let grid = Grid::square(32, 8.0).unwrap();
     let (bodies, gap) = (unit_bodies(grid, 0.3), surface::sphere(grid, 10.0).unwrap());
-    let load = NormalControl::Force(0.5);
+    let load = NormalLoad::Force(0.5);
     let builder = || NormalProblem::builder(&bodies, &gap, load).tolerance(1e-10);
     let mut solver = builder().build().unwrap().into_solver().unwrap();
     let mut contact = solver.new_solution();
@@ -116,10 +113,7 @@ fn normal_solver_with_new_hardness_has_solution_of_new_problem() {
 fn coupled_solver_with_new_fields_has_solution_of_new_problem() {
     let grid = Grid::square(24, 3.0).unwrap();
     let (bodies, gap) = dissimilar(grid);
-    let (press, drag) = (
-        NormalControl::Force(0.1),
-        TangentialLoad::force([0.01, 0.0]),
-    );
+    let (press, drag) = (NormalLoad::Force(0.1), TangentialLoad::force([0.01, 0.0]));
     let builder =
         || CoupledProblem::builder(&bodies, &gap, friction(), press, drag).tolerance(1e-10);
     let mut solver = builder().build().unwrap().into_solver().unwrap();

@@ -3,7 +3,7 @@
 use kit::unit_bodies;
 use stickslip::cgm::{Method, Settings};
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl, NormalProblem,
+    Axis, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad, NormalProblem,
     Status, TangentialControl, TangentialLoad, TangentialProblem, surface,
 };
 
@@ -25,7 +25,7 @@ fn builder_accepts_all_settings() {
     let settings = Settings::default()
         .tolerance(1e-5)
         .method(Method::PolonskyKeer);
-    let load = NormalControl::Force(4.0);
+    let load = NormalLoad::Force(4.0);
     let builder = || NormalProblem::builder(&bodies, &gap, load);
     let at_once = builder().settings(settings).build().unwrap();
     let one_by_one = builder().tolerance(1e-5).method(Method::PolonskyKeer);
@@ -46,7 +46,7 @@ fn solver_accepts_new_settings() {
     let (bodies, gap) = ball();
     let rough = Settings::default().tolerance(1e-3);
     let fine = Settings::default().tolerance(1e-10);
-    let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(4.0)).settings(rough);
+    let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(4.0)).settings(rough);
     let mut press = kit::solver(problem);
     let mut contact = press.new_solution();
     press.solve_into(&mut contact).unwrap();
@@ -88,7 +88,7 @@ fn history_accepts_new_settings_for_pressure_and_traction() {
     let mut history = builder.build().unwrap();
     let step = |load, pull| {
         LoadStep::hold()
-            .normal(NormalControl::Force(load))
+            .normal(NormalLoad::Force(load))
             .tangential(Axis::X, TangentialControl::Force(pull))
     };
     history.step(&step(4.0, 0.6)).unwrap();

@@ -4,18 +4,19 @@ use std::ops::ControlFlow;
 use std::time::Duration;
 
 use kit::{Table2, max_abs, rough, unit_bodies};
-use stickslip::cgm::{self, AbsBound, Iteration, Method, Problem, Settings, Status};
+use stickslip::cgm::{self, AbsBound, Method, Problem, Settings};
 use stickslip::influence::Component;
 use stickslip::{
-    Error, Field, Friction, Grid, HalfSpace, NormalControl, NormalProblem, NormalSolution,
+    Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
     NormalSolver, TangentialLoad, TangentialModel, TangentialProblem, Warning, Zone, surface,
 };
+use stickslip::{Iteration, Status};
 
 fn table_2(n: usize) -> (HalfSpace, NormalSolution) {
     let grid = Grid::square(n, 2.6 * Table2::CONTACT_RADIUS).unwrap();
     let bodies = HalfSpace::new(grid, Table2::pair()).unwrap();
     let ball = surface::sphere(grid, Table2::RADIUS).unwrap();
-    let problem = NormalProblem::builder(&bodies, &ball, NormalControl::Force(Table2::FORCE))
+    let problem = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(Table2::FORCE))
         .build()
         .unwrap();
     let normal = problem.solve().unwrap();
@@ -159,9 +160,9 @@ fn first_touch_and_separation_are_solved() {
         *height += 0.5;
     }
     for load in [
-        NormalControl::Force(0.0),
-        NormalControl::Approach(0.4),
-        NormalControl::Approach(-3.0),
+        NormalLoad::Force(0.0),
+        NormalLoad::Approach(0.4),
+        NormalLoad::Approach(-3.0),
     ] {
         let apart = kit::solve(NormalProblem::builder(&bodies, &ball, load));
         assert_eq!(
@@ -170,7 +171,7 @@ fn first_touch_and_separation_are_solved() {
         );
         assert_eq!(apart.warnings(), [Warning::NoContact]);
         assert!(apart.gap().min() >= 0.0);
-        if load == NormalControl::Force(0.0) {
+        if load == NormalLoad::Force(0.0) {
             assert!((apart.approach() - ball.min()).abs() < 1e-15);
         }
     }
@@ -184,7 +185,7 @@ fn warnings_can_be_compared() {
         kit::solve(NormalProblem::builder(
             &bodies,
             gap,
-            NormalControl::Force(force),
+            NormalLoad::Force(force),
         ))
     };
     let flat = press(&Field::zeros(grid), 1.0);
@@ -234,7 +235,7 @@ fn single_contact_cell_is_solved() {
         let gap = Field::from_vec(grid, gap).unwrap();
         for method in [Method::ActiveSet, Method::PolonskyKeer] {
             let builder =
-                NormalProblem::builder(&bodies, &gap, NormalControl::Force(1.2)).method(method);
+                NormalProblem::builder(&bodies, &gap, NormalLoad::Force(1.2)).method(method);
             let normal = kit::solve(builder);
             assert_eq!(normal.contact_cells(), 1);
             assert!(
@@ -262,7 +263,7 @@ fn limits_and_cancellation_leave_feasible_iterate_with_status() {
     let gap = rough(grid, 9);
     for method in [Method::ActiveSet, Method::PolonskyKeer] {
         let builder = || {
-            NormalProblem::builder(&bodies, &gap, NormalControl::Force(15.0))
+            NormalProblem::builder(&bodies, &gap, NormalLoad::Force(15.0))
                 .method(method)
                 .tolerance(1e-10)
         };
@@ -321,7 +322,7 @@ fn tolerance_below_round_off_stalls() {
     let ball = surface::sphere(bodies.grid(), Table2::RADIUS).unwrap();
     for method in [Method::ActiveSet, Method::PolonskyKeer] {
         let builder =
-            NormalProblem::builder(&bodies, &ball, NormalControl::Force(100.0)).method(method);
+            NormalProblem::builder(&bodies, &ball, NormalLoad::Force(100.0)).method(method);
         let outcome = builder.tolerance(1e-17).build().unwrap().solve();
         let Err(Error::NotConverged(report)) = outcome else {
             panic!("a tolerance of 1e-17 must not be reached");
@@ -339,14 +340,14 @@ fn warm_start_changes_cost_only() {
     let grid = Grid::square(64, 100.0).unwrap();
     let bodies = unit_bodies(grid, 0.3);
     let gap = rough(grid, 10);
-    let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(15.0))
+    let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(15.0))
         .build()
         .unwrap();
     let cold = problem.solve().unwrap();
     let mut solver = problem.into_solver().unwrap();
     let mut solution = solver.new_solution();
     for force in [1.0, 40.0, 15.3, 15.0] {
-        solver.set_load(NormalControl::Force(force)).unwrap();
+        solver.set_load(NormalLoad::Force(force)).unwrap();
         solver.solve_into(&mut solution).unwrap();
     }
     assert!(kit::l2_difference(solution.pressure().as_slice(), cold.pressure().as_slice()) < 1e-7);
@@ -381,12 +382,12 @@ fn observer_receives_nothing_of_previous_solve() {
         assert!(first.residual.is_infinite());
     };
     for method in [Method::ActiveSet, Method::PolonskyKeer] {
-        let builder = NormalProblem::builder(&bodies, &gap, NormalControl::Force(15.0));
+        let builder = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(15.0));
         let mut press = kit::solver(builder.method(method));
         let mut normal = press.new_solution();
         press.solve_into(&mut normal).unwrap();
         let mut first = None;
-        press.set_load(NormalControl::Force(16.0)).unwrap();
+        press.set_load(NormalLoad::Force(16.0)).unwrap();
         press
             .solve_observed(&mut normal, keep_first(&mut first))
             .unwrap();
@@ -425,17 +426,17 @@ fn solve_without_contact_leaves_no_start() {
             let builder = NormalProblem::builder(&bodies, &ball, load).method(method);
             kit::solver(builder)
         };
-        let mut cold = solver(NormalControl::Force(0.5));
+        let mut cold = solver(NormalLoad::Force(0.5));
         let mut expected = cold.new_solution();
         cold.solve_into(&mut expected).unwrap();
         let assert_cold = |solver: &mut NormalSolver, solution: &mut NormalSolution| {
-            solver.set_load(NormalControl::Force(0.5)).unwrap();
+            solver.set_load(NormalLoad::Force(0.5)).unwrap();
             solver.solve_into(solution).unwrap();
             assert_eq!(solution.pressure(), expected.pressure());
             assert_eq!(solution.report().history, expected.report().history);
         };
 
-        for apart in [NormalControl::Force(0.0), NormalControl::Approach(-0.1)] {
+        for apart in [NormalLoad::Force(0.0), NormalLoad::Approach(-0.1)] {
             let mut solver = solver(apart);
             let mut solution = solver.new_solution();
             for _ in 0..2 {
@@ -446,10 +447,10 @@ fn solve_without_contact_leaves_no_start() {
         }
 
         for absurd in [1e160, 1e305] {
-            let mut solver = solver(NormalControl::Force(0.4));
+            let mut solver = solver(NormalLoad::Force(0.4));
             let mut solution = solver.new_solution();
             solver.solve_into(&mut solution).unwrap();
-            kit::assert_refused! { solver.set_load(NormalControl::Force(absurd)) => Error::ExtremeNumber { .. } }
+            kit::assert_refused! { solver.set_load(NormalLoad::Force(absurd)) => Error::ExtremeNumber { .. } }
             solver.solve_into(&mut solution).unwrap();
             assert!((solution.force() / 0.4 - 1.0).abs() < 1e-12);
         }
@@ -495,7 +496,7 @@ fn used_solver_returns_to_zero_load() {
 fn empty_solution_is_unsolved() {
     let (bodies, normal) = table_2(32);
     let ball = surface::sphere(bodies.grid(), Table2::RADIUS).unwrap();
-    let press = NormalProblem::builder(&bodies, &ball, NormalControl::Force(1.0));
+    let press = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(1.0));
     let empty = kit::solver(press).new_solution();
     assert_eq!(empty.report().status, Status::Unsolved);
     assert!(empty.report().energy_error_bound().is_infinite());

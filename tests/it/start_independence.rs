@@ -5,16 +5,17 @@ use std::ops::ControlFlow;
 use std::time::Duration;
 
 use kit::{Random, l2_difference, press, rough, shear, unit_bodies};
-use stickslip::cgm::{Method, Status};
+use stickslip::Status;
+use stickslip::cgm::Method;
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, HalfSpace, NormalControl, NormalProblem, TangentialLoad,
+    Axis, Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, TangentialLoad,
     TangentialProblem, Zone, surface,
 };
 
 const TOLERANCE: f64 = 1e-9;
 
 /// Compares the solutions of both methods. The single loop starts without coarser grids and uses the whole grid.
-fn assert_same(bodies: &HalfSpace, gap: &Field, load: NormalControl, friction: &Friction, f: f64) {
+fn assert_same(bodies: &HalfSpace, gap: &Field, load: NormalLoad, friction: &Friction, f: f64) {
     let normal = press(bodies, gap, load, TOLERANCE);
     let plain = kit::press_by(bodies, gap, load, TOLERANCE, Method::PolonskyKeer);
     let pressures = [&normal, &plain].map(|solution| solution.pressure().as_slice());
@@ -78,9 +79,9 @@ fn tip_missed_by_coarse_cells_is_found() {
     let gap = sphere_and_tip(grid);
     let friction = Friction::coulomb(0.3).unwrap();
     for load in [
-        NormalControl::Force(2.0),
-        NormalControl::Approach(0.3),
-        NormalControl::Approach(-0.1),
+        NormalLoad::Force(2.0),
+        NormalLoad::Approach(0.3),
+        NormalLoad::Approach(-0.1),
     ] {
         assert_same(&bodies, &gap, load, &friction, 0.5);
         let solution = press(&bodies, &gap, load, TOLERANCE);
@@ -98,7 +99,7 @@ fn tip_is_found_under_tiny_load() {
     let gap = sphere_and_tip(grid);
     let tip = grid.nx() * (grid.ny() - 4) + 3;
     for force in [1e-8, 1e-10, 1e-14] {
-        let load = NormalControl::Force(force);
+        let load = NormalLoad::Force(force);
         let solution = press(&bodies, &gap, load, TOLERANCE);
         assert_eq!(solution.contact_cells(), 1);
         assert!(
@@ -129,7 +130,7 @@ fn odd_slender_and_tilted_grids_match_plain_loop() {
         let friction = Field::from_fn(grid, |x, _| if x > 0.2 * size { 0.0 } else { 0.5 });
         let friction = Friction::per_cell(friction).unwrap();
         for part in [1e-4, 3e-3] {
-            let load = NormalControl::Force(part * grid.area());
+            let load = NormalLoad::Force(part * grid.area());
             assert_same(&bodies, &gap, load, &friction, 0.7);
         }
     }
@@ -142,21 +143,21 @@ fn rough_gaps_and_load_beyond_window_match_plain_loop() {
     let friction = Friction::coulomb(0.4).unwrap();
     for seed in 0..kit::thorough(2, 4) {
         let gap = rough(grid, 100 + seed);
-        assert_same(&bodies, &gap, NormalControl::Force(10.0), &friction, 0.9);
+        assert_same(&bodies, &gap, NormalLoad::Force(10.0), &friction, 0.9);
     }
     // The window of the first, light contact is much too small for the last contact.
     let gap = sphere_and_tip(grid);
     let problem =
-        NormalProblem::builder(&bodies, &gap, NormalControl::Force(1e-3)).tolerance(TOLERANCE);
+        NormalProblem::builder(&bodies, &gap, NormalLoad::Force(1e-3)).tolerance(TOLERANCE);
     let mut solver = kit::solver(problem);
     let mut solution = solver.new_solution();
     for force in [1e-3, 1.0, 100.0, 1e4, 1e-3] {
-        solver.set_load(NormalControl::Force(force)).unwrap();
+        solver.set_load(NormalLoad::Force(force)).unwrap();
         solver.solve_into(&mut solution).unwrap();
         let plain = kit::press_by(
             &bodies,
             &gap,
-            NormalControl::Force(force),
+            NormalLoad::Force(force),
             TOLERANCE,
             Method::PolonskyKeer,
         );
@@ -171,11 +172,11 @@ fn stopped_nested_start_leaves_feasible_iterate() {
     let grid = Grid::square(120, 100.0).unwrap();
     let bodies = unit_bodies(grid, 0.3);
     let gap = rough(grid, 9);
-    let normal = press(&bodies, &gap, NormalControl::Force(20.0), TOLERANCE);
+    let normal = press(&bodies, &gap, NormalLoad::Force(20.0), TOLERANCE);
     let friction = Friction::coulomb(0.4).unwrap();
     let load = TangentialLoad::force([4.0, 0.0]);
     for calls in [0, 1, 5, 12, 30] {
-        let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(20.0));
+        let press = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(20.0));
         let mut press = kit::solver(press);
         let mut pressed = press.new_solution();
         let mut left = calls;
@@ -202,8 +203,8 @@ fn stopped_nested_start_leaves_feasible_iterate() {
         // Without the observer the same solver continues and converges.
         shear.solve_into(&mut sheared).unwrap();
     }
-    let limited = NormalProblem::builder(&bodies, &gap, NormalControl::Force(20.0))
-        .time_limit(Duration::ZERO);
+    let limited =
+        NormalProblem::builder(&bodies, &gap, NormalLoad::Force(20.0)).time_limit(Duration::ZERO);
     let Err(Error::NotConverged(report)) = limited.build().unwrap().solve() else {
         panic!("a solve without any time must not converge");
     };
@@ -225,7 +226,7 @@ fn solver_under_zero_load_keeps_axis() {
     let bodies = unit_bodies(grid, 0.3);
     let ball = surface::sphere(grid, 10.0).unwrap();
     let [light, heavy] = [0.05, 0.5].map(|force| {
-        let load = NormalControl::Force(force);
+        let load = NormalLoad::Force(force);
         press(&bodies, &ball, load, TOLERANCE)
     });
     let friction = Friction::coulomb(0.5).unwrap();

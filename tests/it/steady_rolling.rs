@@ -7,12 +7,12 @@ use stickslip::history::EntryRule;
 use stickslip::influence::Direction;
 use stickslip::rolling::{LeadingEdge, RollingControl, RollingProblem, RollingSolution};
 use stickslip::{
-    Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalControl,
+    Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalLoad,
     NormalProblem, NormalSolution, Operator, Zone, surface,
 };
 
 fn pressed(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
-    kit::solve(NormalProblem::builder(bodies, gap, NormalControl::Force(force)).tolerance(1e-11))
+    kit::solve(NormalProblem::builder(bodies, gap, NormalLoad::Force(force)).tolerance(1e-11))
 }
 
 fn similar_bodies(grid: Grid, shear_modulus: f64, poisson: f64) -> HalfSpace {
@@ -463,7 +463,7 @@ fn invalid_rolling_is_rejected() {
     let refused = RollingProblem::builder(&bodies, &other, Friction::coulomb(0.3).unwrap()).build();
     assert!(matches!(refused, Err(Error::GridMismatch { .. })));
     let force = RollingControl::Force(1.0);
-    kit::assert_refused! { solver.set_control([force; 2], 0.0) => Error::BeyondFrictionCapacity { .. } }
+    kit::assert_refused! { solver.set_load([force; 2], 0.0) => Error::BeyondFrictionCapacity { .. } }
     let mut rolling = solver.new_solution();
     solver.solve_into(&mut rolling).unwrap();
     assert_eq!(rolling.force(), [0.0; 2]);

@@ -4,7 +4,7 @@
 use rayon::prelude::*;
 use stickslip::analytical::{HertzSphere, NoSlipSphere};
 use stickslip::{
-    ElasticPair, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl, surface,
+    ElasticPair, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalLoad, surface,
 };
 
 const RADIUS: f64 = 10.0;
@@ -21,7 +21,7 @@ fn pressed(poisson_ratio: f64, coefficient: f64, steps: u32) -> (History, f64) {
     let mut history = builder.tolerance(1e-6).build().unwrap();
     for step in 1..=steps {
         let radius = f64::from(step) / f64::from(steps);
-        let force = NormalControl::Force(whole * radius.powi(3));
+        let force = NormalLoad::Force(whole * radius.powi(3));
         history.step(&LoadStep::hold().normal(force)).unwrap();
     }
     (history, whole)

@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 use command::{Failure, complain, run};
 use stickslip::surface::{self, SelfAffine};
 use stickslip::{
-    Boundary, ElasticPair, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
+    Boundary, ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
     TangentialLoad, TangentialProblem,
 };
 
@@ -238,7 +238,7 @@ fn study_table_matches_library_bitwise() {
         .unwrap();
     let gap = surface::gap_from_heights(rough.heights()).unwrap();
     let force = 0.1 * pair.contact_modulus();
-    let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(force)).tolerance(1e-6);
+    let normal = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(force)).tolerance(1e-6);
     let normal = kit::solve(normal);
     let load = TangentialLoad::force([0.1 * force, 0.0]);
     let friction = Friction::coulomb(0.4).unwrap();

@@ -5,7 +5,7 @@ use proptest::prelude::*;
 use stickslip::subsurface::{Body, Planes, PointResult, Stress, Tractions, at_points};
 use stickslip::{
     Axis, Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
-    LoadStep, Material, NormalControl, NormalProblem, TangentialControl, TangentialLoad,
+    LoadStep, Material, NormalLoad, NormalProblem, TangentialControl, TangentialLoad,
     TangentialModel, surface,
 };
 
@@ -310,7 +310,7 @@ fn solutions_are_accepted_as_tractions() {
     let pair = ElasticPair::new(body(1.0), body(2.0)).unwrap();
     let bodies = HalfSpace::new(grid, pair).unwrap();
     let gap = surface::sphere(grid, 5.0).unwrap();
-    let (press, friction) = (NormalControl::Force(0.1), Friction::coulomb(0.4).unwrap());
+    let (press, friction) = (NormalLoad::Force(0.1), Friction::coulomb(0.4).unwrap());
     let pull = TangentialLoad::force([0.02, 0.01]);
     let points = [[0.1, 0.2, 0.0], [-0.3, 0.1, 0.4], [2.0, 3.0, 1.0]];
     let at = |tractions: Tractions<'_>| at_points(&bodies, Body::Two, tractions, &points);

@@ -3,8 +3,8 @@
 
 use kit::{max_difference, rough, unit_bodies, unit_pair};
 use stickslip::{
-    Axis, Boundary, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
-    NormalProblem, TangentialControl, TangentialLoad, TangentialModel, TangentialProblem, surface,
+    Axis, Boundary, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad, NormalProblem,
+    TangentialControl, TangentialLoad, TangentialModel, TangentialProblem, surface,
 };
 
 const FRICTION: f64 = 0.4;
@@ -28,7 +28,7 @@ fn assert_problem_matches_step(
     twist: f64,
 ) {
     let friction = Friction::coulomb(FRICTION).unwrap();
-    let normal = NormalProblem::builder(bodies, gap, NormalControl::Force(LOAD))
+    let normal = NormalProblem::builder(bodies, gap, NormalLoad::Force(LOAD))
         .tolerance(TOLERANCE)
         .build()
         .unwrap();
@@ -54,7 +54,7 @@ fn assert_problem_matches_step(
         _ => builder.model(model),
     };
     let mut history = builder.build().unwrap();
-    let press = LoadStep::hold().normal(NormalControl::Force(LOAD));
+    let press = LoadStep::hold().normal(NormalLoad::Force(LOAD));
     history.step(&press).unwrap();
     let step = match model {
         TangentialModel::Scalar => LoadStep::hold().tangential(axis, controls[axis as usize]),

@@ -3,7 +3,7 @@
 
 use kit::{rough, unit_bodies};
 use stickslip::{
-    Field, Friction, Grid, HalfSpace, NormalControl, NormalProblem, NormalSolution, TangentialLoad,
+    Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution, TangentialLoad,
     TangentialModel, TangentialProblem, TangentialSolution,
 };
 
@@ -13,7 +13,7 @@ fn solve() -> (NormalSolution, [TangentialSolution; 2]) {
 }
 
 fn solve_on(bodies: &HalfSpace, gap: &Field) -> (NormalSolution, [TangentialSolution; 2]) {
-    let normal = NormalProblem::builder(bodies, gap, NormalControl::Force(60.0));
+    let normal = NormalProblem::builder(bodies, gap, NormalLoad::Force(60.0));
     let normal = kit::solve(normal);
     let load = TangentialLoad::force([12.0, 0.0]);
     let friction = Friction::coulomb(0.4).unwrap();

@@ -4,7 +4,7 @@
 use kit::{rough, unit_bodies};
 use stickslip::{
     Axis, Boundary, CoupledProblem, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace,
-    History, LoadStep, Material, NormalControl, NormalProblem, Report, TangentialControl,
+    History, LoadStep, Material, NormalLoad, NormalProblem, Report, TangentialControl,
     TangentialLoad, TangentialModel, TangentialProblem, surface,
 };
 
@@ -51,13 +51,13 @@ const TOLERANCES: [f64; 3] = [1e-4, 1e-6, 1e-9];
 fn unchanged_pressures_and_tractions_are_only_verified() {
     for (name, bodies, gap, force) in scenes() {
         for tolerance in TOLERANCES {
-            let problem = NormalProblem::builder(&bodies, &gap, NormalControl::Force(force));
+            let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(force));
             let mut press = kit::solver(problem.tolerance(tolerance));
             let mut normal = press.new_solution();
             press.solve_into(&mut normal).unwrap();
             for control in [
-                NormalControl::Force(force),
-                NormalControl::Approach(normal.approach()),
+                NormalLoad::Force(force),
+                NormalLoad::Approach(normal.approach()),
             ] {
                 press.set_load(control).unwrap();
                 let before = normal.clone();
@@ -100,7 +100,7 @@ fn unchanged_histories_are_only_verified() {
             let friction = Friction::coulomb(0.3).unwrap();
             let builder = History::builder(&bodies, &gap, friction).model(model);
             let mut history = builder.tolerance(1e-6).build().unwrap();
-            let press = LoadStep::hold().normal(NormalControl::Force(force));
+            let press = LoadStep::hold().normal(NormalLoad::Force(force));
             let drag = |force| press.tangential(Axis::X, TangentialControl::Force(force));
             history.step(&press).unwrap();
             for load in [drag(0.2 * force), drag(-0.1 * force)] {
@@ -124,10 +124,7 @@ fn unchanged_coupled_contacts_are_only_verified() {
     let pair = ElasticPair::new(Material::new(1.0, 0.1).unwrap(), Material::rigid()).unwrap();
     let bodies = HalfSpace::new(grid, pair).unwrap();
     let gap = surface::sphere(grid, 10.0).unwrap();
-    let (press, load) = (
-        NormalControl::Force(0.1),
-        TangentialLoad::force([0.01, 0.0]),
-    );
+    let (press, load) = (NormalLoad::Force(0.1), TangentialLoad::force([0.01, 0.0]));
     let friction = Friction::coulomb(0.3).unwrap();
     let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), press, load);
     let mut solver = kit::solver(problem.tolerance(1e-6));

@@ -11,7 +11,7 @@ use stickslip::rolling::RollingProblem;
 use stickslip::subsurface::{Body, Planes, Tractions, at_points};
 use stickslip::{
     Axis, Boundary, CellValue, CoupledProblem, ElasticPair, Error, Field, Friction, Grid,
-    HalfSpace, History, Kernel, LoadStep, Material, NormalControl, Operator, TangentialControl,
+    HalfSpace, History, Kernel, LoadStep, Material, NormalLoad, Operator, TangentialControl,
     TangentialLoad, TangentialModel, analytical, surface,
 };
 
@@ -121,7 +121,7 @@ fn user_kernel_coefficients_match_coating() {
 #[test]
 fn user_kernel_solves_match_coating() {
     let grid = Grid::square(72, 7.2).unwrap();
-    let load = NormalControl::Force(0.6);
+    let load = NormalLoad::Force(0.6);
     let friction = Friction::coulomb(0.4).unwrap();
     let close = |found: &Field, expected: &Field| {
         let error = max_difference(found.as_slice(), expected.as_slice());
@@ -143,7 +143,7 @@ fn user_kernel_solves_match_coating() {
             .unwrap();
         for (normal, force) in [(0.6, 0.0), (0.6, 0.12), (0.7, -0.05)] {
             let step = LoadStep::hold()
-                .normal(NormalControl::Force(normal))
+                .normal(NormalLoad::Force(normal))
                 .tangential(Axis::X, TangentialControl::Force(force));
             history.step(&step).unwrap();
         }
@@ -186,7 +186,7 @@ fn user_kernel_stiffness_rolling_wear_and_lines_match_coating() {
     let friction = Friction::coulomb(0.4).unwrap();
     let solved = coated_half_spaces(grid, true).map(|bodies| {
         let mut gap = surface::sphere(grid, 4.0).unwrap();
-        let load = NormalControl::Force(0.4);
+        let load = NormalLoad::Force(0.4);
         let normal = press(&bodies, &gap, load, 1e-13);
         let rolling = kit::solve(
             RollingProblem::builder(&bodies, &normal, friction.clone())
@@ -240,7 +240,7 @@ fn user_kernel_stiffness_rolling_wear_and_lines_match_coating() {
     let [own, other] = [coated.into(), closure(true)].map(|bodies: Kernel| {
         let bodies = HalfSpace::with_boundary(grid, bodies, boundary).unwrap();
         let gap = Field::from_fn(grid, |x, _| 0.1 * x * x);
-        let load = NormalControl::Force(0.2);
+        let load = NormalLoad::Force(0.2);
         let normal = press(&bodies, &gap, load, 1e-13);
         let along = TangentialLoad::force([0.05, 0.0]);
         let traction = shear(&bodies, &normal, &friction, along, 1e-13);
@@ -264,7 +264,7 @@ fn history_continues_only_with_same_kernel() {
     let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
     let step = |force: f64| {
         LoadStep::hold()
-            .normal(NormalControl::Force(0.6))
+            .normal(NormalLoad::Force(0.6))
             .tangential(Axis::X, TangentialControl::Force(force))
     };
     history.step(&step(0.1)).unwrap();
@@ -323,7 +323,7 @@ fn orthotropic_response_follows_axes() {
     let gap = surface::sphere(grid, 4.0).unwrap();
     let friction = Friction::coulomb(1.0).unwrap();
     let shift = |bodies: &HalfSpace, force: [f64; 2]| {
-        let normal = press(bodies, &gap, NormalControl::Force(0.2), 1e-8);
+        let normal = press(bodies, &gap, NormalLoad::Force(0.2), 1e-8);
         let load = TangentialLoad::force(force);
         shear(bodies, &normal, &friction, load, 1e-8).shift()
     };
@@ -490,6 +490,6 @@ fn pair_of_kernel_is_rejected_without_kernel() {
     let asked = Planes::new(&bodies, &[0.1]);
     assert!(matches!(asked, Err(Error::UnsupportedForCoatings { .. })));
     let gap = surface::sphere(grid, 5.0).unwrap();
-    let contact = press(&bodies, &gap, NormalControl::Force(0.3), 1e-6);
+    let contact = press(&bodies, &gap, NormalLoad::Force(0.3), 1e-6);
     kit::assert_refused! { contact.edges() => Error::UnsupportedForCoatings { .. } }
 }

@@ -16,7 +16,7 @@ use stickslip::rolling::RollingProblem;
 use stickslip::stiffness::StiffnessWorkspace;
 use stickslip::{
     Axis, Boundary, CoupledProblem, Coupling, EigenvalueBound, ElasticPair, Error, Field, Friction,
-    Grid, HalfSpace, History, Kernel, LoadStep, Material, NormalControl, NormalProblem,
+    Grid, HalfSpace, History, Kernel, LoadStep, Material, NormalLoad, NormalProblem,
     NormalSolution, Operator, Scratch, Status, TangentialControl, TangentialLoad, TangentialModel,
     TangentialProblem, surface,
 };
@@ -167,7 +167,7 @@ fn user_operator_contacts_match_bodies() {
     ] {
         let bodies = HalfSpace::with_boundary(grid, pair(false), boundary).unwrap();
         let solved = |bodies: &HalfSpace| {
-            let load = NormalControl::Force(0.05);
+            let load = NormalLoad::Force(0.05);
             let normal = press(bodies, &gap(bodies), load, 1e-12);
             let friction = Friction::coulomb(0.3).unwrap();
             let problem = |load: TangentialLoad, model| {
@@ -214,10 +214,7 @@ fn user_operator_coupled_contacts_match_bodies() {
     let grid = Grid::square(32, 3.0).unwrap();
     let bodies = HalfSpace::new(grid, pair(true)).unwrap();
     let solved = |bodies: &HalfSpace| {
-        let (load, still) = (
-            NormalControl::Force(0.05),
-            TangentialLoad::force([0.006, 0.0]),
-        );
+        let (load, still) = (NormalLoad::Force(0.05), TangentialLoad::force([0.006, 0.0]));
         let friction = Friction::coulomb(0.4).unwrap();
         let problem = CoupledProblem::builder(bodies, gap(bodies), friction, load, still);
         kit::solve(problem.tolerance(1e-11))
@@ -245,10 +242,7 @@ fn user_operator_coupled_contacts_match_bodies() {
         with_separate_operators(&bodies),
         Friction::coulomb(0.4).unwrap(),
     );
-    let (load, still) = (
-        NormalControl::Force(0.05),
-        TangentialLoad::force([0.006, 0.0]),
-    );
+    let (load, still) = (NormalLoad::Force(0.05), TangentialLoad::force([0.006, 0.0]));
     let gap = gap(&bodies);
     let refused = CoupledProblem::builder(&separate, &gap, friction, load, still).build();
     assert!(matches!(refused, Err(Error::IncompleteKernel(_))));
@@ -262,7 +256,7 @@ fn user_operator_histories_match_bodies() {
     let friction = Friction::coulomb(0.3).unwrap();
     let step = |normal: f64, force: f64| {
         LoadStep::hold()
-            .normal(NormalControl::Force(normal))
+            .normal(NormalLoad::Force(normal))
             .tangential(Axis::X, TangentialControl::Force(force))
     };
     let path = [(0.05, 0.0), (0.05, 0.01), (0.06, -0.008), (0.055, 0.0)];
@@ -330,7 +324,7 @@ fn heterogeneous_bodies_match_dense_matrix() {
         operator.is_bounded = is_bounded;
         let soft = with_operators(&bodies, Operators::new().with([Z], operator));
         for method in [Method::ActiveSet, Method::PolonskyKeer] {
-            let found = kit::press_by(&soft, &gap, NormalControl::Force(load), 1e-11, method);
+            let found = kit::press_by(&soft, &gap, NormalLoad::Force(load), 1e-11, method);
             let error = l2_difference(found.pressure().as_slice(), &exact);
             assert!(error < 1e-9, "{error:e}");
             let report = found.report();
@@ -364,7 +358,7 @@ fn heterogeneous_bodies_match_dense_matrix() {
 }
 
 fn solved(bodies: &HalfSpace) -> NormalSolution {
-    let load = NormalControl::Force(0.05);
+    let load = NormalLoad::Force(0.05);
     press(bodies, &gap(bodies), load, 1e-8)
 }
 
@@ -403,7 +397,7 @@ fn problems_requiring_half_spaces_are_rejected() {
     let mut history = History::builder(&other, gap(&other), friction)
         .build()
         .unwrap();
-    let press = || LoadStep::hold().normal(NormalControl::Force(0.05));
+    let press = || LoadStep::hold().normal(NormalLoad::Force(0.05));
     history.step(&press()).unwrap();
     kit::assert_refused! {
         history.step(&press().roll(Rolling::new(1))) => Error::UnsupportedForCoatings { .. },
@@ -469,7 +463,7 @@ fn operator_failing_later_stalls_solve() {
     };
     let late = asymmetric(of(&bodies, [Z], |_| 0.0), fail, 0.0);
     let late = with_operators(&bodies, Operators::new().with([Z], late));
-    let outcome = NormalProblem::builder(&late, gap(&late), NormalControl::Force(0.05))
+    let outcome = NormalProblem::builder(&late, gap(&late), NormalLoad::Force(0.05))
         .build()
         .unwrap()
         .solve();
@@ -498,7 +492,7 @@ fn operator_without_bound_solves_problems_that_need_none() {
         let mut history = history.tolerance(1e-11).build().unwrap();
         for (normal, force) in [(0.03, 0.004), (0.05, 0.01), (0.04, -0.006)] {
             let step = LoadStep::hold()
-                .normal(NormalControl::Force(normal))
+                .normal(NormalLoad::Force(normal))
                 .tangential(Axis::X, TangentialControl::Force(force));
             history.step(&step).unwrap();
         }
@@ -517,10 +511,7 @@ fn operator_without_bound_solves_problems_that_need_none() {
     assert!(is_unbounded(cycles.unwrap_err()));
 
     let (_, unbounded) = without(true);
-    let (load, still) = (
-        NormalControl::Force(0.05),
-        TangentialLoad::force([0.006, 0.0]),
-    );
+    let (load, still) = (NormalLoad::Force(0.05), TangentialLoad::force([0.006, 0.0]));
     let refused = CoupledProblem::builder(&unbounded, gap(&unbounded), friction(), load, still);
     assert!(is_unbounded(refused.build().unwrap_err()));
     let refused = History::builder(&unbounded, gap(&unbounded), friction()).build();
@@ -542,7 +533,7 @@ fn user_operator_one_way_coupling_matches_bodies() {
         let history = history.coupling(Coupling::OneWay).tolerance(1e-12);
         let mut history = history.model(TangentialModel::Vector).build().unwrap();
         for force in [0.0, 0.01] {
-            let step = LoadStep::hold().normal(NormalControl::Force(0.05));
+            let step = LoadStep::hold().normal(NormalLoad::Force(0.05));
             let step = step.tangential(Axis::X, TangentialControl::Force(force));
             history.step(&step).unwrap();
         }

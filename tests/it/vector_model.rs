@@ -5,14 +5,14 @@ use kit::{Table2, max_abs, rough, unit_bodies, unit_pair};
 use proptest::prelude::*;
 use stickslip::influence::Component;
 use stickslip::{
-    Boundary, Error, Field, Friction, Grid, HalfSpace, NormalControl, NormalSolution, Operator,
+    Boundary, Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalSolution, Operator,
     TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution, surface,
 };
 
 const FRICTION: f64 = 0.5;
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
-    kit::press(bodies, gap, NormalControl::Force(force), 1e-10)
+    kit::press(bodies, gap, NormalLoad::Force(force), 1e-10)
 }
 
 fn shear(

@@ -4,7 +4,7 @@
 use kit::{max_difference, rough, unit_bodies, unit_pair};
 use stickslip::history::LoadPath;
 use stickslip::{
-    Axis, Boundary, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl,
+    Axis, Boundary, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad,
     TangentialControl, TangentialModel, surface,
 };
 
@@ -29,7 +29,7 @@ fn press_to(tolerance: f64, bodies: &HalfSpace, gap: &Field, lateral: Tangential
     let friction = Friction::coulomb(FRICTION).unwrap();
     let builder = History::builder(bodies, gap, friction).model(lateral);
     let mut history = builder.tolerance(tolerance).build().unwrap();
-    let press = LoadStep::hold().normal(NormalControl::Force(LOAD));
+    let press = LoadStep::hold().normal(NormalLoad::Force(LOAD));
     history.step(&press).unwrap();
     history
 }

@@ -3,7 +3,7 @@
 
 use kit::{rough, unit_bodies};
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl, NormalProblem,
+    Axis, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad, NormalProblem,
     NormalSolution, NormalSolver, TangentialControl, TangentialModel, surface,
 };
 
@@ -30,7 +30,7 @@ fn history(bodies: &HalfSpace, gap: &Field) -> History {
 }
 
 /// Returns a solver after its first solve, and its solution.
-fn solved(bodies: &HalfSpace, gap: &Field, load: NormalControl) -> (NormalSolver, NormalSolution) {
+fn solved(bodies: &HalfSpace, gap: &Field, load: NormalLoad) -> (NormalSolver, NormalSolution) {
     let problem = NormalProblem::builder(bodies, gap, load).tolerance(1e-6);
     let mut press = kit::solver(problem);
     let mut contact = press.new_solution();
@@ -40,7 +40,7 @@ fn solved(bodies: &HalfSpace, gap: &Field, load: NormalControl) -> (NormalSolver
 
 fn step(normal: f64, tangential: f64) -> LoadStep {
     LoadStep::hold()
-        .normal(NormalControl::Force(normal))
+        .normal(NormalLoad::Force(normal))
         .tangential(Axis::X, TangentialControl::Force(tangential))
 }
 
@@ -50,14 +50,14 @@ fn step(normal: f64, tangential: f64) -> LoadStep {
 fn continued_load_costs_less() {
     for (bodies, gap, force) in scenes() {
         let solver = |load| solved(&bodies, &gap, load);
-        let approach = solver(NormalControl::Force(force)).1.approach();
+        let approach = solver(NormalLoad::Force(force)).1.approach();
         for by_force in [true, false] {
             let load = |percent: u32| {
                 let grown = 1.0 + 0.01 * f64::from(percent);
                 if by_force {
-                    NormalControl::Force(force * grown)
+                    NormalLoad::Force(force * grown)
                 } else {
-                    NormalControl::Approach(approach * grown)
+                    NormalLoad::Approach(approach * grown)
                 }
             };
             let (mut press, mut contact) = solver(load(0));
@@ -104,15 +104,15 @@ fn contact_outgrowing_its_window_costs_as_much_as_cold_solve() {
         .map(|profile| Field::from_fn(grid, |x, y| profile(x.hypot(y))));
     for gap in [ball, cone] {
         let solver = |load| solved(&bodies, &gap, load);
-        let (_, small) = solver(NormalControl::Force(0.05));
-        let (_, large) = solver(NormalControl::Force(0.15));
+        let (_, small) = solver(NormalLoad::Force(0.05));
+        let (_, large) = solver(NormalLoad::Force(0.15));
         for load in [
-            NormalControl::Force(0.15),
-            NormalControl::Approach(large.approach()),
+            NormalLoad::Force(0.15),
+            NormalLoad::Approach(large.approach()),
         ] {
             let first = match load {
-                NormalControl::Force(_) => NormalControl::Force(0.05),
-                _ => NormalControl::Approach(small.approach()),
+                NormalLoad::Force(_) => NormalLoad::Force(0.05),
+                _ => NormalLoad::Approach(small.approach()),
             };
             let (mut press, mut contact) = solver(first);
             press.set_load(load).unwrap();

@@ -5,13 +5,13 @@ use stickslip::history::{Cycle, Rolling};
 use stickslip::subsurface::{Body, Planes};
 use stickslip::{
     Boundary, CoupledProblem, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace, History,
-    LoadStep, Material, NormalControl, NormalProblem, NormalSolution, TangentialLoad,
-    TangentialModel, TangentialProblem, TangentialSolution, Warning, Zone, surface,
+    LoadStep, Material, NormalLoad, NormalProblem, NormalSolution, TangentialLoad, TangentialModel,
+    TangentialProblem, TangentialSolution, Warning, Zone, surface,
 };
 
 fn press(grid: Grid, boundary: Boundary, gap: &Field) -> (HalfSpace, NormalSolution) {
     let bodies = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), boundary).unwrap();
-    let problem = NormalProblem::builder(&bodies, gap, NormalControl::Force(2.0));
+    let problem = NormalProblem::builder(&bodies, gap, NormalLoad::Force(2.0));
     let contact = kit::solve(problem);
     (bodies, contact)
 }
@@ -81,7 +81,7 @@ fn ball(cells_per_radius: usize, part: f64) -> (HertzSphere, NormalSolution, Tan
     let load = 4.0 / 3.0 * pair.contact_modulus() / 20.0;
     let bodies = HalfSpace::new(grid, pair).unwrap();
     let gap = surface::sphere(grid, 20.0).unwrap();
-    let press = NormalProblem::builder(&bodies, &gap, NormalControl::Force(load));
+    let press = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(load));
     let normal = kit::solve(press);
     let friction = Friction::coulomb(0.5).unwrap();
     let drag = TangentialLoad::force([part * 0.5 * load, 0.0]);
@@ -141,7 +141,7 @@ fn narrow_slip_ring_in_history_gives_warning() {
     let gap = surface::sphere(grid, 20.0).unwrap();
     let friction = Friction::coulomb(0.5).unwrap();
     let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
-    let press = LoadStep::hold().normal(NormalControl::Force(load));
+    let press = LoadStep::hold().normal(NormalLoad::Force(load));
     assert!(history.step(&press).unwrap().warnings().is_empty());
     let mut cycle = Cycle::new(&history);
     let is_narrow = |warnings: Vec<Warning>| {
@@ -197,7 +197,7 @@ fn pressing_dissimilar_bodies_in_one_step_gives_warning() {
     let solve = |pair: ElasticPair, gap: &Field, friction: f64| {
         let bodies = HalfSpace::new(grid, pair).unwrap();
         let friction = Friction::coulomb(friction).unwrap();
-        let press = NormalControl::Force(0.06);
+        let press = NormalLoad::Force(0.06);
         let still = TangentialLoad::shift([0.0; 2]);
         let problem = CoupledProblem::builder(&bodies, gap, friction, press, still);
         kit::solve(problem)
@@ -216,7 +216,7 @@ fn pressing_dissimilar_bodies_in_one_step_gives_warning() {
     let mut history = builder.build().unwrap();
     for step in 1..=8 {
         let force = 0.06 * (f64::from(step) / 8.0).powi(3);
-        let press = LoadStep::hold().normal(NormalControl::Force(force));
+        let press = LoadStep::hold().normal(NormalLoad::Force(force));
         history.step(&press).unwrap();
     }
     // More than a tenth of the contact is new in each of these steps.
@@ -241,7 +241,7 @@ fn pressing_dissimilar_bodies_in_one_step_gives_warning() {
     // Steps that hold the load, short steps and adaptive steps do not have the warning.
     history.step(&LoadStep::hold()).unwrap();
     assert!(!is_coarse(&history));
-    let press = |force: f64| LoadStep::hold().normal(NormalControl::Force(force));
+    let press = |force: f64| LoadStep::hold().normal(NormalLoad::Force(force));
     history.step(&press(0.066)).unwrap();
     assert!(!is_coarse(&history));
     history.press(&press(0.1), 0.05).unwrap();
@@ -258,7 +258,7 @@ fn pressing_dissimilar_history_in_one_step_gives_warning() {
         surface::sphere(grid, 20.0).unwrap(),
         Field::from_fn(grid, |x, y| if x.hypot(y) < 1.0 { 0.0 } else { 9.0 }),
     );
-    let press = |force| LoadStep::hold().normal(NormalControl::Force(force));
+    let press = |force| LoadStep::hold().normal(NormalLoad::Force(force));
     let is_remarked = |pair: ElasticPair, gap: &Field, coefficient: f64, coupling| {
         let bodies = HalfSpace::new(grid, pair).unwrap();
         let friction = Friction::coulomb(coefficient).unwrap();
@@ -283,7 +283,7 @@ fn pressing_dissimilar_history_in_one_step_gives_warning() {
 
     let sheared = |pair: ElasticPair, coefficient: f64, coupling| {
         let bodies = HalfSpace::new(grid, pair).unwrap();
-        let normal = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.06));
+        let normal = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(0.06));
         let normal = kit::solve(normal);
         let friction = Friction::coulomb(coefficient).unwrap();
         let still = TangentialLoad::force([0.0; 2]);
@@ -329,7 +329,7 @@ fn narrow_slip_of_rolling_step_is_below_one_cell() {
         let friction = Friction::coulomb(0.5).unwrap();
         let builder = History::builder(&bodies, &gap, friction);
         let mut history = builder.model(TangentialModel::Vector).build().unwrap();
-        let press = LoadStep::hold().normal(NormalControl::Force(load));
+        let press = LoadStep::hold().normal(NormalLoad::Force(load));
         history.step(&press).unwrap();
         let force = LoadStep::force([part * 0.5 * load, 0.0]);
         let rolled = force.roll(Rolling::new(1));

@@ -4,9 +4,7 @@
 use kit::{Random, max_difference, unit_bodies};
 use stickslip::history::wear::{self, CycleJump};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath};
-use stickslip::{
-    Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalControl, surface,
-};
+use stickslip::{Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad, surface};
 
 fn random(grid: Grid, random: &mut Random) -> Field {
     let samples = (0..grid.cells()).map(|_| random.uniform(0.0, 1.0));
@@ -85,7 +83,7 @@ fn worn_cycle() -> (HalfSpace, History, Cycle) {
     let friction = Friction::coulomb(0.4).unwrap();
     let mut history = History::builder(&bodies, &ball, friction).build().unwrap();
     let path = LoadPath::triangle([0.5, 0.0], 8).unwrap();
-    let load = |shift| LoadStep::shift(shift).normal(NormalControl::Force(4.0));
+    let load = |shift| LoadStep::shift(shift).normal(NormalLoad::Force(4.0));
     let mut cycle = Cycle::new(&history);
     let fretting = FrettingLoop::new(path, load);
     for _ in 0..2 {
@@ -102,7 +100,7 @@ fn open_cycle_is_not_jumped() {
     let friction = Friction::coulomb(0.4).unwrap();
     let mut history = History::builder(&bodies, &ball, friction).build().unwrap();
     let path = LoadPath::triangle([0.5, 0.0], 8).unwrap();
-    let press = LoadStep::hold().normal(NormalControl::Force(4.0));
+    let press = LoadStep::hold().normal(NormalLoad::Force(4.0));
     history.step(&press).unwrap();
     let fretting = FrettingLoop::new(path, LoadStep::shift);
     let mut cycle = Cycle::new(&history);
@@ -131,7 +129,7 @@ fn cycle_jump_is_half_of_stable_number() {
     let [mut by_slip, mut by_energy] = [(); 2].map(|()| Field::zeros(bodies.grid()));
     let (pressure, slip) = (cycle.slip_pressure(), cycle.slip_distance());
     wear::archard(0.01, pressure, slip, &mut by_slip).unwrap();
-    wear::energy(0.01 / 0.4, cycle.dissipated_energy(), &mut by_energy).unwrap();
+    wear::energy(0.01 / 0.4, cycle.dissipation(), &mut by_energy).unwrap();
     let stable = wear::max_stable_cycles(&bodies, 0.01, slip).unwrap();
     for depth in [by_slip, by_energy] {
         let jump = CycleJump::new(&bodies, &cycle, &depth).unwrap();

@@ -5,7 +5,7 @@ use kit::{boundaries, max_abs, max_difference, rough, unit_bodies, unit_pair};
 use stickslip::history::EntryRule;
 use stickslip::{
     Axis, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
-    NormalControl, TangentialControl, TangentialModel, surface,
+    NormalLoad, TangentialControl, TangentialModel, surface,
 };
 
 const FRICTION: f64 = 0.4;
@@ -17,7 +17,7 @@ fn step_to((radius, part): (f64, f64)) -> LoadStep {
     let approach = radius * radius / RADIUS;
     let shift = TangentialControl::Shift(part * FRICTION * approach);
     LoadStep::hold()
-        .normal(NormalControl::Approach(approach))
+        .normal(NormalLoad::Approach(approach))
         .tangential(Axis::X, shift)
 }
 

@@ -110,7 +110,7 @@ pub(crate) fn solutions(grid: Grid, watch: Watch<'_>) {
     let friction = Friction::coulomb(0.3).unwrap();
     let mut pressed = None;
     watch("normal", &mut || {
-        let load = NormalControl::Force(0.5);
+        let load = NormalLoad::Force(0.5);
         pressed = Some(
             NormalProblem::builder(&bodies, &ball, load)
                 .build()?
@@ -129,7 +129,7 @@ pub(crate) fn solutions(grid: Grid, watch: Watch<'_>) {
             normal.centre_of_pressure(),
             normal.warnings(),
         );
-        let _ = (normal.contact_area_corrected(), normal.spots());
+        let _ = (normal.contact_area_corrected(), normal.spots().unwrap());
         normal.stiffness(&bodies).map(drop)
     });
     for model in [TangentialModel::Scalar, TangentialModel::Vector] {
@@ -153,7 +153,7 @@ pub(crate) fn solutions(grid: Grid, watch: Watch<'_>) {
     }
     watch("coupled", &mut || {
         let load = TangentialLoad::force([0.05, 0.0]);
-        let press = NormalControl::Force(0.5);
+        let press = NormalLoad::Force(0.5);
         let problem = CoupledProblem::builder(&bodies, &ball, friction.clone(), press, load);
         let contact = problem.build()?.solve()?;
         assert!(contact.elastic_energy() > 0.0);
@@ -185,7 +185,7 @@ pub(crate) fn histories(grid: Grid, watch: Watch<'_>) {
     };
     watch("history", &mut || {
         let mut history = builder()?;
-        history.step(&LoadStep::hold().normal(NormalControl::Force(0.5)))?;
+        history.step(&LoadStep::hold().normal(NormalLoad::Force(0.5)))?;
         let mut steps = AdaptiveSteps::new(&history, 0.05)?;
         steps.step(&mut history, &LoadStep::force([0.05, 0.0]))?;
         let _ = (
@@ -194,7 +194,7 @@ pub(crate) fn histories(grid: Grid, watch: Watch<'_>) {
             history.tangential_force(),
         );
         let _ = (
-            history.spots(),
+            history.spots().unwrap(),
             history.last_step().warnings(),
             history.displacement()?,
         );
@@ -206,7 +206,7 @@ pub(crate) fn histories(grid: Grid, watch: Watch<'_>) {
     });
     watch("cycle and wear", &mut || {
         let mut history = builder()?;
-        let load = |force| LoadStep::force(force).normal(NormalControl::Force(0.5));
+        let load = |force| LoadStep::force(force).normal(NormalLoad::Force(0.5));
         history.step(&load([0.0, 0.0]))?;
         let path = LoadPath::sine([0.05, 0.0], 4)?;
         let mut cycle = Cycle::new(&history);

@@ -29,7 +29,7 @@ fn started(bodies: &HalfSpace, model: TangentialModel) -> History {
 
 fn load(step: u32) -> LoadStep {
     let part = f64::from(step).sin();
-    LoadStep::force([0.05 * part, 0.0]).normal(NormalControl::Force(0.5 + 0.01 * part))
+    LoadStep::force([0.05 * part, 0.0]).normal(NormalLoad::Force(0.5 + 0.01 * part))
 }
 
 /// Takes steps on a thread outside any pool, which would start the global pool if it shared its work.
@@ -85,7 +85,7 @@ fn observe_step(cells: usize) -> (bool, [f64; 2], Field) {
         ControlFlow::Continue(())
     };
     history.step_observed(&load(1), see).unwrap();
-    let energy = history.dissipated_energy().integral();
+    let energy = history.dissipation().integral();
     let stiffness = history.stiffness().unwrap().normal.value;
     let pressure = history.pressure().clone();
     (is_elsewhere, [energy, stiffness], pressure)

@@ -5,7 +5,7 @@ use std::time::Instant;
 
 use stickslip::influence::Component;
 use stickslip::{
-    ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
+    ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
     NormalSolution, Report, TangentialLoad, TangentialProblem, TangentialSolution,
 };
 
@@ -94,7 +94,7 @@ impl Press {
 
     /// Solves from a cold start, including the allocation of the memory of the solver.
     fn solve(&self, bodies: &HalfSpace, tolerance: f64) -> Result<NormalSolution> {
-        let load = NormalControl::Force(self.pressure);
+        let load = NormalLoad::Force(self.pressure);
         let problem = NormalProblem::builder(bodies, &self.gap, load).tolerance(tolerance);
         let mut solver = problem.build()?.into_solver()?;
         let mut solution = solver.new_solution();

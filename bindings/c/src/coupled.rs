@@ -2,7 +2,7 @@
 
 use stickslip_rs::coupled::CoupledReport;
 use stickslip_rs::{
-    CoupledProblem, CoupledSolution, CoupledSolver, Field, NormalControl, TangentialLoad,
+    CoupledProblem, CoupledSolution, CoupledSolver, Field, NormalLoad, TangentialLoad,
 };
 
 use crate::call::{Outcome, call, call_on};
@@ -132,7 +132,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_free(
 unsafe fn loads(
     normal: *const stickslip_normal_load,
     tangential: *const stickslip_tangential_load,
-) -> Outcome<(NormalControl, TangentialLoad)> {
+) -> Outcome<(NormalLoad, TangentialLoad)> {
     // SAFETY: the caller follows the safety contract of this function.
     let (normal, tangential) =
         unsafe { (input("normal", normal)?, input("tangential", tangential)?) };

@@ -129,7 +129,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_normal_load(
     solver: *mut stickslip_coupled_rolling_solver,
     normal: *const stickslip_normal_load,
 ) -> stickslip_status {
-    let set = CoupledRollingSolver::set_load;
+    let set = CoupledRollingSolver::set_normal_load;
     // SAFETY: the caller follows the rule for pointers.
     unsafe {
         solver::change(
@@ -147,7 +147,7 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_set_load(
     solver: *mut stickslip_coupled_rolling_solver,
     load: *const stickslip_rolling_load,
 ) -> stickslip_status {
-    let set = |own: &mut CoupledRollingSolver, (controls, spin)| own.set_control(controls, spin);
+    let set = |own: &mut CoupledRollingSolver, (controls, spin)| own.set_load(controls, spin);
     // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::change(solver, ("load", load), stickslip_rolling_load::checked, set) }
 }

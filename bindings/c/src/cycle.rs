@@ -143,7 +143,7 @@ pub unsafe extern "C" fn stickslip_cycle_field(
 fn field(cycle: &Cycle, which: i32) -> Outcome<&Field> {
     Ok(match which {
         STICKSLIP_SLIP_DISTANCE => cycle.slip_distance(),
-        STICKSLIP_DISSIPATED_ENERGY => cycle.dissipated_energy(),
+        STICKSLIP_DISSIPATED_ENERGY => cycle.dissipation(),
         STICKSLIP_SLIP_PRESSURE => cycle.slip_pressure(),
         STICKSLIP_SLIP_AMPLITUDE_X => cycle.slip_amplitude()[0],
         STICKSLIP_SLIP_AMPLITUDE_Y => cycle.slip_amplitude()[1],

@@ -199,7 +199,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_load(
     solver: *mut stickslip_rolling_solver,
     load: *const stickslip_rolling_load,
 ) -> stickslip_status {
-    let set = |own: &mut RollingSolver, (controls, spin)| own.set_control(controls, spin);
+    let set = |own: &mut RollingSolver, (controls, spin)| own.set_load(controls, spin);
     // SAFETY: the caller follows the rule for pointers.
     unsafe { solver::change(solver, ("load", load), stickslip_rolling_load::checked, set) }
 }
@@ -271,7 +271,12 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_load(
     // SAFETY: the caller follows the rule for pointers.
     unsafe {
         let check = stickslip_normal_load::of_problem;
-        solver::change(solver, ("load", load), check, RollingSolver::set_load)
+        solver::change(
+            solver,
+            ("load", load),
+            check,
+            RollingSolver::set_normal_load,
+        )
     }
 }
 

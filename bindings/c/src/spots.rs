@@ -112,7 +112,7 @@ pub unsafe extern "C" fn stickslip_normal_solution_spots(
     // SAFETY: the caller follows the rule for pointers.
     call_on(solution, || unsafe {
         let wanted = ((buffer, capacity, count), (labels, cells));
-        put(wanted, || Ok(reading(solution)?.try_spots()?))
+        put(wanted, || Ok(reading(solution)?.spots()?))
     })
 }
 
@@ -151,6 +151,6 @@ pub unsafe extern "C" fn stickslip_history_spots(
     // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
         let wanted = ((buffer, capacity, count), (labels, cells));
-        put(wanted, || Ok(reading(history)?.try_spots()?))
+        put(wanted, || Ok(reading(history)?.spots()?))
     })
 }

@@ -69,7 +69,7 @@ pub unsafe extern "C" fn stickslip_wear_energy(
     count: usize,
 ) -> stickslip_status {
     let law = |coefficient: Coefficient<'_>, history: &History, depth: &mut Field| {
-        wear::energy(coefficient, history.last_step().dissipated_energy(), depth)
+        wear::energy(coefficient, history.last_step().dissipation(), depth)
     };
     // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
@@ -88,10 +88,7 @@ pub unsafe extern "C" fn stickslip_wear_threshold_energy(
     count: usize,
 ) -> stickslip_status {
     let law = |coefficient: Coefficient<'_>, history: &History, depth: &mut Field| {
-        let (total, step) = (
-            history.dissipated_energy(),
-            history.last_step().dissipated_energy(),
-        );
+        let (total, step) = (history.dissipation(), history.last_step().dissipation());
         wear::threshold_energy(coefficient, threshold, total, step, depth)
     };
     // SAFETY: the caller follows the rule for pointers.

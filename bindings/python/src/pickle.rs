@@ -109,12 +109,12 @@ impl Recipe {
     pub(crate) fn with_normal(
         self,
         py: Python<'_>,
-        load: stickslip::NormalControl,
+        load: stickslip::NormalLoad,
         force: &str,
     ) -> PyResult<Self> {
         match load {
-            stickslip::NormalControl::Force(value) => self.with(py, force, Some(value)),
-            stickslip::NormalControl::Approach(value) => self.with(py, "approach", Some(value)),
+            stickslip::NormalLoad::Force(value) => self.with(py, force, Some(value)),
+            stickslip::NormalLoad::Approach(value) => self.with(py, "approach", Some(value)),
             _ => Ok(self),
         }
     }

@@ -137,7 +137,7 @@ fn number(value: f64) -> String {
 
 /// Returns the number of contact spots that are too small to be resolved.
 fn unresolved(normal: &NormalSolution) -> stickslip::Result<usize> {
-    let spots = normal.try_spots()?;
+    let spots = normal.spots()?;
     let small = spots.as_slice().iter().filter(|spot| spot.cells < 5);
     Ok(small.count())
 }

@@ -2,8 +2,8 @@
 
 use stickslip::surface::{self, RoughSurface, SelfAffine};
 use stickslip::{
-    Boundary, ElasticPair, Error, Friction, Grid, HalfSpace, Material, NormalControl,
-    NormalProblem, NormalSolution, Result, TangentialLoad, TangentialProblem, TangentialSolution,
+    Boundary, ElasticPair, Error, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
+    NormalSolution, Result, TangentialLoad, TangentialProblem, TangentialSolution,
 };
 
 use super::plan::{Plan, Press};
@@ -69,7 +69,7 @@ impl<'p> StudyCase<'p> {
 
     fn normal(&self, rough: &RoughSurface, force: f64) -> Result<NormalSolution> {
         let gap = surface::gap_from_heights(rough.heights())?;
-        NormalProblem::builder(&self.bodies, gap, NormalControl::Force(force))
+        NormalProblem::builder(&self.bodies, gap, NormalLoad::Force(force))
             .tolerance(self.plan.tolerance)
             .max_iterations(self.plan.iterations)
             .build()?

@@ -27,7 +27,7 @@
 //! })?;
 //! let bodies = HalfSpace::with_boundary(grid, &soil, Boundary::Periodic)?;
 //! let ball = surface::sphere(grid, 1.0)?;
-//! let contact = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.02)).build()?.solve()?;
+//! let contact = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(0.02)).build()?.solve()?;
 //! // p = 2 m (d - r^2 / 2 R) carries the force 2 pi m R d^2.
 //! let largest = (2.0 * m * 0.02 / std::f64::consts::PI).sqrt();
 //! assert!((contact.pressure().max() / largest - 1.0).abs() < 0.02);
@@ -43,7 +43,7 @@
 //! ```
 //! use stickslip::layers::Response;
 //! use stickslip::{
-//!     Boundary, ElasticPair, Field, Grid, HalfSpace, Kernel, Material, NormalControl, NormalProblem,
+//!     Boundary, ElasticPair, Field, Grid, HalfSpace, Kernel, Material, NormalLoad, NormalProblem,
 //! };
 //!
 //! // An elastic sheet of bending stiffness D on springs of stiffness s: a wave with deflection w needs p = (D k^4 + s) w.
@@ -61,7 +61,7 @@
 //! // A wave-shaped gap that closes everywhere under the load.
 //! let k = std::f64::consts::TAU;
 //! let gap = Field::from_fn(grid, |x, _| 0.01 * (1.0 - (k * x).cos()));
-//! let load = NormalControl::Force(1.5 * 0.01 * stiffness(k));
+//! let load = NormalLoad::Force(1.5 * 0.01 * stiffness(k));
 //! let contact = NormalProblem::builder(&bodies, &gap, load).build()?.solve()?;
 //! assert_eq!(contact.contact_cells(), 64);
 //! let half = 0.5 * (contact.pressure().max() - contact.pressure().min());
@@ -316,7 +316,7 @@ impl Kernel {
     /// `length` is the approximate length scale on which the response changes.
     ///
     /// ```
-    /// use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Kernel, Material, NormalControl, NormalProblem};
+    /// use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Kernel, Material, NormalLoad, NormalProblem};
     /// use stickslip::{Field, kernel::ResponseTensor};
     /// // Under a pressure, waves along x sink four times as far as waves along y.
     /// let near = ElasticPair::new(Material::new(1.0, 0.5)?, Material::rigid())?;
@@ -327,7 +327,7 @@ impl Kernel {
     /// let grid = Grid::square(48, 1.0)?;
     /// let bodies = HalfSpace::with_boundary(grid, &fibres, Boundary::Periodic)?;
     /// let ball = stickslip::surface::sphere(grid, 1.0)?;
-    /// let contact = NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.01)).build()?.solve()?;
+    /// let contact = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(0.01)).build()?.solve()?;
     /// // The contact is an ellipse, the longer axis along the softer direction of its waves.
     /// let pressed = |i, j| contact.pressure().get(i, j).unwrap_or(0.0) > 0.0;
     /// let along = |x: bool| (0..48).filter(|&n| if x { pressed(n, 24) } else { pressed(24, n) }).count();

@@ -42,7 +42,7 @@ use crate::operator::Operator;
 ///
 /// // A paraboloid of radius R = 1: p = (d - r^2 / 2 R) / c carries pi R d^2 / c.
 /// let (ball, depth) = (surface::sphere(grid, 1.0)?, 0.06);
-/// let contact = NormalProblem::builder(&bodies, &ball, NormalControl::Approach(depth)).build()?.solve()?;
+/// let contact = NormalProblem::builder(&bodies, &ball, NormalLoad::Approach(depth)).build()?.solve()?;
 /// assert!((contact.force() / (std::f64::consts::PI * depth * depth / 0.5) - 1.0).abs() < 0.02);
 ///
 /// // Under this shift the springs in the middle stick, and the springs at the edge slip.

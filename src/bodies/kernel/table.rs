@@ -17,7 +17,7 @@ use crate::support::debug::shown;
 /// ```
 /// use stickslip::influence::{Component, Table};
 /// use stickslip::kernel::CoefficientTable;
-/// use stickslip::{ElasticPair, Grid, HalfSpace, Kernel, Material, NormalControl, NormalProblem, surface};
+/// use stickslip::{ElasticPair, Grid, HalfSpace, Kernel, Material, NormalLoad, NormalProblem, surface};
 /// // A half-space in series with a bed of springs: the coefficient of a cell's own pressure includes its spring.
 /// let pair = ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?;
 /// let grid = Grid::square(32, 3.0)?;
@@ -29,7 +29,7 @@ use crate::support::debug::shown;
 ///     values[0] += spring;
 ///     let table = CoefficientTable::new([grid.dx(), grid.dy()], [32; 2])?.with(Component::ZZ, values)?;
 ///     let bodies = HalfSpace::new(grid, &Kernel::tabulated(pair, table)?)?;
-///     NormalProblem::builder(&bodies, &ball, NormalControl::Force(0.05)).build()?.solve()
+///     NormalProblem::builder(&bodies, &ball, NormalLoad::Force(0.05)).build()?.solve()
 /// };
 /// let [hard, soft] = [pressed(0.0)?, pressed(0.5)?];
 /// assert!(soft.approach() > hard.approach() && soft.pressure().max() < hard.pressure().max());

@@ -6,14 +6,14 @@
 //!
 //! ```
 //! use stickslip::layers::Layer;
-//! use stickslip::{Boundary, ElasticPair, Field, Grid, HalfSpace, Material, NormalControl, NormalProblem};
+//! use stickslip::{Boundary, ElasticPair, Field, Grid, HalfSpace, Material, NormalLoad, NormalProblem};
 //! // A thin bed of rubber on a rigid base has the stiffness of its oedometric modulus.
 //! let bed = Layer::new(1.0, 0.3, 0.02)?;
 //! let pair = ElasticPair::new(Material::rigid().coated(&[bed])?, Material::rigid())?;
 //! let grid = Grid::square(64, 3.0)?;
 //! let bodies = HalfSpace::new(grid, pair)?;
 //! let ball = stickslip::surface::sphere(grid, 100.0)?;
-//! let contact = NormalProblem::builder(&bodies, &ball, NormalControl::Approach(0.005)).build()?.solve()?;
+//! let contact = NormalProblem::builder(&bodies, &ball, NormalLoad::Approach(0.005)).build()?.solve()?;
 //! let oedometric = 0.7 / (1.3 * 0.4);
 //! let centre = contact.pressure().max();
 //! assert!((centre / (oedometric * 0.005 / 0.02) - 1.0).abs() < 0.01);

@@ -11,7 +11,7 @@ use crate::history::{Cycle, History, LoadPath, LoadStep};
 /// closure can also return a [`LoadStep::spring`], or add a normal load or a twist. A history along one axis accepts a path
 /// along this axis.
 ///
-/// If the loop changes the gap, prescribe the normal load in every step with `.normal(NormalControl::Force(w))`. Otherwise
+/// If the loop changes the gap, prescribe the normal load in every step with `.normal(NormalLoad::Force(w))`. Otherwise
 /// the step holds the pressure of the old gap and returns a [warning](crate::history::StepResult::warnings).
 ///
 /// ```
@@ -25,7 +25,7 @@ use crate::history::{Cycle, History, LoadPath, LoadStep};
 ///
 /// // Back and forth by 2 um under 100 N, for at most ten cycles.
 /// let path = LoadPath::sine([2e-6, 0.0], 20)?;
-/// let load = |shift| LoadStep::shift(shift).normal(NormalControl::Force(100.0));
+/// let load = |shift| LoadStep::shift(shift).normal(NormalLoad::Force(100.0));
 /// let outcome = FrettingLoop::new(path, load)
 ///     .until_steady(1e-4)
 ///     .run(&mut history, 10)?;

@@ -49,7 +49,7 @@ impl Cycle {
     /// # let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
     /// # let ball = surface::sphere(grid, 10.0)?;
     /// # let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.3)?).build()?;
-    /// history.step(&LoadStep::hold().normal(NormalControl::Force(0.5)))?;
+    /// history.step(&LoadStep::hold().normal(NormalLoad::Force(0.5)))?;
     /// let mut cycle = Cycle::new(&history);
     /// let fretting = FrettingLoop::new(LoadPath::triangle([0.1, 0.0], 8)?, LoadStep::shift);
     /// fretting.cycle(&mut history, &mut cycle)?;
@@ -98,7 +98,7 @@ impl Cycle {
     /// # let ball = surface::sphere(grid, 10.0)?;
     /// # let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.3)?).build()?;
     /// let mut cycle = Cycle::new(&history);
-    /// history.step(&LoadStep::shift([0.1, 0.0]).normal(NormalControl::Force(0.5)))?;
+    /// history.step(&LoadStep::shift([0.1, 0.0]).normal(NormalLoad::Force(0.5)))?;
     /// cycle.add(&history)?;
     /// let text = cycle.points_as_csv();
     /// let names = "shift_x,shift_y,twist,force_x,force_y,moment";
@@ -136,7 +136,7 @@ impl Cycle {
     /// # let ball = surface::sphere(grid, 10.0)?;
     /// # let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.3)?).build()?;
     /// let fretting = FrettingLoop::new(LoadPath::triangle([0.1, 0.0], 4)?, |shift| {
-    ///     LoadStep::shift(shift).normal(NormalControl::Force(0.5))
+    ///     LoadStep::shift(shift).normal(NormalLoad::Force(0.5))
     /// });
     /// let mut table = format!("{}\n", Cycle::SUMMARY_NAMES);
     /// let mut cycle = Cycle::new(&history);

@@ -41,7 +41,7 @@ pub(super) mod hysteresis;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
 /// let ball = surface::sphere(grid, 3.5e-3)?;
 /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
-/// history.step(&LoadStep::hold().normal(NormalControl::Force(100.0)))?;
+/// history.step(&LoadStep::hold().normal(NormalLoad::Force(100.0)))?;
 ///
 /// let path = LoadPath::sine([40.0, 0.0], 16)?;
 /// let mut cycle = Cycle::new(&history);
@@ -233,7 +233,7 @@ impl Cycle {
         self.last_step = number;
         let sums = &mut self.sums;
         sums.slip_distance.add_scaled(1.0, step.slip_distance())?;
-        let dissipated = step.dissipated_energy();
+        let dissipated = step.dissipation();
         sums.dissipated_energy.add_scaled(1.0, dissipated)?;
         self.average_pressure(history);
         for (axis, slip) in history.slip().into_iter().enumerate() {
@@ -336,7 +336,7 @@ impl Cycle {
     /// (energies). [`wear::energy`](crate::history::wear::energy) accepts this field.
     #[doc(alias = "dissipated energy")]
     #[must_use]
-    pub fn dissipated_energy(&self) -> &Field {
+    pub fn dissipation(&self) -> &Field {
         &self.sums.dissipated_energy
     }
 

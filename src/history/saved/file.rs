@@ -51,7 +51,7 @@ impl History {
     ///     let bodies = HalfSpace::distributed(grid, pair, Boundary::NonPeriodic, Arc::new(rank))?;
     ///     let ball = surface::sphere(bodies.grid(), 10.0)?;
     ///     let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.3)?).build()?;
-    ///     history.step(&LoadStep::hold().normal(NormalControl::Force(0.5)))?;
+    ///     history.step(&LoadStep::hold().normal(NormalLoad::Force(0.5)))?;
     ///     history.save(&path)?;
     ///     Ok(history.step(&LoadStep::force([0.1, 0.0]))?.shift())
     /// });

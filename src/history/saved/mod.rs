@@ -184,7 +184,7 @@ impl History {
     /// let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
     /// let ball = surface::sphere(grid, 10.0)?;
     /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.3)?).build()?;
-    /// history.step(&LoadStep::hold().normal(NormalControl::Force(0.1)))?;
+    /// history.step(&LoadStep::hold().normal(NormalLoad::Force(0.1)))?;
     ///
     /// let mut restored = History::from_bytes(&bodies, &history.to_bytes())?;
     /// let shear = LoadStep::hold().tangential(Axis::X, TangentialControl::Force(0.02));

@@ -28,7 +28,7 @@ impl State {
     /// let grid = Grid::square(32, 8.0)?;
     /// let pair = ElasticPair::new(Material::new(1.0, 0.5)?, Material::rigid())?;
     /// let boundary = Boundary::NonPeriodic;
-    /// let press = LoadStep::hold().normal(NormalControl::Force(0.5));
+    /// let press = LoadStep::hold().normal(NormalLoad::Force(0.5));
     /// let slide = LoadStep::force([0.1, 0.0]);
     /// let patience = Duration::from_secs(60);
     ///

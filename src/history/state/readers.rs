@@ -78,10 +78,10 @@ readers! { state;
     accumulated_slip: &Field = &state.accumulated_slip;
 
     /// Returns the energy that each cell has dissipated in all steps, the sum of
-    /// [`StepResult::dissipated_energy`](crate::history::StepResult::dissipated_energy) (energies, force times length,
+    /// [`StepResult::dissipation`](crate::history::StepResult::dissipation) (energies, force times length,
     /// non-negative).
     #[doc(alias = "dissipated energy")]
-    dissipated_energy: &Field = &state.dissipated_energy;
+    dissipation: &Field = &state.dissipated_energy;
 
     /// Returns the zone of every cell after the last step, row-major with x fastest.
     zones: &[Zone] = &state.zones;

@@ -64,11 +64,11 @@ pub struct StepErrorEstimate {
 /// let ball = surface::sphere(grid, 3.5e-3)?;
 /// let builder = History::builder(&bodies, &ball, Friction::coulomb(0.5)?);
 /// let mut history = builder.model(TangentialModel::Vector).build()?;
-/// history.step(&LoadStep::hold().normal(NormalControl::Force(50.0)))?;
+/// history.step(&LoadStep::hold().normal(NormalLoad::Force(50.0)))?;
 ///
 /// // The force turns while the contact grows, so that the direction of slip changes during the load.
 /// history.step(&LoadStep::force([20.0, 0.0]))?;
-/// let load = LoadStep::force([0.0, 20.0]).normal(NormalControl::Force(100.0));
+/// let load = LoadStep::force([0.0, 20.0]).normal(NormalLoad::Force(100.0));
 /// let mut steps = AdaptiveSteps::new(&history, 0.003)?;
 /// let whole = steps.error(&mut history, &load)?;
 /// let taken = steps.step(&mut history, &load)?;

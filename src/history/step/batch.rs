@@ -27,7 +27,7 @@ impl History {
     /// for ball in balls {
     ///     contacts.push(History::builder(&bodies, &ball?, Friction::coulomb(0.5)?).build()?);
     /// }
-    /// let press = LoadStep::hold().normal(NormalControl::Force(50.0));
+    /// let press = LoadStep::hold().normal(NormalLoad::Force(50.0));
     /// assert!(History::step_all(&mut contacts, &[press; 3])?.is_empty());
     /// // Hertz: the approach is proportional to the inverse cube root of the radius.
     /// let ratio = contacts[0].approach() / contacts[2].approach();

@@ -18,7 +18,7 @@ pub(super) mod solve;
 use std::ops::ControlFlow;
 use std::sync::Arc;
 
-use crate::cgm::{Iteration, Settings, reduce};
+use crate::cgm::{Settings, reduce};
 use crate::error::{Error, Result};
 use crate::grid::field::Field;
 use crate::grid::window::Window;
@@ -34,6 +34,7 @@ use crate::memory::pool::PooledBuffer;
 use crate::normal::NormalSolution;
 use crate::observer::Observer;
 use crate::parallel;
+use crate::report::Iteration;
 use crate::report::Status;
 use crate::support::debug::shown;
 use crate::tangential::{Friction, TangentialModel};

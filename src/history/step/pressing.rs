@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::bodies::coupling::Coupling;
-use crate::cgm::{Iteration, reduce};
+use crate::cgm::reduce;
 use crate::coupled::SensitivityInput;
 use crate::error::{Error, Result};
 use crate::grid::field::Field;
@@ -12,6 +12,7 @@ use crate::history::{History, LoadStep, State};
 use crate::memory::fallible::{TryClone, try_each};
 use crate::normal::NormalControl;
 use crate::parallel::layout::Layout;
+use crate::report::Iteration;
 
 /// Largest number of steps of a load.
 const MOST_STEPS: usize = 1024;

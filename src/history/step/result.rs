@@ -156,14 +156,14 @@ impl StepResult {
     /// cell at the end of the step.
     #[doc(alias = "dissipated energy")]
     #[must_use]
-    pub fn dissipated_energy(&self) -> &Field {
+    pub fn dissipation(&self) -> &Field {
         &self.dissipated_energy
     }
 
     /// Returns the energy that each cell dissipates in the step, `-A (q_n + q_{n+1})/2 s`. It is computed from the mean
     /// of the tractions before and after the step. This energy closes the [`EnergyBalance`].
     #[must_use]
-    pub fn dissipated_energy_midpoint(&self) -> &Field {
+    pub fn dissipation_midpoint(&self) -> &Field {
         &self.dissipated_energy_midpoint
     }
 

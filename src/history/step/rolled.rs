@@ -26,7 +26,7 @@ use crate::tangential::{
 /// let friction = Friction::coulomb(0.3)?;
 /// let builder = History::builder(&bodies, &ball, friction).model(TangentialModel::Vector);
 /// let mut history = builder.build()?;
-/// history.step(&LoadStep::hold().normal(NormalControl::Force(1.0)))?;
+/// history.step(&LoadStep::hold().normal(NormalLoad::Force(1.0)))?;
 ///
 /// // The creepage is prescribed, and the force approaches the force of steady rolling.
 /// let rolling = Rolling::new(1).leading_edge(LeadingEdge::PlusX).creepage([0.05, 0.0]);

@@ -75,7 +75,7 @@ pub fn max_stable_cycles<'a>(
 /// let mut gap = surface::sphere(grid, 10.0)?;
 /// let mut history = History::builder(&bodies, &gap, Friction::coulomb(0.3)?).build()?;
 /// let fretting = FrettingLoop::new(LoadPath::triangle([0.1, 0.0], 4)?, |shift| {
-///     LoadStep::shift(shift).normal(NormalControl::Force(0.5))
+///     LoadStep::shift(shift).normal(NormalLoad::Force(0.5))
 /// });
 ///
 /// // The first cycle, from rest, is not representative of the following cycles.
@@ -84,7 +84,7 @@ pub fn max_stable_cycles<'a>(
 /// while done < 1000.0 {
 ///     fretting.cycle(&mut history, &mut cycle)?;
 ///     let mut depth = Field::zeros(grid);
-///     wear::energy(1e-2, cycle.dissipated_energy(), &mut depth)?;
+///     wear::energy(1e-2, cycle.dissipation(), &mut depth)?;
 ///     let jump = CycleJump::new(&bodies, &cycle, &depth)?
 ///         .largest_depth(0.05 * history.approach())
 ///         .cycles_left(1000.0 - done)

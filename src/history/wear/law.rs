@@ -43,8 +43,8 @@ pub fn archard<'a>(
 ///
 /// `coefficient` is alpha for one body, or the sum for both bodies. It is the volume removed per dissipated energy (one
 /// over a pressure). In gross slip alpha equals Archard's k over the coefficient of friction. `energy` is the energy
-/// that each cell dissipates in a [step](crate::history::StepResult::dissipated_energy) or a
-/// [cycle](crate::history::Cycle::dissipated_energy). See Fouvry, Kapsa & Vincent, Wear 200 (1996) 186,
+/// that each cell dissipates in a [step](crate::history::StepResult::dissipation) or a
+/// [cycle](crate::history::Cycle::dissipation). See Fouvry, Kapsa & Vincent, Wear 200 (1996) 186,
 /// <https://doi.org/10.1016/S0043-1648(96)07306-1>.
 ///
 /// # Errors
@@ -77,7 +77,7 @@ pub fn energy<'a>(
 /// in a step or cycle. The depths of the steps therefore sum to the law for the total energy.
 ///
 /// `threshold` e is the energy per area below which nothing wears. `accumulated` is the energy E that each cell has dissipated
-/// since the start, including the present step. [`History::dissipated_energy`](crate::history::History::dissipated_energy)
+/// since the start, including the present step. [`History::dissipation`](crate::history::History::dissipation)
 /// returns this energy after the step. `energy` is the energy of the step or cycle. Fouvry, Liskiewicz, Kapsa, Hannel & Sauger,
 /// Wear 255 (2003) 287, <https://doi.org/10.1016/S0043-1648(03)00117-0>, use the energy of the whole contact. In contrast, this
 /// function uses the energy of each cell.

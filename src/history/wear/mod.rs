@@ -16,11 +16,11 @@
 //! let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
 //! let mut gap = surface::sphere(grid, 10.0)?;
 //! let mut history = History::builder(&bodies, &gap, Friction::coulomb(0.3)?).build()?;
-//! history.step(&LoadStep::hold().normal(NormalControl::Force(0.5)))?;
+//! history.step(&LoadStep::hold().normal(NormalLoad::Force(0.5)))?;
 //! let before = history.pressure().max();
 //!
 //! let path = LoadPath::sine([0.4, 0.0], 8)?;
-//! let fretting = FrettingLoop::new(path, |shift| LoadStep::shift(shift).normal(NormalControl::Force(0.5)));
+//! let fretting = FrettingLoop::new(path, |shift| LoadStep::shift(shift).normal(NormalLoad::Force(0.5)));
 //! fretting.run_observed(&mut history, 2, |history, _| {
 //!     let slip = history.last_step().slip_distance();
 //!     wear::archard(1e-2, history.pressure(), slip, &mut gap)?;

@@ -14,14 +14,14 @@ use crate::parallel::ranks::{RankFailure, Ranks};
 /// use std::time::Duration;
 /// use stickslip::ranks::{Ranks, Threads};
 /// use stickslip::{
-///     Boundary, ElasticPair, Grid, HalfSpace, Material, NormalControl, NormalProblem, surface,
+///     Boundary, ElasticPair, Grid, HalfSpace, Material, NormalLoad, NormalProblem, surface,
 /// };
 ///
 /// let pair = ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?;
 /// let grid = Grid::square(96, 8.0)?;
 /// let press = |bodies: &HalfSpace| -> stickslip::Result<f64> {
 ///     let ball = surface::sphere(bodies.grid(), 10.0)?;
-///     let contact = NormalProblem::builder(bodies, &ball, NormalControl::Force(0.5)).build()?.solve()?;
+///     let contact = NormalProblem::builder(bodies, &ball, NormalLoad::Force(0.5)).build()?.solve()?;
 ///     Ok(contact.approach())
 /// };
 /// // Each of the three ranks stores a third of the ball.

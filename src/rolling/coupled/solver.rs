@@ -53,7 +53,7 @@ const TYPICAL: f64 = 0.7;
 ///     .into_solver()?;
 /// let mut rolling = solver.new_solution();
 /// for force in [0.1, 0.2, 0.3] {
-///     solver.set_control([RollingControl::Force(force), RollingControl::Creepage(0.0)], 0.0)?;
+///     solver.set_load([RollingControl::Force(force), RollingControl::Creepage(0.0)], 0.0)?;
 ///     let before = rolling.rolling().creepage()[0];
 ///     solver.solve_into(&mut rolling)?;
 ///     assert!((rolling.rolling().force()[0] - force).abs() < 1e-8);
@@ -200,7 +200,7 @@ impl CoupledRollingSolver {
     /// # Errors
     /// - [`Error::NotFinite`] or [`Error::UnsupportedByModel`] if a load is not finite or not supported. All loads are
     ///   then unchanged.
-    pub fn set_control(
+    pub fn set_load(
         &mut self,
         controls: [RollingControl; 2],
         spin: impl Into<SpinControl>,
@@ -216,7 +216,7 @@ impl CoupledRollingSolver {
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`] or [`Error::ApproachBeyondMeanGap`].
     ///   The load is then unchanged.
-    pub fn set_load(&mut self, normal: NormalLoad) -> Result<()> {
+    pub fn set_normal_load(&mut self, normal: NormalLoad) -> Result<()> {
         let RollingOptions { controls, spin, .. } = self.problem.options;
         self.problem.check(normal, controls, spin)?;
         self.problem.normal = normal;

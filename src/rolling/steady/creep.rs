@@ -35,7 +35,7 @@ impl RollingSolver {
     /// # let grid = Grid::square(24, 3.0)?;
     /// # let body = Material::from_shear_modulus(1.0, 0.25)?;
     /// # let bodies = HalfSpace::new(grid, ElasticPair::new(body, body)?)?;
-    /// # let (ball, load) = (surface::sphere(grid, 1.0)?, NormalControl::Force(1.0));
+    /// # let (ball, load) = (surface::sphere(grid, 1.0)?, NormalLoad::Force(1.0));
     /// # let normal = NormalProblem::builder(&bodies, &ball, load).build()?.solve()?;
     /// let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3)?).build()?;
     /// let curve = (0..=10).map(|step| [0.03 * f64::from(step), 0.0, 0.0]);
@@ -48,7 +48,7 @@ impl RollingSolver {
     /// ```
     ///
     /// # Errors
-    /// - The errors of [`set_control`](Self::set_control) for any of the points. All points are checked before the first
+    /// - The errors of [`set_load`](Self::set_load) for any of the points. All points are checked before the first
     ///   solve.
     /// - The errors of [`solve_into`](Self::solve_into) for the first point that fails.
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
@@ -79,7 +79,7 @@ impl RollingSolver {
         let mut solution = self.try_new_solution()?;
         let mut found = Vec::new();
         for [xi, eta, spin] in checked {
-            self.set_control(creepages(xi, eta), spin)?;
+            self.set_load(creepages(xi, eta), spin)?;
             self.solve_observed(&mut solution, &mut observer)?;
             let force = CreepForce {
                 creepage: [xi, eta],

@@ -104,7 +104,7 @@ impl RollingSolver {
     /// - The errors of [`NormalSolver::set_load`], [`NormalSolver::solve_into`] and [`set_pressure`](Self::set_pressure).
     ///
     /// The solver is unchanged after an error, but the next normal solve may start from a different pressure.
-    pub fn set_load(&mut self, load: NormalLoad) -> Result<()> {
+    pub fn set_normal_load(&mut self, load: NormalLoad) -> Result<()> {
         let Some(mut press) = self.engine.press.take() else {
             return Err(Error::UnsupportedByModel {
                 model: "a rolling solver without a normal solver",
@@ -127,7 +127,7 @@ impl RollingSolver {
         outcome
     }
 
-    /// Returns the normal contact computed by [`set_load`](Self::set_load), or `None` before the first load.
+    /// Returns the normal contact computed by [`set_normal_load`](Self::set_normal_load), or `None` before the first load.
     #[must_use]
     pub fn normal(&self) -> Option<&NormalSolution> {
         let press = self.engine.press.as_deref()?;

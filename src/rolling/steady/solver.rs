@@ -53,14 +53,14 @@ const SHARPEST: f64 = 2e-4;
 /// use stickslip::*;
 /// let grid = Grid::square(24, 3.0)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?)?;
-/// let (ball, load) = (surface::sphere(grid, 1.0)?, NormalControl::Force(4.0 / 3.0));
+/// let (ball, load) = (surface::sphere(grid, 1.0)?, NormalLoad::Force(4.0 / 3.0));
 /// let normal = NormalProblem::builder(&bodies, &ball, load).build()?.solve()?;
 /// let mut solver = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3)?)
 ///     .build()?
 ///     .into_solver()?;
 /// let mut rolling = solver.new_solution();
 /// for force in [0.1, 0.2, 0.3, 0.39] {
-///     solver.set_control([RollingControl::Force(force), RollingControl::Creepage(0.0)], 0.0)?;
+///     solver.set_load([RollingControl::Force(force), RollingControl::Creepage(0.0)], 0.0)?;
 ///     let before = rolling.creepage()[0];
 ///     solver.solve_into(&mut rolling)?;
 ///     assert!((rolling.force()[0] - force).abs() < 1e-9 && rolling.creepage()[0] > before);
@@ -287,7 +287,7 @@ impl RollingSolver {
     /// # Errors
     /// - [`Error::NotFinite`], [`Error::UnsupportedByModel`], [`Error::BeyondFrictionCapacity`] or
     ///   [`Error::BeyondFrictionMoment`]. All controls are then unchanged.
-    pub fn set_control(
+    pub fn set_load(
         &mut self,
         controls: [RollingControl; 2],
         spin: impl Into<SpinControl>,
@@ -303,7 +303,7 @@ impl RollingSolver {
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.
-    /// - The errors of [`set_control`](Self::set_control) for the current loads.
+    /// - The errors of [`set_load`](Self::set_load) for the current loads.
     /// - [`Error::NotFinite`] if the limits overflow.
     /// - [`Error::Memory`] if memory runs out.
     ///

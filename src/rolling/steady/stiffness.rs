@@ -44,7 +44,7 @@ impl RollingSolver {
     /// # let grid = Grid::square(24, 3.0)?;
     /// # let body = Material::from_shear_modulus(1.0, 0.25)?;
     /// # let bodies = HalfSpace::new(grid, ElasticPair::new(body, body)?)?;
-    /// # let (ball, load) = (surface::sphere(grid, 1.0)?, NormalControl::Force(1.0));
+    /// # let (ball, load) = (surface::sphere(grid, 1.0)?, NormalLoad::Force(1.0));
     /// # let normal = NormalProblem::builder(&bodies, &ball, load).build()?.solve()?;
     /// let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3)?).build()?;
     /// let stiffness = problem.into_solver()?.stiffness()?;
@@ -81,7 +81,13 @@ impl RollingSolver {
     /// Returns the existing linear problem, or creates it if there is none.
     pub(in crate::rolling) fn take_follow(&mut self) -> Result<RollingSensitivity> {
         self.engine.follow.take().map_or_else(
-            || LinearResponse::new(&*self.engine.operator, &*self.engine.inverse, self.engine.operator.layout()),
+            || {
+                LinearResponse::new(
+                    &*self.engine.operator,
+                    &*self.engine.inverse,
+                    self.engine.operator.layout(),
+                )
+            },
             Ok,
         )
     }

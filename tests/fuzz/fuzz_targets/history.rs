@@ -6,7 +6,7 @@ mod saved;
 use std::time::Duration;
 
 use stickslip::cgm::Settings;
-use stickslip::{History, LoadStep, NormalControl};
+use stickslip::{History, LoadStep, NormalLoad};
 
 libfuzzer_sys::fuzz_target!(|input: &[u8]| {
     let Ok(mut history) = History::from_bytes(&saved::BODIES, &saved::changed(input)) else {
@@ -17,6 +17,6 @@ libfuzzer_sys::fuzz_target!(|input: &[u8]| {
         .time_limit(Duration::from_secs(2));
     if history.set_settings(settings).is_ok() {
         let _ = history.step(&LoadStep::force([0.02, 0.0]));
-        let _ = history.step(&LoadStep::hold().normal(NormalControl::Force(0.2)));
+        let _ = history.step(&LoadStep::hold().normal(NormalLoad::Force(0.2)));
     }
 });

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use stickslip::{
     Axis, Coupling, ElasticPair, Friction, Grid, HalfSpace, History, LoadStep, Material,
-    NormalControl, Result, TangentialControl, TangentialModel, surface,
+    NormalLoad, Result, TangentialControl, TangentialModel, surface,
 };
 
 /// Number of bytes of the checksum at the end.
@@ -37,7 +37,7 @@ fn state(model: TangentialModel, coupling: Coupling) -> Result<Vec<u8>> {
         .model(model)
         .coupling(coupling)
         .build()?;
-    history.step(&LoadStep::hold().normal(NormalControl::Force(0.5)))?;
+    history.step(&LoadStep::hold().normal(NormalLoad::Force(0.5)))?;
     history.step(&LoadStep::hold().tangential(Axis::X, TangentialControl::Force(0.05)))?;
     Ok(history.to_bytes())
 }

@@ -7,7 +7,7 @@ use stickslip::influence::Direction::{X, Y, Z};
 use stickslip::influence::{Component, Rectangle};
 use stickslip::{
     Boundary, CellValue, EigenvalueBound, ElasticPair, Field, Grid, HalfSpace, Material,
-    NormalControl, NormalProblem, Operator, Scratch, surface,
+    NormalLoad, NormalProblem, Operator, Scratch, surface,
 };
 
 use super::{against_rigid, layer, parse_body};
@@ -157,7 +157,7 @@ fn stiff_coating_on_long_grid_has_an_eigenvalue_bound() {
             // A certificate that rests on an estimate is marked as estimated.
             let known = bodies.tensor_operator([Z]).unwrap().eigenvalue_bound();
             let gap = surface::sphere(grid, 50.0).unwrap();
-            let load = NormalControl::Approach(0.05);
+            let load = NormalLoad::Approach(0.05);
             let contact = NormalProblem::builder(&bodies, &gap, load).build();
             let contact = contact.unwrap().solve().unwrap();
             assert_eq!(contact.report().eigenvalue_bound, known);

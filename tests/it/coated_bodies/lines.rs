@@ -8,7 +8,7 @@ use stickslip::influence::Component;
 use stickslip::layers::Layer;
 use stickslip::{
     Boundary, CellValue, EigenvalueBound, ElasticPair, Error, Field, Friction, Grid, HalfSpace,
-    Material, NormalControl, NormalProblem, Operator, Scratch, TangentialControl, TangentialLoad,
+    Material, NormalLoad, NormalProblem, Operator, Scratch, TangentialControl, TangentialLoad,
     TangentialModel, TangentialProblem, surface,
 };
 
@@ -102,7 +102,7 @@ fn assert_independent_of_datum(strip: &CoatedStrip, method: Method, gap: &Field,
     let datums = [1.0, 1.5, 10.0, 1e4];
     let found = datums.map(|datum| {
         let bodies = strip.bodies(datum);
-        let normal = kit::press_by(&bodies, gap, NormalControl::Force(force), 1e-9, method);
+        let normal = kit::press_by(&bodies, gap, NormalLoad::Force(force), 1e-9, method);
         let displacement = normal.displacement(&bodies).unwrap();
         (normal, displacement)
     });
@@ -144,7 +144,7 @@ fn line_approach_requires_a_definite_compliance() {
         let datum = strip.length() * random.decade(0.0, 0.7);
         let bodies = strip.bodies(datum);
         let gap = surface::cylinder(strip.grid, strip.length()).unwrap();
-        let approach = NormalControl::Approach(0.1 * gap.max());
+        let approach = NormalLoad::Approach(0.1 * gap.max());
         let solve = |bodies: &HalfSpace| {
             let problem = NormalProblem::builder(bodies, &gap, approach);
             problem.build().unwrap().solve()
@@ -205,7 +205,7 @@ fn line_certificate_is_valid_for_any_datum() {
         for datum in datums {
             let bodies = strip.bodies(datum);
             let problem = |tolerance| {
-                let load = NormalControl::Force(force);
+                let load = NormalLoad::Force(force);
                 let problem = NormalProblem::builder(&bodies, &gap, load).tolerance(tolerance);
                 problem.build().unwrap().solve()
             };
@@ -270,7 +270,7 @@ fn line_traction_is_independent_of_the_datum() {
     let datums = [1.2, 3.0, 1e3];
     let pressed = datums.map(|datum| {
         let bodies = strip.bodies(datum);
-        let normal = press(&bodies, &gap, NormalControl::Force(0.05), 1e-10);
+        let normal = press(&bodies, &gap, NormalLoad::Force(0.05), 1e-10);
         (bodies, normal)
     });
     for (method, force, model) in [

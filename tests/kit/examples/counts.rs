@@ -8,7 +8,7 @@ use std::hint::black_box;
 use kit::benchmark::{BenchmarkCase, FRICTION, LOADING, ball};
 use stickslip::cgm::Method;
 use stickslip::influence::Component;
-use stickslip::{Field, Friction, History, LoadStep, NormalControl, Operator, TangentialModel};
+use stickslip::{Field, Friction, History, LoadStep, NormalLoad, Operator, TangentialModel};
 
 const TOLERANCE: f64 = 1e-8;
 
@@ -63,7 +63,7 @@ fn steps(model: TangentialModel, direction: [f64; 2], times: usize) -> stickslip
         .tolerance(TOLERANCE)
         .build()?;
     let force = LOADING * FRICTION * scene.force;
-    history.step(&LoadStep::hold().normal(NormalControl::Force(scene.force)))?;
+    history.step(&LoadStep::hold().normal(NormalLoad::Force(scene.force)))?;
     for _ in 0..=times {
         history.step(&LoadStep::force(direction.map(|n| force * n)))?;
         history.step(&LoadStep::force(direction.map(|n| -force * n)))?;

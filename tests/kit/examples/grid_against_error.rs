@@ -18,7 +18,7 @@ use kit::unit_pair;
 use plotters::prelude::*;
 use stickslip::analytical::{CattaneoMindlin, Cone, HertzSphere, Westergaard};
 use stickslip::{
-    Boundary, CellValue, Field, Friction, Grid, HalfSpace, NormalControl, NormalProblem, Result,
+    Boundary, CellValue, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, Result,
     TangentialLoad, TangentialProblem,
 };
 
@@ -192,7 +192,7 @@ impl ClosedFormCase {
         gap: &Field,
         (tolerance, with_edges): (f64, bool),
     ) -> Result<(f64, Field, f64)> {
-        let load = NormalControl::Force(self.force);
+        let load = NormalLoad::Force(self.force);
         let problem = NormalProblem::builder(bodies, gap, load);
         let mut presser = problem.tolerance(tolerance).build()?.into_solver()?;
         let mut contact = presser.new_solution();

@@ -14,7 +14,7 @@ use std::error::Error;
 use stickslip::analytical::HertzEllipse;
 use stickslip::rolling::{RollingControl, RollingProblem};
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem, Result,
+    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem, Result,
 };
 
 /// Numbers of cells across each axis of the ellipse on the coarsest and the finest grid, and the number of grids.
@@ -79,7 +79,7 @@ fn coefficients(ratio: f64, poisson: f64, cells: f64) -> Result<[f64; 5]> {
     let grid = Grid::new(across, across, 2.0 * a / cells, 2.0 * b / cells)?;
     let bodies = HalfSpace::new(grid, pair)?;
     let gap = Field::from_fn(grid, |x, y| 0.5 * (x * x / rx + y * y / ry));
-    let normal = NormalProblem::builder(&bodies, &gap, NormalControl::Force(hertz.load()))
+    let normal = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(hertz.load()))
         .build()?
         .solve()?;
     let mut solver = RollingProblem::builder(&bodies, &normal, Friction::coulomb(1.0)?)
@@ -87,7 +87,7 @@ fn coefficients(ratio: f64, poisson: f64, cells: f64) -> Result<[f64; 5]> {
         .into_solver()?;
     let mut rolling = solver.new_solution();
     let mut of = |creepage: [f64; 2], spin: f64| -> Result<([f64; 2], f64)> {
-        solver.set_control(creepage.map(RollingControl::Creepage), spin)?;
+        solver.set_load(creepage.map(RollingControl::Creepage), spin)?;
         solver.solve_into(&mut rolling)?;
         Ok((rolling.force(), rolling.moment()))
     };

@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 use kit::benchmark::{self, BenchmarkCase, FRICTION, LOADING};
 use stickslip::{
-    Friction, HalfSpace, History, LoadStep, NormalControl, NormalProblem, NormalSolution, Result,
+    Friction, HalfSpace, History, LoadStep, NormalLoad, NormalProblem, NormalSolution, Result,
     TangentialLoad, TangentialModel, TangentialProblem,
 };
 
@@ -117,7 +117,7 @@ impl FirstSolve for BenchmarkCase {
         let bodies = self.new_bodies()?;
         let builder = History::builder(&bodies, &self.gap, friction);
         let mut history = builder.model(model).build()?;
-        history.step(&LoadStep::hold().normal(NormalControl::Force(self.force)))?;
+        history.step(&LoadStep::hold().normal(NormalLoad::Force(self.force)))?;
         history.step(&LoadStep::force([LOADING * FRICTION * self.force, 0.0]))?;
         Ok(history)
     }
@@ -149,7 +149,7 @@ impl FirstSolve for BenchmarkCase {
 }
 
 fn press(case: &BenchmarkCase, bodies: &HalfSpace) -> Result<NormalSolution> {
-    let load = NormalControl::Force(case.force);
+    let load = NormalLoad::Force(case.force);
     NormalProblem::builder(bodies, &case.gap, load)
         .build()?
         .solve()

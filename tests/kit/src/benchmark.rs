@@ -4,7 +4,7 @@ use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::cgm::Method;
 use stickslip::surface::SelfAffine;
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, NormalProblem,
+    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
     NormalSolution, Result, TangentialLoad, TangentialProblem, surface,
 };
 
@@ -71,7 +71,7 @@ pub fn rough(cells: u16) -> Result<[BenchmarkCase; 3]> {
 
 impl BenchmarkCase {
     pub fn normal(&self, method: Method, tolerance: f64) -> Result<NormalProblem> {
-        let load = NormalControl::Force(self.force);
+        let load = NormalLoad::Force(self.force);
         NormalProblem::builder(&self.bodies, &self.gap, load)
             .method(method)
             .tolerance(tolerance)

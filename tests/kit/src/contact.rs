@@ -6,7 +6,7 @@ use std::fmt::Debug;
 use std::path::Path;
 
 use stickslip::{
-    Axis, ElasticPair, Field, Grid, LoadStep, Material, NormalControl, TangentialControl,
+    Axis, ElasticPair, Field, Grid, LoadStep, Material, NormalLoad, TangentialControl,
     TangentialLoad, Zone,
 };
 
@@ -167,10 +167,10 @@ impl Case {
 
 impl ReferenceStep {
     /// Returns the prescribed force or approach.
-    pub fn normal_control(&self) -> Option<NormalControl> {
+    pub fn normal_control(&self) -> Option<NormalLoad> {
         match self.normal {
-            Normal::Force(force) => Some(NormalControl::Force(force)),
-            Normal::Approach(approach) => Some(NormalControl::Approach(approach)),
+            Normal::Force(force) => Some(NormalLoad::Force(force)),
+            Normal::Approach(approach) => Some(NormalLoad::Approach(approach)),
             Normal::Pressure => None,
         }
     }

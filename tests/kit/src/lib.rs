@@ -37,9 +37,8 @@ use stickslip::rolling::{
 };
 use stickslip::tangential::{TangentialProblemBuilder, TangentialSolver};
 use stickslip::{
-    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
-    NormalProblem, NormalSolution, Operator, Result, TangentialLoad, TangentialProblem,
-    TangentialSolution,
+    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
+    NormalSolution, Operator, Result, TangentialLoad, TangentialProblem, TangentialSolution,
 };
 #[cfg(feature = "serde")]
 pub use {postcard, serde_json};
@@ -174,9 +173,9 @@ macro_rules! solvable {
 }
 
 solvable! {
-    NormalProblemBuilder<'_> => NormalSolver, NormalSolution;
+    NormalProblemBuilder => NormalSolver, NormalSolution;
     TangentialProblemBuilder<'_, '_> => TangentialSolver, TangentialSolution;
-    CoupledProblemBuilder<'_> => CoupledSolver, CoupledSolution;
+    CoupledProblemBuilder => CoupledSolver, CoupledSolution;
     RollingProblemBuilder<'_> => RollingSolver, RollingSolution;
     CoupledRollingProblemBuilder => CoupledRollingSolver, CoupledRollingSolution;
 }
@@ -193,19 +192,14 @@ pub fn solver<B: SolvableBuilder>(builder: B) -> B::Solver {
     builder.build_solver().unwrap()
 }
 
-pub fn press(
-    bodies: &HalfSpace,
-    gap: &Field,
-    load: NormalControl,
-    tolerance: f64,
-) -> NormalSolution {
+pub fn press(bodies: &HalfSpace, gap: &Field, load: NormalLoad, tolerance: f64) -> NormalSolution {
     solve(NormalProblem::builder(bodies, gap, load).tolerance(tolerance))
 }
 
 pub fn press_by(
     bodies: &HalfSpace,
     gap: &Field,
-    load: NormalControl,
+    load: NormalLoad,
     tolerance: f64,
     method: Method,
 ) -> NormalSolution {

@@ -1,7 +1,7 @@
 //! Smooth contacts of closed form, at any offset from the cells.
 
 use stickslip::analytical::HertzEllipse;
-use stickslip::{Field, Grid, NormalControl};
+use stickslip::{Field, Grid, NormalLoad};
 
 use crate::unit_pair;
 
@@ -143,8 +143,8 @@ impl Smooth {
         (self.pressure)(x, y)
     }
 
-    pub fn load(&self) -> NormalControl {
-        NormalControl::Force(self.force)
+    pub fn load(&self) -> NormalLoad {
+        NormalLoad::Force(self.force)
     }
 }
 

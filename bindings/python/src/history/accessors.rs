@@ -106,7 +106,7 @@ impl History {
     /// Energy that each cell dissipated since the start (not negative), a copy.
     #[getter]
     fn dissipated_energy<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        self.read(|history| copy(py, history.dissipated_energy()))
+        self.read(|history| copy(py, history.dissipation()))
     }
 
     /// Computes the displacement of body 1 relative to body 2 due to the tractions along x and y (lengths). The cost is
@@ -173,7 +173,7 @@ impl History {
     fn spots(&self, py: Python<'_>) -> PyResult<ContactSpots> {
         let work = lock(&self.work, NAME)?;
         let history = &work.history;
-        unobserved_on(py, self.grid(), || history.try_spots()).map(ContactSpots::of)
+        unobserved_on(py, self.grid(), || history.spots()).map(ContactSpots::of)
     }
 
     /// Returns the derivatives of the forces and the moment with respect to approach, shift and twist.

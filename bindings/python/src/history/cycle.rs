@@ -190,7 +190,7 @@ impl Cycle {
     /// Energy that each cell dissipated in the cycle (forces times lengths, not negative).
     #[getter]
     fn dissipated_energy<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        Ok(copy(py, self.lock()?.dissipated_energy()))
+        Ok(copy(py, self.lock()?.dissipation()))
     }
 
     /// Work, elastic energy and dissipation of the cycle.

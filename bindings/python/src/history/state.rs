@@ -163,7 +163,7 @@ impl State {
     /// Energy that each cell dissipated since the start (not negative).
     #[getter]
     fn dissipated_energy<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
-        view(slf, |state| state.0.dissipated_energy())
+        view(slf, |state| state.0.dissipation())
     }
 
     /// Zone of each cell: 0 separated, 1 stick, 2 slip.

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
-use stickslip::{NormalControl, cgm};
+use stickslip::{NormalLoad, cgm};
 
 use crate::choice::Choice;
 use crate::field::{Field, Samples};
@@ -55,7 +55,7 @@ use crate::work::unobserved_on;
 #[pyclass(frozen, module = "stickslip")]
 pub(crate) struct NormalProblem {
     problem: stickslip::NormalProblem,
-    load: NormalControl,
+    load: NormalLoad,
     gap: Arc<stickslip::Field>,
     recipe: Recipe,
 }

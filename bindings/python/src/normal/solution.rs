@@ -152,7 +152,7 @@ impl NormalSolution {
     #[getter]
     fn spots(&self, py: Python<'_>) -> PyResult<ContactSpots> {
         let solution = self.get();
-        unobserved_on(py, solution.grid(), || solution.try_spots()).map(ContactSpots::of)
+        unobserved_on(py, solution.grid(), || solution.spots()).map(ContactSpots::of)
     }
 
     /// Computes the normal displacement of all cells due to the pressure, summed over both bodies (lengths, positive into

@@ -4,7 +4,7 @@ use std::sync::{Arc, Mutex};
 
 use pyo3::prelude::*;
 use pyo3::types::PyTuple;
-use stickslip::{NormalControl, cgm};
+use stickslip::{NormalLoad, cgm};
 
 use crate::choice::Choice;
 use crate::field::Samples;
@@ -35,7 +35,7 @@ pub(crate) struct NormalSolver(Reused<stickslip::NormalSolver>, Mutex<SolverArgu
 
 /// Load and gap of the problem to be solved.
 struct SolverArguments {
-    load: NormalControl,
+    load: NormalLoad,
     gap: Arc<stickslip::Field>,
 }
 
@@ -44,7 +44,7 @@ impl SolverArguments {
     fn set(
         &mut self,
         solver: &mut stickslip::NormalSolver,
-        load: Option<NormalControl>,
+        load: Option<NormalLoad>,
         gap: Option<Arc<stickslip::Field>>,
     ) -> stickslip::Result<()> {
         match (load, gap) {
@@ -72,7 +72,7 @@ impl SolverArguments {
     /// Sets load and gap. Each new argument is checked together with the other new argument, and not with the previous
     /// data. A zero force is valid with any gap.
     fn set_both(&self, solver: &mut stickslip::NormalSolver) -> stickslip::Result<()> {
-        solver.set_load(NormalControl::Force(0.0))?;
+        solver.set_load(NormalLoad::Force(0.0))?;
         solver.set_gap(&self.gap)?;
         solver.set_load(self.load)
     }
@@ -82,7 +82,7 @@ impl NormalSolver {
     pub(super) fn of(
         py: Python<'_>,
         solver: impl FnOnce() -> stickslip::Result<stickslip::NormalSolver> + Send,
-        load: NormalControl,
+        load: NormalLoad,
         gap: Arc<stickslip::Field>,
     ) -> PyResult<Self> {
         let solver = Reused::new(py, gap.grid(), solver)?;
@@ -105,7 +105,7 @@ impl NormalSolver {
     fn change(
         &self,
         py: Python<'_>,
-        load: Option<NormalControl>,
+        load: Option<NormalLoad>,
         gap: Option<Samples<'_>>,
     ) -> PyResult<()> {
         let gap = self.gap(py, gap)?;

@@ -252,7 +252,7 @@ impl CoupledRollingSolver {
             if keywords.is_empty() {
                 return Ok(());
             }
-            let outcome = solver.set_control(keywords.controls(), keywords.spin());
+            let outcome = solver.set_load(keywords.controls(), keywords.spin());
             outcome.or_raise(py)
         };
         self.0.solve(py, set, progress, warn)
@@ -267,7 +267,9 @@ impl CoupledRollingSolver {
         approach: Option<Real>,
     ) -> PyResult<()> {
         let normal = load::needed(normal_force, approach)?;
-        self.0.with(|solver| solver.set_load(normal))?.or_raise(py)
+        self.0
+            .with(|solver| solver.set_normal_load(normal))?
+            .or_raise(py)
     }
 
     /// Sets the gap of the next solve (lengths).

@@ -81,7 +81,7 @@ impl RollingSolver {
             if keywords.is_empty() {
                 return Ok(());
             }
-            let outcome = solver.set_control(keywords.controls(), keywords.spin());
+            let outcome = solver.set_load(keywords.controls(), keywords.spin());
             outcome.or_raise(py)
         };
         self.0.solve(py, set, progress, warn)
@@ -136,7 +136,7 @@ impl RollingSolver {
         approach: Option<Real>,
     ) -> PyResult<()> {
         let load = load::needed(force, approach)?;
-        self.0.change(py, |solver| solver.set_load(load))
+        self.0.change(py, |solver| solver.set_normal_load(load))
     }
 
     /// Largest tangential force that friction can carry: the integral of the friction limit.

@@ -6,7 +6,7 @@ use stickslip::normal::Hardness;
 use stickslip::rolling::{CoupledRollingProblem, LeadingEdge, RollingControl, RollingProblem};
 use stickslip::subsurface::{Body, Tractions, at_points};
 use stickslip::{
-    Axis, ElasticPair, Field, Friction, Grid, HalfSpace, History, Material, NormalControl,
+    Axis, ElasticPair, Field, Friction, Grid, HalfSpace, History, Material, NormalLoad,
     NormalProblem, Result, TangentialModel, TangentialProblem,
 };
 
@@ -203,7 +203,7 @@ fn rolled_pair() -> Result<Vec<Row>> {
     let gap = Field::from_fn(grid, |x, _| 0.02 * x * x);
     let (friction, load) = (0.05, 16_201.9);
     let coulomb = Friction::coulomb(friction)?;
-    let force = NormalControl::Force(load);
+    let force = NormalLoad::Force(load);
     let found = CoupledRollingProblem::builder(&bodies, &gap, coulomb, force)
         .leading_edge(LeadingEdge::MinusX)
         .control(Axis::X, RollingControl::Force(0.75 * friction * load))
@@ -282,7 +282,7 @@ fn hardness() -> Result<Vec<Row>> {
     let body = Material::new(115_384.615_384_615_39, 0.0)?;
     let bodies = HalfSpace::new(grid, ElasticPair::new(body, Material::rigid())?)?;
     let gap = Field::from_vec(grid, column(0))?;
-    let found = NormalProblem::builder(&bodies, &gap, NormalControl::Force(60.0))
+    let found = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(60.0))
         .hardness(Hardness::uniform(1800.0)?)
         .tolerance(1e-12)
         .build()?

@@ -3,7 +3,7 @@
 use stickslip::analytical::{FlatPunch, HertzSphere, NoSlipPunch, NoSlipSphere, SpencePressing};
 use stickslip::{
     CoupledProblem, CoupledSolution, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace,
-    History, LoadStep, NormalControl, Result, TangentialLoad, TangentialModel, TangentialProblem,
+    History, LoadStep, NormalLoad, Result, TangentialLoad, TangentialModel, TangentialProblem,
     surface,
 };
 
@@ -61,7 +61,7 @@ fn one_way(
 }
 
 fn coupled((bodies, gap): &(HalfSpace, Field), friction: f64) -> Result<CoupledSolution> {
-    let (load, still) = (NormalControl::Force(1.0), TangentialLoad::shift([0.0; 2]));
+    let (load, still) = (NormalLoad::Force(1.0), TangentialLoad::shift([0.0; 2]));
     let friction = Friction::coulomb(friction)?;
     let problem = CoupledProblem::builder(bodies, gap, friction, load, still);
     problem.tolerance(1e-8).build()?.solve()
@@ -126,7 +126,7 @@ fn pressed_sphere(pair: &ElasticPair, friction: f64, steps: u32) -> Result<(Hist
     let mut history = builder.tolerance(1e-6).build()?;
     for step in 1..=steps {
         let radius = f64::from(step) / f64::from(steps);
-        let force = NormalControl::Force(whole * radius.powi(3));
+        let force = NormalLoad::Force(whole * radius.powi(3));
         history.step(&LoadStep::hold().normal(force))?;
     }
     Ok((history, whole))

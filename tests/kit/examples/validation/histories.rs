@@ -7,7 +7,7 @@ use stickslip::analytical::{
 };
 use stickslip::tangential::{JaegerSuperposition, RelativeDisplacement};
 use stickslip::{
-    Axis, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalControl, Result,
+    Axis, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalLoad, Result,
     TangentialControl, TangentialModel, surface,
 };
 
@@ -38,7 +38,7 @@ pub(crate) fn group() -> Result<Group> {
 fn pressed(bodies: &HalfSpace, gap: &Field, coefficient: f64, force: f64) -> Result<History> {
     let builder = History::builder(bodies, gap, Friction::coulomb(coefficient)?);
     let mut history = builder.tolerance(TOLERANCE).build()?;
-    history.step(&LoadStep::hold().normal(NormalControl::Force(force)))?;
+    history.step(&LoadStep::hold().normal(NormalLoad::Force(force)))?;
     Ok(history)
 }
 
@@ -123,7 +123,7 @@ fn bulk_cycle() -> Result<Vec<Row>> {
     let builder = History::builder(&bodies, &gap, Friction::coulomb(0.5)?);
     let builder = builder.relative_displacement(bulk).tolerance(TOLERANCE);
     let mut history = builder.build()?;
-    history.step(&LoadStep::hold().normal(NormalControl::Force(100.0)))?;
+    history.step(&LoadStep::hold().normal(NormalLoad::Force(100.0)))?;
     let load = LoadStep::force([force, 0.0]).relative_displacement(stress);
     let first = history.step(&load)?.energy().dissipated_energy;
     let error = relative(first, exact.energy_of_first_quarter());
@@ -147,7 +147,7 @@ fn twist() -> Result<Vec<Row>> {
     let builder = History::builder(&bodies, &gap, Friction::coulomb(friction)?);
     let builder = builder.model(TangentialModel::Vector).tolerance(TOLERANCE);
     let mut history = builder.build()?;
-    history.step(&LoadStep::hold().normal(NormalControl::Force(load)))?;
+    history.step(&LoadStep::hold().normal(NormalLoad::Force(load)))?;
     history.step(&LoadStep::hold().twist(angle))?;
     let quantities = [
         ("moment", relative(history.moment(), exact.moment())),
@@ -176,7 +176,7 @@ fn oblique_load() -> Result<Vec<Row>> {
     let mut history = pressed(&bodies, &gap, friction, 0.5 * whole)?;
     history.step(&LoadStep::force([force, 0.0]))?;
     let load = LoadStep::force([force + ratio * 0.4 * whole, 0.0]);
-    history.step(&load.normal(NormalControl::Force(0.9 * whole)))?;
+    history.step(&load.normal(NormalLoad::Force(0.9 * whole)))?;
     let pressures = [&before, &after].map(|contact| contact.pressure().as_slice());
     let expected: Vec<f64> = (sheared.traction().iter().zip(pressures[0]))
         .zip(pressures[1])
@@ -200,7 +200,7 @@ fn worn_ball() -> Result<Vec<Row>> {
     let grid = Grid::square(192, 2.6 * a)?;
     let bodies = HalfSpace::new(grid, Table2::pair())?;
     let gap = Field::from_fn(grid, |x, y| shape.profile(x.hypot(y)));
-    let control = NormalControl::Approach(approach);
+    let control = NormalLoad::Approach(approach);
     let found = kit::press(&bodies, &gap, control, TOLERANCE);
     Ok(rows(
         "worn ball, Popov (2014)",

@@ -6,7 +6,7 @@ use stickslip::analytical::{
 };
 use stickslip::rolling::{CoupledRollingProblem, RollingControl, RollingProblem};
 use stickslip::{
-    Axis, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, Result, surface,
+    Axis, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, Result, surface,
 };
 
 use crate::Group;
@@ -166,7 +166,7 @@ fn bentall_johnson() -> Result<Vec<Row>> {
     let one_way = rows(free_rollers, "264 x 1", test, quantities);
     let bodies = on(128)?;
     let gap = surface::cylinder(bodies.grid(), radius)?;
-    let force = NormalControl::Force(load);
+    let force = NormalLoad::Force(load);
     let coupled =
         CoupledRollingProblem::builder(&bodies, &gap, Friction::coulomb(friction)?, force)
             .control(Axis::X, still)

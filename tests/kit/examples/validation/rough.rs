@@ -8,7 +8,7 @@ use stickslip::analytical::{
 };
 use stickslip::surface::{self, SelfAffine};
 use stickslip::{
-    Boundary, ElasticPair, Field, Grid, HalfSpace, Material, NormalControl, NormalSolution, Result,
+    Boundary, ElasticPair, Field, Grid, HalfSpace, Material, NormalLoad, NormalSolution, Result,
 };
 
 use crate::Group;
@@ -120,7 +120,7 @@ fn rubber() -> Result<ElasticPair> {
 /// Presses a rough surface to a tolerance that is far below the discretisation error.
 fn press_rough(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     let method = stickslip::cgm::Method::ActiveSet;
-    kit::press_by(bodies, gap, NormalControl::Force(force), 1e-5, method)
+    kit::press_by(bodies, gap, NormalLoad::Force(force), 1e-5, method)
 }
 
 fn rough_ball() -> Result<Vec<Row>> {

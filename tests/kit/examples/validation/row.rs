@@ -5,8 +5,8 @@ use std::io;
 
 use stickslip::cgm::Method;
 use stickslip::{
-    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl,
-    NormalSolution, Result, TangentialLoad, TangentialSolution,
+    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalSolution,
+    Result, TangentialLoad, TangentialSolution,
 };
 
 /// Offsets of a contact relative to the cells, in cells.
@@ -102,7 +102,7 @@ pub(crate) fn line(cells: usize, width: f64, pair: &ElasticPair) -> Result<HalfS
 }
 
 pub(crate) fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
-    let load = NormalControl::Force(force);
+    let load = NormalLoad::Force(force);
     kit::press(bodies, gap, load, TOLERANCE)
 }
 

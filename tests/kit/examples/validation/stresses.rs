@@ -6,7 +6,7 @@ use stickslip::influence::{Rectangle, Tensor};
 use stickslip::layers::Layer;
 use stickslip::subsurface::{Body, Planes, Stress, Tractions, at_points};
 use stickslip::{
-    CellValue, ElasticPair, Field, Grid, HalfSpace, Material, NormalControl, Result, surface,
+    CellValue, ElasticPair, Field, Grid, HalfSpace, Material, NormalLoad, Result, surface,
 };
 
 use crate::Group;
@@ -286,7 +286,7 @@ fn coated_sphere() -> Result<Vec<Row>> {
         let grid = Grid::square(128, 3.1 * row[2] * hertz.contact_radius())?;
         let bodies = HalfSpace::new(grid, pair)?;
         let gap = surface::sphere(grid, hertz.radius())?;
-        let load = NormalControl::Force(1.0);
+        let load = NormalLoad::Force(1.0);
         let found = kit::press(&bodies, &gap, load, 1e-8);
         let approach = relative(found.approach(), row[4] * hertz.approach());
         let pressure = relative(found.pressure().max(), row[3] * hertz.max_pressure());
@@ -311,7 +311,7 @@ fn bonded_layer() -> Result<Vec<Row>> {
     let grid = Grid::square(192, 2.6 * approach.sqrt())?;
     let bodies = HalfSpace::new(grid, pair)?.with_cell_value(CellValue::Centre)?;
     let gap = Field::from_fn(grid, |x, y| 0.5 * (x * x + y * y));
-    let load = NormalControl::Approach(approach);
+    let load = NormalLoad::Approach(approach);
     let found = kit::press(&bodies, &gap, load, 1e-9);
     let first = 2.0 / std::f64::consts::PI * 1.770_216_773_4;
     let second = 7.0 / 6.0 * first * first;

@@ -2,7 +2,7 @@
 
 use stickslip::analytical::{FlatPunch, HertzSphere, Westergaard};
 use stickslip::{
-    Boundary, ElasticPair, Field, Grid, HalfSpace, Material, NormalControl, NormalProblem,
+    Boundary, ElasticPair, Field, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
     NormalSolution, Result, surface,
 };
 
@@ -28,7 +28,7 @@ fn flat_punch() -> Result<Row> {
         "flat punch, 128 x 128 cells",
         &bodies,
         &gap,
-        NormalControl::Force(1.0),
+        NormalLoad::Force(1.0),
         |solution| (solution.approach() / punch.approach() - 1.0, 0.01),
     )
 }
@@ -46,7 +46,7 @@ fn small_sphere() -> Result<Row> {
         "sphere, five cells across",
         &bodies,
         &gap,
-        NormalControl::Force(force),
+        NormalLoad::Force(force),
         |solution| (solution.approach() / hertz.approach() - 1.0, 0.02),
     )
 }
@@ -59,7 +59,7 @@ fn closed_wave() -> Result<Row> {
     let amplitude = 0.5 * (gap.max() - gap.min());
     let pressure =
         1.0001 * Westergaard::new(bodies.pair(), amplitude, 1.0, 1e-6)?.full_contact_pressure();
-    let load = NormalControl::Force(pressure * grid.area());
+    let load = NormalLoad::Force(pressure * grid.area());
     row("wave just pressed flat", &bodies, &gap, load, |solution| {
         let mean_gap = gap.integral() / grid.area();
         (solution.approach() / mean_gap - 1.0, 1e-9)
@@ -71,7 +71,7 @@ fn row(
     name: &str,
     bodies: &HalfSpace,
     gap: &Field,
-    load: NormalControl,
+    load: NormalLoad,
     error: impl Fn(&NormalSolution) -> (f64, f64),
 ) -> Result<Row> {
     let solution = NormalProblem::builder(bodies, gap, load).build()?.solve()?;

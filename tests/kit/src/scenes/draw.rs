@@ -5,7 +5,7 @@ use std::time::Duration;
 use stickslip::cgm::Settings;
 use stickslip::layers::Layer;
 use stickslip::{
-    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalControl, Result,
+    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, Result,
 };
 
 use super::{Demand, Expected, RandomScene, Shear, gaps};
@@ -79,7 +79,7 @@ fn scene_of(
     if random.chance(0.2) {
         let before = self::gap(grid, &mut random);
         let pressure = pair.contact_modulus() * random.decade(-6.0, 0.0);
-        scene = scene.after(before, NormalControl::Force(pressure * grid.area()));
+        scene = scene.after(before, NormalLoad::Force(pressure * grid.area()));
     }
     for _ in 0..random.integer(1, 2) {
         let mut shear = shear(grid, &mut random)?;
@@ -199,7 +199,7 @@ fn gap(grid: Grid, random: &mut Random) -> Field {
     gap
 }
 
-fn load(bodies: &HalfSpace, gap: &Field, random: &mut Random) -> (NormalControl, Expected) {
+fn load(bodies: &HalfSpace, gap: &Field, random: &mut Random) -> (NormalLoad, Expected) {
     let grid = bodies.grid();
     let span = gap.max() - gap.min();
     let mean = gap.integral() / grid.area();
@@ -218,14 +218,14 @@ fn load(bodies: &HalfSpace, gap: &Field, random: &mut Random) -> (NormalControl,
         } else {
             Expected::Refused("ApproachBeyondMeanGap")
         };
-        return (NormalControl::Approach(approach), expected);
+        return (NormalLoad::Approach(approach), expected);
     }
     let pressure = match random.integer(0, 3) {
         0 => random.decade(-14.0, 3.0),
         _ => random.decade(-6.0, 0.0),
     };
     let force = pressure * bodies.pair().contact_modulus() * grid.area();
-    (NormalControl::Force(force), Expected::Answer)
+    (NormalLoad::Force(force), Expected::Answer)
 }
 
 pub(crate) fn friction(grid: Grid, random: &mut Random) -> Result<Friction> {

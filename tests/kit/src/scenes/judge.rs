@@ -5,9 +5,10 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use stickslip::cgm::{Method, Report};
+use stickslip::Report;
+use stickslip::cgm::Method;
 use stickslip::{
-    Axis, Coupling, Field, NormalControl, NormalProblem, NormalSolution, NormalSolver, Result,
+    Axis, Coupling, Field, NormalLoad, NormalProblem, NormalSolution, NormalSolver, Result,
     TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution,
 };
 
@@ -79,7 +80,7 @@ impl Verifier {
         row.blame(!pressure.iter().all(|p| *p >= 0.0 && p.is_finite()), || {
             "a pressure is negative or not finite".to_owned()
         });
-        if let NormalControl::Force(force) = scene.load {
+        if let NormalLoad::Force(force) = scene.load {
             let missing = (solution.force() - force).abs();
             row.blame(missing > 1e-11 * force, || {
                 format!("the force is off by {missing:e} of {force:e}")
@@ -251,8 +252,8 @@ impl Verifier {
 }
 
 /// Changes the gap and the load. The load is zero in between, so that it cannot conflict with the gap.
-fn pose(solver: &mut NormalSolver, (gap, load): &(Field, NormalControl)) -> Result<()> {
-    solver.set_load(NormalControl::Force(0.0))?;
+fn pose(solver: &mut NormalSolver, (gap, load): &(Field, NormalLoad)) -> Result<()> {
+    solver.set_load(NormalLoad::Force(0.0))?;
     solver.set_gap(gap)?;
     solver.set_load(*load)
 }

@@ -3,12 +3,13 @@
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
-use stickslip::cgm::{Report, Settings};
+use stickslip::Report;
+use stickslip::cgm::Settings;
 use stickslip::normal::Hardness;
 use stickslip::{
     Boundary, CoupledProblem, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace,
-    History, LoadStep, Material, NormalControl, NormalProblem, NormalSolution, Result,
-    TangentialLoad, TangentialModel, TangentialProblem,
+    History, LoadStep, Material, NormalLoad, NormalProblem, NormalSolution, Result, TangentialLoad,
+    TangentialModel, TangentialProblem,
 };
 
 use super::draw::{self, PATIENCE};
@@ -229,8 +230,8 @@ impl Contact {
         })
     }
 
-    fn press(&self) -> NormalControl {
-        NormalControl::Force(self.force)
+    fn press(&self) -> NormalLoad {
+        NormalLoad::Force(self.force)
     }
 
     /// Solves the pressure and then the tractions, or the coupled problem.
@@ -357,7 +358,7 @@ impl Contact {
         let reach = self.reach();
         let force = |part: f64| LoadStep::force(self.direction.map(|n| n * part * capacity));
         let shift = |part: f64| LoadStep::shift(self.direction.map(|n| n * part * reach));
-        let press = |part: f64| NormalControl::Force(part * self.force);
+        let press = |part: f64| NormalLoad::Force(part * self.force);
         let turn = random.uniform(-0.9, 0.9);
         let steps = [
             ("press", LoadStep::hold().normal(press(1.0)), 0.0),

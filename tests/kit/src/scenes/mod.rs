@@ -15,7 +15,7 @@ pub mod targets;
 
 use stickslip::cgm::Method;
 use stickslip::cgm::Settings;
-use stickslip::{Field, Friction, HalfSpace, NormalControl, TangentialModel};
+use stickslip::{Field, Friction, HalfSpace, NormalLoad, TangentialModel};
 
 /// A normal contact, and the tangential contacts under its pressure.
 #[derive(Debug)]
@@ -23,11 +23,11 @@ pub(crate) struct RandomScene {
     pub(crate) name: String,
     pub(crate) bodies: HalfSpace,
     pub(crate) gap: Field,
-    pub(crate) load: NormalControl,
+    pub(crate) load: NormalLoad,
     pub(crate) settings: Settings,
     pub(crate) expected: Expected,
     /// Problem that the same solver solves first.
-    pub(crate) before: Option<(Field, NormalControl)>,
+    pub(crate) before: Option<(Field, NormalLoad)>,
     pub(crate) shears: Vec<Shear>,
 }
 
@@ -77,7 +77,7 @@ impl RandomScene {
         name: impl Into<String>,
         bodies: &HalfSpace,
         gap: Field,
-        load: NormalControl,
+        load: NormalLoad,
     ) -> Self {
         Self {
             name: name.into(),
@@ -101,7 +101,7 @@ impl RandomScene {
         self
     }
 
-    pub(crate) fn after(mut self, gap: Field, load: NormalControl) -> Self {
+    pub(crate) fn after(mut self, gap: Field, load: NormalLoad) -> Self {
         self.before = Some((gap, load));
         self
     }

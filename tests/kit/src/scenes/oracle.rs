@@ -6,7 +6,7 @@ use stickslip::cgm::{Bounds, Method, NonNegative};
 use stickslip::dense::DenseOperator;
 use stickslip::influence::Component;
 use stickslip::{
-    Axis, Boundary, Coupling, Friction, HalfSpace, NormalControl, NormalProblem, NormalSolution,
+    Axis, Boundary, Coupling, Friction, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
     Result, TangentialControl, TangentialLoad, TangentialProblem, TangentialSolution,
 };
 
@@ -52,13 +52,13 @@ pub(crate) fn pressure(
     let grid = scene.gap.grid();
     let is_periodic = scene.bodies.boundary() == Boundary::Periodic;
     let (datum, total) = match scene.load {
-        NormalControl::Force(force) => (scene.gap.min(), Some(force / grid.cell_area())),
+        NormalLoad::Force(force) => (scene.gap.min(), Some(force / grid.cell_area())),
         // The certified error is relative to the contact under the force found.
-        NormalControl::Approach(_) if is_periodic => {
+        NormalLoad::Approach(_) if is_periodic => {
             let total = found.pressure().as_slice().iter().sum();
             (scene.gap.min(), Some(total))
         }
-        NormalControl::Approach(approach) => (approach, None),
+        NormalLoad::Approach(approach) => (approach, None),
         _ => return None,
     };
     if grid.cells() <= dense_limit {
@@ -71,7 +71,7 @@ pub(crate) fn pressure(
         }
     }
     let load = match (scene.load, total) {
-        (NormalControl::Approach(_), Some(total)) => NormalControl::Force(total * grid.cell_area()),
+        (NormalLoad::Approach(_), Some(total)) => NormalLoad::Force(total * grid.cell_area()),
         (load, _) => load,
     };
     let solver = NormalProblem::builder(&scene.bodies, &scene.gap, load)

@@ -3,8 +3,8 @@
 use std::fmt;
 use std::time::Duration;
 
-use stickslip::cgm::{Report, Status};
 use stickslip::{Error, Result};
+use stickslip::{Report, Status};
 
 use super::Expected;
 use super::compliance::Compliance;

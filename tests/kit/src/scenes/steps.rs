@@ -5,7 +5,7 @@ use stickslip::cgm::{Bounds, Settings};
 use stickslip::influence::Component;
 use stickslip::{
     Axis, Boundary, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
-    LoadStep, Material, NormalControl, Result, TangentialControl, TangentialModel,
+    LoadStep, Material, NormalLoad, Result, TangentialControl, TangentialModel,
 };
 
 use super::compliance::Compliance;
@@ -68,7 +68,7 @@ impl LoadHistory {
             builder = builder.time_limit(limit);
         }
         let mut history = builder.build()?;
-        history.step(&LoadStep::hold().normal(NormalControl::Force(self.force)))?;
+        history.step(&LoadStep::hold().normal(NormalLoad::Force(self.force)))?;
         let first = limits(&self.friction, history.normal());
         let friction_capacity = first.iter().sum::<f64>() * history.grid().cell_area();
         let axis = history.axis().map(Axis::index);
@@ -86,7 +86,7 @@ impl LoadHistory {
                     along(*parts, axis, |part| TangentialControl::Shift(part * reach))
                 }
                 StepAction::Press(part) => {
-                    LoadStep::hold().normal(NormalControl::Force(part * self.force))
+                    LoadStep::hold().normal(NormalLoad::Force(part * self.force))
                 }
                 StepAction::Hold => LoadStep::hold(),
             };
@@ -358,7 +358,7 @@ pub(crate) fn story(index: u64) -> Result<LoadHistory> {
     let mut random = draw::random_of(index ^ 0x5eed);
     let grid = scene.gap.grid();
     let force = match scene.load {
-        NormalControl::Force(force) => force,
+        NormalLoad::Force(force) => force,
         _ => 1e-2 * scene.bodies.pair().contact_modulus() * grid.area(),
     };
     let is_in_plane = random.chance(0.4);

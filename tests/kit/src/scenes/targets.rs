@@ -2,7 +2,7 @@
 
 use stickslip::adaptive::{AdaptiveProblem, AdaptiveSolution, Quantity, Region};
 use stickslip::{
-    ElasticPair, Friction, Material, NormalControl, Result, TangentialLoad, TangentialModel,
+    ElasticPair, Friction, Material, NormalLoad, Result, TangentialLoad, TangentialModel,
 };
 
 use crate::Random;
@@ -107,7 +107,7 @@ impl TargetScene {
         let pair = ElasticPair::new(body, body)?;
         let gap = &self.gap;
         let gap = |x: f64, y: f64| gap(x, y);
-        let load = NormalControl::Force(1.0);
+        let load = NormalLoad::Force(1.0);
         let mut builder = AdaptiveProblem::builder(pair, &gap, load, self.region)
             .target(self.quantity, factor * self.target)
             .cell_limit(1 << 22);

@@ -12,8 +12,8 @@ pub fn bits(history: &History) -> Vec<u8> {
         x,
         y,
         step.slip_distance(),
-        step.dissipated_energy(),
-        step.dissipated_energy_midpoint(),
+        step.dissipation(),
+        step.dissipation_midpoint(),
     ];
     let samples = fields.into_iter().flat_map(Field::as_slice);
     let numbers = known(history);
@@ -81,7 +81,7 @@ pub fn cells(history: &History) -> Vec<[f64; 8]> {
         qx,
         qy,
         history.accumulated_slip(),
-        history.dissipated_energy(),
+        history.dissipation(),
         step.slip_distance(),
     ]
     .map(Field::as_slice);
@@ -135,7 +135,7 @@ impl Measured {
         into(&mut self.pressures, history.pressure(), pressure);
         into(&mut self.lengths, history.accumulated_slip(), length);
         into(&mut self.lengths, step.slip_distance(), length);
-        into(&mut self.energies, step.dissipated_energy(), energy);
+        into(&mut self.energies, step.dissipation(), energy);
         let vectors = |fields: [&Field; 2], group: &mut Vec<f64>, unit: f64| {
             for (axis, field) in pose.swapped(fields).into_iter().enumerate() {
                 let sign = pose.swapped(pose.signs)[axis] * pose.side();

@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use stickslip::cgm::{self, Method, NonNegative, Problem, Settings};
 use stickslip::influence::Component;
-use stickslip::{Error, NormalControl, Operator, Result, Scratch};
+use stickslip::{Error, NormalLoad, Operator, Result, Scratch};
 
 use super::super::compliance::Compliance;
 use super::super::oracle::matrix;
@@ -17,7 +17,7 @@ use crate::Random;
 pub(crate) fn starts() -> Result<Vec<Row>> {
     let bodies = free(20, 20)?;
     let gap = gaps::bowl(bodies.grid(), 40.0);
-    let NormalControl::Force(force) = press(&bodies, 0.01) else {
+    let NormalLoad::Force(force) = press(&bodies, 0.01) else {
         return Ok(Vec::new());
     };
     let cells = bodies.grid().cells();

@@ -2,7 +2,7 @@
 
 use std::f64::consts::FRAC_PI_4;
 
-use stickslip::{Field, Friction, NormalControl, Result};
+use stickslip::{Field, Friction, NormalLoad, Result};
 
 use super::super::{Demand, Expected, RandomScene, Shear, gaps};
 use super::{free, periodic, press, suffix};
@@ -23,7 +23,7 @@ pub(crate) fn loads() -> Result<Vec<RandomScene>> {
     }
     for (parts, bodies) in [(0.6, free(20, 20)?), (0.03, periodic(20, 20)?)] {
         let gap = gaps::waves(bodies.grid(), [0.3, 0.3]);
-        let load = NormalControl::Approach(parts);
+        let load = NormalLoad::Approach(parts);
         let name = format!("prescribed approach{}", suffix(bodies.boundary()));
         scenes.push(RandomScene::new(name, &bodies, gap, load).sheared(0.5, 0.6)?);
     }

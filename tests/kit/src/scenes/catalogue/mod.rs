@@ -5,7 +5,7 @@ mod engine;
 mod loads;
 
 use stickslip::cgm::Method;
-use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Material, NormalControl, Result};
+use stickslip::{Boundary, ElasticPair, Grid, HalfSpace, Material, NormalLoad, Result};
 
 use super::judge::Verifier;
 use super::row::Row;
@@ -54,8 +54,8 @@ pub(crate) fn periodic(nx: usize, ny: usize) -> Result<HalfSpace> {
 }
 
 /// Returns a force with this mean pressure over the whole grid, as a fraction of the contact modulus.
-pub(crate) fn press(bodies: &HalfSpace, part: f64) -> NormalControl {
-    NormalControl::Force(part * bodies.pair().contact_modulus() * bodies.grid().area())
+pub(crate) fn press(bodies: &HalfSpace, part: f64) -> NormalLoad {
+    NormalLoad::Force(part * bodies.pair().contact_modulus() * bodies.grid().area())
 }
 
 /// Returns the part of a name that describes the boundary.
