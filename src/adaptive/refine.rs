@@ -24,6 +24,8 @@ const FIRST_CELLS: f64 = 24.0;
 const FIRST_LINE_CELLS: f64 = 48.0;
 /// Limits of the ratio of the cells along a side of two successive grids.
 const GROWTH: [f64; 2] = [1.5, 4.0];
+/// Least ratio of the cells along a side for which a grid at a limit is solved.
+const LEAST_GROWTH: f64 = 1.2;
 /// Order of convergence that predicts the next grid.
 const ORDER: f64 = 1.7;
 /// Tolerance of a solve divided by the smallest target.
@@ -69,7 +71,7 @@ pub(super) fn solve(
         let is_cancelled = observer(&record).is_break();
         records.push(record);
         let worst = worst_ratio(&estimates);
-        let next = match worst {
+        let mut next = match worst {
             Some(ratio) => grown(sizes, ratio),
             None => grown(balanced(problem, sizes, normal), grid.first_ratio(problem)),
         };
@@ -78,7 +80,7 @@ pub(super) fn solve(
         } else if is_cancelled {
             Some(AdaptiveStatus::Cancelled)
         } else {
-            limit(problem, extent, next, start)
+            limited(problem, extent, sizes, &mut next, start)
         };
         if let Some(status) = status {
             return Ok(AdaptiveSolution {
@@ -97,25 +99,49 @@ pub(super) fn solve(
     }
 }
 
-/// Returns the reason why the next grid is not permitted.
-fn limit(
+/// Reduces the next grid to the limits of the cells. Returns the reason why no further grid is permitted, if any.
+fn limited(
     problem: &AdaptiveProblem<'_>,
     extent: Extent,
-    next: [f64; 2],
+    sizes: [f64; 2],
+    next: &mut [f64; 2],
     start: Instant,
 ) -> Option<AdaptiveStatus> {
     let is_late = |limit| start.elapsed() >= limit;
     if problem.time_limit.is_some_and(is_late) {
         return Some(AdaptiveStatus::TimeLimit);
     }
-    let [nx, ny] = whole_cells(next);
-    if nx.saturating_mul(ny) > problem.cell_limit {
-        return Some(AdaptiveStatus::CellLimit);
+    let wanted = *next;
+    let mut status = None;
+    let is_refined = wanted.map(|size| size > 1.0);
+    let axes = is_refined.iter().filter(|is_refined| **is_refined).count();
+    // The numbers of cells are rounded up to even numbers.
+    let limit = problem.cell_limit as f64 / ((wanted[0] + 2.0) * (wanted[1] + 2.0));
+    if limit < 1.0 {
+        let factor = limit.powf(1.0 / axes as f64);
+        *next = scaled(wanted, [factor; 2]);
+        status = Some(AdaptiveStatus::CellLimit);
     }
-    let spacing = problem.gap.sample_spacing()?;
-    let sides = extent.sides();
-    let is_below = |axis: usize| sides[axis] < spacing[axis] * (next[axis] - 0.5);
-    (is_below(0) || is_below(1)).then_some(AdaptiveStatus::SampleSpacing)
+    if let Some(spacing) = problem.gap.sample_spacing() {
+        let sides = extent.sides();
+        let most = [0, 1].map(|axis| 2.0 * (0.5 * sides[axis] / spacing[axis]).floor());
+        let factors = [0, 1].map(|axis| (most[axis] / next[axis]).min(1.0));
+        if factors != [1.0; 2] {
+            *next = scaled(*next, factors);
+            status = Some(AdaptiveStatus::SampleSpacing);
+        }
+    }
+    let is_finer = (0..2).any(|axis| next[axis] > LEAST_GROWTH * sizes[axis]);
+    status.filter(|_| !is_finer)
+}
+
+/// Multiplies the numbers of cells along the axes that are refined.
+fn scaled(sizes: [f64; 2], factors: [f64; 2]) -> [f64; 2] {
+    let scaled = |axis: usize| match sizes[axis] {
+        size if size > 1.0 => (factors[axis] * size).max(2.0),
+        size => size,
+    };
+    [scaled(0), scaled(1)]
 }
 
 fn first_cells(problem: &AdaptiveProblem<'_>) -> [f64; 2] {
@@ -145,7 +171,7 @@ fn whole_cells(sizes: [f64; 2]) -> [usize; 2] {
 /// Returns the numbers of cells of the next grid, for the ratio of the errors to their targets.
 fn grown(sizes: [f64; 2], ratio: f64) -> [f64; 2] {
     let factor = (1.2 * ratio).powf(1.0 / ORDER).clamp(GROWTH[0], GROWTH[1]);
-    sizes.map(|size| if size > 1.0 { factor * size } else { size })
+    scaled(sizes, [factor; 2])
 }
 
 /// Returns numbers of cells for which the errors due to both sides of the cells are similar. The second differences of the

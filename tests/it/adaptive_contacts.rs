@@ -89,7 +89,7 @@ fn cone_reaches_its_target_under_force_and_approach() {
 }
 
 #[test]
-fn shear_and_first_step_reach_the_stick_ratio_of_cattaneo_and_mindlin() {
+fn shear_slips_at_the_edge_and_a_proportional_first_step_sticks() {
     let body = Material::new(213e9, 0.0).unwrap();
     let pair = ElasticPair::new(body, body).unwrap();
     let hertz = HertzSphere::new(&pair, RADIUS, FORCE).unwrap();
@@ -111,8 +111,10 @@ fn shear_and_first_step_reach_the_stick_ratio_of_cattaneo_and_mindlin() {
 
     let step = LoadStep::hold().tangential(Axis::X, TangentialControl::Force(20.0));
     let first = solved(problem().first_step(friction, step));
-    let stick_ratio = first.edges().unwrap().unwrap().stick_ratio();
-    assert!((stick_ratio - exact.stick_ratio()).abs() <= target);
+    // Under a proportional load with a ratio of 0.2 below the coefficient of friction, all cells stick (Mindlin and
+    // Deresiewicz).
+    let stick_ratio = first.history().unwrap().last_step().stick_ratio();
+    assert!(stick_ratio > 0.99, "{stick_ratio}");
     let mut history = first.into_history().unwrap();
     history.step(&LoadStep::force([0.0, 0.0])).unwrap();
     assert!(
@@ -198,7 +200,11 @@ fn limits_end_the_refinement_with_a_warning() {
     let limited = limited.cell_limit(4096).build().unwrap().solve().unwrap();
     assert_eq!(limited.status(), AdaptiveStatus::CellLimit);
     assert!(limited.estimate(Quantity::Pressure).unwrap() > 1e-6);
-    assert!(limited.grid().cells() <= 4096);
+    let cells = limited.grid().cells();
+    assert!(
+        (2500..=4096).contains(&cells),
+        "the last grid uses the limit: {cells}"
+    );
     let warnings = limited.warnings().unwrap();
     assert!(
         warnings
