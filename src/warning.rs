@@ -257,15 +257,7 @@ impl std::fmt::Display for Warning {
                 "the step kept the shift and lost {per_cent} % of the tangential force, expected at most 50 %: to keep the force, prescribe it in each step"
             ),
             Self::NeglectedLift { per_million } => write_lift(formatter, *per_million),
-            Self::AccuracyNotReached { tenths: 0 } => formatter.write_str(
-                "a limit ended the refinement after the first grid, so that no error is estimated: raise the limit of cells or time",
-            ),
-            Self::AccuracyNotReached { tenths } => write!(
-                formatter,
-                "a limit ended the refinement at {}.{} times the required error: raise the limit of cells or time, or the target",
-                tenths / 10,
-                tenths % 10
-            ),
+            Self::AccuracyNotReached { tenths } => write_accuracy(formatter, *tenths),
         }
     }
 }
@@ -277,6 +269,21 @@ fn write_lift(formatter: &mut std::fmt::Formatter<'_>, per_million: usize) -> st
         "tractions displace the surfaces of dissimilar bodies by {}.{:04} % of the normal displacement, which the pressure neglects: use coupled rolling, or a history with full coupling",
         per_million / 10_000,
         per_million % 10_000
+    )
+}
+
+/// Writes the warning about the accuracy of an adaptive contact.
+fn write_accuracy(formatter: &mut std::fmt::Formatter<'_>, tenths: usize) -> std::fmt::Result {
+    if tenths == 0 {
+        return formatter.write_str(
+            "a limit ended the refinement after the first grid, so that no error is estimated: raise the limit of cells or time",
+        );
+    }
+    write!(
+        formatter,
+        "a limit ended the refinement at {}.{} times the required error: raise the limit of cells or time, or the target",
+        tenths / 10,
+        tenths % 10
     )
 }
 

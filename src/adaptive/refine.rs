@@ -6,7 +6,7 @@ use super::gap::evaluate;
 use super::measures::{FrictionMeasures, Measures, Quantity, unresolved_pressure};
 use super::problem::{AdaptiveProblem, Shear, ShearLoad};
 use super::region::Extent;
-use super::search::{ContactBox, gap_inside_cells, least_gaps, locate, overlap_outside};
+use super::search::{ContactBox, gap_inside_cells, locate, overlap_outside};
 use super::solution::{AdaptiveSolution, AdaptiveStatus, Estimate, GridRecord, SolvedContact};
 use crate::error::Result;
 use crate::grid::cell_value::CellValue;
@@ -126,7 +126,7 @@ fn limited(
         let sides = extent.sides();
         let most = [0, 1].map(|axis| 2.0 * (0.5 * sides[axis] / spacing[axis]).floor());
         let factors = [0, 1].map(|axis| (most[axis] / next[axis]).min(1.0));
-        if factors != [1.0; 2] {
+        if factors.iter().any(|factor| *factor < 1.0) {
             *next = scaled(*next, factors);
             status = Some(AdaptiveStatus::SampleSpacing);
         }
@@ -234,8 +234,7 @@ impl OneGrid {
         let gap = evaluate(problem.gap, &extent.positions(cells, [1, 1]))?;
         let gap = Field::from_vec(grid, gap)?;
         let (contact, friction) = solve_contact(problem, &bodies, &gap)?;
-        let least = least_gaps(problem, extent, cells)?.min();
-        let measures = Measures::new(extent, contact.normal(), least, friction)?;
+        let measures = Measures::new(extent, contact.normal(), gap.min(), friction)?;
         Ok(Self {
             bodies,
             gap,
@@ -323,7 +322,7 @@ fn solve_contact(
     let tolerance = tolerance(problem);
     let Some(Shear { friction, load }) = &problem.friction else {
         let normal = press(problem, bodies, gap, tolerance)?;
-        return Ok((SolvedContact::Normal(normal), None));
+        return Ok((SolvedContact::Normal(Box::new(normal)), None));
     };
     match load {
         ShearLoad::AfterPressing(load) => {

@@ -146,7 +146,7 @@ fn search_cells(problem: &AdaptiveProblem<'_>) -> [usize; 2] {
 }
 
 /// Returns the least gap in each cell of a grid, among points inside the cell.
-pub(super) fn least_gaps(
+fn least_gaps(
     problem: &AdaptiveProblem<'_>,
     extent: Extent,
     cells: [usize; 2],

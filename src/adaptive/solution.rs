@@ -72,7 +72,7 @@ shown!(AdaptiveSolution: grid(), centre(), status, estimates);
 
 /// Contact on one grid.
 pub(super) enum SolvedContact {
-    Normal(NormalSolution),
+    Normal(Box<NormalSolution>),
     Sheared(Box<(NormalSolution, TangentialSolution, Friction)>),
     #[cfg(feature = "history")]
     Step(Box<History>),

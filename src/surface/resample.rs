@@ -105,8 +105,7 @@ pub(crate) fn interpolate(
         for ((stencil, &reach), (axis, count, side)) in stencils.iter_mut().zip(position).zip(axes)
         {
             let limit = 0.5 * count as f64 * side;
-            // This form of the comparison rejects NaN.
-            if !(reach.abs() <= limit + SLACK * side) {
+            if reach.is_nan() || reach.abs() > limit + SLACK * side {
                 return Err(Error::BeyondSamples { axis, reach, limit });
             }
             let middle = 0.5 * (count - 1) as f64;
