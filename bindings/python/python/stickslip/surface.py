@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ._enums import Amplitudes
+from ._enums import Amplitudes, Interpolation
 from ._stickslip import (
     Field,
     Filled,
@@ -80,6 +80,7 @@ __all__ = [
     "Amplitudes",
     "Filled",
     "Filtered",
+    "Interpolation",
     "Levelled",
     "PowerSpectrum",
     "RoughSurface",
