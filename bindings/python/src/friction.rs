@@ -87,8 +87,10 @@ impl FromPyObject<'_, '_> for GridlessFriction {
     type Error = PyErr;
 
     #[cfg(feature = "stubs")]
-    const INPUT_TYPE: PyStaticExpr =
-        type_hint_union!(Friction::TYPE_HINT, <f64 as FromPyObject<'_, '_>>::INPUT_TYPE);
+    const INPUT_TYPE: PyStaticExpr = type_hint_union!(
+        Friction::TYPE_HINT,
+        <f64 as FromPyObject<'_, '_>>::INPUT_TYPE
+    );
 
     fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
         if let Ok(friction) = object.cast::<Friction>() {

@@ -277,7 +277,9 @@ fn in_pool<T: Send, S: Stage>(
                 break;
             }
             if interruption.is_none() {
-                let seen = stage.as_ref().map_or(Ok(()), |stage| called(py, callback, stage));
+                let seen = stage
+                    .as_ref()
+                    .map_or(Ok(()), |stage| called(py, callback, stage));
                 interruption = seen.and_then(|()| py.check_signals()).err();
                 exchange
                     .stop

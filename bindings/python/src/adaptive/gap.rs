@@ -6,9 +6,9 @@ use std::sync::{Arc, Mutex, PoisonError};
 use numpy::{PyArray1, PyReadonlyArrayDyn, PyUntypedArrayMethods};
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
+use pyo3::types::PyDict;
 #[cfg(feature = "stubs")]
 use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_identifier, type_hint_union};
-use pyo3::types::PyDict;
 use stickslip::adaptive::{GapFunction, GridRecord, SampledGap};
 use stickslip::surface::Interpolation;
 use stickslip::{Error, Result};
@@ -132,18 +132,15 @@ impl GapFunction for ObservedGap<'_, '_> {
 }
 
 /// Evaluates a Python function at the given positions.
-fn evaluate(
-    function: &Bound<'_, PyAny>,
-    positions: &[[f64; 2]],
-    gaps: &mut [f64],
-) -> PyResult<()> {
+fn evaluate(function: &Bound<'_, PyAny>, positions: &[[f64; 2]], gaps: &mut [f64]) -> PyResult<()> {
     let py = function.py();
-    let along = |axis: usize| {
-        PyArray1::from_iter(py, positions.iter().map(|position| position[axis]))
-    };
+    let along =
+        |axis: usize| PyArray1::from_iter(py, positions.iter().map(|position| position[axis]));
     let found = function.call1((along(0), along(1)))?;
     is_real(&found, "gap(x, y)")?;
-    let array = py.import("numpy")?.call_method1("asarray", (filled(&found)?, "float64"))?;
+    let array = py
+        .import("numpy")?
+        .call_method1("asarray", (filled(&found)?, "float64"))?;
     let array: PyReadonlyArrayDyn<'_, f64> = array.extract()?;
     if array.shape() != [positions.len()] {
         let shape = array.getattr("shape")?;
@@ -165,7 +162,10 @@ fn evaluate(
 fn infinite(py: Python<'_>, index: usize, [x, y]: [f64; 2], gap: f64) -> PyResult<PyErr> {
     let rule = "must be finite at every position of the region";
     let [gap_text, x, y] = [gap, x, y].map(|number| as_python(py, number));
-    let message = format!("gap(x, y) is {} at x = {}, y = {}, but {rule}", gap_text?, x?, y?);
+    let message = format!(
+        "gap(x, y) is {} at x = {}, y = {}, but {rule}",
+        gap_text?, x?, y?
+    );
     let attributes = PyDict::new(py);
     attributes.set_item("quantity", "gap")?;
     attributes.set_item("index", index)?;

@@ -30,7 +30,9 @@ fn errors(estimates: &[Estimate]) -> OfQuantities {
 
 /// Formats the estimated errors that have a target.
 fn shown(estimates: &[Estimate]) -> String {
-    let required = estimates.iter().filter(|estimate| estimate.target.is_some());
+    let required = estimates
+        .iter()
+        .filter(|estimate| estimate.target.is_some());
     let error = |estimate: &Estimate| {
         let name = Choice(estimate.quantity).name();
         format!("'{name}': {}", rough(estimate.error))
@@ -160,7 +162,8 @@ impl AdaptiveSolution {
     fn tangential(&self, py: Python<'_>) -> PyResult<Option<Py<TangentialSolution>>> {
         let made = self.tangential.get_or_try_init(py, || {
             let solution = self.solution.tangential().cloned();
-            let made = solution.map(|solution| Py::new(py, TangentialSolution::from(Arc::new(solution))));
+            let made =
+                solution.map(|solution| Py::new(py, TangentialSolution::from(Arc::new(solution))));
             made.transpose()
         })?;
         Ok(made.as_ref().map(|made| made.clone_ref(py)))
@@ -207,8 +210,14 @@ impl AdaptiveSolution {
             // Coated bodies have no edges inside the cells.
             Err(Error::UnsupportedForCoatings { .. }) => {
                 let solution = &self.solution;
-                let of_load = solution.tangential().map(stickslip::TangentialSolution::stick_ratio);
-                let of_step = || solution.history().map(|history| history.last_step().stick_ratio());
+                let of_load = solution
+                    .tangential()
+                    .map(stickslip::TangentialSolution::stick_ratio);
+                let of_step = || {
+                    solution
+                        .history()
+                        .map(|history| history.last_step().stick_ratio())
+                };
                 Ok(of_load.or_else(of_step))
             }
             Err(error) => Err(error).or_raise(py),
@@ -254,7 +263,12 @@ impl AdaptiveSolution {
     /// The grids of all solves after the search for the contact, in order.
     #[getter]
     fn grids(&self) -> Vec<GridRecord> {
-        self.solution.grids().iter().cloned().map(GridRecord).collect()
+        self.solution
+            .grids()
+            .iter()
+            .cloned()
+            .map(GridRecord)
+            .collect()
     }
 
     /// Returns the difference of a quantity from a solution on a finer grid, in the definition of :class:`Quantity`. The

@@ -4,9 +4,7 @@ use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 #[cfg(feature = "stubs")]
-use pyo3::{
-    inspect::PyStaticExpr, type_hint_identifier, type_hint_subscript, type_hint_union,
-};
+use pyo3::{inspect::PyStaticExpr, type_hint_identifier, type_hint_subscript, type_hint_union};
 use stickslip::adaptive::Quantity;
 
 use crate::choice::Choice;
@@ -79,8 +77,7 @@ impl Target {
             // This form of the comparison rejects NaN.
             if !(target > 0.0 && target < 1.0) {
                 let given = as_python(py, target)?;
-                let message =
-                    format!("target must lie strictly between 0 and 1, got {given}");
+                let message = format!("target must lie strictly between 0 and 1, got {given}");
                 let numbers = PyDict::new(py);
                 numbers.set_item("value", target)?;
                 return Err(named(py, "Tolerance", &message, &numbers)?);
