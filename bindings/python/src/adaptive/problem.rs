@@ -67,8 +67,7 @@ use crate::work::solve_in_stages;
 /// model : TangentialModel or str, default "scalar"
 ///     "scalar" computes the traction along the axis of the load, "vector" both components.
 /// coupling : Coupling or str, optional
-///     Coupling for bodies of different materials. The default is the default of a :class:`~stickslip.TangentialProblem`, or
-///     of a :class:`~stickslip.History` with ``first_step``.
+///     Coupling for bodies of different materials: by default "one_way", or "full" with ``first_step``.
 /// cell_limit : int, default 1048576
 ///     The largest number of cells of a grid, at least 1024.
 /// time_limit : float, optional
@@ -273,9 +272,7 @@ impl AdaptiveProblem {
     ///
     /// Notes
     /// -----
-    /// The exceptions of :class:`~stickslip.NormalProblem`, :class:`~stickslip.TangentialProblem` and
-    /// :meth:`History.step <stickslip.History.step>` can also occur, such as
-    /// :class:`~stickslip.errors.BeyondFrictionCapacity`.
+    /// Exceptions of the contact on a grid can also occur, such as :class:`~stickslip.errors.BeyondFrictionCapacity`.
     #[pyo3(signature = (*, progress=None, warn=true))]
     fn solve(
         &self,

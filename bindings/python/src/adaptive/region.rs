@@ -20,8 +20,7 @@ pub(crate) enum Ends {
     Line([f64; 2], f64),
 }
 
-/// Region of the surface where contact may occur, in the coordinates of the gap. A region is created by
-/// :meth:`rectangle`, :meth:`periodic` or :meth:`line`.
+/// Region of the surface where contact may occur, in the coordinates of the gap. Its static methods create a region.
 ///
 /// The grid of an :class:`AdaptiveProblem` covers only the part of the region where the bodies touch. Along a periodic
 /// axis, it covers the whole region.
@@ -53,7 +52,7 @@ impl Region {
 
 #[pymethods]
 impl Region {
-    /// Creates the rectangle from ``x[0]`` to ``x[1]`` and from ``y[0]`` to ``y[1]``, on bodies that extend beyond it.
+    /// Creates a rectangle with these ends. The bodies extend beyond it.
     ///
     /// Parameters
     /// ----------
@@ -83,7 +82,7 @@ impl Region {
         Self::checked(py, Ends::Periodic([x.0, y.0]))
     }
 
-    /// Creates the part from ``x[0]`` to ``x[1]`` of a line contact in plane strain. All forces are per unit length.
+    /// Creates a part of a line contact in plane strain. All forces are per unit length.
     ///
     /// Parameters
     /// ----------

@@ -247,8 +247,7 @@ impl AdaptiveSolution {
         self.solution.status() == AdaptiveStatus::Reached
     }
 
-    /// Estimated errors of all quantities, by name; see :class:`Quantity`. The dictionary is empty if only one grid was
-    /// solved.
+    /// Estimated errors of all quantities, by name. The dictionary is empty if only one grid was solved.
     #[getter]
     fn estimates(&self) -> OfQuantities {
         errors(self.solution.estimates())
