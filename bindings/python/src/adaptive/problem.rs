@@ -129,7 +129,7 @@ impl Input {
         if let Some((friction, shear)) = &self.shear {
             builder = match shear {
                 Shear::Load(load) => builder.shear(friction.clone(), *load),
-                Shear::FirstStep(step) => builder.first_step(friction.clone(), (**step).clone()),
+                Shear::FirstStep(step) => builder.first_step(friction.clone(), **step),
             };
         }
         if let Some(model) = self.model {
@@ -194,9 +194,11 @@ impl AdaptiveProblem {
             [spring_x, spring_y],
             twist,
         );
-        let tangential = match load.is_some() || !keywords.is_empty() {
-            true => Some(keywords.load_or(load)?),
-            false => None,
+        let has_load = load.is_some() || !keywords.is_empty();
+        let tangential = if has_load {
+            Some(keywords.load_or(load)?)
+        } else {
+            None
         };
         let friction = friction.map(|friction| friction.0);
         let targets = target.of_quantities(py, friction.is_some())?;
@@ -310,15 +312,12 @@ impl AdaptiveProblem {
         self.recipe.parts(py)
     }
 
-    fn __repr__(&self) -> PyResult<String> {
+    fn __repr__(&self) -> String {
         let targets = self.input.targets.iter();
         let targets: Vec<_> = targets
             .map(|&(quantity, target)| format!("'{}': {}", Choice(quantity).name(), short(target)))
             .collect();
-        Ok(format!(
-            "AdaptiveProblem(target={{{}}})",
-            targets.join(", ")
-        ))
+        format!("AdaptiveProblem(target={{{}}})", targets.join(", "))
     }
 }
 
