@@ -113,31 +113,33 @@ def test_first_step_starts_history():
 
 def test_samples_give_same_contact_as_function():
     samples = ss.surface.sphere(ss.Grid.square(256, 4.2 * A), RADIUS)
-    exact = HERTZ.approach
-    for interpolation, allowed in [(None, 1e-2), ("cubic", 1e-2), ("linear", 1e-2), (ss.surface.Interpolation.CUBIC, 1e-2)]:
+    found = []
+    for interpolation in (None, "cubic", ss.surface.Interpolation.CUBIC, "linear"):
         contact = solved(samples, interpolation=interpolation, target={"approach": 1e-2})
-        assert contact.is_reached and abs(contact.approach / exact - 1.0) < allowed
+        assert contact.is_reached and abs(contact.approach / HERTZ.approach - 1.0) < 1e-2
+        found.append(contact.approach)
+    assert found[0] == found[1] == found[2] != found[3]
 
 
 def test_distance_between_samples_limits_grid():
-    samples = ss.surface.sphere(ss.Grid.square(48, 4.2 * A), RADIUS)
-    with pytest.warns(ss.ContactWarning, match="required error"):
-        contact = solved(samples, target=1e-4)
+    samples = ss.surface.sphere(ss.Grid.square(256, 4.2 * A), RADIUS)
+    with pytest.warns(ss.ContactWarning, match="times the required error"):
+        contact = solved(samples, target=1e-5)
     assert contact.status is AdaptiveStatus.SAMPLE_SPACING and not contact.is_reached
     assert min(contact.grid.dx, contact.grid.dy) > samples.grid.dx * (1.0 - 1e-9)
 
 
 def test_cell_limit_gives_warning_and_solution():
     with pytest.warns(ss.ContactWarning, match="times the required error"):
-        contact = solved(target=1e-5, cell_limit=4096)
+        contact = solved(target=1e-4, cell_limit=20000)
     assert contact.status is AdaptiveStatus.CELL_LIMIT and not contact.is_reached
-    assert contact.grid.cells <= 4096 and contact.estimates["pressure"] > 1e-5
-    assert abs(contact.approach / HERTZ.approach - 1.0) < 1e-2
+    assert contact.grid.cells <= 20000 and contact.estimates["pressure"] > 1e-4
+    assert abs(contact.approach / HERTZ.approach - 1.0) < 1e-3
     [warning] = [warning for warning in contact.warnings if warning.kind == "accuracy_not_reached"]
     assert pickle.loads(pickle.dumps(warning)) == warning
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        assert solved(target=1e-5, cell_limit=4096, warn=False).approach == contact.approach
+        assert solved(target=1e-4, cell_limit=20000, warn=False).approach == contact.approach
 
 
 def test_time_limit_gives_solution_of_first_grid():
@@ -149,15 +151,14 @@ def test_time_limit_gives_solution_of_first_grid():
 
 def test_grids_are_finer_and_finer_and_reach_progress():
     seen = []
-    problem = AdaptiveProblem(PAIR, ball, NEAR, force=FORCE, target=1e-3)
+    problem = AdaptiveProblem(PAIR, ball, NEAR, force=FORCE, target={"area": 1e-3})
     contact = problem.solve(progress=seen.append)
     assert contact.grids == seen and all(isinstance(record, GridRecord) for record in seen)
     cells = [record.grid.cells for record in seen]
     assert len(cells) > 2 and cells == sorted(cells)
     assert seen[0].estimates == {} and seen[-1].estimates == contact.estimates
     assert seen[-1].grid == contact.grid and seen[-1].centre == contact.centre
-    coarse = problem.solve()
-    assert coarse.difference(contact, "pressure") == 0.0
+    assert problem.solve().difference(contact, "pressure") < 1e-12
     assert 0.0 < solved(target=5e-2).difference(contact, Quantity.PRESSURE) < 5e-2
 
 
@@ -180,7 +181,7 @@ def test_line_and_periodic_region_agree_with_closed_forms():
     gap = lambda x, y: amplitude * (1.0 - np.cos(2 * np.pi * x / wavelength))  # noqa: E731
     periodic = solved(gap, Region.periodic((-0.5e-3, 0.5e-3), (-0.5e-3, 0.5e-3)), force=force, target={"area": 2e-2})
     assert periodic.grid.nx * periodic.grid.dx == pytest.approx(wavelength)
-    assert abs(periodic.area / (2 * wave.half_width * wavelength) - 1.0) < 2e-2
+    assert abs(periodic.area / (2 * wave.contact_half_width * wavelength) - 1.0) < 2e-2
 
 
 class Refused(Exception):
@@ -318,7 +319,7 @@ def test_ctrl_c_ends_solve(threads, place):
         (lambda: solved(force=-1.0), ss.errors.NegativeOrNotFinite, "force"),
         (lambda: solved(force=None, approach=-1e-6), ss.EmptyContact, "empty"),
         (lambda: solved(friction=0.5, force_x=60.0), ss.BeyondFrictionCapacity, "60.0"),
-        (lambda: solved(ss.surface.sphere(ss.Grid.square(8, A), RADIUS)), ss.errors.BeyondSamples, ""),
+        (lambda: solved(ss.surface.sphere(ss.Grid.square(8, A), RADIUS)), ss.errors.BeyondSamples, "the samples extend only to"),
         (lambda: solved().difference(solved(), "volume"), ValueError, "Quantity must be one of"),
     ],
 )  # fmt: skip
