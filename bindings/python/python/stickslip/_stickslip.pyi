@@ -2,13 +2,15 @@
 """
 Extension module of the package ``stickslip``; import that package instead.
 """
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, Final, final
 
 from numpy import bool_, float64, uint8, uint32, uint64
 from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
+    "AdaptiveProblem",
+    "AdaptiveSolution",
     "AdaptiveSteps",
     "BentallJohnson",
     "Boundary",
@@ -45,6 +47,7 @@ __all__ = [
     "FlatPunch",
     "Friction",
     "Grid",
+    "GridRecord",
     "HalfSpace",
     "Hardness",
     "HertzEllipse",
@@ -76,14 +79,16 @@ __all__ = [
     "Persson",
     "Plane",
     "Planes",
+    "PointResult",
+    "PointResults",
     "PopovLimitingShape",
     "PowerSpectrum",
     "Principal",
+    "PvdWriter",
     "Rectangle",
+    "Region",
     "RelativeDisplacement",
     "Report",
-    "PointResult",
-    "PointResults",
     "Rolling",
     "RollingProblem",
     "RollingSolution",
@@ -92,7 +97,6 @@ __all__ = [
     "RoughSurface",
     "RoundedPunch",
     "SelfAffine",
-    "PvdWriter",
     "Settings",
     "SpencePressing",
     "Spot",
@@ -173,13 +177,241 @@ __all__ = [
 ]
 
 from os import PathLike
-from stickslip._enums import Amplitudes, Axis, Body, CellValue, Component, Coupling, EigenvalueBound, LeadingEdge, Method, Regime, Status, TangentialModel, EntryRule
+from stickslip._enums import AdaptiveStatus, Amplitudes, Axis, Body, CellValue, Component, Coupling, EigenvalueBound, EntryRule, Interpolation, LeadingEdge, Method, Quantity, Regime, Status, TangentialModel
 from typing_extensions import disjoint_base
 
 __version__: Final[str]
 """
 Version of the package.
 """
+
+@final
+class AdaptiveProblem:
+    """
+    Bodies, gap, load and required accuracy of a contact, whose grid the solve chooses.
+
+    The solve finds the part of the region where the bodies touch. It refines a grid on this part until all estimated errors
+    are at most their targets, or until a limit is reached. The estimates are not bounds.
+
+    The search for the contact evaluates the gap at 192 x 192 positions of the region. It does not find a bump between these
+    positions. The docs of the Rust module ``adaptive`` describe the method and the estimates.
+
+    Parameters
+    ----------
+    pair : ElasticPair, two Materials, or Kernel
+        The two bodies; z points into the first.
+    gap : callable or Field
+        The gap before loading (lengths). A function ``gap(x, y)`` receives two arrays of one dimension and equal length, the
+        coordinates of positions in the region (lengths). It returns an array of their shape. A Field contains samples on a
+        grid that is centred on the origin. The cells are not smaller than the distance between the samples.
+    region : Region
+        The region where contact may occur. The samples of a Field must cover it.
+    force, approach : float
+        Exactly one of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap
+        (a length, positive when they move together). The tangential load has other keywords.
+    target : float or dict, default 0.01
+        The largest estimated errors, each between 0 and 1. A number is the target of the pressure, and of the traction if
+        there is friction. A dictionary contains the target of each :class:`Quantity`, such as ``{"area": 1e-3}``.
+    interpolation : Interpolation or str, default "cubic"
+        Interpolation between the samples of a Field: "cubic" or "linear".
+    friction : Friction or float, optional
+        Coulomb friction with a uniform coefficient (dimensionless, not negative). Friction requires a tangential load or
+        ``first_step``.
+    load : TangentialLoad, optional
+        The tangential load as an object, instead of by keywords. It acts on the contact under its final pressure, as in a
+        :class:`~stickslip.TangentialProblem`.
+    shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist : optional
+        The tangential load; see :class:`~stickslip.TangentialLoad`.
+    first_step : LoadStep, optional
+        The first step of a history, instead of a tangential load. The normal load of the problem replaces the normal load of
+        the step. :attr:`AdaptiveSolution.history` can then take further steps on the same grid.
+    model : TangentialModel or str, default "scalar"
+        "scalar" computes the traction along the axis of the load, "vector" both components.
+    coupling : Coupling or str, optional
+        Coupling for bodies of different materials: by default "one_way", or "full" with ``first_step``.
+    cell_limit : int, default 1048576
+        The largest number of cells of a grid, at least 1024.
+    time_limit : float, optional
+        Wall time (s) after which no further grid is solved; no limit by default.
+
+    Raises
+    ------
+    Tolerance, Sample, UnsupportedByModel, BelowMinimum
+
+    Examples
+    --------
+    >>> import stickslip as ss
+    >>> steel = ss.Material(213e9, 0.29)
+    >>> region = ss.adaptive.Region.rectangle((-20e-3, 20e-3), (-20e-3, 20e-3))
+    >>> ball = lambda x, y: (x**2 + y**2) / 7e-3
+    >>> problem = ss.adaptive.AdaptiveProblem((steel, steel), ball, region, force=100.0, target={"approach": 1e-3})
+    >>> contact = problem.solve()
+    >>> hertz = ss.analytical.HertzSphere(ss.ElasticPair(steel, steel), 3.5e-3, 100.0)
+    >>> contact.is_reached, abs(contact.approach / hertz.approach - 1.0) < 1e-3
+    (True, True)
+    """
+    def __getnewargs_ex__(self, /) -> tuple[tuple[Any, ...], dict[str, Any]]: ...
+    def __new__(cls, /, pair: ElasticPair | Kernel | tuple[Material, Material], gap: Callable[[NDArray[float64], NDArray[float64]], ArrayLike] | Field, region: Region, *, force: float | None = None, approach: float | None = None, target: float | dict[Any, float] = ..., interpolation: Interpolation | str | None = None, friction: Friction | float | None = None, load: TangentialLoad | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, first_step: LoadStep | None = None, model: TangentialModel | str | None = None, coupling: Coupling | str | None = None, cell_limit: int | None = None, time_limit: float | None = None) -> AdaptiveProblem: ...
+    def __repr__(self, /) -> str: ...
+    def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> AdaptiveSolution:
+        """
+        Solves the contact on finer and finer grids until all estimates are at most their targets or a limit is reached.
+
+        A limit is not an error. The solution then belongs to the finest grid: its status states the limit, and a warning is
+        issued. An exception of the gap function ends the solve and is raised unchanged. Ctrl-C takes effect between grids, or
+        between calls of the gap function.
+
+        Parameters
+        ----------
+        progress : callable or bool, optional
+            A function that is called with a :class:`GridRecord` after the solve on each grid; an exception in it ends the
+            solve. ``True`` shows a progress bar of tqdm.
+        warn : bool, default True
+            Whether the warnings of the solution are also issued through ``warnings``, each kind once per location.
+
+        Returns
+        -------
+        AdaptiveSolution
+
+        Raises
+        ------
+        EmptyContact
+            If the bodies do not touch.
+        Sample
+            If the gap is not finite at a position.
+        BeyondSamples
+            If the samples of the gap do not cover the region.
+        ValueError
+            If the array that the gap function returns has a wrong shape.
+
+        Notes
+        -----
+        Exceptions of the contact on a grid can also occur, such as :class:`~stickslip.errors.BeyondFrictionCapacity`.
+        """
+    @property
+    def targets(self, /) -> dict[str, float]:
+        """
+        Targets of the estimated errors, by the names of the quantities.
+        """
+
+@final
+class AdaptiveSolution:
+    """
+    Contact with estimated errors, on the finest grid of a solve. It cannot be pickled; its parts, such as ``normal`` and
+    ``history``, can.
+    """
+    def __repr__(self, /) -> str: ...
+    @property
+    def approach(self, /) -> float:
+        """
+        Approach of the bodies from the datum of the gap (a length). On a grid that is periodic along x and y, it is the mean
+        initial gap minus the mean gap under load.
+        """
+    @property
+    def area(self, /) -> float:
+        """
+        Contact area from the edges inside the cells (a length squared).
+        """
+    @property
+    def bodies(self, /) -> HalfSpace:
+        """
+        The bodies on the grid, for instance for a further problem.
+        """
+    @property
+    def centre(self, /) -> tuple[float, float]:
+        """
+        Centre of the grid in the coordinates of the gap, (x, y) (lengths).
+        """
+    def difference(self, /, finer: AdaptiveSolution, quantity: Quantity | str) -> float:
+        """
+        Returns the difference of a quantity from a solution on a finer grid, in the definition of :class:`Quantity`. The
+        difference is zero for a tangential quantity without friction.
+        """
+    def edges(self, /) -> TangentialEdges | None:
+        """
+        Returns the edges of contact and stick zone inside the cells; ``None`` without friction. Without friction,
+        ``normal.edges()`` returns the edge of the contact.
+
+        Raises
+        ------
+        UnsupportedForCoatings
+        """
+    @property
+    def estimates(self, /) -> dict[str, float]:
+        """
+        Estimated errors of all quantities, by name. The dictionary is empty if only one grid was solved.
+        """
+    @property
+    def force(self, /) -> float:
+        """
+        Normal force, the integral of the pressure.
+        """
+    @property
+    def gap(self, /) -> NDArray[float64]:
+        """
+        The gap before loading at the centres of the cells (lengths), shape (ny, nx).
+        """
+    @property
+    def grid(self, /) -> Grid:
+        """
+        The grid, whose coordinates are relative to :attr:`centre`.
+        """
+    @property
+    def grids(self, /) -> list[GridRecord]:
+        """
+        The grids of all solves after the search for the contact, in order.
+        """
+    @property
+    def history(self, /) -> History | None:
+        """
+        The history after its first step, for further steps on the same grid; ``None`` without ``first_step``. Further steps
+        do not change the other attributes of this solution.
+        """
+    @property
+    def is_reached(self, /) -> bool:
+        """
+        Whether all estimated errors are at most their targets.
+        """
+    @property
+    def normal(self, /) -> NormalSolution:
+        """
+        The normal contact.
+        """
+    @property
+    def status(self, /) -> AdaptiveStatus:
+        """
+        Reason why the refinement ended.
+        """
+    @property
+    def stick_ratio(self, /) -> float | None:
+        """
+        Ratio of stick area to contact area from the edges inside the cells; ``None`` without friction.
+        """
+    @property
+    def tangential(self, /) -> TangentialSolution | None:
+        """
+        The tangential contact; ``None`` without a tangential load.
+        """
+    @property
+    def targets(self, /) -> dict[str, float]:
+        """
+        Targets of the estimated errors, by the names of the quantities.
+        """
+    @property
+    def warnings(self, /) -> list[Warning]:
+        """
+        Warnings of the normal contact, and the warning ``accuracy_not_reached`` if a limit ended the refinement.
+        """
+    @property
+    def x(self, /) -> NDArray[float64]:
+        """
+        Coordinates x of the cell centres, in the coordinates of the gap (lengths), shape (nx,).
+        """
+    @property
+    def y(self, /) -> NDArray[float64]:
+        """
+        Coordinates y of the cell centres, in the coordinates of the gap (lengths), shape (ny,).
+        """
 
 @final
 class AdaptiveSteps:
@@ -1782,6 +2014,12 @@ class EnergyBalance:
         not change and the load does not turn within the step, this value is exact for any length of the step.
         """
     @property
+    def dissipated_energy_midpoint(self, /) -> float:
+        """
+        Dissipated energy, computed from the mean of the tractions before and after the step. This value closes the
+        balance. It is not negative if pressure and friction do not change.
+        """
+    @property
     def elastic_after(self, /) -> float:
         """
         Elastic energy of shear after the step or cycle; energy of pressure and traction if both are solved
@@ -1797,12 +2035,6 @@ class EnergyBalance:
     def imbalance(self, /) -> float:
         """
         Deficit of the balance, relative to its largest term.
-        """
-    @property
-    def dissipated_energy_midpoint(self, /) -> float:
-        """
-        Dissipated energy, computed from the mean of the tractions before and after the step. This value closes the
-        balance. It is not negative if pressure and friction do not change.
         """
     @property
     def released(self, /) -> float:
@@ -1894,26 +2126,26 @@ class Field:
         """
         Implements NumPy functions with a field among their operands.
         """
-    def __eq__(self, value: object, /) -> bool: ...
-    def __ge__(self, value: object, /) -> NDArray[bool_]: ...
+    def __eq__(self, other: object, /) -> Any: ...
+    def __ge__(self, other: object, /) -> Any: ...
     def __getitem__(self, index: Any, /) -> Any:
         """
         Indexes :attr:`array`: ``field[iy, ix]`` is a sample, and ``field[iy]`` is a row.
         """
-    def __gt__(self, value: object, /) -> NDArray[bool_]: ...
-    def __le__(self, value: object, /) -> NDArray[bool_]: ...
-    def __lt__(self, value: object, /) -> NDArray[bool_]: ...
+    def __gt__(self, other: object, /) -> Any: ...
+    def __le__(self, other: object, /) -> Any: ...
+    def __lt__(self, other: object, /) -> Any: ...
     def __mul__(self, other: object, /) -> Field: ...
-    def __ne__(self, value: object, /) -> bool: ...
+    def __ne__(self, other: object, /) -> Any: ...
     def __neg__(self, /) -> Field: ...
     def __new__(cls, /, grid: Grid, samples: Field | ArrayLike, unit: str | None = None) -> Field: ...
     def __pos__(self, /) -> Field: ...
-    def __pow__(self, other: object, modulo: None = None, /) -> Field: ...
+    def __pow__(self, other: object, modulo: object = None, /) -> Field: ...
     def __radd__(self, other: object, /) -> Field: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     def __rmul__(self, other: object, /) -> Field: ...
-    def __rpow__(self, other: object, modulo: None = None, /) -> Field: ...
+    def __rpow__(self, other: object, modulo: object = None, /) -> Field: ...
     def __rsub__(self, other: object, /) -> Field: ...
     def __rtruediv__(self, other: object, /) -> Field: ...
     def __sub__(self, other: object, /) -> Field: ...
@@ -1936,15 +2168,15 @@ class Field:
         """
         Returns the sum of the samples times the area of a cell.
         """
-    def max(self, /, axis: Any = None, **options: Any) -> Any:
+    def max(self, /, *arguments: Any, **options: Any) -> Any:
         """
         Returns the largest sample; NaN is ignored. The arguments are those of :func:`numpy.nanmax`, such as the axis.
         """
-    def mean(self, /, axis: Any = None, **options: Any) -> Any:
+    def mean(self, /, *arguments: Any, **options: Any) -> Any:
         """
         Returns the mean of the samples. The arguments are those of :func:`numpy.mean`, such as the axis.
         """
-    def min(self, /, axis: Any = None, **options: Any) -> Any:
+    def min(self, /, *arguments: Any, **options: Any) -> Any:
         """
         Returns the smallest sample; NaN is ignored. The arguments are those of :func:`numpy.nanmin`, such as the axis.
         """
@@ -1953,11 +2185,11 @@ class Field:
         """
         Shape of the field as an array, (ny, nx).
         """
-    def std(self, /, axis: Any = None, **options: Any) -> Any:
+    def std(self, /, *arguments: Any, **options: Any) -> Any:
         """
         Returns the standard deviation of the samples. The arguments are those of :func:`numpy.std`, such as the axis.
         """
-    def sum(self, /, axis: Any = None, **options: Any) -> Any:
+    def sum(self, /, *arguments: Any, **options: Any) -> Any:
         """
         Returns the sum of the samples. The arguments are those of :func:`numpy.sum`, such as the axis.
         """
@@ -2250,6 +2482,30 @@ class Grid:
     def y(self, /) -> NDArray[float64]:
         """
         Coordinates of the cell centres along y (lengths).
+        """
+
+@final
+class GridRecord:
+    """
+    Grid of a solve and the estimated errors after it.
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def centre(self, /) -> tuple[float, float]:
+        """
+        Centre of the grid in the coordinates of the gap, (x, y) (lengths).
+        """
+    @property
+    def estimates(self, /) -> dict[str, float]:
+        """
+        Estimated errors of all quantities, by name; empty after the first solve of a part of the region.
+        """
+    @property
+    def grid(self, /) -> Grid:
+        """
+        Grid of the solve.
         """
 
 @final
@@ -4477,6 +4733,70 @@ class Planes:
         """
 
 @final
+class PointResult:
+    """
+    Displacement and stress at a point.
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def displacement(self, /) -> tuple[float, float, float]:
+        """
+        Displacement of the body itself along x, y and z (lengths), not relative to the other body.
+        """
+    @property
+    def stress(self, /) -> Stress:
+        """
+        Stress at the point.
+        """
+
+@final
+class PointResults:
+    """
+    Displacements and stresses at points: a sequence of :class:`PointResult`, and arrays with one number per point, in the
+    order of the points.
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __getitem__(self, index: int, /) -> PointResult: ...
+    def __iter__(self, /) -> Iterator[PointResult]: ...
+    def __len__(self, /) -> int: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def displacement(self, /) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64]]:
+        """
+        Displacement of the body itself along x, y and z (lengths), not relative to the other body.
+        """
+    @property
+    def hydrostatic(self, /) -> NDArray[float64]:
+        """
+        Mean of the normal stresses (pressures, tensile positive).
+        """
+    @property
+    def max_shear(self, /) -> NDArray[float64]:
+        """
+        Largest shear stress (pressures).
+        """
+    @property
+    def normal_stress(self, /) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64]]:
+        """
+        Components xx, yy and zz (pressures, tensile positive).
+        """
+    @property
+    def shear_stress(self, /) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64]]:
+        """
+        Components xy, xz and yz (pressures).
+        """
+    @property
+    def von_mises(self, /) -> NDArray[float64]:
+        """
+        Von Mises' equivalent stress (pressures).
+        """
+
+@final
 class PopovLimitingShape:
     """
     The limiting shape of a paraboloid of revolution worn by small oscillations at a constant approach, when wear has
@@ -4627,6 +4947,24 @@ class Principal:
         """
 
 @final
+class PvdWriter:
+    """
+    A time series of images for ParaView, listed in a PVD file. An existing file is replaced.
+
+    Parameters
+    ----------
+    path : path_like
+        The PVD file; the images are written to the same folder.
+    """
+    def __len__(self, /) -> int: ...
+    def __new__(cls, /, path: str | PathLike[str]) -> PvdWriter: ...
+    def __repr__(self, /) -> str: ...
+    def write(self, /, time: float, fields: Any, *, grid: Grid | None = None) -> None:
+        """
+        Writes fields and vectors at a given time as :func:`stickslip.io.vti.write` does, and adds them to the list.
+        """
+
+@final
 class Rectangle:
     """
     A rectangle under uniform traction.
@@ -4649,6 +4987,84 @@ class Rectangle:
     def tensor(self, /, material: Material, x: float, y: float) -> Tensor:
         """
         Returns the coefficients of a body at a position relative to the centre (lengths).
+        """
+
+@final
+class Region:
+    """
+    Region of the surface where contact may occur, in the coordinates of the gap. Its static methods create a region.
+
+    The grid of an :class:`AdaptiveProblem` covers only the part of the region where the bodies touch. Along a periodic
+    axis, it covers the whole region.
+
+    Examples
+    --------
+    >>> import stickslip as ss
+    >>> ss.adaptive.Region.rectangle((-1e-3, 1e-3), (-1e-3, 1e-3))
+    Region.rectangle((-0.001, 0.001), (-0.001, 0.001))
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def boundary(self, /) -> Boundary:
+        """
+        Boundary condition at the edge of the grids.
+        """
+    @staticmethod
+    def line(x: Sequence[float] | NDArray[Any], datum: float) -> Region:
+        """
+        Creates a part of a line contact in plane strain. All forces are per unit length.
+
+        Parameters
+        ----------
+        x : (float, float)
+            Start and end along x (lengths).
+        datum : float
+            The datum of :meth:`Boundary.periodic_along_y` (a length), at least the length of the line.
+
+        Raises
+        ------
+        NotFinite, NotPositive, BelowMinimum
+        """
+    @staticmethod
+    def periodic(x: Sequence[float] | NDArray[Any], y: Sequence[float] | NDArray[Any]) -> Region:
+        """
+        Creates a rectangle of periodic surroundings. The gap must have these periods.
+
+        Parameters
+        ----------
+        x, y : (float, float)
+            Start and end along x and along y (lengths).
+
+        Raises
+        ------
+        NotFinite, NotPositive
+        """
+    @staticmethod
+    def rectangle(x: Sequence[float] | NDArray[Any], y: Sequence[float] | NDArray[Any]) -> Region:
+        """
+        Creates a rectangle with these ends. The bodies extend beyond it.
+
+        Parameters
+        ----------
+        x, y : (float, float)
+            Start and end along x and along y (lengths).
+
+        Raises
+        ------
+        NotFinite, NotPositive
+        """
+    @property
+    def x(self, /) -> tuple[float, float]:
+        """
+        Start and end along x (lengths).
+        """
+    @property
+    def y(self, /) -> tuple[float, float] | None:
+        """
+        Start and end along y (lengths); ``None`` for a line.
         """
 
 @final
@@ -4764,70 +5180,6 @@ class Report:
     def time(self, /) -> float:
         """
         Wall time of the solve (s).
-        """
-
-@final
-class PointResult:
-    """
-    Displacement and stress at a point.
-    """
-    def __eq__(self, value: object, /) -> bool: ...
-    def __ne__(self, value: object, /) -> bool: ...
-    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
-    def __repr__(self, /) -> str: ...
-    @property
-    def displacement(self, /) -> tuple[float, float, float]:
-        """
-        Displacement of the body itself along x, y and z (lengths), not relative to the other body.
-        """
-    @property
-    def stress(self, /) -> Stress:
-        """
-        Stress at the point.
-        """
-
-@final
-class PointResults:
-    """
-    Displacements and stresses at points: a sequence of :class:`PointResult`, and arrays with one number per point, in the
-    order of the points.
-    """
-    def __eq__(self, value: object, /) -> bool: ...
-    def __getitem__(self, index: int, /) -> PointResult: ...
-    def __iter__(self, /) -> Iterator[PointResult]: ...
-    def __len__(self, /) -> int: ...
-    def __ne__(self, value: object, /) -> bool: ...
-    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
-    def __repr__(self, /) -> str: ...
-    @property
-    def displacement(self, /) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64]]:
-        """
-        Displacement of the body itself along x, y and z (lengths), not relative to the other body.
-        """
-    @property
-    def hydrostatic(self, /) -> NDArray[float64]:
-        """
-        Mean of the normal stresses (pressures, tensile positive).
-        """
-    @property
-    def max_shear(self, /) -> NDArray[float64]:
-        """
-        Largest shear stress (pressures).
-        """
-    @property
-    def normal_stress(self, /) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64]]:
-        """
-        Components xx, yy and zz (pressures, tensile positive).
-        """
-    @property
-    def shear_stress(self, /) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64]]:
-        """
-        Components xy, xz and yz (pressures).
-        """
-    @property
-    def von_mises(self, /) -> NDArray[float64]:
-        """
-        Von Mises' equivalent stress (pressures).
         """
 
 @final
@@ -5358,24 +5710,6 @@ class SelfAffine:
         """
 
 @final
-class PvdWriter:
-    """
-    A time series of images for ParaView, listed in a PVD file. An existing file is replaced.
-
-    Parameters
-    ----------
-    path : path_like
-        The PVD file; the images are written to the same folder.
-    """
-    def __len__(self, /) -> int: ...
-    def __new__(cls, /, path: str | PathLike[str]) -> PvdWriter: ...
-    def __repr__(self, /) -> str: ...
-    def write(self, /, time: float, fields: Any, *, grid: Grid | None = None) -> None:
-        """
-        Writes fields and vectors at a given time as :func:`stickslip.io.vti.write` does, and adds them to the list.
-        """
-
-@final
 class Settings:
     """
     Method, tolerance and limits of an iteration. Every problem, solver and history accepts them together as ``settings``,
@@ -5549,6 +5883,11 @@ class State:
         Energy that each cell dissipated since the start (not negative).
         """
     @property
+    def entry_rule(self, /) -> EntryRule:
+        """
+        Rule for the part of the motion of a step that a cell follows if it comes into contact within the step.
+        """
+    @property
     def friction(self, /) -> Friction:
         """
         The friction of the history.
@@ -5631,11 +5970,6 @@ class State:
     def to_bytes(self, /) -> bytes:
         """
         Returns the state as bytes, which this and later versions can read.
-        """
-    @property
-    def entry_rule(self, /) -> EntryRule:
-        """
-        Rule for the part of the motion of a step that a cell follows if it comes into contact within the step.
         """
     @property
     def traction(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
@@ -5790,6 +6124,12 @@ class StepResult:
         Energy dissipated in each cell, from its traction at the end of the step (forces times lengths, not negative).
         """
     @property
+    def dissipated_energy_midpoint(self, /) -> NDArray[float64]:
+        """
+        Energy dissipated in each cell, computed from the mean of its tractions before and after the step (forces times
+        lengths). Its sum closes the energy balance; see :attr:`EnergyBalance.dissipated_energy_midpoint`.
+        """
+    @property
     def energy(self, /) -> EnergyBalance:
         """
         Work, elastic energy and dissipation of the step.
@@ -5802,12 +6142,6 @@ class StepResult:
     def keep(self, /) -> StepResult:
         """
         Returns the same result with a copy of the fields, which remain available when the history continues.
-        """
-    @property
-    def dissipated_energy_midpoint(self, /) -> NDArray[float64]:
-        """
-        Energy dissipated in each cell, computed from the mean of its tractions before and after the step (forces times
-        lengths). Its sum closes the energy balance; see :attr:`EnergyBalance.dissipated_energy_midpoint`.
         """
     @property
     def moment(self, /) -> float:
@@ -6356,6 +6690,10 @@ class TangentialStiffness:
         column, for the twist about the centre of the contact; infinite if pressure and traction are solved
         simultaneously. It excludes the effect of errors of pressure and traction.
         """
+    def in_series_with(self, /, springs: Sequence[float] | NDArray[Any]) -> TangentialStiffness:
+        """
+        Returns the stiffness in series with springs along x and y (forces over lengths).
+        """
     @property
     def loading(self, /) -> list[list[float]]:
         """
@@ -6374,10 +6712,6 @@ class TangentialStiffness:
         """
         Derivative for a reversal of the motion, at which all contact cells stick. For a circular contact it is
         Mindlin's stiffness 8 G* a.
-        """
-    def in_series_with(self, /, springs: Sequence[float] | NDArray[Any]) -> TangentialStiffness:
-        """
-        Returns the stiffness in series with springs along x and y (forces over lengths).
         """
 
 @final
@@ -6512,7 +6846,7 @@ class Warning:
     ``single_row_of_cells``, ``contact_spans_grid``, ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``,
     ``underresolved_stick_zone``, ``underresolved_slip_zone``, ``single_load_step``, ``stress_at_edge``,
     ``discretisation_error``, ``approach_beyond_grid``, ``large_contact_radius``, ``steep_surface``,
-    ``held_shift_lost_force`` or ``neglected_lift``.
+    ``held_shift_lost_force``, ``neglected_lift`` or ``accuracy_not_reached``.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __hash__(self, /) -> int: ...
@@ -6819,12 +7153,12 @@ def crop(heights: Field | ArrayLike, columns: tuple[int, int], rows: tuple[int, 
     Range
     """
 
-def csv_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = 0, skip_columns: int = 0, without_labels: bool = False, unit: str | None = None, height_unit: str | None = None) -> Field:
+def csv_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = ..., skip_columns: int = ..., without_labels: bool = False, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a field from the bytes of a text file that contains a matrix; see :func:`read`.
     """
 
-def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = 0, skip_columns: int = 0, without_labels: bool = False, unit: str | None = None, height_unit: str | None = None) -> Field:
+def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = ..., skip_columns: int = ..., without_labels: bool = False, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a field from a text file that contains a matrix.
 
@@ -7303,12 +7637,12 @@ def x3p_read(path: str | PathLike[str]) -> Field:
     Reads a surface from an X3P file (lengths in metres).
     """
 
-def xyz_parse(bytes: bytes, *, missing: float | None = None, skip_rows: int = 0, unit: str | None = None, height_unit: str | None = None) -> Field:
+def xyz_parse(bytes: bytes, *, missing: float | None = None, skip_rows: int = ..., unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a surface from the bytes of an XYZ file (lengths in the unit of the file); see :func:`read`.
     """
 
-def xyz_read(path: str | PathLike[str], *, missing: float | None = None, skip_rows: int = 0, unit: str | None = None, height_unit: str | None = None) -> Field:
+def xyz_read(path: str | PathLike[str], *, missing: float | None = None, skip_rows: int = ..., unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a surface from an XYZ file (lengths in the unit of the file).
 
