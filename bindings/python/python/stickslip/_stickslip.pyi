@@ -251,7 +251,7 @@ class AdaptiveProblem:
     (True, True)
     """
     def __getnewargs_ex__(self, /) -> tuple[tuple[Any, ...], dict[str, Any]]: ...
-    def __new__(cls, /, pair: ElasticPair | Kernel | tuple[Material, Material], gap: Callable[[NDArray[float64], NDArray[float64]], ArrayLike] | Field, region: Region, *, force: float | None = None, approach: float | None = None, target: float | dict[Any, float] = ..., interpolation: Interpolation | str | None = None, friction: Friction | float | None = None, load: TangentialLoad | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, first_step: LoadStep | None = None, model: TangentialModel | str | None = None, coupling: Coupling | str | None = None, cell_limit: int | None = None, time_limit: float | None = None) -> AdaptiveProblem: ...
+    def __new__(cls, /, pair: ElasticPair | Kernel | tuple[Material, Material], gap: Callable[[NDArray[float64], NDArray[float64]], ArrayLike] | Field, region: Region, *, force: float | None = None, approach: float | None = None, target: float | dict[Any, float] = 0.01, interpolation: Interpolation | str | None = None, friction: Friction | float | None = None, load: TangentialLoad | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, first_step: LoadStep | None = None, model: TangentialModel | str | None = None, coupling: Coupling | str | None = None, cell_limit: int | None = None, time_limit: float | None = None) -> AdaptiveProblem: ...
     def __repr__(self, /) -> str: ...
     def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> AdaptiveSolution:
         """
@@ -2014,12 +2014,6 @@ class EnergyBalance:
         not change and the load does not turn within the step, this value is exact for any length of the step.
         """
     @property
-    def dissipated_energy_midpoint(self, /) -> float:
-        """
-        Dissipated energy, computed from the mean of the tractions before and after the step. This value closes the
-        balance. It is not negative if pressure and friction do not change.
-        """
-    @property
     def elastic_after(self, /) -> float:
         """
         Elastic energy of shear after the step or cycle; energy of pressure and traction if both are solved
@@ -2035,6 +2029,12 @@ class EnergyBalance:
     def imbalance(self, /) -> float:
         """
         Deficit of the balance, relative to its largest term.
+        """
+    @property
+    def dissipated_energy_midpoint(self, /) -> float:
+        """
+        Dissipated energy, computed from the mean of the tractions before and after the step. This value closes the
+        balance. It is not negative if pressure and friction do not change.
         """
     @property
     def released(self, /) -> float:
@@ -2126,26 +2126,26 @@ class Field:
         """
         Implements NumPy functions with a field among their operands.
         """
-    def __eq__(self, other: object, /) -> Any: ...
-    def __ge__(self, other: object, /) -> Any: ...
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ge__(self, value: object, /) -> NDArray[bool_]: ...
     def __getitem__(self, index: Any, /) -> Any:
         """
         Indexes :attr:`array`: ``field[iy, ix]`` is a sample, and ``field[iy]`` is a row.
         """
-    def __gt__(self, other: object, /) -> Any: ...
-    def __le__(self, other: object, /) -> Any: ...
-    def __lt__(self, other: object, /) -> Any: ...
+    def __gt__(self, value: object, /) -> NDArray[bool_]: ...
+    def __le__(self, value: object, /) -> NDArray[bool_]: ...
+    def __lt__(self, value: object, /) -> NDArray[bool_]: ...
     def __mul__(self, other: object, /) -> Field: ...
-    def __ne__(self, other: object, /) -> Any: ...
+    def __ne__(self, value: object, /) -> bool: ...
     def __neg__(self, /) -> Field: ...
     def __new__(cls, /, grid: Grid, samples: Field | ArrayLike, unit: str | None = None) -> Field: ...
     def __pos__(self, /) -> Field: ...
-    def __pow__(self, other: object, modulo: object = None, /) -> Field: ...
+    def __pow__(self, other: object, modulo: None = None, /) -> Field: ...
     def __radd__(self, other: object, /) -> Field: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     def __rmul__(self, other: object, /) -> Field: ...
-    def __rpow__(self, other: object, modulo: object = None, /) -> Field: ...
+    def __rpow__(self, other: object, modulo: None = None, /) -> Field: ...
     def __rsub__(self, other: object, /) -> Field: ...
     def __rtruediv__(self, other: object, /) -> Field: ...
     def __sub__(self, other: object, /) -> Field: ...
@@ -2168,15 +2168,15 @@ class Field:
         """
         Returns the sum of the samples times the area of a cell.
         """
-    def max(self, /, *arguments: Any, **options: Any) -> Any:
+    def max(self, /, axis: Any = None, **options: Any) -> Any:
         """
         Returns the largest sample; NaN is ignored. The arguments are those of :func:`numpy.nanmax`, such as the axis.
         """
-    def mean(self, /, *arguments: Any, **options: Any) -> Any:
+    def mean(self, /, axis: Any = None, **options: Any) -> Any:
         """
         Returns the mean of the samples. The arguments are those of :func:`numpy.mean`, such as the axis.
         """
-    def min(self, /, *arguments: Any, **options: Any) -> Any:
+    def min(self, /, axis: Any = None, **options: Any) -> Any:
         """
         Returns the smallest sample; NaN is ignored. The arguments are those of :func:`numpy.nanmin`, such as the axis.
         """
@@ -2185,11 +2185,11 @@ class Field:
         """
         Shape of the field as an array, (ny, nx).
         """
-    def std(self, /, *arguments: Any, **options: Any) -> Any:
+    def std(self, /, axis: Any = None, **options: Any) -> Any:
         """
         Returns the standard deviation of the samples. The arguments are those of :func:`numpy.std`, such as the axis.
         """
-    def sum(self, /, *arguments: Any, **options: Any) -> Any:
+    def sum(self, /, axis: Any = None, **options: Any) -> Any:
         """
         Returns the sum of the samples. The arguments are those of :func:`numpy.sum`, such as the axis.
         """
@@ -4733,70 +4733,6 @@ class Planes:
         """
 
 @final
-class PointResult:
-    """
-    Displacement and stress at a point.
-    """
-    def __eq__(self, value: object, /) -> bool: ...
-    def __ne__(self, value: object, /) -> bool: ...
-    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
-    def __repr__(self, /) -> str: ...
-    @property
-    def displacement(self, /) -> tuple[float, float, float]:
-        """
-        Displacement of the body itself along x, y and z (lengths), not relative to the other body.
-        """
-    @property
-    def stress(self, /) -> Stress:
-        """
-        Stress at the point.
-        """
-
-@final
-class PointResults:
-    """
-    Displacements and stresses at points: a sequence of :class:`PointResult`, and arrays with one number per point, in the
-    order of the points.
-    """
-    def __eq__(self, value: object, /) -> bool: ...
-    def __getitem__(self, index: int, /) -> PointResult: ...
-    def __iter__(self, /) -> Iterator[PointResult]: ...
-    def __len__(self, /) -> int: ...
-    def __ne__(self, value: object, /) -> bool: ...
-    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
-    def __repr__(self, /) -> str: ...
-    @property
-    def displacement(self, /) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64]]:
-        """
-        Displacement of the body itself along x, y and z (lengths), not relative to the other body.
-        """
-    @property
-    def hydrostatic(self, /) -> NDArray[float64]:
-        """
-        Mean of the normal stresses (pressures, tensile positive).
-        """
-    @property
-    def max_shear(self, /) -> NDArray[float64]:
-        """
-        Largest shear stress (pressures).
-        """
-    @property
-    def normal_stress(self, /) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64]]:
-        """
-        Components xx, yy and zz (pressures, tensile positive).
-        """
-    @property
-    def shear_stress(self, /) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64]]:
-        """
-        Components xy, xz and yz (pressures).
-        """
-    @property
-    def von_mises(self, /) -> NDArray[float64]:
-        """
-        Von Mises' equivalent stress (pressures).
-        """
-
-@final
 class PopovLimitingShape:
     """
     The limiting shape of a paraboloid of revolution worn by small oscillations at a constant approach, when wear has
@@ -4944,24 +4880,6 @@ class Principal:
     def values(self, /) -> tuple[float, float, float]:
         """
         The principal stresses (pressures, tensile positive).
-        """
-
-@final
-class PvdWriter:
-    """
-    A time series of images for ParaView, listed in a PVD file. An existing file is replaced.
-
-    Parameters
-    ----------
-    path : path_like
-        The PVD file; the images are written to the same folder.
-    """
-    def __len__(self, /) -> int: ...
-    def __new__(cls, /, path: str | PathLike[str]) -> PvdWriter: ...
-    def __repr__(self, /) -> str: ...
-    def write(self, /, time: float, fields: Any, *, grid: Grid | None = None) -> None:
-        """
-        Writes fields and vectors at a given time as :func:`stickslip.io.vti.write` does, and adds them to the list.
         """
 
 @final
@@ -5180,6 +5098,70 @@ class Report:
     def time(self, /) -> float:
         """
         Wall time of the solve (s).
+        """
+
+@final
+class PointResult:
+    """
+    Displacement and stress at a point.
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def displacement(self, /) -> tuple[float, float, float]:
+        """
+        Displacement of the body itself along x, y and z (lengths), not relative to the other body.
+        """
+    @property
+    def stress(self, /) -> Stress:
+        """
+        Stress at the point.
+        """
+
+@final
+class PointResults:
+    """
+    Displacements and stresses at points: a sequence of :class:`PointResult`, and arrays with one number per point, in the
+    order of the points.
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __getitem__(self, index: int, /) -> PointResult: ...
+    def __iter__(self, /) -> Iterator[PointResult]: ...
+    def __len__(self, /) -> int: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def displacement(self, /) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64]]:
+        """
+        Displacement of the body itself along x, y and z (lengths), not relative to the other body.
+        """
+    @property
+    def hydrostatic(self, /) -> NDArray[float64]:
+        """
+        Mean of the normal stresses (pressures, tensile positive).
+        """
+    @property
+    def max_shear(self, /) -> NDArray[float64]:
+        """
+        Largest shear stress (pressures).
+        """
+    @property
+    def normal_stress(self, /) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64]]:
+        """
+        Components xx, yy and zz (pressures, tensile positive).
+        """
+    @property
+    def shear_stress(self, /) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64]]:
+        """
+        Components xy, xz and yz (pressures).
+        """
+    @property
+    def von_mises(self, /) -> NDArray[float64]:
+        """
+        Von Mises' equivalent stress (pressures).
         """
 
 @final
@@ -5710,6 +5692,24 @@ class SelfAffine:
         """
 
 @final
+class PvdWriter:
+    """
+    A time series of images for ParaView, listed in a PVD file. An existing file is replaced.
+
+    Parameters
+    ----------
+    path : path_like
+        The PVD file; the images are written to the same folder.
+    """
+    def __len__(self, /) -> int: ...
+    def __new__(cls, /, path: str | PathLike[str]) -> PvdWriter: ...
+    def __repr__(self, /) -> str: ...
+    def write(self, /, time: float, fields: Any, *, grid: Grid | None = None) -> None:
+        """
+        Writes fields and vectors at a given time as :func:`stickslip.io.vti.write` does, and adds them to the list.
+        """
+
+@final
 class Settings:
     """
     Method, tolerance and limits of an iteration. Every problem, solver and history accepts them together as ``settings``,
@@ -5883,11 +5883,6 @@ class State:
         Energy that each cell dissipated since the start (not negative).
         """
     @property
-    def entry_rule(self, /) -> EntryRule:
-        """
-        Rule for the part of the motion of a step that a cell follows if it comes into contact within the step.
-        """
-    @property
     def friction(self, /) -> Friction:
         """
         The friction of the history.
@@ -5970,6 +5965,11 @@ class State:
     def to_bytes(self, /) -> bytes:
         """
         Returns the state as bytes, which this and later versions can read.
+        """
+    @property
+    def entry_rule(self, /) -> EntryRule:
+        """
+        Rule for the part of the motion of a step that a cell follows if it comes into contact within the step.
         """
     @property
     def traction(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
@@ -6124,12 +6124,6 @@ class StepResult:
         Energy dissipated in each cell, from its traction at the end of the step (forces times lengths, not negative).
         """
     @property
-    def dissipated_energy_midpoint(self, /) -> NDArray[float64]:
-        """
-        Energy dissipated in each cell, computed from the mean of its tractions before and after the step (forces times
-        lengths). Its sum closes the energy balance; see :attr:`EnergyBalance.dissipated_energy_midpoint`.
-        """
-    @property
     def energy(self, /) -> EnergyBalance:
         """
         Work, elastic energy and dissipation of the step.
@@ -6142,6 +6136,12 @@ class StepResult:
     def keep(self, /) -> StepResult:
         """
         Returns the same result with a copy of the fields, which remain available when the history continues.
+        """
+    @property
+    def dissipated_energy_midpoint(self, /) -> NDArray[float64]:
+        """
+        Energy dissipated in each cell, computed from the mean of its tractions before and after the step (forces times
+        lengths). Its sum closes the energy balance; see :attr:`EnergyBalance.dissipated_energy_midpoint`.
         """
     @property
     def moment(self, /) -> float:
@@ -6690,10 +6690,6 @@ class TangentialStiffness:
         column, for the twist about the centre of the contact; infinite if pressure and traction are solved
         simultaneously. It excludes the effect of errors of pressure and traction.
         """
-    def in_series_with(self, /, springs: Sequence[float] | NDArray[Any]) -> TangentialStiffness:
-        """
-        Returns the stiffness in series with springs along x and y (forces over lengths).
-        """
     @property
     def loading(self, /) -> list[list[float]]:
         """
@@ -6712,6 +6708,10 @@ class TangentialStiffness:
         """
         Derivative for a reversal of the motion, at which all contact cells stick. For a circular contact it is
         Mindlin's stiffness 8 G* a.
+        """
+    def in_series_with(self, /, springs: Sequence[float] | NDArray[Any]) -> TangentialStiffness:
+        """
+        Returns the stiffness in series with springs along x and y (forces over lengths).
         """
 
 @final
@@ -7153,12 +7153,12 @@ def crop(heights: Field | ArrayLike, columns: tuple[int, int], rows: tuple[int, 
     Range
     """
 
-def csv_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = ..., skip_columns: int = ..., without_labels: bool = False, unit: str | None = None, height_unit: str | None = None) -> Field:
+def csv_parse(bytes: bytes, *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = 0, skip_columns: int = 0, without_labels: bool = False, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a field from the bytes of a text file that contains a matrix; see :func:`read`.
     """
 
-def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = ..., skip_columns: int = ..., without_labels: bool = False, unit: str | None = None, height_unit: str | None = None) -> Field:
+def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] | None = None, size: Sequence[float] | NDArray[Any] | None = None, missing: float | None = None, skip_rows: int = 0, skip_columns: int = 0, without_labels: bool = False, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a field from a text file that contains a matrix.
 
@@ -7637,12 +7637,12 @@ def x3p_read(path: str | PathLike[str]) -> Field:
     Reads a surface from an X3P file (lengths in metres).
     """
 
-def xyz_parse(bytes: bytes, *, missing: float | None = None, skip_rows: int = ..., unit: str | None = None, height_unit: str | None = None) -> Field:
+def xyz_parse(bytes: bytes, *, missing: float | None = None, skip_rows: int = 0, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a surface from the bytes of an XYZ file (lengths in the unit of the file); see :func:`read`.
     """
 
-def xyz_read(path: str | PathLike[str], *, missing: float | None = None, skip_rows: int = ..., unit: str | None = None, height_unit: str | None = None) -> Field:
+def xyz_read(path: str | PathLike[str], *, missing: float | None = None, skip_rows: int = 0, unit: str | None = None, height_unit: str | None = None) -> Field:
     """
     Reads a surface from an XYZ file (lengths in the unit of the file).
 
