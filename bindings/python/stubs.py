@@ -17,7 +17,7 @@ def readable(text: str) -> str:
     parts = re.split(r'^( *"""\n.*?^ *"""\n)', text, flags=re.M | re.S)
     parts[::2] = [hints(part) for part in parts[::2]]
     imports = (
-        "from collections.abc import Iterator, Sequence\nfrom typing import Any, Final, final\n\n"
+        "from collections.abc import Callable, Iterator, Sequence\nfrom typing import Any, Final, final\n\n"
         "from numpy import bool_, float64, uint8, uint32, uint64\nfrom numpy.typing import ArrayLike, NDArray\n"
     )
     # The docstring of the module comes first.
@@ -42,6 +42,7 @@ def hints(text: str) -> str:
     while (shorter := re.sub(r"Supports(?:LenAnd)?GetItem\[(?:int, )?", "Sequence[", text)) != text:
         text = shorter
     text = re.sub(r"(: (?:Sequence\[)+float\]+)", r"\1 | NDArray[Any]", text)
+    text = re.sub(r"\bCallable(?!\[)", "Callable[[NDArray[float64], NDArray[float64]], ArrayLike]", text)
     text = re.sub(r"\bdict(?!\[)", "dict[str, Any]", text)
     text = re.sub(r"\btuple(?!\[)", "tuple[Any, ...]", text)
     # Loads given by position are accepted only to be rejected with the names of their keywords.

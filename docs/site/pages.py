@@ -63,6 +63,7 @@ INCLUDED = {
     "methods/edges": ("src/edges/mod.rs",),
     "methods/stiffness": ("src/stiffness/mod.rs",),
     "methods/subsurface": ("src/subsurface/mod.rs",),
+    "methods/adaptive": ("src/adaptive/mod.rs",),
 }
 TITLES = {
     "python": "Python",
@@ -83,6 +84,7 @@ TITLES = {
     "methods/edges": "Edges inside the cells",
     "methods/stiffness": "Stiffness",
     "methods/subsurface": "Stresses and displacements",
+    "methods/adaptive": "Contacts of required accuracy",
 }
 RUST = (
     "The code on this page is in Rust. The [tutorials]({up}tutorials/press.md), the [Python reference]({up}api/index.md) and the "

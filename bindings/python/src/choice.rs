@@ -114,6 +114,15 @@ named! {
     }
     "stickslip.subsurface" "Body": stickslip::subsurface::Body { "one" = One, "two" = Two }
     "stickslip.surface" "Amplitudes": stickslip::surface::Amplitudes { "exact" = Exact, "gaussian" = Gaussian }
+    "stickslip.surface" "Interpolation": stickslip::surface::Interpolation { "cubic" = Cubic, "linear" = Linear }
+    "stickslip.adaptive" "Quantity": stickslip::adaptive::Quantity {
+        "pressure" = Pressure, "area" = Area, "approach" = Approach, "force" = Force, "traction" = Traction,
+        "stick_ratio" = StickRatio, "shift" = Shift
+    }
+    "stickslip.adaptive" "AdaptiveStatus": stickslip::adaptive::AdaptiveStatus {
+        "reached" = Reached, "cell_limit" = CellLimit, "time_limit" = TimeLimit, "sample_spacing" = SampleSpacing,
+        "cancelled" = Cancelled
+    }
     "stickslip.influence" "Direction": stickslip::influence::Direction { "x" = X, "y" = Y, "z" = Z }
     "stickslip.influence" "Component": stickslip::influence::Component {
         "xx" = XX, "xy" = XY, "xz" = XZ, "yx" = YX, "yy" = YY, "yz" = YZ, "zx" = ZX, "zy" = ZY, "zz" = ZZ

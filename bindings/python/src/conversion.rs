@@ -73,6 +73,10 @@ due! {
     Depths(Vec<f64>): "depths must be a sequence of numbers", "for a single depth give [depth]";
     /// Side lengths of a cell.
     CellSides([f64; 2]): "cell must be a pair (dx, dy)";
+    /// Ends of a region along x.
+    RegionX([f64; 2]): "x must be a pair (start, end)";
+    /// Ends of a region along y.
+    RegionY([f64; 2]): "y must be a pair (start, end)";
     /// Side lengths of a grid.
     GridSides([f64; 2]): "size must be a pair (x, y)";
 }

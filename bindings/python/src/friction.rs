@@ -3,6 +3,8 @@
 use std::sync::Arc;
 
 use pyo3::prelude::*;
+#[cfg(feature = "stubs")]
+use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_union};
 
 use crate::argument::argument;
 use crate::digits::short;
@@ -77,6 +79,28 @@ impl Friction {
 }
 
 picklable!(Friction: stickslip::Friction);
+
+/// Argument that is converted to a friction law without a grid: a Friction or one coefficient.
+pub(crate) struct GridlessFriction(pub(crate) stickslip::Friction);
+
+impl FromPyObject<'_, '_> for GridlessFriction {
+    type Error = PyErr;
+
+    #[cfg(feature = "stubs")]
+    const INPUT_TYPE: PyStaticExpr = type_hint_union!(
+        Friction::TYPE_HINT,
+        <f64 as FromPyObject<'_, '_>>::INPUT_TYPE
+    );
+
+    fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+        if let Ok(friction) = object.cast::<Friction>() {
+            return Ok(Self(friction.get().0.clone()));
+        }
+        let Real(coefficient) = object.extract()?;
+        let friction = stickslip::Friction::coulomb(coefficient);
+        friction.or_raise(object.py()).map(Self)
+    }
+}
 
 argument! {
     /// Argument that is converted to a friction law: a Friction, one coefficient, or one coefficient per cell.

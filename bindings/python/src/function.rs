@@ -53,6 +53,15 @@ pub(crate) fn has_raised() -> bool {
     RAISED.with_borrow(|raised| matches!(raised, Raised::First(_)))
 }
 
+/// Stores an exception of a Python function, which ends the current work of this thread and is raised at its end.
+pub(crate) fn raise(py: Python<'_>, exception: PyErr, function: &Bound<'_, PyAny>) {
+    RAISED.with_borrow_mut(|raised| match raised {
+        Raised::Untold => tell(py, exception, function),
+        Raised::Nothing => *raised = Raised::First(exception),
+        Raised::First(_) => {}
+    });
+}
+
 /// A Python function as an operator of one component: it receives an array of the unknowns and returns an array of the
 /// same size.
 pub(crate) struct Function {
@@ -86,15 +95,10 @@ impl Operator for Function {
     /// If the function raises an exception, the product is filled with NaN, with which no iteration converges.
     fn apply(&self, [x]: [&[f64]; 1], [out]: [&mut [f64]; 1], _: &mut Scratch) {
         Python::attach(|py| {
-            let Err(exception) = self.product(py, x, out) else {
-                return;
-            };
-            out.fill(f64::NAN);
-            RAISED.with_borrow_mut(|raised| match raised {
-                Raised::Untold => tell(py, exception, self.call.bind(py)),
-                Raised::Nothing => *raised = Raised::First(exception),
-                Raised::First(_) => {}
-            });
+            if let Err(exception) = self.product(py, x, out) {
+                out.fill(f64::NAN);
+                raise(py, exception, self.call.bind(py));
+            }
         });
     }
 

@@ -1,6 +1,7 @@
 //! The extension module of the Python package `stickslip`: classes and functions over the crate, which the package
 //! exports in several modules. The docs of its items are the Python docstrings.
 
+mod adaptive;
 mod analytical;
 mod argument;
 mod array;
@@ -73,6 +74,7 @@ mod _stickslip {
 
     #[pymodule_export]
     use crate::{
+        adaptive::{AdaptiveProblem, AdaptiveSolution, GridRecord, Region},
         analytical::{
             BentallJohnson, Carter, CattaneoMindlin, CattaneoMindlinEllipse, CattaneoMindlinLine,
             Cone, ConePartialSlip, FlatPunch, HertzEllipse, HertzLine, HertzSphere,

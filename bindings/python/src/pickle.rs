@@ -184,6 +184,7 @@ macro_rules! kinds {
 }
 
 kinds!(
+    crate::adaptive::Region,
     crate::cgm::Minimum,
     crate::grid::Grid,
     crate::layers::Layer,

@@ -19,6 +19,15 @@ impl<'py> Progress<'py> {
     }
 
     pub(crate) fn of(argument: Option<&Bound<'py, PyAny>>) -> PyResult<Self> {
+        Self::with_bar(argument, "Bar")
+    }
+
+    /// Returns the progress of a solve on several grids.
+    pub(crate) fn of_grids(argument: Option<&Bound<'py, PyAny>>) -> PyResult<Self> {
+        Self::with_bar(argument, "GridBar")
+    }
+
+    fn with_bar(argument: Option<&Bound<'py, PyAny>>, class: &str) -> PyResult<Self> {
         let Some(argument) = argument else {
             return Ok(Self::none());
         };
@@ -32,7 +41,7 @@ impl<'py> Progress<'py> {
             return Ok(Self::none());
         }
         let module = argument.py().import("stickslip._progress")?;
-        let bar = module.getattr("Bar")?.call0()?;
+        let bar = module.getattr(class)?.call0()?;
         Ok(Self {
             callback: Some(bar.clone().unbind()),
             bar: Some(bar),

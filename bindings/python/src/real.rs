@@ -187,19 +187,23 @@ pub(crate) fn misshapen(
     exception().unwrap_or_else(|failure| failure)
 }
 
+/// Returns an array whose masked entries are NaN. Other objects are returned unchanged.
+pub(crate) fn filled<'py>(object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    if object.hasattr("mask")? && object.hasattr("filled")? {
+        let real = object.call_method1("astype", ("float64",))?;
+        real.call_method1("filled", (f64::NAN,))
+    } else {
+        Ok(object.clone())
+    }
+}
+
 /// Returns a two-dimensional array of numbers; masked entries become NaN.
 pub(crate) fn plane<'py>(
     object: &Bound<'py, PyAny>,
     quantity: &str,
     grid: stickslip::Grid,
 ) -> PyResult<PyArrayLike2<'py, f64, AllowTypeChange>> {
-    let filled = if object.hasattr("mask")? && object.hasattr("filled")? {
-        let real = object.call_method1("astype", ("float64",))?;
-        real.call_method1("filled", (f64::NAN,))?
-    } else {
-        object.clone()
-    };
-    filled.extract().map_err(|_| {
+    filled(object)?.extract().map_err(|_| {
         let shape = as_array(object).and_then(|array| array.getattr("shape").ok()?.extract().ok());
         // NumPy converts an object of unknown type to a zero-dimensional array.
         let differs = |shape: &Vec<usize>| !shape.is_empty() && *shape != [grid.ny(), grid.nx()];

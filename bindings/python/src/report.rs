@@ -115,7 +115,7 @@ record!(Report: status, iterations, double_precision_products, single_precision_
 /// ``single_row_of_cells``, ``contact_spans_grid``, ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``,
 /// ``underresolved_stick_zone``, ``underresolved_slip_zone``, ``single_load_step``, ``stress_at_edge``,
 /// ``discretisation_error``, ``approach_beyond_grid``, ``large_contact_radius``, ``steep_surface``,
-/// ``held_shift_lost_force`` or ``neglected_lift``.
+/// ``held_shift_lost_force``, ``neglected_lift`` or ``accuracy_not_reached``.
 #[pyclass(frozen, eq, hash, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) struct Warning(pub(crate) stickslip::Warning);
@@ -151,6 +151,7 @@ impl Warning {
             W::SteepSurface { .. } => "steep_surface",
             W::HeldShiftLostForce { .. } => "held_shift_lost_force",
             W::NeglectedLift { .. } => "neglected_lift",
+            W::AccuracyNotReached { .. } => "accuracy_not_reached",
             _ => "other",
         }
     }

@@ -96,12 +96,16 @@ pub(crate) fn chosen(
         chosen = chosen.max_iterations(most);
     }
     if let Some(Real(seconds)) = time_limit {
-        let limit = Duration::try_from_secs_f64(seconds).map_err(|_| {
-            PyValueError::new_err(format!(
-                "time_limit must be a non-negative number of seconds, got {seconds}"
-            ))
-        })?;
-        chosen = chosen.time_limit(limit);
+        chosen = chosen.time_limit(duration(seconds)?);
     }
     Ok(chosen)
+}
+
+/// Returns the duration of a time limit in seconds.
+pub(crate) fn duration(seconds: f64) -> PyResult<Duration> {
+    Duration::try_from_secs_f64(seconds).map_err(|_| {
+        PyValueError::new_err(format!(
+            "time_limit must be a non-negative number of seconds, got {seconds}"
+        ))
+    })
 }

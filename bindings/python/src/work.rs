@@ -17,9 +17,22 @@ use crate::function::{has_raised, raising};
 use crate::pool;
 use crate::progress::Progress;
 
-/// Function that a solve calls before each product. Other work calls it without an iteration at points where it can be
-/// interrupted.
-pub(crate) type Observer<'a> = &'a mut (dyn FnMut(Option<&Iteration>) -> ControlFlow<()> + Send);
+/// Stage of a work, which is passed to the progress callback.
+pub(crate) trait Stage: Clone + Send {
+    /// Returns the stage as an object of Python.
+    fn object(self, py: Python<'_>) -> PyResult<Bound<'_, PyAny>>;
+}
+
+impl Stage for Iteration {
+    fn object(self, py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+        Bound::new(py, crate::report::Iteration(self)).map(Bound::into_any)
+    }
+}
+
+/// Function that a solve calls before each product, or at another stage. Other work calls it without a stage at points
+/// where it can be interrupted.
+pub(crate) type Observer<'a, S = Iteration> =
+    &'a mut (dyn FnMut(Option<&S>) -> ControlFlow<()> + Send);
 
 /// Returns `Ok` if work without iterations may continue. The error only ends the work; the caller raises the exception
 /// that interrupted it.
@@ -49,6 +62,16 @@ pub(crate) fn solve<T: Send>(
     cells: usize,
     progress: Progress<'_>,
     work: impl FnOnce(Observer<'_>) -> Result<T> + Send,
+) -> PyResult<Result<T>> {
+    solve_in_stages(py, cells, progress, work)
+}
+
+/// Runs a solve like [`solve`], whose progress callback receives stages of any kind.
+pub(crate) fn solve_in_stages<T: Send, S: Stage>(
+    py: Python<'_>,
+    cells: usize,
+    progress: Progress<'_>,
+    work: impl FnOnce(Observer<'_, S>) -> Result<T> + Send,
 ) -> PyResult<Result<T>> {
     if IS_CALLED_BACK.get() {
         return Err(PyRuntimeError::new_err(
@@ -120,20 +143,20 @@ pub(crate) fn unobserved_on<T: Send>(
 /// Result of a solve and the exception that interrupted it.
 type Ended<T> = (Result<T>, Option<PyErr>);
 
-fn in_place<T: Send>(
+fn in_place<T: Send, S: Stage>(
     py: Python<'_>,
     callback: Option<&Py<PyAny>>,
-    work: impl FnOnce(Observer<'_>) -> Result<T> + Send,
+    work: impl FnOnce(Observer<'_, S>) -> Result<T> + Send,
 ) -> PyResult<Ended<T>> {
     let mut interruption = None;
     let outcome = py.detach(|| {
         let mut looked = Instant::now();
-        let mut observer = |iteration: Option<&Iteration>| {
+        let mut observer = |stage: Option<&S>| {
             let is_due = looked.elapsed() >= SIGNAL_INTERVAL;
             if interruption.is_none() && (is_due || callback.is_some()) {
                 let outcome = Python::attach(|py| {
-                    if let Some(iteration) = iteration {
-                        called(py, callback, iteration)?;
+                    if let Some(stage) = stage {
+                        called(py, callback, stage)?;
                     }
                     py.check_signals()
                 });
@@ -151,31 +174,36 @@ fn in_place<T: Send>(
 }
 
 /// State shared by the thread of the solve and the calling thread.
-#[derive(Default)]
-struct Exchange {
-    messages: Mutex<Messages>,
+struct Exchange<S> {
+    messages: Mutex<Messages<S>>,
     changed: Condvar,
     stop: AtomicBool,
 }
 
-#[derive(Default)]
-struct Messages {
+struct Messages<S> {
     is_done: bool,
-    /// Iteration to be passed to the callback; `None` once it has been called.
-    iteration: Option<Iteration>,
+    /// Stage to be passed to the callback; `None` once it has been called.
+    stage: Option<S>,
 }
 
-impl Exchange {
-    fn messages(&self) -> MutexGuard<'_, Messages> {
-        self.messages.lock().unwrap_or_else(PoisonError::into_inner)
+impl<S: Stage> Exchange<S> {
+    fn new() -> Self {
+        Self {
+            messages: Mutex::new(Messages {
+                is_done: false,
+                stage: None,
+            }),
+            changed: Condvar::new(),
+            stop: AtomicBool::new(false),
+        }
     }
 
     /// Requests a callback from the calling thread and waits until it has returned.
-    fn call(&self, iteration: Iteration) {
+    fn call(&self, stage: S) {
         let mut messages = self.messages();
-        messages.iteration = Some(iteration);
+        messages.stage = Some(stage);
         self.changed.notify_all();
-        while messages.iteration.is_some() {
+        while messages.stage.is_some() {
             messages = self
                 .changed
                 .wait(messages)
@@ -184,49 +212,55 @@ impl Exchange {
     }
 
     /// Waits for the end, for a callback request or for the next signal check; returns whether the end has come.
-    fn wait(&self) -> (bool, Option<Iteration>) {
+    fn wait(&self) -> (bool, Option<S>) {
         let mut messages = self.messages();
-        if !messages.is_done && messages.iteration.is_none() {
+        if !messages.is_done && messages.stage.is_none() {
             let waited = self.changed.wait_timeout(messages, SIGNAL_INTERVAL);
             messages = waited.unwrap_or_else(PoisonError::into_inner).0;
         }
-        (messages.is_done, messages.iteration)
+        (messages.is_done, messages.stage.clone())
     }
 
     fn called(&self) {
-        self.messages().iteration = None;
+        self.messages().stage = None;
         self.changed.notify_all();
     }
 }
 
-/// Guard that reports the end of the solve, even if it panics.
-struct Done<'a>(&'a Exchange);
+impl<S> Exchange<S> {
+    fn messages(&self) -> MutexGuard<'_, Messages<S>> {
+        self.messages.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
 
-impl Drop for Done<'_> {
+/// Guard that reports the end of the solve, even if it panics.
+struct Done<'a, S>(&'a Exchange<S>);
+
+impl<S> Drop for Done<'_, S> {
     fn drop(&mut self) {
         self.0.messages().is_done = true;
         self.0.changed.notify_all();
     }
 }
 
-fn in_pool<T: Send>(
+fn in_pool<T: Send, S: Stage>(
     py: Python<'_>,
     pool: &ThreadPool,
     callback: Option<&Py<PyAny>>,
-    work: impl FnOnce(Observer<'_>) -> Result<T> + Send,
+    work: impl FnOnce(Observer<'_, S>) -> Result<T> + Send,
 ) -> PyResult<Ended<T>> {
-    let exchange = Exchange::default();
+    let exchange = Exchange::new();
     let is_followed = callback.is_some();
     let mut outcome = None;
     let mut interruption = None;
     pool.in_place_scope(|scope| {
         scope.spawn(|_| {
             let done = Done(&exchange);
-            let mut observer = |iteration: Option<&Iteration>| {
+            let mut observer = |stage: Option<&S>| {
                 let is_stopped = || exchange.stop.load(Ordering::Relaxed);
-                let shown = iteration.filter(|_| is_followed && !is_stopped());
-                if let Some(iteration) = shown {
-                    exchange.call(*iteration);
+                let shown = stage.filter(|_| is_followed && !is_stopped());
+                if let Some(stage) = shown {
+                    exchange.call(stage.clone());
                 }
                 if is_stopped() || has_raised() {
                     ControlFlow::Break(())
@@ -238,18 +272,20 @@ fn in_pool<T: Send>(
             drop(done);
         });
         loop {
-            let (is_done, iteration) = py.detach(|| exchange.wait());
+            let (is_done, stage) = py.detach(|| exchange.wait());
             if is_done {
                 break;
             }
             if interruption.is_none() {
-                let seen = iteration.map_or(Ok(()), |iteration| called(py, callback, &iteration));
+                let seen = stage
+                    .as_ref()
+                    .map_or(Ok(()), |stage| called(py, callback, stage));
                 interruption = seen.and_then(|()| py.check_signals()).err();
                 exchange
                     .stop
                     .store(interruption.is_some(), Ordering::Relaxed);
             }
-            if iteration.is_some() {
+            if stage.is_some() {
                 exchange.called();
             }
         }
@@ -258,12 +294,13 @@ fn in_pool<T: Send>(
     Ok((outcome?, interruption))
 }
 
-fn called(py: Python<'_>, callback: Option<&Py<PyAny>>, iteration: &Iteration) -> PyResult<()> {
+fn called(py: Python<'_>, callback: Option<&Py<PyAny>>, stage: &impl Stage) -> PyResult<()> {
     let Some(callback) = callback else {
         return Ok(());
     };
+    let stage = stage.clone().object(py)?;
     IS_CALLED_BACK.set(true);
-    let outcome = callback.call1(py, (crate::report::Iteration(*iteration),));
+    let outcome = callback.call1(py, (stage,));
     IS_CALLED_BACK.set(false);
     outcome.map(|_| ())
 }

@@ -94,6 +94,11 @@ class Scene:
         coupled = problem.solve()
         dense = ss.dense.DenseOperator.of_half_space(self.few, "zz")
         linear = -np.ones(64)
+        extent = (-0.15e-3, 0.15e-3)
+        region = ss.adaptive.Region.rectangle(extent, extent)
+        # The samples are too far apart for a smaller error.
+        chosen = {"friction": 0.5, "first_step": load, "target": 0.2}
+        accurate = ss.adaptive.AdaptiveProblem(pair, ball, region, force=100.0, **chosen).solve(warn=False)
         layer = ss.layers.Layer(400e9, 0.25, 2e-6)
 
         # Objects of classes that no other call returns, by the name of the class.
@@ -164,6 +169,9 @@ class Scene:
             "Kernel": ss.Kernel.tabulated(pair, (grid.dx, grid.dy), {"zz": np.eye(2)}),
             "LoadPath": ss.history.LoadPath.sine((1e-7, 0.0), 4),
             "AdaptiveSteps": adaptive,
+            "AdaptiveSolution": accurate,
+            "GridRecord": accurate.grids[0],
+            "Region": region,
         }
         # Sequences with their own class.
         for sequence in (cycle.points, normal.report.history, responses):
@@ -178,15 +186,15 @@ class Scene:
             "contact": normal, "contact_radius": 1e-4, "count": 2, "creepage": 1e-3,
             "curvatures": (1.0, 0.0, 1.0), "cycle": cycle, "datum": 1.0, "depth": ball, "depths": [0.0, 1e-5],
             "dx": 1e-6, "dy": 1e-6, "energy": ball, "field": ball,
-            "fields": {"gap": ball}, "flat": 5e-5, "force": 20.0, "form": 3, "friction": 0.5, "full": normal,
+            "fields": {"gap": ball}, "finer": accurate, "flat": 5e-5, "force": 20.0, "form": 3, "friction": 0.5, "full": normal,
             "gap": ball, "grid": grid, "heights": ball, "hertz": hertz, "histories": [history], "history": history,
             "i": 1, "index": 0, "ix": 0, "iy": 0, "j": 1, "k": 1e3, "layers": [layer], "limit": 1e10, "linear": -np.ones(cells * cells),
             "load": 100.0, "loads": [load], "lower": ball, "height": 0.0, "material": steel, "material_ratio": 0.3, "mean_pressure": 1e8,
             "mean_traction": 1e7, "n": 8, "near": pair, "response": lambda k: (1.0 / k, 1.0 / k, 1.0 / k, 0.0),
             "operators": {"z": lambda x: 1e-11 * x}, "coefficients": {"zz": np.eye(2)}, "sides": (1.0, 1.0), "thickness": 1e-5, "normal": normal, "nx": 8, "ny": 9, "operator": operator, "pair": pair,
             "path": f"{self.folder}/file", "pattern": strain, "phase": 0.5, "points": points, "poisson_ratio": 0.3,
-            "pressure": normal, "r": [0.0, 1e-4], "radius": 3.5e-3, "radius_x": 3e-3, "radius_y": 4e-3, "ratio": 0.5,
-            "recess": 1e-3,
+            "pressure": normal, "quantity": "pressure", "r": [0.0, 1e-4], "radius": 3.5e-3, "radius_x": 3e-3, "radius_y": 4e-3, "ratio": 0.5,
+            "recess": 1e-3, "region": region,
             "reduced_pressure": 0.1, "relative": strain, "rms_slope": slope, "row": 1, "rows": (0, 8), "samples": ball,
             "settings": ss.Settings(), "shear": shear, "shear_modulus": 80e9, "side": 1e-3, "slip_distance": ball,
             "slope": slope, "spots": normal.spots, "springs": (1e7, 1e7), "state": history.state(), "steps": 8, "stick": light,
@@ -198,6 +206,7 @@ class Scene:
         # Arguments of individual calls: names with a different meaning, and options without which a call would do
         # nothing.
         self.special = {
+            "AdaptiveProblem": {"force": 100.0, "target": 0.2},
             "AdaptiveSteps.error": {"load": load},
             "AdaptiveSteps.step": {"load": load},
             "BentallJohnson": {"hertz": line},
@@ -237,6 +246,9 @@ class Scene:
             "CoupledRollingProblem": {"normal_force": 100.0, "creepage_x": 1e-3},
             "CoupledRollingSolver.set_load": {"normal_force": 100.0},
             "CoupledRollingSolver.solve": {"creepage_x": 1e-3},
+            "Region.line": {"x": extent},
+            "Region.periodic": {"x": extent, "y": extent},
+            "Region.rectangle": {"x": extent, "y": extent},
             "RollingProblem": {"creepage_x": 1e-3},
             "RollingSolver.creep_forces": {"points": [(1e-3, 0.0, 0.0), (2e-3, 0.0, 0.0)]},
             "RollingSolver.set_load": {"force": 100.0},

@@ -55,6 +55,9 @@ ELSEWHERE = {
     "struct kernel::Kernel": "Kernel",
     "struct kernel::Operators": "Kernel.operators",  # a dictionary
     "struct layers::Response": "layers.WaveResponse",
+    "struct adaptive::Estimate": "adaptive.AdaptiveSolution",  # a dictionary
+    "struct adaptive::SampledGap": "adaptive.AdaptiveProblem",  # a Field, and interpolation=
+    "trait adaptive::GapFunction": "adaptive.AdaptiveProblem",  # a callable
 }
 # Items that are missing in Python, each with the reason.
 WITHOUT = {
@@ -65,6 +68,7 @@ WITHOUT = {
     "struct coupled::CoupledProblemBuilder": "keywords of CoupledProblem",
     "struct rolling::RollingProblemBuilder": "keywords of rolling.RollingProblem",
     "struct rolling::CoupledRollingProblemBuilder": "keywords of rolling.CoupledRollingProblem",
+    "struct adaptive::AdaptiveProblemBuilder": "keywords of adaptive.AdaptiveProblem",
     "type Result": "exceptions",
     "struct Solver": "each kind of contact has its class",
     "trait Contact": "generics of Rust",
@@ -119,6 +123,8 @@ METHODS = {
         "with_cell_value": "HalfSpace(cell_value=)",
         "tensor_preconditioner": "of minima with several components a cell: engine generics",
     },
+    "adaptive::AdaptiveSolution": {"estimate": "estimates[quantity]", "position": "x[ix], y[iy]"},
+    "adaptive::SampledGap": {"heights": "the Field"},
     "cgm::Problem": {"totals": "of minima with several components a cell: engine generics"},
     "cgm::Settings": {"check": "the class"},
     "dense::DenseOperator": {"from_rows": "the class"},
@@ -232,7 +238,7 @@ def test_enumerations_have_names_accepted_by_module():
     from stickslip import _enums
 
     names = ["Axis", "TangentialModel", "Coupling", "CellValue", "EntryRule", "LeadingEdge", "Method", "Body", "Amplitudes"]
-    for name in [*names, "Component"]:
+    for name in [*names, "Component", "Interpolation", "Quantity", "AdaptiveStatus"]:
         assert all(str(member) == member.value for member in getattr(_enums, name))
     assert ss.Settings(method=ss.Method.POLONSKY_KEER) == ss.Settings(method="polonsky_keer")
 

@@ -27,11 +27,12 @@ A contact consists of a :class:`Grid`, two :class:`Material` objects in a :class
 :mod:`~stickslip.surface` or an array. :class:`NormalProblem` solves normal contact. :class:`TangentialProblem` solves one
 tangential load step under a given pressure. :class:`CoupledProblem` solves both simultaneously for different materials.
 :class:`History` computes a load history step by step, and
-:class:`rolling.RollingProblem <stickslip.rolling.RollingProblem>` computes steady rolling. Use ``help`` on a class for
-its parameters, units, defaults and exceptions.
+:class:`rolling.RollingProblem <stickslip.rolling.RollingProblem>` computes steady rolling.
+:class:`adaptive.AdaptiveProblem <stickslip.adaptive.AdaptiveProblem>` solves a contact to a required accuracy on a grid that
+it chooses. Use ``help`` on a class for its parameters, units, defaults and exceptions.
 
-The submodules correspond to the modules of the Rust crate: :mod:`~stickslip.analytical`, :mod:`~stickslip.cgm`,
-:mod:`~stickslip.coupled`, :mod:`~stickslip.dense`, :mod:`~stickslip.edges`, :mod:`~stickslip.errors`,
+The submodules correspond to the modules of the Rust crate: :mod:`~stickslip.adaptive`, :mod:`~stickslip.analytical`,
+:mod:`~stickslip.cgm`, :mod:`~stickslip.coupled`, :mod:`~stickslip.dense`, :mod:`~stickslip.edges`, :mod:`~stickslip.errors`,
 :mod:`~stickslip.fft`, :mod:`~stickslip.history`, :mod:`~stickslip.influence`, :mod:`~stickslip.io`,
 :mod:`~stickslip.layers`, :mod:`~stickslip.normal`, :mod:`~stickslip.rolling`, :mod:`~stickslip.stiffness`,
 :mod:`~stickslip.subsurface`, :mod:`~stickslip.surface`, :mod:`~stickslip.tangential`, :mod:`~stickslip.wear`;
@@ -39,6 +40,7 @@ The submodules correspond to the modules of the Rust crate: :mod:`~stickslip.ana
 """
 
 from . import (
+    adaptive,
     analytical,
     cgm,
     coupled,
@@ -141,6 +143,7 @@ __all__ = [
     "TangentialSolver",
     "Zone",
     "__version__",
+    "adaptive",
     "analytical",
     "cgm",
     "coupled",

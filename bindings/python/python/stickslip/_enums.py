@@ -159,6 +159,48 @@ class Amplitudes(_Name):
     GAUSSIAN = "gaussian"
 
 
+class Interpolation(_Name):
+    """Interpolation between the samples of a surface: the cubic through the four nearest samples along each axis, or the
+    line between the two nearest samples. The values of "linear" lie between the samples."""
+
+    CUBIC = "cubic"
+    LINEAR = "linear"
+
+
+class Quantity(_Name):
+    """Quantity whose error can be prescribed.
+
+    "pressure": the error is the integral of the absolute error divided by the force. "area": contact area; the error is
+    relative. "approach": approach from the first touch; the error is relative. "force": normal force under a prescribed
+    approach; the error is relative. "traction": magnitude of the traction; the error is the integral of the absolute error
+    divided by the integral of the traction. "stick_ratio": ratio of stick area to contact area; the error is absolute.
+    "shift": the tangential rigid motion; the error is relative.
+    """
+
+    PRESSURE = "pressure"
+    AREA = "area"
+    APPROACH = "approach"
+    FORCE = "force"
+    TRACTION = "traction"
+    STICK_RATIO = "stick_ratio"
+    SHIFT = "shift"
+
+
+class AdaptiveStatus(_Name):
+    """Reason why the refinement of the grid ended.
+
+    "reached": all estimates are at most their targets. "cell_limit": the next grid would exceed the limit of the cells.
+    "time_limit": the time limit passed. "sample_spacing": the cells are as small as the distance between the samples of
+    the gap. "cancelled": the observer cancelled, which is not possible in Python.
+    """
+
+    REACHED = "reached"
+    CELL_LIMIT = "cell_limit"
+    TIME_LIMIT = "time_limit"
+    SAMPLE_SPACING = "sample_spacing"
+    CANCELLED = "cancelled"
+
+
 class Direction(_Name):
     """Direction of a displacement or a traction."""
 

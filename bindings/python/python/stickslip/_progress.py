@@ -1,4 +1,4 @@
-"""Progress bar of ``progress=True``."""
+"""Progress bars of ``progress=True``."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from . import Iteration
+    from .adaptive import GridRecord
 
 
 def _tqdm(**options: Any) -> Any:
@@ -18,18 +19,27 @@ def _tqdm(**options: Any) -> Any:
     return tqdm(**options)
 
 
-class Bar:
-    """Progress bar of tqdm that shows products and residual of a solve."""
+class _Bar:
+    """Progress bar of tqdm that counts the calls."""
+
+    unit: str
 
     def __init__(self) -> None:
-        self._bar = _tqdm(unit=" products")
+        self._bar = _tqdm(unit=self.unit)
+
+    def close(self) -> None:
+        self._bar.close()
+
+
+class Bar(_Bar):
+    """Progress bar that shows products and residual of a solve."""
+
+    unit = " products"
 
     def __call__(self, iteration: Iteration) -> None:
         self._bar.update(1)
         self._bar.set_postfix(residual=f"{iteration.residual:.1e}", free=iteration.free, refresh=False)
 
-    def close(self) -> None:
-        self._bar.close()
 
 
 @contextmanager
@@ -43,3 +53,14 @@ def cycle_bar(cycles: int, done: int, is_shown: bool) -> Iterator[Callable[[int]
         yield bar.update
     finally:
         bar.close()
+
+
+class GridBar(_Bar):
+    """Progress bar that shows the grids of a solve and their estimated errors."""
+
+    unit = " grids"
+
+    def __call__(self, record: GridRecord) -> None:
+        self._bar.update(1)
+        errors = {name: f"{error:.1e}" for name, error in record.estimates.items()}
+        self._bar.set_postfix(cells=record.grid.cells, **errors, refresh=False)

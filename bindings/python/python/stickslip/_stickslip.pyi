@@ -2,13 +2,15 @@
 """
 Extension module of the package ``stickslip``; import that package instead.
 """
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import Any, Final, final
 
 from numpy import bool_, float64, uint8, uint32, uint64
 from numpy.typing import ArrayLike, NDArray
 
 __all__ = [
+    "AdaptiveProblem",
+    "AdaptiveSolution",
     "AdaptiveSteps",
     "Autocorrelation",
     "BentallJohnson",
@@ -46,6 +48,7 @@ __all__ = [
     "FlatPunch",
     "Friction",
     "Grid",
+    "GridRecord",
     "HalfSpace",
     "Hardness",
     "HertzEllipse",
@@ -85,6 +88,7 @@ __all__ = [
     "Principal",
     "PvdWriter",
     "Rectangle",
+    "Region",
     "RelativeDisplacement",
     "Report",
     "Rolling",
@@ -177,13 +181,241 @@ __all__ = [
 ]
 
 from os import PathLike
-from stickslip._enums import Amplitudes, Axis, Body, CellValue, Component, Coupling, EigenvalueBound, LeadingEdge, Method, Regime, Status, TangentialModel, EntryRule
+from stickslip._enums import AdaptiveStatus, Amplitudes, Axis, Body, CellValue, Component, Coupling, EigenvalueBound, EntryRule, Interpolation, LeadingEdge, Method, Quantity, Regime, Status, TangentialModel
 from typing_extensions import disjoint_base
 
 __version__: Final[str]
 """
 Version of the package.
 """
+
+@final
+class AdaptiveProblem:
+    """
+    Bodies, gap, load and required accuracy of a contact, whose grid the solve chooses.
+
+    The solve finds the part of the region where the bodies touch. It refines a grid on this part until all estimated errors
+    are at most their targets, or until a limit is reached. The estimates are not bounds.
+
+    The search for the contact evaluates the gap at 192 x 192 positions of the region. It does not find a bump between these
+    positions. The docs of the Rust module ``adaptive`` describe the method and the estimates.
+
+    Parameters
+    ----------
+    pair : ElasticPair, two Materials, or Kernel
+        The two bodies; z points into the first.
+    gap : callable or Field
+        The gap before loading (lengths). A function ``gap(x, y)`` receives two arrays of one dimension and equal length, the
+        coordinates of positions in the region (lengths). It returns an array of their shape. A Field contains samples on a
+        grid that is centred on the origin. The cells are not smaller than the distance between the samples.
+    region : Region
+        The region where contact may occur. The samples of a Field must cover it.
+    force, approach : float
+        Exactly one of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap
+        (a length, positive when they move together). The tangential load has other keywords.
+    target : float or dict, default 0.01
+        The largest estimated errors, each between 0 and 1. A number is the target of the pressure, and of the traction if
+        there is friction. A dictionary contains the target of each :class:`Quantity`, such as ``{"area": 1e-3}``.
+    interpolation : Interpolation or str, default "cubic"
+        Interpolation between the samples of a Field: "cubic" or "linear".
+    friction : Friction or float, optional
+        Coulomb friction with a uniform coefficient (dimensionless, not negative). Friction requires a tangential load or
+        ``first_step``.
+    load : TangentialLoad, optional
+        The tangential load as an object, instead of by keywords. It acts on the contact under its final pressure, as in a
+        :class:`~stickslip.TangentialProblem`.
+    shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist : optional
+        The tangential load; see :class:`~stickslip.TangentialLoad`.
+    first_step : LoadStep, optional
+        The first step of a history, instead of a tangential load. The normal load of the problem replaces the normal load of
+        the step. :attr:`AdaptiveSolution.history` can then take further steps on the same grid.
+    model : TangentialModel or str, default "scalar"
+        "scalar" computes the traction along the axis of the load, "vector" both components.
+    coupling : Coupling or str, optional
+        Coupling for bodies of different materials: by default "one_way", or "full" with ``first_step``.
+    cell_limit : int, default 1048576
+        The largest number of cells of a grid, at least 1024.
+    time_limit : float, optional
+        Wall time (s) after which no further grid is solved; no limit by default.
+
+    Raises
+    ------
+    Tolerance, Sample, UnsupportedByModel, BelowMinimum
+
+    Examples
+    --------
+    >>> import stickslip as ss
+    >>> steel = ss.Material(213e9, 0.29)
+    >>> region = ss.adaptive.Region.rectangle((-20e-3, 20e-3), (-20e-3, 20e-3))
+    >>> ball = lambda x, y: (x**2 + y**2) / 7e-3
+    >>> problem = ss.adaptive.AdaptiveProblem((steel, steel), ball, region, force=100.0, target={"approach": 1e-3})
+    >>> contact = problem.solve()
+    >>> hertz = ss.analytical.HertzSphere(ss.ElasticPair(steel, steel), 3.5e-3, 100.0)
+    >>> contact.is_reached, abs(contact.approach / hertz.approach - 1.0) < 1e-3
+    (True, True)
+    """
+    def __getnewargs_ex__(self, /) -> tuple[tuple[Any, ...], dict[str, Any]]: ...
+    def __new__(cls, /, pair: ElasticPair | Kernel | tuple[Material, Material], gap: Callable[[NDArray[float64], NDArray[float64]], ArrayLike] | Field, region: Region, *, force: float | None = None, approach: float | None = None, target: float | dict[Any, float] = 0.01, interpolation: Interpolation | str | None = None, friction: Friction | float | None = None, load: TangentialLoad | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, first_step: LoadStep | None = None, model: TangentialModel | str | None = None, coupling: Coupling | str | None = None, cell_limit: int | None = None, time_limit: float | None = None) -> AdaptiveProblem: ...
+    def __repr__(self, /) -> str: ...
+    def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> AdaptiveSolution:
+        """
+        Solves the contact on finer and finer grids until all estimates are at most their targets or a limit is reached.
+
+        A limit is not an error. The solution then belongs to the finest grid: its status states the limit, and a warning is
+        issued. An exception of the gap function ends the solve and is raised unchanged. Ctrl-C takes effect between grids, or
+        between calls of the gap function.
+
+        Parameters
+        ----------
+        progress : callable or bool, optional
+            A function that is called with a :class:`GridRecord` after the solve on each grid; an exception in it ends the
+            solve. ``True`` shows a progress bar of tqdm.
+        warn : bool, default True
+            Whether the warnings of the solution are also issued through ``warnings``, each kind once per location.
+
+        Returns
+        -------
+        AdaptiveSolution
+
+        Raises
+        ------
+        EmptyContact
+            If the bodies do not touch.
+        Sample
+            If the gap is not finite at a position.
+        BeyondSamples
+            If the samples of the gap do not cover the region.
+        ValueError
+            If the array that the gap function returns has a wrong shape.
+
+        Notes
+        -----
+        Exceptions of the contact on a grid can also occur, such as :class:`~stickslip.errors.BeyondFrictionCapacity`.
+        """
+    @property
+    def targets(self, /) -> dict[str, float]:
+        """
+        Targets of the estimated errors, by the names of the quantities.
+        """
+
+@final
+class AdaptiveSolution:
+    """
+    Contact with estimated errors, on the finest grid of a solve. It cannot be pickled; its parts, such as ``normal`` and
+    ``history``, can.
+    """
+    def __repr__(self, /) -> str: ...
+    @property
+    def approach(self, /) -> float:
+        """
+        Approach of the bodies from the datum of the gap (a length). On a grid that is periodic along x and y, it is the mean
+        initial gap minus the mean gap under load.
+        """
+    @property
+    def area(self, /) -> float:
+        """
+        Contact area from the edges inside the cells (a length squared).
+        """
+    @property
+    def bodies(self, /) -> HalfSpace:
+        """
+        The bodies on the grid, for instance for a further problem.
+        """
+    @property
+    def centre(self, /) -> tuple[float, float]:
+        """
+        Centre of the grid in the coordinates of the gap, (x, y) (lengths).
+        """
+    def difference(self, /, finer: AdaptiveSolution, quantity: Quantity | str) -> float:
+        """
+        Returns the difference of a quantity from a solution on a finer grid, in the definition of :class:`Quantity`. The
+        difference is zero for a tangential quantity without friction.
+        """
+    def edges(self, /) -> TangentialEdges | None:
+        """
+        Returns the edges of contact and stick zone inside the cells; ``None`` without friction. Without friction,
+        ``normal.edges()`` returns the edge of the contact.
+
+        Raises
+        ------
+        UnsupportedForCoatings
+        """
+    @property
+    def estimates(self, /) -> dict[str, float]:
+        """
+        Estimated errors of all quantities, by name. The dictionary is empty if only one grid was solved.
+        """
+    @property
+    def force(self, /) -> float:
+        """
+        Normal force, the integral of the pressure.
+        """
+    @property
+    def gap(self, /) -> NDArray[float64]:
+        """
+        The gap before loading at the centres of the cells (lengths), shape (ny, nx).
+        """
+    @property
+    def grid(self, /) -> Grid:
+        """
+        The grid, whose coordinates are relative to :attr:`centre`.
+        """
+    @property
+    def grids(self, /) -> list[GridRecord]:
+        """
+        The grids of all solves after the search for the contact, in order.
+        """
+    @property
+    def history(self, /) -> History | None:
+        """
+        The history after its first step, for further steps on the same grid; ``None`` without ``first_step``. Further steps
+        do not change the other attributes of this solution.
+        """
+    @property
+    def is_reached(self, /) -> bool:
+        """
+        Whether all estimated errors are at most their targets.
+        """
+    @property
+    def normal(self, /) -> NormalSolution:
+        """
+        The normal contact.
+        """
+    @property
+    def status(self, /) -> AdaptiveStatus:
+        """
+        Reason why the refinement ended.
+        """
+    @property
+    def stick_ratio(self, /) -> float | None:
+        """
+        Ratio of stick area to contact area from the edges inside the cells; ``None`` without friction.
+        """
+    @property
+    def tangential(self, /) -> TangentialSolution | None:
+        """
+        The tangential contact; ``None`` without a tangential load.
+        """
+    @property
+    def targets(self, /) -> dict[str, float]:
+        """
+        Targets of the estimated errors, by the names of the quantities.
+        """
+    @property
+    def warnings(self, /) -> list[Warning]:
+        """
+        Warnings of the normal contact, and the warning ``accuracy_not_reached`` if a limit ended the refinement.
+        """
+    @property
+    def x(self, /) -> NDArray[float64]:
+        """
+        Coordinates x of the cell centres, in the coordinates of the gap (lengths), shape (nx,).
+        """
+    @property
+    def y(self, /) -> NDArray[float64]:
+        """
+        Coordinates y of the cell centres, in the coordinates of the gap (lengths), shape (ny,).
+        """
 
 @final
 class AdaptiveSteps:
@@ -2339,6 +2571,30 @@ class Grid:
     def y(self, /) -> NDArray[float64]:
         """
         Coordinates of the cell centres along y (lengths).
+        """
+
+@final
+class GridRecord:
+    """
+    Grid of a solve and the estimated errors after it.
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def centre(self, /) -> tuple[float, float]:
+        """
+        Centre of the grid in the coordinates of the gap, (x, y) (lengths).
+        """
+    @property
+    def estimates(self, /) -> dict[str, float]:
+        """
+        Estimated errors of all quantities, by name; empty after the first solve of a part of the region.
+        """
+    @property
+    def grid(self, /) -> Grid:
+        """
+        Grid of the solve.
         """
 
 @final
@@ -4850,6 +5106,84 @@ class Rectangle:
         """
 
 @final
+class Region:
+    """
+    Region of the surface where contact may occur, in the coordinates of the gap. Its static methods create a region.
+
+    The grid of an :class:`AdaptiveProblem` covers only the part of the region where the bodies touch. Along a periodic
+    axis, it covers the whole region.
+
+    Examples
+    --------
+    >>> import stickslip as ss
+    >>> ss.adaptive.Region.rectangle((-1e-3, 1e-3), (-1e-3, 1e-3))
+    Region.rectangle((-0.001, 0.001), (-0.001, 0.001))
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def boundary(self, /) -> Boundary:
+        """
+        Boundary condition at the edge of the grids.
+        """
+    @staticmethod
+    def line(x: Sequence[float] | NDArray[Any], datum: float) -> Region:
+        """
+        Creates a part of a line contact in plane strain. All forces are per unit length.
+
+        Parameters
+        ----------
+        x : (float, float)
+            Start and end along x (lengths).
+        datum : float
+            The datum of :meth:`Boundary.periodic_along_y` (a length), at least the length of the line.
+
+        Raises
+        ------
+        NotFinite, NotPositive, BelowMinimum
+        """
+    @staticmethod
+    def periodic(x: Sequence[float] | NDArray[Any], y: Sequence[float] | NDArray[Any]) -> Region:
+        """
+        Creates a rectangle of periodic surroundings. The gap must have these periods.
+
+        Parameters
+        ----------
+        x, y : (float, float)
+            Start and end along x and along y (lengths).
+
+        Raises
+        ------
+        NotFinite, NotPositive
+        """
+    @staticmethod
+    def rectangle(x: Sequence[float] | NDArray[Any], y: Sequence[float] | NDArray[Any]) -> Region:
+        """
+        Creates a rectangle with these ends. The bodies extend beyond it.
+
+        Parameters
+        ----------
+        x, y : (float, float)
+            Start and end along x and along y (lengths).
+
+        Raises
+        ------
+        NotFinite, NotPositive
+        """
+    @property
+    def x(self, /) -> tuple[float, float]:
+        """
+        Start and end along x (lengths).
+        """
+    @property
+    def y(self, /) -> tuple[float, float] | None:
+        """
+        Start and end along y (lengths); ``None`` for a line.
+        """
+
+@final
 class RelativeDisplacement:
     """
     A displacement of body 1 relative to body 2 that is not caused by the contact, such as bulk strain or thermal
@@ -6795,7 +7129,7 @@ class Warning:
     ``single_row_of_cells``, ``contact_spans_grid``, ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``,
     ``underresolved_stick_zone``, ``underresolved_slip_zone``, ``single_load_step``, ``stress_at_edge``,
     ``discretisation_error``, ``approach_beyond_grid``, ``large_contact_radius``, ``steep_surface``,
-    ``held_shift_lost_force`` or ``neglected_lift``.
+    ``held_shift_lost_force``, ``neglected_lift`` or ``accuracy_not_reached``.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __hash__(self, /) -> int: ...

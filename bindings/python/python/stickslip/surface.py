@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ._enums import Amplitudes
+from ._enums import Amplitudes, Interpolation
 from ._stickslip import (
     Autocorrelation,
     Field,
@@ -110,6 +110,7 @@ __all__ = [
     "Autocorrelation",
     "Filled",
     "Filtered",
+    "Interpolation",
     "Levelled",
     "MaterialRatio",
     "PowerSpectrum",

@@ -100,7 +100,7 @@ impl Work {
 pub(crate) const NAME: &str = "history";
 
 impl History {
-    pub(super) fn of(history: stickslip::History, bodies: &HalfSpace) -> Self {
+    pub(crate) fn of(history: stickslip::History, bodies: &HalfSpace) -> Self {
         Self {
             work: Mutex::new(Work { history, taken: 0 }),
             bodies: bodies.clone(),

@@ -25,6 +25,7 @@ enum Source {
     Own(Arc<stickslip::NormalSolution>),
     OfCoupled(Arc<stickslip::CoupledSolution>),
     OfState(Arc<stickslip::history::State>),
+    OfAdaptive(Arc<stickslip::adaptive::AdaptiveSolution>),
 }
 
 /// Pressure, gap and approach of a normal contact. Arrays are read-only views of the memory of this object. Two objects
@@ -41,11 +42,16 @@ impl NormalSolution {
         Self(Source::OfState(Arc::clone(state)))
     }
 
+    pub(crate) fn of_adaptive(solution: &Arc<stickslip::adaptive::AdaptiveSolution>) -> Self {
+        Self(Source::OfAdaptive(Arc::clone(solution)))
+    }
+
     pub(crate) fn get(&self) -> &stickslip::NormalSolution {
         match &self.0 {
             Source::Own(solution) => solution,
             Source::OfCoupled(solution) => solution.normal(),
             Source::OfState(state) => state.normal(),
+            Source::OfAdaptive(solution) => solution.normal(),
         }
     }
 }
