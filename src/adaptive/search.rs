@@ -146,11 +146,7 @@ fn search_cells(problem: &AdaptiveProblem<'_>) -> [usize; 2] {
 }
 
 /// Returns the least gap in each cell of a grid, among points inside the cell.
-fn least_gaps(
-    problem: &AdaptiveProblem<'_>,
-    extent: Extent,
-    cells: [usize; 2],
-) -> Result<Field> {
+fn least_gaps(problem: &AdaptiveProblem<'_>, extent: Extent, cells: [usize; 2]) -> Result<Field> {
     let parts = cells.map(|count| if count == 1 { 1 } else { SEARCH_PARTS });
     let gaps = evaluate(problem.gap, &extent.positions(cells, parts))?;
     let of_cell = gaps.chunks(parts[0] * parts[1]);

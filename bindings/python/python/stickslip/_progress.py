@@ -41,7 +41,6 @@ class Bar(_Bar):
         self._bar.set_postfix(residual=f"{iteration.residual:.1e}", free=iteration.free, refresh=False)
 
 
-
 @contextmanager
 def cycle_bar(cycles: int, done: int, is_shown: bool) -> Iterator[Callable[[int], object]]:
     """Provides a function that advances a progress bar by the given number of cycles, or does nothing."""

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use stickslip::adaptive::{AdaptiveStatus, GapFunction, Quantity};
 use stickslip::surface::Interpolation;
-use stickslip::{Coupling, Error, NormalControl, TangentialModel};
+use stickslip::{Coupling, Error, NormalLoad, TangentialModel};
 
 use crate::adaptive::gap::{Gap, GapArgument, ObservedGap, SharedObserver};
 use crate::adaptive::target::{OfQuantities, Target};
@@ -98,7 +98,7 @@ pub(crate) struct AdaptiveProblem {
 struct Input {
     bodies: stickslip::Kernel,
     gap: Gap,
-    load: NormalControl,
+    load: NormalLoad,
     region: stickslip::adaptive::Region,
     shear: Option<(stickslip::Friction, Shear)>,
     model: Option<TangentialModel>,
