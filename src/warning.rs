@@ -159,8 +159,7 @@ pub enum Warning {
 impl std::fmt::Display for Warning {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
-            Self::NoContact => write!(
-                formatter,
+            Self::NoContact => formatter.write_str(
                 "no cell carries pressure because the normal force is zero: prescribe a positive normal force, or an approach above the smallest gap"
             ),
             Self::ContactAtEdge { cells } => {

@@ -52,7 +52,7 @@ impl Quantity {
 
     /// Returns the order of convergence that the estimates assume.
     pub(super) fn order(self) -> f64 {
-        if self.is_field() { 2.0 } else { 1.0 }
+        if self.is_field() { 1.5 } else { 1.0 }
     }
 
     /// Returns the name of the quantity in messages.

@@ -47,7 +47,7 @@
 //! The estimated error of the finer grid is
 //!
 //! ```math
-//! e = \frac{D}{r^2 - 1} \quad\text{for fields}, \qquad e = \frac{D}{r - 1} \quad\text{for numbers.}
+//! e = \frac{D}{r^{3/2} - 1} \quad\text{for fields}, \qquad e = \frac{D}{r - 1} \quad\text{for numbers.}
 //! ```
 //!
 //! Fields are compared as means over the coarser cells. A number can agree on two grids by chance. Therefore its estimate is

@@ -21,9 +21,9 @@
 //! lead to the minimum. Without symmetry there is no objective, but the optimality conditions are the same. GMRES then replaces
 //! conjugate gradients.
 //!
-//! [`Method`] selects the iteration. For every method and outcome, the returned iterate is feasible and the [`Report`] is
-//! recomputed from a product with it. The duality gap in the report bounds the error in the energy norm (see
-//! [`Report::duality_gap`]).
+//! [`Method`] selects the iteration. For every method and outcome, the returned iterate is feasible and the
+//! [`Report`](crate::Report) is recomputed from a product with it. The duality gap in the report bounds the error in the energy
+//! norm (see [`Report::duality_gap`](crate::Report::duality_gap)).
 //!
 //! # The certified error
 //!
@@ -67,8 +67,9 @@
 //!
 //! # Round-off
 //!
-//! An iteration with a tolerance below the round-off of the product ends with [`Status::Stalled`] and reports the certified error
-//! that was reached. The table lists [`Report::energy_error_bound`] for a tolerance of 1e-16. The first of the three values is
+//! An iteration with a tolerance below the round-off of the product ends with [`Status::Stalled`](crate::Status::Stalled) and
+//! reports the certified error that was reached. The table lists
+//! [`Report::energy_error_bound`](crate::Report::energy_error_bound) for a tolerance of 1e-16. The first of the three values is
 //! the bound for the pressure. The others are the bounds for the traction in the scalar and in the vector model at 0.6 of the
 //! sliding force.
 //!

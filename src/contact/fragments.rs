@@ -128,7 +128,8 @@ impl<'a> Fragments<'a> {
         })
     }
 
-    /// Removes the fragments that no fragment of another rank can meet, and returns their sums. Removes no fragment without ranks.
+    /// Removes the fragments that no fragment of another rank can meet, and returns their sums. Removes no fragment without
+    /// ranks.
     pub(crate) fn take_closed(&mut self) -> Result<Vec<SpotSums>> {
         let (mut open, mut closed) = (Vec::new(), Vec::new());
         if self.share.is_none() {

@@ -510,8 +510,8 @@ impl CoupledEngine {
     }
 }
 
-/// Solves a half and adds the pass to its report. Returns the status if the observer or the time limit ended the solve. The result
-/// of an unfinished half is also used.
+/// Solves a half and adds the pass to its report. Returns the status if the observer or the time limit ended the solve. The
+/// result of an unfinished half is also used.
 fn minimise_half<S: ConstraintSet<M>, const M: usize>(
     (solver, x): (&mut ElasticSolver<S, M>, [&mut [f64]; M]),
     problem: &ElasticProblem<'_, impl Constraint<M, Set = S>, M>,

@@ -89,8 +89,8 @@ impl NormalProblem {
     /// Solves the contact once with temporary buffers.
     ///
     /// # Errors
-    /// - [`Error::NotConverged`] with the report if a limit is reached. Use [`NormalSolver::solve_into`] to keep the
-    ///   last iterate.
+    /// - [`Error::NotConverged`](crate::Error::NotConverged) with the report if a limit is reached. Use
+    ///   [`NormalSolver::solve_into`] to keep the last iterate.
     /// - Errors of [`HalfSpace::operator`].
     pub fn solve(&self) -> Result<NormalSolution> {
         NormalSolver::new(self.try_clone()?)?.into_solution()
@@ -118,15 +118,19 @@ impl NormalProblemBuilder {
     /// Checks the input and creates the problem.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`] if the grid of the gap or of the hardness differs from the grid of the bodies.
-    /// - [`Error::Sample`] if the gap is not finite.
-    /// - [`Error::NegativeOrNotFinite`] or [`Error::NotFinite`] if the load is negative or not finite.
-    /// - [`Error::Tolerance`] or [`Error::IterationLimit`] if a setting is out of range.
-    /// - [`Error::ApproachBeyondMeanGap`] on a periodic grid if the approach is not less than the mean gap.
-    /// - [`Error::BeyondHardness`] if the force exceeds the capacity of the cells.
-    /// - [`Error::ExtremeNumber`] if the load is not zero and the pressure or displacement that it causes lies outside
-    ///   1e-130 to 1e130.
-    /// - [`Error::Ranks`] if ranks fail or pass different input.
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the grid of the gap or of the hardness differs from the grid of
+    ///   the bodies.
+    /// - [`Error::Sample`](crate::Error::Sample) if the gap is not finite.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) or [`Error::NotFinite`](crate::Error::NotFinite) if
+    ///   the load is negative or not finite.
+    /// - [`Error::Tolerance`](crate::Error::Tolerance) or [`Error::IterationLimit`](crate::Error::IterationLimit) if a setting is
+    ///   out of range.
+    /// - [`Error::ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap) on a periodic grid if the approach is not less
+    ///   than the mean gap.
+    /// - [`Error::BeyondHardness`](crate::Error::BeyondHardness) if the force exceeds the capacity of the cells.
+    /// - [`Error::ExtremeNumber`](crate::Error::ExtremeNumber) if the load is not zero and the pressure or displacement that it
+    ///   causes lies outside 1e-130 to 1e130.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail or pass different input.
     pub fn build(self) -> Result<NormalProblem> {
         let problem = self.problem;
         let hardness = problem.hardness.as_ref();

@@ -207,7 +207,8 @@ impl Core {
             heights.partition_point(|&z| z >= limits[1]),
         ];
         let mean_excess = |peaks: &[f64], from: f64| {
-            let excess = peaks.iter().map(|z| (z - from).abs()).sum::<f64>();
+            // The standard sum of no numbers is -0.0.
+            let excess = peaks.iter().fold(0.0, |sum, z| sum + (z - from).abs());
             excess / peaks.len().max(1) as f64
         };
         Self {

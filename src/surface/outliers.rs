@@ -24,7 +24,8 @@ const ROUND_OFF: f64 = 1e-12;
 /// ```
 ///
 /// with the threshold $`k`$. The candidates are examined again in the order of their deviations, the largest first. A
-/// candidate is an outlier if it also exceeds this limit relative to the pairs without previous outliers. For normally distributed deviations, $`k = 3`$ removes 0.3 % of the points, and $`k = 6`$ removes 2 in 1e9.
+/// candidate is an outlier if it also exceeds this limit relative to the pairs without previous outliers. For normally
+/// distributed deviations, $`k = 3`$ removes 0.3 % of the points, and $`k = 6`$ removes 2 in 1e9.
 ///
 /// A group of outliers that affects half of the pairs is not detected; it requires a larger radius. The corner points of
 /// the surface have no pairs and are not outliers. Deviations below 1e-12 of the largest height are round-off.

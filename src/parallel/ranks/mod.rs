@@ -97,8 +97,9 @@
 //!
 //! A rank stores only counts of the whole contact. Each rank labels the spots of its slab and sends the labels of its last row to
 //! the next rank. It counts the spots that no other slab can touch. All ranks then gather the sums of the other spots. A list of
-//! all spots is created by [`NormalSolution::spots`](crate::NormalSolution::spots) and similar methods, for which all ranks gather
-//! the sums of all spots. These sums take 104 bytes for each spot, or for each fragment of a spot that the ends of the slabs cut.
+//! all spots is created by [`NormalSolution::spots`](crate::NormalSolution::spots) and similar methods, for which all ranks
+//! gather the sums of all spots. These sums take 104 bytes for each spot, or for each fragment of a spot that the ends of the
+//! slabs cut.
 //!
 //! # Failures
 //!

@@ -57,8 +57,8 @@ impl RollingSolver {
     /// ```
     ///
     /// # Errors
-    /// - [`Error::NotConverged`] if the tractions do not reach a relative residual of 1e-10.
-    /// - [`Error::Memory`] if memory runs out.
+    /// - [`Error::NotConverged`](crate::Error::NotConverged) if the tractions do not reach a relative residual of 1e-10.
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub fn stiffness(&mut self) -> Result<[[f64; 3]; 3]> {
         self.stiffness_observed(unwatched)
     }

@@ -521,9 +521,11 @@ class Autocorrelation:
         """
     def to_dict(self, /) -> dict[str, Any]:
         """
+        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``.
         """
     def to_series(self, /) -> Any:
         """
+        Returns the numbers of :meth:`to_dict` as a :class:`pandas.Series` (requires pandas).
         """
     @property
     def values(self, /) -> Field:
@@ -1124,9 +1126,12 @@ class ContactSpots:
         """
     def to_dict(self, /) -> dict[str, Any]:
         """
+        Returns arrays by name, with one entry per element; a pair (x, y) becomes two arrays with the endings ``_x``
+        and ``_y``.
         """
     def to_frame(self, /) -> Any:
         """
+        Returns the arrays of :meth:`to_dict` as columns of a :class:`pandas.DataFrame` (requires pandas).
         """
 
 @final
@@ -1696,9 +1701,12 @@ class CreepForces:
         """
     def to_dict(self, /) -> dict[str, Any]:
         """
+        Returns arrays by name, with one entry per element; a pair (x, y) becomes two arrays with the endings ``_x``
+        and ``_y``.
         """
     def to_frame(self, /) -> Any:
         """
+        Returns the arrays of :meth:`to_dict` as columns of a :class:`pandas.DataFrame` (requires pandas).
         """
 
 @final
@@ -2131,9 +2139,11 @@ class EnergyBalance:
         """
     def to_dict(self, /) -> dict[str, Any]:
         """
+        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``.
         """
     def to_series(self, /) -> Any:
         """
+        Returns the numbers of :meth:`to_dict` as a :class:`pandas.Series` (requires pandas).
         """
     @property
     def work(self, /) -> float:
@@ -3872,9 +3882,12 @@ class LoopPoints:
         """
     def to_dict(self, /) -> dict[str, Any]:
         """
+        Returns arrays by name, with one entry per element; a pair (x, y) becomes two arrays with the endings ``_x``
+        and ``_y``.
         """
     def to_frame(self, /) -> Any:
         """
+        Returns the arrays of :meth:`to_dict` as columns of a :class:`pandas.DataFrame` (requires pandas).
         """
     @property
     def twist(self, /) -> NDArray[float64]:
@@ -4143,9 +4156,11 @@ class MaterialRatio:
         """
     def to_dict(self, /) -> dict[str, Any]:
         """
+        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``.
         """
     def to_series(self, /) -> Any:
         """
+        Returns the numbers of :meth:`to_dict` as a :class:`pandas.Series` (requires pandas).
         """
     @property
     def valley_material_ratio(self, /) -> float:
@@ -5299,9 +5314,11 @@ class Report:
         """
     def to_dict(self, /) -> dict[str, Any]:
         """
+        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``.
         """
     def to_series(self, /) -> Any:
         """
+        Returns the numbers of :meth:`to_dict` as a :class:`pandas.Series` (requires pandas).
         """
 
 @final
@@ -6045,9 +6062,11 @@ class Spot:
         """
     def to_dict(self, /) -> dict[str, Any]:
         """
+        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``.
         """
     def to_series(self, /) -> Any:
         """
+        Returns the numbers of :meth:`to_dict` as a :class:`pandas.Series` (requires pandas).
         """
 
 @final
@@ -6346,9 +6365,11 @@ class Statistics:
         """
     def to_dict(self, /) -> dict[str, Any]:
         """
+        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``.
         """
     def to_series(self, /) -> Any:
         """
+        Returns the numbers of :meth:`to_dict` as a :class:`pandas.Series` (requires pandas).
         """
 
 @final
