@@ -67,6 +67,7 @@
 //! |---|---|---|
 //! | solve a first contact | [`Grid`], [`Material`], [`HalfSpace`] | [first steps](guide::first_steps), [troubleshooting](guide::troubleshooting) |
 //! | press bodies | [`NormalProblem`] | [which model](guide::which_model), [grids](guide::grids_and_steps), [validation](guide::validation) |
+//! | require an accuracy instead of cells | [`AdaptiveProblem`](adaptive::AdaptiveProblem) | [accuracy](guide::accuracy) |
 //! | shear a contact | [`TangentialProblem`], [`CoupledProblem`] | [which model](guide::which_model) |
 //! | apply load steps with memory of slip, wear | [`History`] | [load steps](guide::load_steps), [fretting](guide::fretting_and_wear) |
 //! | press rough or measured surfaces | [`surface`], [`io`] | [rough surfaces](guide::rough_surfaces) |

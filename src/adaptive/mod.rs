@@ -63,7 +63,8 @@
 //! cells and differ from cell to cell. c is the displacement of a cell under its own unit pressure, and the sum is over the
 //! contact. Waves of the gap that are shorter than the cells therefore increase the estimate.
 //!
-//! The estimates are not bounds.
+//! The estimates are not bounds. In a test with 1000 random contacts, two errors exceeded their target, by a factor of at most
+//! 1.64. The page on [accuracy](crate::guide::accuracy#contacts-with-a-required-accuracy) lists times, cells and errors.
 //!
 //! # Limits
 //!
