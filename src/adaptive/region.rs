@@ -17,7 +17,7 @@ pub struct Region {
 }
 
 impl Region {
-    /// Creates the rectangle from `x[0]` to `x[1]` and from `y[0]` to `y[1]` (lengths), on bodies that extend beyond it.
+    /// Creates the rectangle between these ends along x and y (lengths). The bodies extend beyond it.
     ///
     /// # Errors
     /// - [`Error::NotFinite`] if an end is not finite.

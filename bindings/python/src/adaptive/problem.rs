@@ -115,7 +115,7 @@ enum Shear {
 }
 
 impl Input {
-    /// Creates the problem of the crate with a gap in place of the own gap.
+    /// Creates the problem of the crate with a different gap.
     fn problem<'a>(
         &self,
         gap: &'a (dyn GapFunction + Sync),
