@@ -141,7 +141,7 @@ fn shear(bodies: &HalfSpace, scene: &PressedBody, seed: u64) -> stickslip::Resul
         solver.solve_into(&mut solution)?;
         ratios.push([f, solution.stick_ratio()]);
         if 2 * step == STEPS {
-            half = solution.clone();
+            half.clone_from(&solution);
         }
     }
     Ok(Sheared {

@@ -28,7 +28,7 @@ fn ball(x: f64, y: f64) -> f64 {
     ((x - 0.37e-6).powi(2) + y * y) / (2.0 * RADIUS)
 }
 
-fn builder<'a>(gap: &'a (dyn GapFunction + Sync), region: Region) -> AdaptiveProblemBuilder<'a> {
+fn builder(gap: &(dyn GapFunction + Sync), region: Region) -> AdaptiveProblemBuilder<'_> {
     AdaptiveProblem::builder(steel(), gap, NormalLoad::Force(FORCE), region)
 }
 

@@ -4,6 +4,14 @@
 //! `accuracy_targets FIRST COUNT` prints the scenes whose error exceeds the target, the quantiles of the ratio of both, and a
 //! histogram. It fails if more than 1 % of the errors exceed their target, or if an error exceeds twice the target.
 
+#![allow(
+    clippy::print_stdout,
+    clippy::print_stderr,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "a program that prints a table of quantiles"
+)]
+
 use std::process::ExitCode;
 use std::time::Instant;
 
