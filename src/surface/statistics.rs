@@ -77,11 +77,11 @@ impl Statistics {
     /// [`HalfSpace::statistics`](crate::HalfSpace::statistics).
     ///
     /// # Errors
-    /// - [`Error::Sample`](crate::Error::Sample) with the first infinite height.
-    /// - [`Error::Undetermined`](crate::Error::Undetermined) if all heights are missing.
-    /// - [`Error::NotFinite`](crate::Error::NotFinite) if the range of the heights or the square of their slopes
+    /// - [`Error::Sample`] with the first infinite height.
+    /// - [`Error::Undetermined`] if all heights are missing.
+    /// - [`Error::NotFinite`] if the range of the heights or the square of their slopes
     ///   overflows.
-    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
+    /// - [`Error::Memory`] if memory runs out.
     pub fn of(heights: &Field) -> Result<Self> {
         Self::of_slab(heights, &Slab::alone(heights)?)
     }

@@ -79,7 +79,7 @@ impl State {
     /// Returns the same bytes as [`State::to_bytes`], or an error if memory runs out.
     ///
     /// # Errors
-    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
+    /// - [`Error::Memory`] if memory runs out.
     pub fn try_to_bytes(&self) -> Result<Vec<u8>> {
         // A gap that was set after the last pressure solve is stored in addition to the gap of the pressure.
         let mut is_gap_changed = self.pressed_gap.as_slice() != self.gap.as_slice();
@@ -113,9 +113,9 @@ impl State {
     /// on distributed bodies.
     ///
     /// # Errors
-    /// - [`Error::Format`](crate::Error::Format), with the byte, if the bytes are not a saved state, have a different
+    /// - [`Error::Format`], with the byte, if the bytes are not a saved state, have a different
     ///   version, are truncated or were changed. No memory is allocated for cells that the bytes do not contain.
-    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
+    /// - [`Error::Memory`] if memory runs out.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
         let mut reader = Reader(opened(bytes)?);
         let mut host = SnapshotHeader::default();
