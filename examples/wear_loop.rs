@@ -6,7 +6,7 @@
 //!
 //! The limiting shape assumes equal wear in all directions, which requires equal slip and therefore a Poisson's ratio of zero.
 //! At a Poisson's ratio of 0.29 the slip is larger across the motion than along the motion. Wear then extends into the stick
-//! disc, and the remaining load is 1.6 % below the closed form.
+//! disc, and the remaining load is about 2 % below the closed form.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 

@@ -200,8 +200,9 @@ impl AdaptiveSolution {
             .map(|estimate| estimate.error)
     }
 
-    /// Returns the difference of a quantity from a solution on a finer grid, in the definition of [`Quantity`]. The
-    /// difference is zero for a tangential quantity without friction.
+    /// Returns the difference of a quantity from a solution on a finer grid, in the definition of [`Quantity`]. The finer grid
+    /// should have at least twice as many cells along a side. The comparison of fields on similar grids has an additional error
+    /// due to interpolation. The difference is zero for a tangential quantity without friction.
     #[must_use]
     pub fn difference(&self, finer: &Self, quantity: Quantity) -> f64 {
         finer.measures.difference(&self.measures, quantity)

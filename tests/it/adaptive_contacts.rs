@@ -318,7 +318,7 @@ fn wrong_input_is_refused() {
 fn random_contacts_reach_their_targets() {
     for seed in 0..kit::thorough(4, 40) {
         let scene = TargetScene::random(seed).unwrap();
-        let (found, reference) = (scene.solve(1.0).unwrap(), scene.solve(0.3).unwrap());
+        let (found, reference) = (scene.solve(1.0).unwrap(), scene.solve(0.1).unwrap());
         assert_eq!(found.status(), AdaptiveStatus::Reached);
         let error = found.difference(&reference, scene.quantity);
         assert!(
