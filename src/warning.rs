@@ -3,6 +3,7 @@
 #[cfg(test)]
 mod tests;
 
+use crate::error::Result;
 use crate::grid::Grid;
 
 /// Warning that a converged solution may be misleading.
@@ -309,15 +310,17 @@ impl Warning {
     )]
     pub(crate) fn of_discretisation(
         estimate: Option<f64>,
-        contact: impl FnOnce() -> (f64, usize),
-    ) -> Option<Self> {
-        let estimate = estimate.filter(|estimate| *estimate > LARGEST_ERROR)?;
-        let (radius, spots) = contact();
-        Some(Self::DiscretisationError {
+        contact: impl FnOnce() -> Result<(f64, usize)>,
+    ) -> Result<Option<Self>> {
+        let Some(estimate) = estimate.filter(|estimate| *estimate > LARGEST_ERROR) else {
+            return Ok(None);
+        };
+        let (radius, spots) = contact()?;
+        Ok(Some(Self::DiscretisationError {
             per_mille: (1e3 * estimate).round() as usize,
             cells_per_radius: (radius * refinement(estimate)).ceil() as usize,
             spots,
-        })
+        }))
     }
 }
 

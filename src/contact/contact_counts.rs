@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::contact::fragments::{Fragments, SpotSums, layout_of};
 use crate::contact::map::ContactMap;
 use crate::error::{Error, Result};
-use crate::memory::fallible::{self, unwrap_or_abort};
+use crate::memory::fallible;
 use crate::parallel::ranks::RankGroup;
 use crate::parallel::ranks::partition::RowPartition;
 use crate::parallel::reduce::Reduction;
@@ -40,11 +40,11 @@ pub(crate) struct Spots {
 
 impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
     /// Computes all counts, over all ranks if the map of each rank is its slab. After a failure of a rank the counts are zero.
-    pub(crate) fn survey(&self, share: Option<&Arc<RowPartition>>) -> ContactCounts {
+    pub(crate) fn survey(&self, share: Option<&Arc<RowPartition>>) -> Result<ContactCounts> {
         match self.try_survey(share) {
             // The solve that contains the survey returns the failure.
-            Err(Error::Ranks(_)) => ContactCounts::default(),
-            counts => unwrap_or_abort(counts),
+            Err(Error::Ranks(_)) => Ok(ContactCounts::default()),
+            counts => counts,
         }
     }
 
@@ -221,7 +221,7 @@ mod tests {
                         contains: |i: usize| cells[i],
                         counted: None,
                     };
-                    let whole = map.survey(None);
+                    let whole = map.survey(None).unwrap();
                     let sizes = walked(grid, boundary.repeats(), &cells);
                     let unresolved = sizes.iter().filter(|size| **size < RESOLVED);
                     assert_eq!(whole.spots.all, sizes.len());

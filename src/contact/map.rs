@@ -3,10 +3,12 @@
 use std::array::from_fn;
 
 use crate::contact::contact_counts::ContactCounts;
+use crate::error::Result;
 use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::grid::neighbours::neighbours;
 use crate::half_space::HalfSpace;
+use crate::memory::fallible::unwrap_or_abort;
 use crate::warning::{Resolution, Warning};
 
 /// A map of the cells that belong to a set.
@@ -38,8 +40,9 @@ impl<'a, F: Fn(usize) -> bool + Sync> ContactMap<'a, F> {
 
 impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
     /// Returns all counts.
-    pub(crate) fn counts(&self) -> ContactCounts {
-        self.counted.copied().unwrap_or_else(|| self.survey(None))
+    pub(crate) fn counts(&self) -> Result<ContactCounts> {
+        self.counted
+            .map_or_else(|| self.survey(None), |counted| Ok(*counted))
     }
 
     /// Returns the number of cells in the set.
@@ -82,15 +85,15 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
     }
 
     /// Returns all warnings.
-    pub(crate) fn warnings(&self) -> Vec<Warning> {
+    pub(crate) fn warnings(&self) -> Result<Vec<Warning>> {
         let ContactCounts {
             cells,
             cells_on_edge,
             spots,
             ..
-        } = self.counts();
+        } = self.counts()?;
         if cells == 0 {
-            return vec![Warning::NoContact];
+            return Ok(vec![Warning::NoContact]);
         }
         let mut warnings = Vec::new();
         if cells_on_edge > 0 {
@@ -114,13 +117,13 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
                 spots: spots.all,
             });
         }
-        warnings
+        Ok(warnings)
     }
 
     /// Returns the radius of a spot of mean size in cells, and the number of spots. For a line, half the width replaces the
     /// radius. The radius is zero without spots.
-    pub(crate) fn mean_spot(&self) -> (f64, usize) {
-        let counts = self.counts();
+    pub(crate) fn mean_spot(&self) -> Result<(f64, usize)> {
+        let counts = self.counts()?;
         let cells = counts.cells as f64 / counts.spots.all.max(1) as f64;
         let is_line = self.grid.size().contains(&1);
         let radius = if is_line {
@@ -128,7 +131,7 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
         } else {
             (cells / std::f64::consts::PI).sqrt()
         };
-        (radius, counts.spots.all)
+        Ok((radius, counts.spots.all))
     }
 
     fn neighbours(&self, i: usize) -> [Option<usize>; 4] {
@@ -166,7 +169,7 @@ impl HalfSpace {
             counted: None,
         };
         self.share(self.size())
-            .map(|share| map.survey(Some(&share)))
+            .map(|share| unwrap_or_abort(map.survey(Some(&share))))
     }
 }
 
@@ -179,7 +182,7 @@ mod tests {
     fn sizes(map: &ContactMap<'_, impl Fn(usize) -> bool + Sync>) -> Vec<usize> {
         let fragments = Fragments::of(map, None, |_| SpotSums::default()).unwrap();
         let (_, spots) = fragments.joined().unwrap();
-        let counts = map.survey(None);
+        let counts = map.survey(None).unwrap();
         assert_eq!(counts.spots.all, spots.len());
         assert_eq!(counts.switches, map.switches());
         assert_eq!(counts.cells_on_edge, map.cells_on_edge());
@@ -203,7 +206,7 @@ mod tests {
         assert_eq!(map.cells(), 9);
         assert_eq!(sizes(&map), [3, 2, 4]);
         assert_eq!(map.cells_on_edge(), 2 + 4);
-        assert_eq!(map.survey(None).extent, Some([7, 4]));
+        assert_eq!(map.survey(None).unwrap().extent, Some([7, 4]));
         // The L has 6 switches within the grid, the bar has 6, and the row at the bottom has 5.
         assert_eq!(map.switches(), 6 + 6 + 5);
         let unresolved = Warning::UnresolvedSpots {
@@ -220,7 +223,7 @@ mod tests {
         map.repeats = [true; 2];
         assert_eq!(sizes(&map), [7, 2]);
         // Columns 4, 5 and 7 are free, and no row is free.
-        assert_eq!(map.survey(None).extent, Some([6, 4]));
+        assert_eq!(map.survey(None).unwrap().extent, Some([6, 4]));
         assert_eq!(map.switches(), 6 + 6 + 5 + 3);
         let unresolved = Warning::UnresolvedSpots {
             unresolved: 1,
@@ -239,6 +242,6 @@ mod tests {
         };
         assert_eq!(sizes(&map), [2]);
         assert_eq!(map.switches(), 2);
-        assert_eq!(map.survey(None).extent, Some([2, 1]));
+        assert_eq!(map.survey(None).unwrap().extent, Some([2, 1]));
     }
 }

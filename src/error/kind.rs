@@ -32,10 +32,12 @@ use crate::error::Error;
 /// let bodies = HalfSpace::new(grid, unlike)?;
 /// let ball = surface::sphere(grid, 10.0)?;
 /// let press = |load| NormalProblem::builder(&bodies, &ball, load);
-/// let nothing_to_hold = press(NormalControl::Hold).build().unwrap_err();
-/// assert_eq!(nothing_to_hold.kind(), ErrorKind::Load);
+/// let periodic = HalfSpace::with_boundary(grid, unlike, Boundary::Periodic)?;
+/// let closed = NormalLoad::Approach(ball.max());
+/// let too_near = NormalProblem::builder(&periodic, &ball, closed).build().unwrap_err();
+/// assert_eq!(too_near.kind(), ErrorKind::Load);
 ///
-/// let force = NormalControl::Force(0.1);
+/// let force = NormalLoad::Force(0.1);
 /// let cut_short = press(force).max_iterations(1).build()?.solve().unwrap_err();
 /// assert_eq!(cut_short.kind(), ErrorKind::NotConverged);
 ///

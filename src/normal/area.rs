@@ -53,7 +53,7 @@ impl NormalSolution {
     /// ```
     #[must_use]
     pub fn contact_extent(&self) -> Option<[f64; 2]> {
-        let [columns, rows] = self.contact_map().counts().extent?;
+        let [columns, rows] = unwrap_or_abort(self.contact_map().counts()).extent?;
         let grid = self.grid();
         Some([columns as f64 * grid.dx(), rows as f64 * grid.dy()])
     }
@@ -78,9 +78,9 @@ impl NormalSolution {
     pub fn try_warnings(&self) -> Result<Vec<Warning>> {
         let cells = self.overloaded_cells();
         let beyond = (cells > 0).then_some(Warning::BeyondHardness { cells });
-        let mut warnings = self.contact_map().warnings();
+        let mut warnings = self.contact_map().warnings()?;
         warnings.extend(beyond);
-        warnings.extend(self.discretisation_warning());
+        warnings.extend(self.discretisation_warning()?);
         warnings.extend(self.scale().warnings());
         Ok(warnings)
     }

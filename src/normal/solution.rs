@@ -430,7 +430,7 @@ impl NormalSolution {
     }
 
     /// Returns a warning if the discretisation estimate is too large.
-    pub(super) fn discretisation_warning(&self) -> Option<Warning> {
+    pub(super) fn discretisation_warning(&self) -> Result<Option<Warning>> {
         let contact = || self.contact_map().mean_spot();
         Warning::of_discretisation(self.discretisation_estimate(), contact)
     }

@@ -316,13 +316,11 @@ impl TangentialSolution {
     /// # Errors
     /// - [`Error::Memory`] if memory runs out.
     pub fn try_warnings(&self) -> Result<Vec<Warning>> {
-        let mut warnings = self.contact_map().warnings();
+        let mut warnings = self.contact_map().warnings()?;
         warnings.extend(self.zone_warnings().chain(self.pressing_warning()));
         let contact = || self.contact_map().mean_spot();
-        warnings.extend(Warning::of_discretisation(
-            self.discretisation_estimate(),
-            contact,
-        ));
+        let estimate = self.discretisation_estimate();
+        warnings.extend(Warning::of_discretisation(estimate, contact)?);
         Ok(warnings)
     }
 

@@ -53,8 +53,10 @@ static void bad_recipes_are_refused(void) {
     recipe.amplitudes = STICKSLIP_GAUSSIAN;
     CHECK(stickslip_surface_self_affine(&GRID, &recipe, heights, CELLS - 1) == STICKSLIP_LENGTH);
     CHECK(memcmp(heights, again, sizeof heights) == 0);
-    heights[5] = NAN;
+    heights[5] = INFINITY;
     CHECK(stickslip_surface_statistics(&GRID, heights, CELLS, &statistics) == STICKSLIP_SAMPLE);
+    heights[5] = NAN;
+    CHECK(stickslip_surface_statistics(&GRID, heights, CELLS, &statistics) == STICKSLIP_OK);
     heights[5] = again[5];
 }
 

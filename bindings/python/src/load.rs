@@ -30,8 +30,18 @@ pub(crate) fn normal(force: Option<Real>, approach: Option<Real>) -> PyResult<Op
 
 /// Returns the normal load of a problem, which requires a force or an approach.
 pub(crate) fn needed(force: Option<Real>, approach: Option<Real>) -> PyResult<NormalLoad> {
-    normal(force, approach)?
-        .ok_or_else(|| PyTypeError::new_err("give the normal load by force= or approach="))
+    needed_as("force", force, approach)
+}
+
+/// Returns the normal load of a problem whose keyword of the force is `keyword`.
+pub(crate) fn needed_as(
+    keyword: &str,
+    force: Option<Real>,
+    approach: Option<Real>,
+) -> PyResult<NormalLoad> {
+    normal(force, approach)?.ok_or_else(|| {
+        PyTypeError::new_err(format!("give the normal load by {keyword}= or approach="))
+    })
 }
 
 /// Declares the argument of a load that is given as an object; the message for other objects names the keywords.

@@ -351,3 +351,13 @@ def test_repr_without_contact_states_it(scene):
         assert repr(free).endswith(", no contact)")
         assert [remark.kind for remark in free.warnings] == ["no_contact"]
     assert "no contact" not in repr(history.step(normal_force=FORCE))
+
+
+def test_missing_normal_load_names_the_keyword_of_the_problem():
+    grid = ss.Grid.square(8, 4.0)
+    bodies = ss.HalfSpace(grid, (ss.Material(1.0, 0.2), ss.Material.rigid()))
+    ball = ss.surface.sphere(grid, 10.0)
+    with pytest.raises(TypeError, match="normal_force="):
+        ss.CoupledProblem(bodies, ball, 0.3, force_x=1.0)
+    with pytest.raises(TypeError, match="load by force="):
+        ss.NormalProblem(bodies, ball)

@@ -156,7 +156,7 @@ def test_failure_leaves_history_in_state_after_last_jump():
 
 
 def test_arguments_and_limits_are_checked():
-    for name, value in (("cycles", -1), ("settling", 0), ("largest_jump", 0), ("snapshot_every", 0)):
+    for name, value in (("cycles", -1), ("cycles", 10.7), ("settling", 0), ("largest_jump", 0), ("snapshot_every", 0), ("max_depth", -1.0)):
         arguments = {"cycles": 10, name: value}
         with pytest.raises(ss.errors.ArgumentRange, match=name) as caught:
             ss.wear.run(history(), loop(), LAW, **arguments)

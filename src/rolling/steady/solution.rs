@@ -8,7 +8,7 @@ use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::grid::field::Field;
 use crate::grid::record::record;
-use crate::memory::fallible::{filled, try_each};
+use crate::memory::fallible::{filled, try_each, unwrap_or_abort};
 use crate::parallel::reduce;
 use crate::report::Report;
 use crate::rolling::RollingProblem;
@@ -235,7 +235,8 @@ impl RollingSolution {
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let contains = |cell: usize| self.zones[cell] != Zone::Separated;
-        let mut warnings = ContactMap::of(self.grid(), self.boundary, contains, None).warnings();
+        let map = ContactMap::of(self.grid(), self.boundary, contains, None);
+        let mut warnings = unwrap_or_abort(map.warnings());
         let lift = self.neglected_lift;
         warnings.extend(lift.map(|per_million| Warning::NeglectedLift { per_million }));
         warnings

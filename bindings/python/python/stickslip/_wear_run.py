@@ -280,6 +280,10 @@ def run(
     (2000, 'cycle_limit', True)
     """
     _check(cycles, settling, largest_jump, snapshot_every)
+    if max_depth is not None and not max_depth >= 0.0:
+        error = ArgumentRange(f"max_depth must not be negative, got {max_depth}")
+        error.argument = "max_depth"
+        raise error
     if resume is None:
         done, rows, total_energy = 0, [], 0.0
         depth = np.zeros(history.grid.shape)
@@ -332,8 +336,8 @@ def _check(cycles: int, settling: int, largest_jump: int | None, snapshot_every:
     least |= {"largest_jump": (largest_jump or 1, 1) if largest_jump != 0 else (0, 1)}
     least |= {"snapshot_every": (snapshot_every or 1, 1) if snapshot_every != 0 else (0, 1)}
     for name, (value, smallest) in least.items():
-        if value < smallest:
-            error = ArgumentRange(f"{name} must be at least {smallest}, got {value}")
+        if value < smallest or value != int(value):
+            error = ArgumentRange(f"{name} must be a whole number of at least {smallest}, got {value}")
             error.argument = name
             raise error
 

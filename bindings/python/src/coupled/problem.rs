@@ -110,7 +110,7 @@ impl CoupledProblem {
             twist,
         );
         let (normal, load) = (
-            load::needed(normal_force, approach)?,
+            load::needed_as("normal_force", normal_force, approach)?,
             keywords.load_or(load)?,
         );
         let grid = bodies.0.grid();

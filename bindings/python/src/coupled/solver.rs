@@ -49,7 +49,7 @@ impl CoupledSolver {
         normal_force: Option<Real>,
         approach: Option<Real>,
     ) -> PyResult<()> {
-        let normal = load::needed(normal_force, approach)?;
+        let normal = load::needed_as("normal_force", normal_force, approach)?;
         self.0
             .with(|solver| solver.set_load(normal, load.0.0))?
             .or_raise(py)

@@ -119,7 +119,7 @@ impl CoupledRollingProblem {
             [force_x, force_y],
             (spin, moment),
         )?;
-        let normal = load::needed(normal_force, approach)?;
+        let normal = load::needed_as("normal_force", normal_force, approach)?;
         let grid = bodies.0.grid();
         let gap = gap.on(py, "gap", grid)?;
         let friction = friction.on(py, grid)?;
@@ -266,7 +266,7 @@ impl CoupledRollingSolver {
         normal_force: Option<Real>,
         approach: Option<Real>,
     ) -> PyResult<()> {
-        let normal = load::needed(normal_force, approach)?;
+        let normal = load::needed_as("normal_force", normal_force, approach)?;
         self.0
             .with(|solver| solver.set_normal_load(normal))?
             .or_raise(py)
