@@ -214,7 +214,7 @@ mod tests {
             spots: 3,
         };
         assert_eq!(
-            map.warnings(),
+            map.warnings().unwrap(),
             [Warning::ContactAtEdge { cells: 6 }, unresolved]
         );
 
@@ -229,7 +229,7 @@ mod tests {
             unresolved: 1,
             spots: 2,
         };
-        assert_eq!(map.warnings(), [unresolved]);
+        assert_eq!(map.warnings().unwrap(), [unresolved]);
     }
 
     #[test]
