@@ -111,15 +111,13 @@ fn limited(
     if problem.time_limit.is_some_and(is_late) {
         return Some(AdaptiveStatus::TimeLimit);
     }
-    let wanted = *next;
     let mut status = None;
-    let is_refined = wanted.map(|size| size > 1.0);
-    let axes = is_refined.iter().filter(|is_refined| **is_refined).count();
-    // The numbers of cells are rounded up to even numbers.
-    let limit = problem.cell_limit as f64 / ((wanted[0] + 2.0) * (wanted[1] + 2.0));
-    if limit < 1.0 {
-        let factor = limit.powf(1.0 / axes as f64);
-        *next = scaled(wanted, [factor; 2]);
+    let count = |sizes: [f64; 2]| {
+        let [nx, ny] = whole_cells(sizes);
+        nx.saturating_mul(ny)
+    };
+    while count(*next) > problem.cell_limit {
+        *next = scaled(*next, [0.99; 2]);
         status = Some(AdaptiveStatus::CellLimit);
     }
     if let Some(spacing) = problem.gap.sample_spacing() {
