@@ -5,6 +5,8 @@ use crate::edges::TangentialEdges;
 use crate::error::{Error, Result};
 use crate::grid::field::Field;
 use crate::normal::NormalSolution;
+use crate::numerics::interpolation::{CUBIC, LagrangeStencil};
+use crate::parallel::reduce;
 use crate::tangential::{Friction, TangentialSolution};
 
 /// Quantity whose error can be prescribed.
@@ -216,7 +218,7 @@ fn field_difference(extents: [Extent; 2], [fine, coarse]: [&Field; 2]) -> f64 {
             sum += (integral - own).abs();
         }
     }
-    sum / fine.as_slice().iter().sum::<f64>()
+    sum * fine.grid().cell_area() / fine.integral()
 }
 
 /// Returns the integrals of a row of means between successive positions, in units of a cell. The integral up to a position is
@@ -231,30 +233,10 @@ fn integrals(means: &[f64], positions: &[f64]) -> impl Iterator<Item = f64> {
     }
     let up_to = |position: &f64| {
         let position = position.clamp(0.0, means.len() as f64);
-        let (first, weights) = cubic_weights(position, sums.len());
-        let terms = weights.iter().zip(&sums[first..]);
-        terms.map(|(weight, sum)| weight * sum).sum::<f64>()
+        LagrangeStencil::at(position, sums.len(), CUBIC).apply(|i| sums[i])
     };
     let totals: Vec<f64> = positions.iter().map(up_to).collect();
     (1..totals.len()).map(move |i| totals[i] - totals[i - 1])
-}
-
-/// Returns the first of the (at most) four samples nearest to a position, and the Lagrange weights of these samples.
-pub(super) fn cubic_weights(position: f64, samples: usize) -> (usize, [f64; 4]) {
-    let width = samples.min(4);
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "an index within the samples"
-    )]
-    let first = (position.floor() - 1.0).clamp(0.0, (samples - width) as f64) as usize;
-    let t = position - first as f64;
-    let mut weights = [0.0; 4];
-    for (k, weight) in weights[..width].iter_mut().enumerate() {
-        let others = (0..width).filter(|&m| m != k).map(|m| m as f64);
-        *weight = others.map(|m| (t - m) / (k as f64 - m)).product();
-    }
-    (first, weights)
 }
 
 /// Returns the pressure that the part of the gap inside the cells would cause, relative to the force.
@@ -262,12 +244,11 @@ pub(super) fn cubic_weights(position: f64, samples: usize) -> (usize, [f64; 4]) 
 /// The gap between the centres of the cells is compared with a cubic interpolation of the centres. A cell needs the pressure
 /// `difference / compliance` to flatten the difference.
 pub(super) fn unresolved_pressure(pressure: &Field, differences: &[f64], compliance: f64) -> f64 {
-    let is_loaded = |p: &&f64| **p > 0.0;
-    let loaded = pressure
-        .as_slice()
-        .iter()
-        .zip(differences)
-        .filter(|(p, _)| is_loaded(p));
-    let sum: f64 = loaded.map(|(_, difference)| difference.abs()).sum();
-    sum / compliance / pressure.as_slice().iter().sum::<f64>()
+    let pressures = pressure.as_slice();
+    let [unresolved, whole] = reduce::sum(&pressure.grid().layout(), |i| {
+        let is_loaded = pressures[i] > 0.0;
+        let difference = if is_loaded { differences[i].abs() } else { 0.0 };
+        [difference, pressures[i]]
+    });
+    unresolved / compliance / whole
 }

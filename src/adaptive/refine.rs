@@ -229,7 +229,7 @@ impl OneGrid {
     fn solve(problem: &AdaptiveProblem<'_>, extent: Extent, cells: [usize; 2]) -> Result<Self> {
         let grid = extent.grid(cells)?;
         let bodies = bodies(problem, extent, cells)?;
-        let gap = evaluate(problem.gap, &extent.positions(cells, [1, 1]))?;
+        let gap = evaluate(problem.gap, &extent.positions(cells, [1, 1])?)?;
         let gap = Field::from_vec(grid, gap)?;
         let (contact, friction) = solve_contact(problem, &bodies, &gap)?;
         let measures = Measures::new(extent, contact.normal(), gap.min(), friction)?;

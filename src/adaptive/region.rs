@@ -3,6 +3,7 @@
 use crate::error::{Error, Result, finite, positive};
 use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
+use crate::memory::fallible;
 
 /// Region of the surface where contact may occur.
 ///
@@ -107,13 +108,14 @@ impl Extent {
 
     /// Returns positions in each cell of a grid: `parts` x `parts` points at the centres of equal parts of the cell.
     /// The points of a cell are adjacent.
-    pub(super) fn positions(&self, cells: [usize; 2], parts: [usize; 2]) -> Vec<[f64; 2]> {
+    pub(super) fn positions(&self, cells: [usize; 2], parts: [usize; 2]) -> Result<Vec<[f64; 2]>> {
         let at = |axis: usize, index: usize, part: usize| {
             let [start, end] = self.ends[axis];
             let place = (index * parts[axis] + part) as f64 + 0.5;
             start + (end - start) * place / (cells[axis] * parts[axis]) as f64
         };
-        let mut positions = Vec::with_capacity(cells[0] * cells[1] * parts[0] * parts[1]);
+        let count = cells[0] * cells[1] * parts[0] * parts[1];
+        let mut positions = fallible::with_room(count)?;
         for iy in 0..cells[1] {
             for ix in 0..cells[0] {
                 for py in 0..parts[1] {
@@ -123,6 +125,6 @@ impl Extent {
                 }
             }
         }
-        positions
+        Ok(positions)
     }
 }

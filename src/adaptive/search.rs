@@ -1,7 +1,6 @@
 //! Search for the part of the region where the bodies touch.
 
 use super::gap::evaluate;
-use super::measures::cubic_weights;
 use super::problem::AdaptiveProblem;
 use super::refine::bodies;
 use super::region::Extent;
@@ -9,7 +8,9 @@ use crate::bodies::component::Component;
 use crate::error::{Error, Result};
 use crate::grid::Grid;
 use crate::grid::field::Field;
+use crate::memory::fallible;
 use crate::normal::{NormalProblem, NormalSolution};
+use crate::numerics::interpolation::{CUBIC, LagrangeStencil};
 use crate::operator::Operator;
 
 /// Number of cells along a side of the grids of the search.
@@ -24,7 +25,7 @@ const LARGE_SHRINKAGE: f64 = 0.7;
 const BORDER: f64 = 0.12;
 /// Largest ratio of the sides of an extent.
 const MOST_ELONGATED: f64 = 8.0;
-/// Number of grids of a search. Each grid shrinks or widens an extent by a factor of two or more.
+/// Largest number of grids of a search. Each grid shrinks a side below [`LARGE_SHRINKAGE`], or widens it by a half or more.
 const MOST_GRIDS: usize = 200;
 /// Tolerance of the solves of the search.
 const TOLERANCE: f64 = 1e-3;
@@ -148,7 +149,7 @@ fn search_cells(problem: &AdaptiveProblem<'_>) -> [usize; 2] {
 /// Returns the least gap in each cell of a grid, among points inside the cell.
 fn least_gaps(problem: &AdaptiveProblem<'_>, extent: Extent, cells: [usize; 2]) -> Result<Field> {
     let parts = cells.map(|count| if count == 1 { 1 } else { SEARCH_PARTS });
-    let gaps = evaluate(problem.gap, &extent.positions(cells, parts))?;
+    let gaps = evaluate(problem.gap, &extent.positions(cells, parts)?)?;
     let of_cell = gaps.chunks(parts[0] * parts[1]);
     let least = of_cell.map(|gaps| gaps.iter().copied().fold(f64::INFINITY, f64::min));
     Field::from_vec(extent.grid(cells)?, least.collect())
@@ -242,17 +243,13 @@ pub(super) fn gap_inside_cells(
         let (ox, oy) = (offset(i, 0) * grid.dx(), offset(i, 1) * grid.dy());
         [centre[0] + x + ox, centre[1] + y + oy]
     };
-    let positions: Vec<_> = (0..grid.cells()).map(position).collect();
+    let positions = fallible::collected(grid.cells(), (0..grid.cells()).map(position))?;
     let mut found = evaluate(problem.gap, &positions)?;
     let values = gap.as_slice();
     for (i, found) in found.iter_mut().enumerate() {
-        let (column, column_weights) = cubic_weights((i % nx) as f64 + offset(i, 0), nx);
-        let (row, row_weights) = cubic_weights((i / nx) as f64 + offset(i, 1), ny);
-        for (iy, row_weight) in (row..ny).zip(row_weights) {
-            for (ix, weight) in (column..nx).zip(column_weights) {
-                *found -= row_weight * weight * values[iy * nx + ix];
-            }
-        }
+        let column = LagrangeStencil::at((i % nx) as f64 + offset(i, 0), nx, CUBIC);
+        let row = LagrangeStencil::at((i / nx) as f64 + offset(i, 1), ny, CUBIC);
+        *found -= row.apply(|iy| column.apply(|ix| values[iy * nx + ix]));
     }
     Ok(found)
 }

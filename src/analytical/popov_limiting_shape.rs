@@ -35,7 +35,7 @@ use crate::error::{Result, at_least, non_negative, positive};
 ///
 /// A stick radius from counted cells is too inaccurate for a comparison of volumes. With the radius for which this solution has
 /// the simulated load, the volumes agree within 0.3 %. Under a constant normal force the approach increases during wear and the
-/// stick disc grows. In this case the comparison requires the final approach.
+/// stick disc grows. The comparison then requires the final approach.
 ///
 /// Popov (2014).
 ///

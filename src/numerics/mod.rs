@@ -1,6 +1,7 @@
-//! Small numerical methods: vectors of a cell, small matrices, quadrature and eigenvalues.
+//! Small numerical methods: vectors of a cell, small matrices, quadrature, interpolation and eigenvalues.
 
 pub(crate) mod cell_vector;
 pub(crate) mod gauss;
+pub(crate) mod interpolation;
 pub(crate) mod jacobi;
 pub(crate) mod small_matrix;

@@ -4,10 +4,8 @@ use super::heights::complete;
 use crate::error::{Error, Result, all_finite, memory};
 use crate::grid::Grid;
 use crate::grid::field::Field;
+use crate::numerics::interpolation::{CUBIC, LagrangeStencil};
 use crate::parallel;
-
-/// Number of samples that determine an interpolating cubic.
-const WIDTH: usize = 4;
 
 /// Round-off tolerance for the extent of a grid, in cells.
 const SLACK: f64 = 1e-9;
@@ -85,7 +83,7 @@ impl Interpolation {
     /// Returns the number of samples that determine a value, along an axis.
     fn width(self) -> usize {
         match self {
-            Self::Cubic => WIDTH,
+            Self::Cubic => CUBIC,
             Self::Linear => 2,
         }
     }
@@ -110,11 +108,7 @@ pub(crate) fn interpolate(
             }
             let middle = 0.5 * (count - 1) as f64;
             let width = interpolation.width();
-            *stencil = Some(InterpolationStencil::at(
-                reach / side + middle,
-                count,
-                width,
-            ));
+            *stencil = Some(LagrangeStencil::at(reach / side + middle, count, width));
         }
         if let [Some(column), Some(row)] = &stencils {
             *value = row.apply(|iy| column.apply(|ix| z[iy * grid.nx() + ix]));
@@ -136,7 +130,7 @@ impl SourceAxis {
         &self,
         count: usize,
         centre: impl Fn(usize) -> f64,
-    ) -> Result<Vec<InterpolationStencil>> {
+    ) -> Result<Vec<LagrangeStencil>> {
         // The centres are symmetric about the middle, so the last centre is the farthest.
         let reach = centre(count - 1);
         let half_side = 0.5 * self.count as f64 * self.side;
@@ -149,46 +143,7 @@ impl SourceAxis {
         }
         let middle = 0.5 * (self.count - 1) as f64;
         let stencil =
-            |i: usize| InterpolationStencil::at(centre(i) / self.side + middle, self.count, WIDTH);
+            |i: usize| LagrangeStencil::at(centre(i) / self.side + middle, self.count, CUBIC);
         Ok((0..count).map(stencil).collect())
-    }
-}
-
-/// Samples and weights of an interpolated value.
-struct InterpolationStencil {
-    first: usize,
-    width: usize,
-    weights: [f64; WIDTH],
-}
-
-impl InterpolationStencil {
-    /// Computes the Lagrange weights of the samples nearest to the position `t`, in units of the sample spacing.
-    fn at(t: f64, count: usize, width: usize) -> Self {
-        let width = width.min(count);
-        #[expect(
-            clippy::cast_possible_truncation,
-            clippy::cast_sign_loss,
-            reason = "an integer within the samples"
-        )]
-        let first =
-            (t.floor() - (width / 2) as f64 + 1.0).clamp(0.0, (count - width) as f64) as usize;
-        let t = t - first as f64;
-        let mut weights = [0.0; WIDTH];
-        for (k, weight) in weights[..width].iter_mut().enumerate() {
-            let others = (0..width).filter(|&m| m != k).map(|m| m as f64);
-            *weight = others.map(|m| (t - m) / (k as f64 - m)).product();
-        }
-        Self {
-            first,
-            width,
-            weights,
-        }
-    }
-
-    fn apply(&self, sample: impl Fn(usize) -> f64) -> f64 {
-        let terms = self.weights[..self.width].iter().enumerate();
-        terms
-            .map(|(k, weight)| weight * sample(self.first + k))
-            .sum()
     }
 }

@@ -67,10 +67,12 @@ fn sphere_in_a_wide_region_reaches_its_target() {
             hertz.max_pressure(),
             target,
         );
-        let cells = contact.grid().nx() as f64;
-        let side = cells * contact.grid().dx();
+        let cells = contact.grid().nx();
+        let side = cells as f64 * contact.grid().dx();
+        let most = if target > 5e-3 { 48 } else { 160 };
         assert!(
-            side < 3.5 * hertz.contact_radius() && cells < 4.0 * (1.0 / target).powf(0.6) * 12.0
+            side < 3.5 * hertz.contact_radius() && cells <= most,
+            "{cells}"
         );
     }
 }
@@ -250,7 +252,7 @@ fn samples_limit_the_cells() {
         assert_eq!(contact.status(), AdaptiveStatus::SampleSpacing);
         assert!(contact.grid().dx() >= heights.grid().dx());
         let hertz = HertzSphere::new(&steel(), RADIUS, FORCE).unwrap();
-        assert_within(contact.normal().approach(), hertz.approach(), 1e-2);
+        assert_within(contact.normal().approach(), hertz.approach(), 1e-3);
     }
 }
 

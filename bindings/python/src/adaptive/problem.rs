@@ -94,7 +94,7 @@ pub(crate) struct AdaptiveProblem {
     recipe: Recipe,
 }
 
-/// Input of a problem of the crate, which only borrows its gap.
+/// Input of a problem of the crate. The problem refers to the gap and does not own it.
 struct Input {
     bodies: stickslip::Kernel,
     gap: Gap,
