@@ -111,7 +111,8 @@ pub struct Report {
     /// Largest complementarity residual (dimensionless). The residual of an entry is `|g_i|` on free entries, and the
     /// wrong-signed part of `g_i` on entries at a bound. The divisor is the largest `|(Cx)_i|` over the entries that
     /// can move. If the smallest eigenvalue of the operator times the largest unknown is larger, this product is the
-    /// divisor. The product is needed on a periodic grid, where a uniform traction causes no displacement.
+    /// divisor. The product is needed on a periodic grid, where a uniform traction causes no displacement. If the sums
+    /// of the unknowns are prescribed, the eigenvalue is the smallest one for unknowns with zero sums.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub residual: f64,
     /// Certified bound on the squared relative error in the energy norm (dimensionless):

@@ -1,5 +1,6 @@
 //! Energies and displacements on the whole grid, by the public operators only.
 
+use stickslip::dense::DenseOperator;
 use stickslip::influence::Component;
 use stickslip::{ElasticOperator, HalfSpace, Operator, Result};
 
@@ -81,6 +82,38 @@ impl Compliance {
             }
         }
         sum
+    }
+
+    /// Returns the smallest eigenvalue for unknowns whose components have zero sums, from a dense matrix. The cost grows with the
+    /// cube of the number of unknowns.
+    pub(crate) fn bound_without_sums(&self) -> f64 {
+        let len = self.blocks * self.cells;
+        let centre = |v: &mut [f64]| {
+            for part in v.chunks_mut(self.cells) {
+                let mean = part.iter().sum::<f64>() / part.len() as f64;
+                part.iter_mut().for_each(|v| *v -= mean);
+            }
+        };
+        let mut entries = Vec::with_capacity(len * len);
+        for k in 0..len {
+            let mut unit = vec![0.0; len];
+            unit[k] = 1.0;
+            centre(&mut unit);
+            let mut row = self.product(&unit);
+            centre(&mut row);
+            entries.extend(row);
+        }
+        // The trace exceeds all eigenvalues. It becomes the eigenvalue of uniform components.
+        let trace: f64 = (0..len).map(|k| entries[k * len + k]).sum();
+        for (k, row) in entries.chunks_mut(len).enumerate() {
+            let part = k / self.cells * self.cells;
+            let uniform = trace / self.cells as f64;
+            row[part..part + self.cells]
+                .iter_mut()
+                .for_each(|u| *u += uniform);
+        }
+        let matrix = DenseOperator::from_rows(len, entries);
+        matrix.map_or(0.0, |matrix| matrix.lower_bound())
     }
 
     /// Returns `sqrt(x' C x)`.

@@ -109,6 +109,7 @@ impl Verifier {
             report: solution.report(),
             tolerance: scene.settings.tolerance,
             movable: &|_| true,
+            has_sums: matches!(scene.load, NormalLoad::Force(_)),
         };
         answer.check_residual(&mut row, violated, noise);
         if solution.force() > 0.0 {
@@ -224,6 +225,7 @@ impl Verifier {
             report: solution.report(),
             tolerance: scene.settings.tolerance,
             movable: &|i| limits[i] > 0.0,
+            has_sums: oracle::prescribed_force(load).is_some(),
         };
         if !solution.is_gross_slip() || solution.axis().is_some() {
             let shift = solution.shift();
@@ -305,11 +307,16 @@ pub(crate) struct Answer<'a> {
     pub(crate) report: &'a Report,
     pub(crate) tolerance: f64,
     pub(crate) movable: &'a dyn Fn(usize) -> bool,
+    /// Whether the sums of the unknowns are prescribed.
+    pub(crate) has_sums: bool,
 }
 
+/// Number of cells up to which the smallest eigenvalue for prescribed sums is computed.
+const EIGENVALUES: usize = 400;
+
 impl Answer<'_> {
-    /// Returns the largest displacement, or its bound by the smallest eigenvalue and the largest unknown.
-    fn displacement(&self) -> f64 {
+    /// Returns the largest displacement, or its bound by an eigenvalue and the largest unknown.
+    fn displacement(&self, eigenvalue: f64) -> f64 {
         let cells = self.compliance.cells();
         let size = |v: &[f64], i: usize| match v.get(i + cells) {
             Some(y) => v[i].hypot(*y),
@@ -319,7 +326,7 @@ impl Answer<'_> {
         let largest = movable.fold([0.0_f64; 2], |[u, x], i| {
             [u.max(size(self.product, i)), x.max(size(self.x, i))]
         });
-        largest[0].max(self.compliance.lower_bound * largest[1])
+        largest[0].max(eigenvalue * largest[1])
     }
 
     /// Returns `x' C x`, or its bound by the smallest eigenvalue.
@@ -349,10 +356,17 @@ impl Answer<'_> {
 
     /// Compares the reported residual, and the tolerance, with the violation found.
     pub(crate) fn check_residual(&self, row: &mut Row, violated: f64, size: f64) {
-        let displacement = self.displacement();
-        let slack = 1e-13 * displacement + 8.0 * f64::EPSILON * size;
         let reported = self.report.residual;
-        row.blame(violated > 1.001 * reported * displacement + slack, || {
+        let mut displacement = self.displacement(self.compliance.lower_bound);
+        let is_beyond = |displacement: f64| {
+            let slack = 1e-13 * displacement + 8.0 * f64::EPSILON * size;
+            violated > 1.001 * reported * displacement + slack
+        };
+        // If the sums are prescribed, the solver may use the larger eigenvalue for unknowns without sums.
+        if is_beyond(displacement) && self.has_sums && self.compliance.cells() <= EIGENVALUES {
+            displacement = self.displacement(self.compliance.bound_without_sums());
+        }
+        row.blame(is_beyond(displacement), || {
             format!(
                 "complementarity is violated by {:.2e}, reported {reported:.2e}",
                 violated / displacement

@@ -205,6 +205,7 @@ fn check(
         report,
         tolerance: story.settings.tolerance,
         movable: &|i| limits[i] > 0.0,
+        has_sums: false,
     };
     let is_all_turned = history.axis().is_none() && step.is_gross_slip();
     let mut violated = 0.0_f64;
