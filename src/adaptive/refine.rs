@@ -34,7 +34,7 @@ const SOLVER_SHARE: f64 = 0.02;
 const TOLERANCES: [f64; 2] = [1e-9, 1e-3];
 /// Factor of the estimated error of a number (not a field) if only two grids were solved.
 const FEW_GRIDS: f64 = 3.0;
-/// Number of times that the extent may grow.
+/// Number of times that the extent grows until it covers the region.
 const MOST_EXTENTS: usize = 12;
 
 /// Solves a problem on finer and finer grids.
@@ -52,12 +52,14 @@ pub(super) fn solve(
         let cells = whole_cells(sizes);
         let grid = OneGrid::solve(problem, extent, cells)?;
         let normal = grid.contact.normal();
-        if extents < MOST_EXTENTS {
-            if let Some(wider) = wider_extent(problem, extent, normal)? {
-                extents += 1;
-                (extent, previous) = (wider, None);
-                continue;
-            }
+        if let Some(wider) = wider_extent(problem, extent, normal)? {
+            extents += 1;
+            extent = match extents {
+                ..MOST_EXTENTS => wider,
+                _ => problem.region.whole,
+            };
+            previous = None;
+            continue;
         }
         let estimates = previous
             .as_ref()
