@@ -370,6 +370,7 @@ fn visit_normal<C: Codec>(codec: &mut C, normal: &mut NormalSolution) -> Result<
         EigenvalueBound::Unknown,
         EigenvalueBound::Estimated,
         EigenvalueBound::Proven,
+        EigenvalueBound::Stated,
     ];
     codec.kind("eigenvalue bound", &mut report.eigenvalue_bound, &bounds)?;
     Ok(())

@@ -75,8 +75,8 @@ impl RollingSolver {
     }
 
     /// Appends the loads of [`creep_forces`](Self::creep_forces) to `found`, each as soon as it is solved. After an error or a
-    /// cancellation, `found` contains the points solved before. The observer receives every iteration and the number of points
-    /// that this call has solved.
+    /// cancellation, `found` contains the points solved before. The observer receives every iteration and the points that this
+    /// call has solved.
     ///
     /// ```
     /// # use std::ops::ControlFlow;
@@ -90,7 +90,7 @@ impl RollingSolver {
     /// let curve = (1..=10).map(|step| [0.03 * f64::from(step), 0.0, 0.0]);
     /// let mut found = Vec::new();
     /// let outcome = problem.into_solver()?.creep_forces_into(curve, &mut found, |_, solved| {
-    ///     if solved < 4 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    ///     if solved.len() < 4 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     /// });
     /// assert!(matches!(outcome, Err(Error::NotConverged(_))));
     /// assert_eq!(found.len(), 4);
@@ -103,7 +103,7 @@ impl RollingSolver {
         &mut self,
         points: impl IntoIterator<Item = [f64; 3]>,
         found: &mut Vec<CreepForce>,
-        mut observer: impl FnMut(&Iteration, usize) -> ControlFlow<()> + Send,
+        mut observer: impl FnMut(&Iteration, &[CreepForce]) -> ControlFlow<()> + Send,
     ) -> Result<()> {
         let mut checked = Vec::new();
         let creepages = |xi: f64, eta: f64| [xi, eta].map(RollingControl::Creepage);
@@ -113,9 +113,12 @@ impl RollingSolver {
             fallible::push(&mut checked, point)?;
         }
         let mut solution = self.try_new_solution()?;
-        for (solved, [xi, eta, spin]) in checked.into_iter().enumerate() {
+        let first = found.len();
+        for [xi, eta, spin] in checked {
             self.set_load(creepages(xi, eta), spin)?;
-            self.solve_observed(&mut solution, |iteration| observer(iteration, solved))?;
+            self.solve_observed(&mut solution, |iteration| {
+                observer(iteration, &found[first..])
+            })?;
             let force = CreepForce {
                 creepage: [xi, eta],
                 spin,
