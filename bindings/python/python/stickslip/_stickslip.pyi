@@ -1313,6 +1313,14 @@ class CoupledReport:
         """
         Report of the steps and products with the tangential part alone.
         """
+    def to_dict(self, /) -> dict[str, Any]:
+        """
+        Docs.
+        """
+    def to_series(self, /) -> Any:
+        """
+        Returns the numbers of :meth:`to_dict` as a :class:`pandas.Series` (requires pandas).
+        """
     @property
     def traction_error_bound(self, /) -> float:
         """
@@ -1429,6 +1437,14 @@ class CoupledRollingReport:
     def rolling(self, /) -> Report:
         """
         Report of the steps and products for the tractions.
+        """
+    def to_dict(self, /) -> dict[str, Any]:
+        """
+        Docs.
+        """
+    def to_series(self, /) -> Any:
+        """
+        Returns the numbers of :meth:`to_dict` as a :class:`pandas.Series` (requires pandas).
         """
     @property
     def traction_error_bound(self, /) -> float:
@@ -2167,6 +2183,14 @@ class ErrorEstimate:
     def pressure(self, /) -> float:
         """
         Estimated error of the pressure.
+        """
+    def to_dict(self, /) -> dict[str, Any]:
+        """
+        Docs.
+        """
+    def to_series(self, /) -> Any:
+        """
+        Returns the numbers of :meth:`to_dict` as a :class:`pandas.Series` (requires pandas).
         """
     @property
     def traction(self, /) -> float:
@@ -5378,6 +5402,14 @@ class PointResults:
     def shear_stress(self, /) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64]]:
         """
         Components xy, xz and yz (pressures).
+        """
+    def to_dict(self, /) -> dict[str, Any]:
+        """
+        Docs.
+        """
+    def to_frame(self, /) -> Any:
+        """
+        Returns the arrays of :meth:`to_dict` as columns of a :class:`pandas.DataFrame` (requires pandas).
         """
     @property
     def von_mises(self, /) -> NDArray[float64]:
