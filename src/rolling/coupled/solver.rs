@@ -179,9 +179,6 @@ impl Model<CoupledRollingSolution> for CoupledRollingProblem {
             solver.engine.report.work.cancelled()
         });
         solver.finish(solution, &outcome);
-        if has_iterate(&outcome) {
-            solver.engine.changed = None;
-        }
         outcome
     }
 
@@ -215,11 +212,9 @@ impl CoupledRollingSolver {
     ) -> Result<()> {
         let spin = spin.into();
         self.problem.check(self.problem.normal, controls, spin)?;
-        let options = &mut self.problem.options;
-        if (options.controls, options.spin) != (controls, spin) {
+        if self.problem.options.set_load(controls, spin) {
             self.engine.changed = Some("the load");
         }
-        (options.controls, options.spin) = (controls, spin);
         Ok(())
     }
 
@@ -231,10 +226,9 @@ impl CoupledRollingSolver {
     pub fn set_normal_load(&mut self, normal: NormalLoad) -> Result<()> {
         let RollingOptions { controls, spin, .. } = self.problem.options;
         self.problem.check(normal, controls, spin)?;
-        if self.problem.normal != normal {
+        if std::mem::replace(&mut self.problem.normal, normal) != normal {
             self.engine.changed = Some("the normal load");
         }
-        self.problem.normal = normal;
         Ok(())
     }
 
@@ -555,6 +549,8 @@ impl CoupledRollingSolver {
         }
         if !has_iterate(outcome) || !self.engine.report.work.residual.is_finite() {
             self.reset();
+        } else {
+            self.engine.changed = None;
         }
     }
 }

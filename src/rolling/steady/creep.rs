@@ -74,7 +74,7 @@ impl RollingSolver {
         Ok(found)
     }
 
-    /// Appends the loads of [`creep_forces`](Self::creep_forces) to `found`, each as soon as it is solved. After an error or a
+    /// Appends each of the loads of [`creep_forces`](Self::creep_forces) to `found` after its solve. After an error or a
     /// cancellation, `found` contains the points solved before. The observer receives every iteration and the points that this
     /// call has solved.
     ///

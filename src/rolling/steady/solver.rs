@@ -304,11 +304,9 @@ impl RollingSolver {
     ) -> Result<()> {
         let spin = spin.into();
         self.problem.check(controls, spin)?;
-        let options = &mut self.problem.options;
-        if (options.controls, options.spin) != (controls, spin) {
+        if self.problem.options.set_load(controls, spin) {
             self.engine.changed = Some("the load");
         }
-        (options.controls, options.spin) = (controls, spin);
         Ok(())
     }
 

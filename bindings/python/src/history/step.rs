@@ -62,8 +62,8 @@ enum Fields {
 }
 
 /// Results of a step of a history: numbers and fields. The fields are available as long as the step is the last step of
-/// the history, even if a later step fails. They are no longer available after :meth:`History.set_state`, or after a failed
-/// attempt of :class:`AdaptiveSteps`. :meth:`keep` copies the fields permanently. Vectors are (x, y).
+/// the history, even if a later step fails. A restored state and a failed attempt of :class:`AdaptiveSteps` end this time.
+/// The method :meth:`keep` copies the fields permanently. Vectors are (x, y).
 #[pyclass(frozen, module = "stickslip.history")]
 pub(crate) struct StepResult {
     numbers: Numbers,

@@ -248,8 +248,8 @@ impl History {
             .collect())
     }
 
-    /// Result of the last step, which led to the present state. Before the first step, and after :meth:`set_state`,
-    /// :meth:`from_state`, :meth:`from_bytes` and :meth:`load`, there is none, and ``NoLastStep`` is raised.
+    /// Result of the last step, which led to the present state. Raises ``NoLastStep`` before the first step, after
+    /// :meth:`set_state`, and after a restart.
     #[getter]
     fn last_step(slf: &Bound<'_, Self>) -> PyResult<StepResult> {
         let work = lock(&slf.get().work, NAME)?;
