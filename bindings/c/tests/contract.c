@@ -330,7 +330,8 @@ static void rejected_steps_do_not_count(void) {
     stickslip_cycle_result one, other;
     OK(stickslip_cycle_result_of(cycle, &one));
     OK(stickslip_cycle_result_of(of_direct, &other));
-    CHECK(memcmp(&one, &other, sizeof one) == 0 && one.steps == 4 && one.energy.dissipated_energy > 0.0);
+    CHECK(one.steps == 4 && other.steps == 4 && one.energy.dissipated_energy > 0.0);
+    CHECK(memcmp(&one.energy, &other.energy, sizeof one.energy) == 0 && one.cyclic_residual == other.cyclic_residual);
     CHECK(memcmp(depth, expected, sizeof depth) == 0);
     OK(stickslip_history_result(history, &result));
     CHECK(result.has_last_step == 1 && result.stick_ratio > 0.0);
