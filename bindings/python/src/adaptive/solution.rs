@@ -217,7 +217,7 @@ impl AdaptiveSolution {
                     solution
                         .history()
                         .and_then(|history| history.last_step().ok())
-                        .map(|step| step.stick_ratio())
+                        .map(stickslip::history::StepResult::stick_ratio)
                 };
                 Ok(of_load.or_else(of_step))
             }
