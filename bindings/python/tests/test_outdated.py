@@ -89,6 +89,7 @@ def test_stiffness_of_history_requires_step_after_change(small):
     history.set_friction(0.5)
     assert history.stiffness() == expected
     history.set_friction(0.45)
+    assert history.state().is_friction_new and not history.state().is_pressure_stale
     for next_step in (False, True):
         with pytest.raises(ss.errors.OutdatedSolution, match="the friction changed since the last solution") as caught:
             history.stiffness(next_step=next_step)

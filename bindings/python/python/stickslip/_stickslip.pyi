@@ -6224,6 +6224,11 @@ class State:
         The largest pressure of the cells; ``None`` if it is not limited.
         """
     @property
+    def is_friction_new(self, /) -> bool:
+        """
+        Whether the friction limits in the contact have changed since the last step.
+        """
+    @property
     def is_pressure_stale(self, /) -> bool:
         """
         Whether the pressure was computed for an earlier gap.
