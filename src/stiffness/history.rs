@@ -32,8 +32,8 @@ impl History {
     ///
     /// # Errors
     /// - [`Error::OutdatedSolution`] if the friction or the gap has changed since the last step.
-    /// - [`Error::NotFinite`](crate::Error::NotFinite) if a periodic contact is closed everywhere.
-    /// - [`Error::NotConverged`](crate::Error::NotConverged) if a linear solve fails or is cancelled.
+    /// - [`Error::NotFinite`] if a periodic contact is closed everywhere.
+    /// - [`Error::NotConverged`] if a linear solve fails or is cancelled.
     /// - The errors of [`HalfSpace::operator`](crate::HalfSpace::operator).
     #[doc(alias = "tangential stiffness")]
     #[doc(alias = "jacobian")]

@@ -74,7 +74,7 @@ impl RollingSolver {
     /// - [`Error::OutdatedSolution`] if the input has changed since the last solve.
     /// - [`Error::NotConverged`] if the last solve has not converged, or if the tractions do not reach a relative residual of
     ///   1e-10.
-    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
+    /// - [`Error::Memory`] if memory runs out.
     pub fn stiffness(&mut self) -> Result<[[f64; 3]; 3]> {
         self.stiffness_observed(unwatched)
     }
