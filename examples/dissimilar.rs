@@ -58,18 +58,19 @@ fn main() -> Result<(), Box<dyn Error>> {
         println!("pressed in {steps} steps");
     }
     println!("\npressed        | coupled | not coupled");
-    let row = |name: &str, value: &dyn Fn(&History) -> f64| {
+    let row = |name: &str, value: &dyn Fn(&History) -> stickslip::Result<f64>| {
         println!(
             "{name:<14} | {:>7.4} | {:>7.4}",
-            value(&coupled),
-            value(&uncoupled)
+            value(&coupled)?,
+            value(&uncoupled)?
         );
+        Ok::<_, stickslip::Error>(())
     };
     row("pressure/Hertz", &|h| {
-        h.pressure().max() / hertz.max_pressure()
-    });
-    row("approach/Hertz", &|h| h.approach() / hertz.approach());
-    row("stick radius", &|h| h.last_step().stick_ratio().sqrt());
+        Ok(h.pressure().max() / hertz.max_pressure())
+    })?;
+    row("approach/Hertz", &|h| Ok(h.approach() / hertz.approach()))?;
+    row("stick radius", &|h| Ok(h.last_step()?.stick_ratio().sqrt()))?;
     let pressed = coupled.clone();
 
     let start = |history: &History| vec![(1e6 * history.shift()[0], 0.0)];
@@ -95,8 +96,8 @@ fn main() -> Result<(), Box<dyn Error>> {
             "{turn:>11.1} | {:>19.4} | {:>11.4} | {:>20.3} | {:>11.3}",
             1e6 * coupled.shift()[0],
             1e6 * uncoupled.shift()[0],
-            coupled.last_step().stick_ratio(),
-            uncoupled.last_step().stick_ratio(),
+            coupled.last_step()?.stick_ratio(),
+            uncoupled.last_step()?.stick_ratio(),
         );
     }
 

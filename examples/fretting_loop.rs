@@ -14,7 +14,7 @@ use std::path::Path;
 
 use plotters::prelude::{RGBColor, SeriesLabelPosition};
 use stickslip::analytical::{HertzSphere, MindlinDeresiewicz};
-use stickslip::history::{Cycle, LoadPath};
+use stickslip::history::{Cycle, LoadPath, StepResult};
 use stickslip::{
     ElasticPair, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalLoad, surface,
 };
@@ -60,7 +60,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         cycle.add(&history)?;
         forces.push(force[0]);
         let exact = MindlinDeresiewicz::new(hertz, FRICTION, &forces)?;
-        points.push(Point::of(&history, &exact));
+        points.push(Point::of(history.last_step()?, &exact));
         // Keep the turning points and both zero crossings of the second cycle.
         if forces.len() > STEPS && forces.len() % (STEPS / 4) == 0 {
             profiles.push(Profile::of(&history, exact));
@@ -104,8 +104,7 @@ struct Point {
 }
 
 impl Point {
-    fn of(history: &History, exact: &MindlinDeresiewicz) -> Self {
-        let step = history.last_step();
+    fn of(step: &StepResult, exact: &MindlinDeresiewicz) -> Self {
         let energy = step.energy();
         Self {
             force: step.tangential_force()[0],

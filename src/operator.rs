@@ -101,11 +101,11 @@ pub trait Operator<const N: usize = 1>: Sync {
         0.0
     }
 
-    /// Returns the origin of [`Self::lower_bound`]. The default is [proven](EigenvalueBound::Proven) for a positive
+    /// Returns the origin of [`Self::lower_bound`]. The default is [stated](EigenvalueBound::Stated) for a positive
     /// bound. An operator that returns the bound of a different operator should also return the origin of that bound.
     fn eigenvalue_bound(&self) -> EigenvalueBound {
         if self.lower_bound() > 0.0 {
-            EigenvalueBound::Proven
+            EigenvalueBound::Stated
         } else {
             EigenvalueBound::Unknown
         }
@@ -200,6 +200,10 @@ impl<const N: usize> Operator<N> for Identity {
 
     fn lower_bound(&self) -> f64 {
         1.0
+    }
+
+    fn eigenvalue_bound(&self) -> EigenvalueBound {
+        EigenvalueBound::Proven
     }
 }
 

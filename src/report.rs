@@ -49,8 +49,9 @@ pub enum EigenvalueBound {
     Unknown,
     /// Conservative estimate, used for stiff coatings on long grids ([`layers`](crate::layers#limits-of-the-model)).
     Estimated,
-    /// Rigorous lower bound. This crate computes the bound for its own operators. The implementation of a user-defined
-    /// operator states it.
+    /// Lower bound that a user-defined operator states. This crate does not check it.
+    Stated,
+    /// Rigorous lower bound, which this crate computes for its own operators.
     Proven,
 }
 
@@ -296,6 +297,9 @@ impl fmt::Display for Report {
             write!(formatter, "energy error <= {bound:.1e}")?;
             if self.eigenvalue_bound == EigenvalueBound::Estimated {
                 write!(formatter, " by an estimate of the smallest eigenvalue")?;
+            }
+            if self.eigenvalue_bound == EigenvalueBound::Stated {
+                write!(formatter, " by the stated bound of the smallest eigenvalue")?;
             }
         }
         write!(formatter, ", load error {:.1e}", self.load_error)

@@ -47,7 +47,7 @@ pub(crate) fn fret(
             .tangential(Axis::X, TangentialControl::Force(part * normal));
         history.step(&load)?;
         let mut worn = history.gap().clone();
-        let slip = history.last_step().slip_distance();
+        let slip = history.last_step()?.slip_distance();
         wear::archard(WEAR, history.pressure(), slip, &mut worn)?;
         history.set_gap(&worn)?;
         if let (Saved::To(file), SAVED) = (saved, history.steps()) {

@@ -348,7 +348,7 @@ fn solve_contact(
             };
             let mut history = builder.build()?;
             history.step(&step.normal(problem.load))?;
-            let raw = (history.traction(), history.last_step().stick_ratio());
+            let raw = (history.traction(), history.last_step()?.stick_ratio());
             let measures = FrictionMeasures::new(history.edges(), raw, history.shift())?;
             Ok((SolvedContact::Step(Box::new(history)), Some(measures)))
         }

@@ -105,6 +105,9 @@ pub(crate) trait Model<S>: Sized + Send {
 /// | `set_relative_displacement` | | yes | yes | | |
 /// | `friction_capacity` | | yes | | yes | |
 /// | `stiffness` | of the solution | of the solution | of the solution | yes | yes |
+///
+/// A stiffness belongs to a solution. The solvers of rolling return [`Error::OutdatedSolution`](crate::Error::OutdatedSolution) if a
+/// load or a field has changed since the last solve. The solutions of the other solvers do not change with their solver.
 #[derive(Clone)]
 pub struct Solver<P: Contact> {
     pub(crate) problem: P,

@@ -21,6 +21,7 @@ use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::influence::{KernelCorrection, Samples};
 use crate::operator::{Operator, Scratch};
+use crate::report::EigenvalueBound;
 use crate::support::debug::shown;
 
 /// Largest accepted number of unknowns, which corresponds to a matrix of 128 MiB.
@@ -180,5 +181,13 @@ impl Operator for DenseOperator {
     /// computed at the first call.
     fn lower_bound(&self) -> f64 {
         *self.lower_bound.get_or_init(|| self.smallest_eigenvalue())
+    }
+
+    fn eigenvalue_bound(&self) -> EigenvalueBound {
+        if self.lower_bound() > 0.0 {
+            EigenvalueBound::Proven
+        } else {
+            EigenvalueBound::Unknown
+        }
     }
 }

@@ -135,7 +135,9 @@ impl Error {
             | Self::NoWaveInBand { .. }
             | Self::StepsPerCycle(_)
             | Self::EmptyPath
-            | Self::StepAlreadyCounted { .. } => ErrorKind::Argument,
+            | Self::StepAlreadyCounted { .. }
+            | Self::NoLastStep
+            | Self::OutdatedSolution { .. } => ErrorKind::Argument,
         }
     }
 }
@@ -161,5 +163,5 @@ debug_with_names! {
     Bounds Total RepeatedDirection EmptyContact BeyondFrictionCapacity BeyondFrictionMoment BeyondHardness Yielded
     ObliqueLoad UnsupportedByModel MaterialMismatch ApproachBeyondMeanGap TooManyCells NotPositiveDefinite Undetermined
     Degree Range BeyondSamples Hurst BelowMinimum GridTooShort NoWaveInBand HeightMomentsNotReached File Format
-    StepsPerCycle EmptyPath StepAlreadyCounted CycleNotClosed StepTooLong Ranks NotConverged
+    StepsPerCycle EmptyPath StepAlreadyCounted NoLastStep OutdatedSolution CycleNotClosed StepTooLong Ranks NotConverged
 }

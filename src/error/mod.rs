@@ -516,6 +516,23 @@ pub enum Error {
         /// The number of the last step that the cycle contains, or after which it begins.
         last: u64,
     },
+    /// The result of the last step was requested, but no step led to the present state of the history. The history is new, or
+    /// its state was set.
+    #[error(
+        "the history has no last step, because it took no step since it was created or its state was set: make a step after set_state, from_state or from_bytes"
+    )]
+    NoLastStep,
+    /// A derivative was requested after a change of the input, so that it would combine the last solution with the new input.
+    #[error("{changed} changed since the last solution, to which the {quantity} belongs: {remedy}")]
+    #[non_exhaustive]
+    OutdatedSolution {
+        /// The requested quantity, in words.
+        quantity: &'static str,
+        /// The changed input, in words.
+        changed: &'static str,
+        /// The remedy, in words.
+        remedy: &'static str,
+    },
     /// The cycle does not close, so that it cannot represent the following cycles.
     #[error("{}", messages::not_closed(*residual, *limit))]
     #[non_exhaustive]

@@ -35,7 +35,7 @@ variants! { Error:
     Bounds Total RepeatedDirection EmptyContact BeyondFrictionCapacity BeyondFrictionMoment BeyondHardness Yielded
     ObliqueLoad UnsupportedByModel MaterialMismatch ApproachBeyondMeanGap TooManyCells NotPositiveDefinite Undetermined
     Degree Range BeyondSamples Hurst BelowMinimum GridTooShort NoWaveInBand HeightMomentsNotReached File Format
-    StepsPerCycle EmptyPath StepAlreadyCounted CycleNotClosed StepTooLong Ranks NotConverged
+    StepsPerCycle EmptyPath StepAlreadyCounted NoLastStep OutdatedSolution CycleNotClosed StepTooLong Ranks NotConverged
 }
 
 variants! { RankFailure:
@@ -427,6 +427,18 @@ fn every_error_has_its_text() {
         (
             Error::StepAlreadyCounted { step: 3, last: 5 },
             "step 3 of the history does not follow step 5, the last step of the cycle: add each step once, in order",
+        ),
+        (
+            Error::NoLastStep,
+            "the history has no last step, because it took no step since it was created or its state was set: make a step after set_state, from_state or from_bytes",
+        ),
+        (
+            Error::OutdatedSolution {
+                quantity: "stiffness",
+                changed: "the friction",
+                remedy: "solve again first",
+            },
+            "the friction changed since the last solution, to which the stiffness belongs: solve again first",
         ),
         (
             Error::CycleNotClosed {

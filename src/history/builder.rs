@@ -128,7 +128,7 @@ impl HistoryBuilder<'_> {
     /// // slip.
     /// let traction = history.traction()[0];
     /// assert!(traction.get(70, 0) < Some(-1.0) && traction.get(57, 0) > Some(1.0));
-    /// assert!(history.last_step().stick_ratio() < 1.0);
+    /// assert!(history.last_step()?.stick_ratio() < 1.0);
     /// # Ok::<(), Error>(())
     /// ```
     pub fn relative_displacement(mut self, relative: RelativeDisplacement) -> Self {

@@ -3,13 +3,13 @@
 use std::ops::ControlFlow;
 
 use crate::contact::ResponseContext;
-use crate::error::{Result, positive};
+use crate::error::{Error, Result, positive};
 use crate::half_space::HalfSpace;
 use crate::normal::NormalSolution;
 use crate::numerics::small_matrix::Small;
 use crate::observer::{Observer, unwatched};
 use crate::parallel;
-use crate::report::Iteration;
+use crate::report::{Iteration, Report, Status};
 use crate::stiffness::contact::{Pressing, SolvedContact};
 use crate::stiffness::motions::kinds;
 use crate::stiffness::system::times;
@@ -97,7 +97,7 @@ impl TangentialStiffness {
     /// are forces over lengths.
     ///
     /// # Errors
-    /// - [`Error::NotPositive`](crate::Error::NotPositive) if the stiffness of a spring is not positive.
+    /// - [`Error::NotPositive`] if the stiffness of a spring is not positive.
     pub fn in_series_with(&self, springs: [f64; 2]) -> Result<Self> {
         for stiffness in springs {
             positive("stiffness of the spring", stiffness)?;
@@ -123,6 +123,14 @@ impl TangentialStiffness {
     }
 }
 
+/// Returns an error for a solution that no solve has filled. Its fields are zero, as without contact.
+pub(super) fn check_solved(report: &Report) -> Result<()> {
+    match report.status {
+        Status::Unsolved => Err(Error::NotConverged(Box::new(report.clone()))),
+        _ => Ok(()),
+    }
+}
+
 impl NormalSolution {
     /// Computes the normal stiffness $`dW/d\delta_z`$ with one linear solve on the cells of the contact.
     ///
@@ -130,15 +138,15 @@ impl NormalSolution {
     /// contact whose edge follows the cell sides. On a periodic grid the approach is the approach of the mean planes.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
-    ///   [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) if the solution belongs to other bodies.
-    /// - [`Error::CoupledMaterials`](crate::Error::CoupledMaterials) for the normal half of a coupled solution of dissimilar
+    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or
+    ///   [`Error::MaterialMismatch`] if the solution belongs to other bodies.
+    /// - [`Error::CoupledMaterials`] for the normal half of a coupled solution of dissimilar
     ///   bodies, whose pressure also depends on the shear.
-    /// - [`Error::NotFinite`](crate::Error::NotFinite) if a periodic contact is closed everywhere, because its resistance is
+    /// - [`Error::NotFinite`] if a periodic contact is closed everywhere, because its resistance is
     ///   unbounded.
-    /// - [`Error::NotPositive`](crate::Error::NotPositive) for a user-defined operator without a lower bound.
-    /// - [`Error::NotConverged`](crate::Error::NotConverged) if the linear solve fails or is cancelled.
-    /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail or pass different input.
+    /// - [`Error::NotPositive`] for a user-defined operator without a lower bound.
+    /// - [`Error::NotConverged`] for a solution that has not been solved, or if the linear solve fails or is cancelled.
+    /// - [`Error::Ranks`] if ranks fail or pass different input.
     /// - The errors of [`HalfSpace::operator`].
     pub fn stiffness(&self, bodies: &HalfSpace) -> Result<NormalStiffness> {
         self.stiffness_observed(bodies, unwatched)
@@ -154,6 +162,7 @@ impl NormalSolution {
         bodies: &HalfSpace,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<NormalStiffness> {
+        bodies.collective_result(check_solved(self.report()))?;
         let contact = SolvedContact::of(bodies);
         let mut workspace = StiffnessWorkspace::new();
         let (mut context, SystemBuffers { normal, cells, .. }) = workspace.begin(&mut observer);
@@ -171,13 +180,13 @@ impl TangentialSolution {
     /// the vector model also has the twist.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) if
+    /// - [`Error::GridMismatch`] or [`Error::BoundaryMismatch`] if
     ///   the solution belongs to other bodies.
-    /// - [`Error::CoupledMaterials`](crate::Error::CoupledMaterials) for the tangential half of a coupled solution of dissimilar
+    /// - [`Error::CoupledMaterials`] for the tangential half of a coupled solution of dissimilar
     ///   bodies.
-    /// - [`Error::NotFinite`](crate::Error::NotFinite) if a periodic contact is closed everywhere.
-    /// - [`Error::NotConverged`](crate::Error::NotConverged) if a linear solve fails or is cancelled.
-    /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail or pass different input.
+    /// - [`Error::NotFinite`] if a periodic contact is closed everywhere.
+    /// - [`Error::NotConverged`] for a solution that has not been solved, or if a linear solve fails or is cancelled.
+    /// - [`Error::Ranks`] if ranks fail or pass different input.
     /// - The errors of [`HalfSpace::operator`].
     pub fn stiffness(&self, bodies: &HalfSpace) -> Result<TangentialStiffness> {
         self.stiffness_observed(bodies, unwatched)
@@ -195,7 +204,8 @@ impl TangentialSolution {
     ) -> Result<TangentialStiffness> {
         let checked = self
             .check_bodies(bodies)
-            .and_then(|()| self.check_uncoupled());
+            .and_then(|()| self.check_uncoupled())
+            .and_then(|()| check_solved(self.report()));
         bodies.collective_result(checked)?;
         let contact = SolvedContact::sheared(bodies, self);
         let mut workspace = StiffnessWorkspace::new();
@@ -211,7 +221,7 @@ impl ContactStiffness {
     /// Computes the stiffness of a contact that was pressed and sheared from rest with this friction.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the friction has a different grid.
+    /// - [`Error::GridMismatch`] if the friction has a different grid.
     /// - The errors of [`NormalSolution::stiffness`] and [`TangentialSolution::stiffness`].
     pub fn new(
         bodies: &HalfSpace,
@@ -236,7 +246,9 @@ impl ContactStiffness {
     ) -> Result<Self> {
         let checked = shear
             .check_bodies(bodies)
-            .and_then(|()| shear.check_uncoupled());
+            .and_then(|()| shear.check_uncoupled())
+            .and_then(|()| check_solved(normal.report()))
+            .and_then(|()| check_solved(shear.report()));
         bodies.collective_result(checked)?;
         let contact = SolvedContact::sheared(bodies, shear);
         let workspace = &mut StiffnessWorkspace::new();

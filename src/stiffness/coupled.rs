@@ -15,6 +15,7 @@ use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Iteration;
 use crate::stiffness::contact::{Pressing, SolvedContact, check_open, collect};
+use crate::stiffness::contact_stiffness::check_solved;
 use crate::stiffness::motions::kinds;
 use crate::stiffness::system::System;
 use crate::stiffness::workspace::SystemBuffers;
@@ -138,7 +139,7 @@ impl CoupledSolution {
     /// - [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
     ///   [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) if the solution belongs to other bodies or another friction.
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if a periodic contact is closed everywhere.
-    /// - [`Error::NotConverged`](crate::Error::NotConverged) if a linear solve fails or is cancelled.
+    /// - [`Error::NotConverged`](crate::Error::NotConverged) for a solution that has not been solved, or if a linear solve fails or is cancelled.
     /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail or pass different input.
     /// - The errors of [`NormalSolution::stiffness`](crate::NormalSolution::stiffness) for a contact that has yielded.
     /// - The errors of [`HalfSpace::operator`].
@@ -160,6 +161,7 @@ impl CoupledSolution {
         let (normal, tangential) = (self.normal(), self.tangential());
         let checked = normal.check_bodies(bodies);
         let checked = checked.and_then(|()| normal.check_elastic("the stiffness"));
+        let checked = checked.and_then(|()| check_solved(&self.report().work));
         bodies.collective_result(checked.and_then(|()| friction.check(bodies.grid())))?;
         let contact = SolvedContact::sheared(bodies, tangential);
         let workspace = &mut StiffnessWorkspace::new();

@@ -2,10 +2,10 @@
 
 use std::ops::ControlFlow;
 
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::grid::field::Field;
 use crate::grid::window::Window;
-use crate::history::History;
+use crate::history::{History, State};
 use crate::numerics::cell_vector::slices;
 use crate::observer::unwatched;
 use crate::report::Iteration;
@@ -26,9 +26,14 @@ impl History {
     /// The stiffness of the next step is an option of [`stiffness_with`](Self::stiffness_with):
     /// [`StiffnessWorkspace::next_step`].
     ///
+    /// Both stiffnesses belong to the solution of the last step. After [`set_friction`](Self::set_friction) has changed the
+    /// friction limits, they are an error until the next step. After [`set_gap`](Self::set_gap) has changed the gap, they are an
+    /// error until a step prescribes the normal load.
+    ///
     /// # Errors
-    /// - [`Error::NotFinite`](crate::Error::NotFinite) if a periodic contact is closed everywhere.
-    /// - [`Error::NotConverged`](crate::Error::NotConverged) if a linear solve fails or is cancelled.
+    /// - [`Error::OutdatedSolution`] if the friction or the gap has changed since the last step.
+    /// - [`Error::NotFinite`] if a periodic contact is closed everywhere.
+    /// - [`Error::NotConverged`] if a linear solve fails or is cancelled.
     /// - The errors of [`HalfSpace::operator`](crate::HalfSpace::operator).
     #[doc(alias = "tangential stiffness")]
     #[doc(alias = "jacobian")]
@@ -60,6 +65,7 @@ impl History {
         workspace: &mut StiffnessWorkspace,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<ContactStiffness> {
+        self.bodies.collective_result(self.state.check_current())?;
         let grid = self.grid();
         let memory = self.state.contact.as_ref();
         // Without contact the state contains no last step. In the stiffness of the next step, no cell has slipped or come into
@@ -84,5 +90,21 @@ impl History {
         } else {
             contact.stiffness(pressing, workspace, &mut observer)
         }
+    }
+}
+
+impl State {
+    /// Returns an error if friction or gap have changed since the tractions and the pressure were solved for.
+    fn check_current(&self) -> Result<()> {
+        let (changed, remedy) = match (self.is_friction_new(), self.is_pressure_stale()) {
+            (_, true) => ("the gap", "take a step with a prescribed normal load first"),
+            (true, false) => ("the friction", "take a step first"),
+            (false, false) => return Ok(()),
+        };
+        Err(Error::OutdatedSolution {
+            quantity: "stiffness",
+            changed,
+            remedy,
+        })
     }
 }

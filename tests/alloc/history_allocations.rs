@@ -62,9 +62,9 @@ fn assert_no_allocations(gap: &Field, load: f64, lateral: TangentialModel) {
             assert!(slope.unwrap().normal.value > 0.0);
             history.set_friction(&friction[1]).unwrap();
             history.step(&step).unwrap();
-            let slip = history.last_step().slip_distance();
+            let slip = history.last_step().unwrap().slip_distance();
             wear::archard(1e-4, history.pressure(), slip, &mut worn).unwrap();
-            let energy = history.last_step().dissipation();
+            let energy = history.last_step().unwrap().dissipation();
             wear::energy(1e-4, energy, &mut depth).unwrap();
             let so_far = history.dissipation();
             wear::threshold_energy(1e-4, 1.0, so_far, energy, &mut depth).unwrap();
@@ -143,7 +143,7 @@ fn assert_coupling_allocates_nothing(coupling: Coupling) {
                 .unwrap();
             let slope = history.stiffness_with(&mut stiffness, |_| ControlFlow::Continue(()));
             assert!(slope.unwrap().normal.value > 0.0);
-            let slip = history.last_step().slip_distance();
+            let slip = history.last_step().unwrap().slip_distance();
             wear::archard(1e-5, history.pressure(), slip, &mut worn).unwrap();
             history.set_gap(&worn).unwrap();
         }

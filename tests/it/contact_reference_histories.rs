@@ -22,7 +22,7 @@ fn assert_scalars_agree(case: &Case, step: &ReferenceStep, shift: [f64; 2], hist
         let size = shift[0].hypot(shift[1]);
         close("shift", history.shift()[axis], shift[axis], size);
     }
-    let (normal, energy) = (history.normal(), history.last_step().energy());
+    let (normal, energy) = (history.normal(), history.last_step().unwrap().energy());
     close("load", normal.force(), step.load, step.load);
     close("approach", normal.approach(), step.approach, step.approach);
     let dissipated = step.dissipated_energy;

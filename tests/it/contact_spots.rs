@@ -239,6 +239,9 @@ fn spots_of_history_include_stick_ratio() {
     history.step(&LoadStep::force([1.0, 0.0])).unwrap();
     let spots = history.spots().unwrap();
     let spot = spots.largest().unwrap();
-    assert_eq!(spot.stick_ratio, Some(history.last_step().stick_ratio()));
+    assert_eq!(
+        spot.stick_ratio,
+        Some(history.last_step().unwrap().stick_ratio())
+    );
     assert!(spot.centroid[0].abs() < 1e-9 && spot.centroid[1].abs() < 1e-9);
 }

@@ -30,13 +30,13 @@ fn assert_every_step_agrees(name: &str, steps: usize, examinations: usize) {
         history.set_gap(&case.gap(step)).unwrap();
         let load = LoadStep::shift([0.0; 2]).normal(step.normal_control().unwrap());
         history.step(&load).unwrap();
-        let report = history.last_step().tangential_report().unwrap();
+        let report = history.last_step().unwrap().tangential_report().unwrap();
         assert!(report.history.len() <= examinations, "{number}: {report:?}");
         assert!(
             (history.approach() / step.approach - 1.0).abs() < 1e-7,
             "{number}"
         );
-        let energy = history.last_step().energy();
+        let energy = history.last_step().unwrap().energy();
         let elastic = step.elastic_energy.unwrap();
         assert!(
             (energy.elastic_after / elastic - 1.0).abs() < 1e-7,
@@ -84,7 +84,7 @@ fn pressed_punch_slips_unless_incompressible() {
             .model(TangentialModel::Vector);
         let mut history = builder.build().unwrap();
         history.step(&press_to(1.0)).unwrap();
-        let found = history.last_step().stick_ratio();
+        let found = history.last_step().unwrap().stick_ratio();
         assert!((found - stick).abs() < 0.03, "{poisson_ratio}: {found}");
         for (part, ratio) in [0.3, 0.6].into_iter().zip(ratios) {
             let drag = TangentialControl::Force(0.3 * part);
@@ -123,7 +123,7 @@ fn stick_radius_converges_with_first_order_in_steps() {
             history.step(&LoadStep::hold().normal(force)).unwrap();
         }
         assert!((history.approach() / hertz.approach() - 0.979).abs() < 2e-3);
-        0.5 - history.last_step().stick_ratio().sqrt()
+        0.5 - history.last_step().unwrap().stick_ratio().sqrt()
     });
     // On fine grids the stick radii are 0.368, 0.438, 0.473 and 0.489.
     for (error, expected) in errors.into_iter().zip([0.132, 0.062, 0.027, 0.011]) {
@@ -256,7 +256,7 @@ fn press_to_tolerance_matches_spence() {
         let spence = SpencePressing::round(history.state().pair(), 0.1).unwrap();
         assert!((spence.stick_radius().powi(2) - exact).abs() < 1e-4);
         let steps = history.press(&press_to(60.0), tolerance).unwrap();
-        let error = (history.last_step().stick_ratio() - exact).abs();
+        let error = (history.last_step().unwrap().stick_ratio() - exact).abs();
         assert!(
             steps <= most && error < bound && error < last,
             "{steps} {error}"
@@ -315,7 +315,7 @@ fn press_to_tolerance_takes_two_steps_if_one_is_exact() {
     let smooth = aluminium_on_steel(24, 0.0, Coupling::OneWay);
     let ends_at_two_steps = |mut history: History, force: f64| {
         assert_eq!(history.press(&press_to(force), 1e-4).unwrap(), 2);
-        let warnings = history.last_step().warnings();
+        let warnings = history.last_step().unwrap().warnings();
         assert!(!warnings.contains(&Warning::SingleLoadStep), "{warnings:?}");
         let reached = history.normal().force() / force;
         assert!((reached - 1.0).abs() < 1e-8);
@@ -334,7 +334,7 @@ fn press_to_tolerance_continues_from_a_load_and_unloads() {
     history.press(&press_to(60.0), 0.05).unwrap();
     let mut direct = aluminium_on_steel(24, 0.1, Coupling::OneWay);
     direct.press(&press_to(60.0), 0.05).unwrap();
-    let [a, b] = [&history, &direct].map(|history| history.last_step().stick_ratio());
+    let [a, b] = [&history, &direct].map(|history| history.last_step().unwrap().stick_ratio());
     assert!((a - b).abs() < 0.06, "{a} {b}");
     history.press(&press_to(0.0), 0.05).unwrap();
     assert!(history.normal().force() == 0.0 && history.pressure().max() == 0.0);
@@ -383,7 +383,7 @@ fn adaptive_steps_divide_the_pressing() {
     history.step(&press(0.01)).unwrap();
     let mut adaptive = AdaptiveSteps::new(&history, 0.02).unwrap();
     let taken = adaptive.step(&mut history, &press(0.13)).unwrap();
-    let radius = history.last_step().stick_ratio().sqrt();
+    let radius = history.last_step().unwrap().stick_ratio().sqrt();
     assert!(taken > 1 && radius > 0.46, "{taken} {radius}");
 }
 

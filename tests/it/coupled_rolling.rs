@@ -484,7 +484,7 @@ fn one_way_rolling_of_dissimilar_bodies_warns_of_neglected_lift() {
         let rolled = Rolling::new(1).creepage([0.05, 0.0]);
         history.step(&LoadStep::hold().normal(load)).unwrap();
         let is_lift = |warning: &Warning| matches!(warning, Warning::NeglectedLift { .. });
-        assert!(!history.last_step().warnings().iter().any(is_lift));
+        assert!(!history.last_step().unwrap().warnings().iter().any(is_lift));
         let step = history.step(&LoadStep::hold().roll(rolled)).unwrap();
         step.warnings().iter().any(is_lift)
     };

@@ -70,7 +70,7 @@ fn debug_outputs(n: usize) -> Vec<String> {
         cycle.add(&history).unwrap();
         show(&history);
         show(history.state());
-        show(history.last_step());
+        show(history.last_step().unwrap());
         show(&cycle);
         show(&AdaptiveSteps::new(&history, 0.1).unwrap());
     }

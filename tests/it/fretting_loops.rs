@@ -120,7 +120,7 @@ fn loop_that_is_not_steady_reports_cycle_limit() {
     let outcome = FrettingLoop::new(path, load)
         .until_steady(1e-4)
         .run_observed(&mut history, 4, |history, _| {
-            let energy = history.last_step().dissipation();
+            let energy = history.last_step().unwrap().dissipation();
             wear::energy(0.5, energy, &mut gap)?;
             history.set_gap(&gap)?;
             Ok(ControlFlow::Continue(()))

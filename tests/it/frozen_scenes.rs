@@ -780,7 +780,7 @@ fn history_wear(record: &mut Record) {
         wear::archard(
             0.02,
             history.pressure(),
-            history.last_step().slip_distance(),
+            history.last_step().unwrap().slip_distance(),
             &mut worn,
         )
         .unwrap();

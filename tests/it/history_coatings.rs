@@ -26,7 +26,7 @@ fn new_history(bodies: &HalfSpace, gap: &Field, model: TangentialModel) -> Histo
 
 fn take_step(history: &mut History, load: LoadStep) {
     history.step(&load).unwrap();
-    let energy = history.last_step().energy();
+    let energy = history.last_step().unwrap().energy();
     let size = energy.work.abs() + energy.elastic_before + energy.elastic_after;
     assert!(energy.imbalance().abs() <= 1e-10 * size, "{energy:?}");
 }
@@ -86,7 +86,7 @@ fn layer_of_substrate_material_does_not_affect_rolling_and_wear() {
                 load.roll(Rolling::new(1).creepage([0.02, 0.01])),
             );
         }
-        let slip = history.last_step().slip_distance().clone();
+        let slip = history.last_step().unwrap().slip_distance().clone();
         wear::archard(0.5, history.pressure(), &slip, &mut gap).unwrap();
         history.set_gap(&gap).unwrap();
         take_step(&mut history, load());
@@ -113,7 +113,7 @@ fn coating_wear_is_load_times_path() {
     let before = history.pressure().max();
     take_step(&mut history, LoadStep::shift([0.7, 0.0]));
     let mut depth = Field::zeros(grid);
-    let slip = history.last_step().slip_distance();
+    let slip = history.last_step().unwrap().slip_distance();
     wear::archard(0.5, history.pressure(), slip, &mut depth).unwrap();
     assert!((depth.integral() / (0.5 * 0.4 * 0.2) - 1.0).abs() < 1e-9);
     let mut worn = gap.clone();

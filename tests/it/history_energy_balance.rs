@@ -44,7 +44,7 @@ fn steady_loop_area_equals_dissipation() {
         for step in 1..=24 {
             let phase = std::f64::consts::TAU * f64::from(step) / 24.0;
             shear(history, TangentialControl::Force(amplitude * phase.sin()));
-            let energy = history.last_step().energy();
+            let energy = history.last_step().unwrap().energy();
             sums[0] += energy.work;
             sums[1] += energy.dissipated_energy_midpoint;
             sums[2] += energy.dissipated_energy;

@@ -132,7 +132,7 @@ fn coupled_contact_yields_at_the_hardness() {
         let mut history = builder.hardness(limit.clone()).build().unwrap();
         for (force, shear) in [(0.05, [0.0; 2]), (0.09, [0.02, 0.01]), (0.06, [0.0, 0.015])] {
             history.step(&load(force, shear)).unwrap();
-            let energy = history.last_step().energy();
+            let energy = history.last_step().unwrap().energy();
             assert!(energy.imbalance().abs() < 1e-12 * energy.elastic_after);
             let normal = history.normal();
             let (mut yielded, mut largest) = (0, 0.0_f64);

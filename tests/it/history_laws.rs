@@ -114,7 +114,7 @@ fn new_contact_cells_start_without_traction() {
     );
     // The contact grows far beyond the window of the small contact.
     take_steps(&mut history, &[(NormalControl::Force(12.0), force)], 1.0);
-    assert_eq!(history.last_step().stick_ratio(), 1.0);
+    assert_eq!(history.last_step().unwrap().stick_ratio(), 1.0);
     let mut entered = 0;
     for (i, zone) in zones.iter().enumerate() {
         let now = history.zones()[i];
@@ -213,7 +213,7 @@ fn force_at_the_limit_slides_by_the_smallest_shift() {
             &[(NormalControl::Hold, TangentialControl::Force(force))],
             1.0,
         );
-        assert_eq!(history.last_step().is_gross_slip(), force != 0.0);
+        assert_eq!(history.last_step().unwrap().is_gross_slip(), force != 0.0);
         shifts.push(history.shift()[0]);
     }
     assert!((shifts[1] - shifts[0]).abs() < 1e-12 * shifts[0]);

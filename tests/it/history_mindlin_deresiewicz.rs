@@ -156,7 +156,7 @@ fn warm_start_step_needs_few_products() {
     for step in 1..=40 {
         let part = AMPLITUDE * (std::f64::consts::TAU * f64::from(step) / 40.0).cos();
         shear_to(&mut history, part, 1);
-        let report = history.last_step().tangential_report().unwrap();
+        let report = history.last_step().unwrap().tangential_report().unwrap();
         double += report.double_precision_products;
         single += report.single_precision_products;
     }

@@ -34,7 +34,7 @@ fn full_slip_wear_is_load_times_path() {
         let mut path = 0.0;
         for (from, to) in [(50.0, 53.0), (53.0, 61.0), (61.0, 65.0)] {
             shear(&mut history, TangentialControl::Shift(to));
-            let step = history.last_step();
+            let step = history.last_step().unwrap();
             assert!(step.is_gross_slip());
             path += to - from;
             let [by_slip, by_energy] = &mut removed;
@@ -99,7 +99,7 @@ fn new_gap_preserves_the_state() {
     twin.set_gap(&worn).unwrap();
     shear(&mut twin, TangentialControl::Force(0.5));
     assert_eq!(twin.pressure(), &pressure);
-    assert!(twin.last_step().normal_report().is_none());
+    assert!(twin.last_step().unwrap().normal_report().is_none());
     let change = kit::max_difference(twin.traction()[0].as_slice(), traction.as_slice());
     assert!(change < 1e-7 * pressure.max());
     press(&mut twin, NormalLoad::Force(4.0));
@@ -128,7 +128,7 @@ fn stale_pressure_causes_a_warning() {
     history.set_gap(&worn).unwrap();
     history.step(&LoadStep::hold()).unwrap();
     assert_eq!(
-        without_resolution_warnings(history.last_step().warnings()),
+        without_resolution_warnings(history.last_step().unwrap().warnings()),
         [Warning::NoContact]
     );
     press(&mut history, NormalLoad::Force(4.0));
@@ -136,7 +136,7 @@ fn stale_pressure_causes_a_warning() {
     history.set_gap(&worn).unwrap();
     shear(&mut history, TangentialControl::Shift(0.1));
     assert_eq!(
-        without_resolution_warnings(history.last_step().warnings()),
+        without_resolution_warnings(history.last_step().unwrap().warnings()),
         []
     );
 
@@ -146,7 +146,9 @@ fn stale_pressure_causes_a_warning() {
     let mindful = FrettingLoop::new(path, load);
     let mut warnings = Vec::new();
     let mut wear = |history: &mut History, _: &Cycle| {
-        warnings.push(without_resolution_warnings(history.last_step().warnings()));
+        warnings.push(without_resolution_warnings(
+            history.last_step().unwrap().warnings(),
+        ));
         let mut gap = history.gap().clone();
         gap.add_scaled(0.1, history.pressure())?;
         history.set_gap(&gap)?;
@@ -238,7 +240,7 @@ fn new_friction_limits_the_force() {
         history.step(&held) => Error::BeyondFrictionCapacity { limit, .. } if (limit - holds).abs() < 1e-12,
     }
     shear(&mut history, TangentialControl::Force(holds));
-    assert!(history.last_step().is_gross_slip());
+    assert!(history.last_step().unwrap().is_gross_slip());
 }
 
 #[test]

@@ -88,6 +88,7 @@ mod near_gross_slip;
 mod nested_start_accuracy;
 mod next_step_stiffness;
 mod one_way_coupling;
+mod outdated_results;
 mod oversized_inputs;
 mod periodic_contact;
 mod plane_strain_lines;

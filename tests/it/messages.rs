@@ -445,7 +445,7 @@ fn narrow_slip_in_small_spots_gives_no_warning() {
 }
 
 fn step_warns(history: &History, is_meant: impl Fn(&Warning) -> bool) -> bool {
-    history.last_step().warnings().iter().any(is_meant)
+    history.last_step().unwrap().warnings().iter().any(is_meant)
 }
 
 /// Returns the ratio of contact radius to radius of curvature that a warning states.
@@ -599,7 +599,7 @@ fn held_shift_that_loses_force_gives_warning() {
             history
         };
         let lost = |history: &History| {
-            let warnings = history.last_step().warnings();
+            let warnings = history.last_step().unwrap().warnings();
             warnings.into_iter().find_map(|warning| match warning {
                 Warning::HeldShiftLostForce { per_cent } => Some((per_cent, warning.to_string())),
                 _ => None,

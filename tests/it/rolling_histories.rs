@@ -165,8 +165,8 @@ fn assert_same_in_both_frames(pair: &ElasticPair, coupling: Coupling) {
             let quantities = [
                 (rolled.traction()[axis], shifted.traction()[axis], most),
                 (
-                    rolled.last_step().slip()[axis],
-                    shifted.last_step().slip()[axis],
+                    rolled.last_step().unwrap().slip()[axis],
+                    shifted.last_step().unwrap().slip()[axis],
                     0.015,
                 ),
                 (rolled.slip()[axis], shifted.slip()[axis], 0.015),
@@ -205,7 +205,7 @@ fn texture_moves_with_particles() {
             let before = moved.pressure().as_slice().to_vec();
             moved.set_gap(&gap(n)).unwrap();
             moved.step(&press(1.5).roll(rolling)).unwrap();
-            let energy = moved.last_step().energy();
+            let energy = moved.last_step().unwrap().energy();
             assert!(energy.imbalance().abs() < 1e-12 * energy.elastic_after);
             assert!(energy.dissipated_energy_midpoint > 0.0);
             assert!(energy.residual.abs() < 1e-7 * energy.elastic_after);

@@ -230,9 +230,9 @@ fn rejected_load_leaves_rolling_solver_unchanged() {
     assert!((rolling.force()[0] - 0.2).abs() < 1e-9);
 }
 
-/// The stiffness belongs to the last solution until the next solve, for any window of the new contact.
+/// After a new pressure the stiffness is an error until the next solve, for any window of the new contact.
 #[test]
-fn stiffness_after_new_pressure_is_that_of_last_solution() {
+fn stiffness_after_new_pressure_requires_solve() {
     let bodies = bodies(24, &similar_pair());
     let by_default = (LeadingEdge::PlusX, EntryRule::SinceTouch);
     let [light, heavy] = [0.5, 1.1].map(|load| pressed(&bodies, load));
@@ -255,9 +255,17 @@ fn stiffness_after_new_pressure_is_that_of_last_solution() {
     let controls = [RollingControl::Force(0.05), RollingControl::Creepage(0.01)];
     solver.set_load(controls, 0.03).unwrap();
     solved(&mut solver);
-    let before = solver.stiffness().unwrap();
-    solver.set_pressure(&heavy).unwrap();
-    check(solver.stiffness().unwrap(), before);
+    assert!(solver.stiffness().is_ok());
+    for normal in [&heavy, &light] {
+        solver.set_pressure(normal).unwrap();
+        kit::assert_refused! { solver.stiffness() => Error::OutdatedSolution { changed: "the pressure", .. } }
+        let solution = solved(&mut solver);
+        let mut fresh = rolling(&bodies, normal, by_default);
+        fresh.set_load(controls, 0.03).unwrap();
+        let expected = solved(&mut fresh);
+        assert!((solution.moment() / expected.moment() - 1.0).abs() < 1e-6);
+        check(solver.stiffness().unwrap(), fresh.stiffness().unwrap());
+    }
 }
 
 /// In a time loop of a vehicle, a solve starts from scaled and extrapolated tractions.

@@ -122,7 +122,10 @@ fn scene_work_is_stored_or_dissipated() {
         let (mut total, mut released) = (0.0, 0.0_f64);
         for (number, step) in scene.path.iter().enumerate() {
             scene.take(&mut history, step, &pose);
-            let (taken, energy) = (history.last_step(), history.last_step().energy());
+            let (taken, energy) = (
+                history.last_step().unwrap(),
+                history.last_step().unwrap().energy(),
+            );
             let scale = energy.elastic_before.max(energy.elastic_after) + energy.work.abs();
             let what = || format!("step {number}: {energy:?}");
             check(energy.imbalance().abs() <= 1e-13 * scale, what)?;
@@ -176,7 +179,7 @@ fn scene_accumulated_slip_and_energy_move_with_particles() {
                 Some(LeadingEdge::PlusY) => [0, cells],
                 Some(LeadingEdge::MinusY) => [0, -cells],
             };
-            let taken = history.last_step();
+            let taken = history.last_step().unwrap();
             let steps = [taken.slip_distance(), taken.dissipation()];
             let found = [history.accumulated_slip(), history.dissipation()];
             for ((sum, now), found) in sums.iter_mut().zip(steps).zip(found) {
@@ -203,7 +206,7 @@ fn scene_satisfies_contact_and_friction_laws() {
         for (number, step) in scene.path.iter().enumerate() {
             let load = scene.load(step, &pose);
             history.step(&load).map_err(|error| error.to_string())?;
-            let (taken, pressed) = (history.last_step(), history.normal());
+            let (taken, pressed) = (history.last_step().unwrap(), history.normal());
             let largest = taken.slip_distance().max();
             let [sx, sy] = taken.slip();
             let [qx, qy] = history.traction();
@@ -307,7 +310,7 @@ fn scene_slip_matches_relative_displacement() {
                     let rigid = history.shift()[axis] - shift[axis] + turned * [-y, x][axis];
                     let bulk = (stretched - stretch) * (strain[axis][0] * x + strain[axis][1] * y);
                     let moved = after[axis].as_slice()[i] - before[axis].as_slice()[i];
-                    let slip = history.last_step().slip()[axis].as_slice()[i];
+                    let slip = history.last_step().unwrap().slip()[axis].as_slice()[i];
                     let error = (moved + bulk - rigid - slip).abs();
                     check(error <= 1e-6 * scale, || {
                         format!(
@@ -322,7 +325,7 @@ fn scene_slip_matches_relative_displacement() {
             let pairs = history.traction().into_iter().zip(&after);
             let products = pairs.flat_map(|(q, u)| q.as_slice().iter().zip(u.as_slice()));
             let energy = 0.5 * grid.cell_area() * products.map(|(q, u)| q * u).sum::<f64>();
-            let found = history.last_step().energy().elastic_after;
+            let found = history.last_step().unwrap().energy().elastic_after;
             check((energy - found).abs() <= 1e-10 * found, || {
                 format!("step {number}: energies of {energy:e} and {found:e}")
             })?;

@@ -142,7 +142,7 @@ fn unchanged_coupled_contacts_are_only_verified() {
             history.step(&load).unwrap();
         }
         assert_only_verified(
-            history.last_step().tangential_report().unwrap(),
+            history.last_step().unwrap().tangential_report().unwrap(),
             2,
             "history",
         );

@@ -202,7 +202,7 @@ fn user_kernel_stiffness_rolling_wear_and_lines_match_coating() {
         history.step(&held()).unwrap();
         let rolled = held().roll(Rolling::new(1).creepage([0.02, 0.01]));
         history.step(&rolled).unwrap();
-        let slip = history.last_step().slip_distance().clone();
+        let slip = history.last_step().unwrap().slip_distance().clone();
         wear::archard(0.5, history.pressure(), &slip, &mut gap).unwrap();
         history.set_gap(&gap).unwrap();
         history.step(&held()).unwrap();

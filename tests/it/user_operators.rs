@@ -574,3 +574,26 @@ fn operator_with_mean_is_rejected_on_periodic_grid() {
     assert!(on(0.0, Boundary::Periodic).is_ok() && on(0.3, Boundary::NonPeriodic).is_ok());
     kit::assert_refused! { on(0.3, Boundary::Periodic) => Error::UnsupportedByModel { value, .. } if value > 0.1 }
 }
+
+/// The report names the origin of a bound that the operator states and that the crate has not computed.
+#[test]
+fn bound_of_user_operator_is_stated() {
+    let grid = Grid::square(16, 3.0).unwrap();
+    let bodies = HalfSpace::new(grid, pair(false)).unwrap();
+    let least = of(&bodies, [Z], |_| 0.0).lower_bound();
+    let stated = asymmetric(of(&bodies, [Z], |_| 0.0), |_, _| {}, 0.5 * least);
+    let stated = with_operators(&bodies, Operators::new().with([Z], stated));
+    let press = |bodies: &HalfSpace| {
+        let problem = NormalProblem::builder(bodies, gap(bodies), NormalLoad::Force(0.05));
+        kit::solve(problem)
+    };
+    let (own, user) = (press(&bodies), press(&stated));
+    assert_eq!(own.report().eigenvalue_bound, EigenvalueBound::Proven);
+    assert_eq!(user.report().eigenvalue_bound, EigenvalueBound::Stated);
+    let text = user.report().to_string();
+    assert!(
+        text.contains("by the stated bound of the smallest eigenvalue"),
+        "{text}"
+    );
+    assert!(EigenvalueBound::Estimated < EigenvalueBound::Stated);
+}

@@ -112,7 +112,7 @@ fn springs_of_any_stiffness_match_forces_and_shifts() {
                     }
                 }
                 assert!(force[0].hypot(force[1]) <= LIMIT * (1.0 + 1e-12));
-                let report = by_spring.last_step().tangential_report().unwrap();
+                let report = by_spring.last_step().unwrap().tangential_report().unwrap();
                 assert!(report.is_converged() && report.residual <= TOLERANCE);
                 assert!(report.energy_error_bound() <= TOLERANCE);
 

@@ -136,7 +136,7 @@ fn pressure_under_same_load_is_not_solved_again() {
         history.step(&step(force, 0.0)).unwrap();
         let pressed = history.pressure().clone();
         let work = |history: &History| {
-            let report = history.last_step().normal_report().unwrap();
+            let report = history.last_step().unwrap().normal_report().unwrap();
             assert!(report.is_converged() && report.residual <= 1e-6);
             report.products()
         };

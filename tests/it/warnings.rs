@@ -221,7 +221,7 @@ fn pressing_dissimilar_bodies_in_one_step_gives_warning() {
     }
     // More than a tenth of the contact is new in each of these steps.
     let is_coarse = |history: &History| {
-        let warnings = history.last_step().warnings();
+        let warnings = history.last_step().unwrap().warnings();
         warnings.contains(&Warning::SingleLoadStep)
     };
     assert!(is_coarse(&history));
@@ -234,7 +234,7 @@ fn pressing_dissimilar_bodies_in_one_step_gives_warning() {
     );
     let (few, many) = (
         at_once.tangential().stick_ratio(),
-        history.last_step().stick_ratio(),
+        history.last_step().unwrap().stick_ratio(),
     );
     assert!(few < 0.6 * many, "{few} {many}");
 

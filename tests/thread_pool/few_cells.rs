@@ -195,7 +195,7 @@ pub(crate) fn histories(grid: Grid, watch: Watch<'_>) {
         );
         let _ = (
             history.spots().unwrap(),
-            history.last_step().warnings(),
+            history.last_step().unwrap().warnings(),
             history.displacement()?,
         );
         history.stiffness()?;

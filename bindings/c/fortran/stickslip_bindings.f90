@@ -343,6 +343,8 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_EIGENVALUE_ESTIMATED = 1
     ! The eigenvalue bound is a computed lower bound.
     integer(c_int32_t), parameter, public :: STICKSLIP_EIGENVALUE_PROVEN = 2
+    ! The eigenvalue bound is a lower bound stated by a user-defined operator. The library does not check it.
+    integer(c_int32_t), parameter, public :: STICKSLIP_EIGENVALUE_STATED = 3
     ! Warning: there is no contact.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_NO_CONTACT = 1
     ! Warning: contact cells (number in cells) lie on the edge of the grid.
@@ -434,9 +436,15 @@ module stickslip_bindings
     ! The cycle does not close: its cyclic residual (value) exceeds the limit (limit) for a cycle that represents the
     ! following cycles.
     integer(c_int32_t), parameter, public :: STICKSLIP_CYCLE_NOT_CLOSED = 12
+    ! The history has no last step: it took no step since it was created or its state was set. Make a step after
+    ! stickslip_history_set_state or stickslip_history_from_bytes.
+    integer(c_int32_t), parameter, public :: STICKSLIP_NO_LAST_STEP = 13
+    ! A stiffness was requested after a change of friction, gap, pressure or load, to which the last solution does not belong. Solve
+    ! again, or take a step, before you compute the stiffness.
+    integer(c_int32_t), parameter, public :: STICKSLIP_OUTDATED_SOLUTION = 14
     ! A required handle or another required pointer is NULL or misaligned.
     integer(c_int32_t), parameter, public :: STICKSLIP_BAD_POINTER = 32
-    ! Another thread is using the handle; nothing was done.
+    ! Another thread is using the handle, or a batch contains it twice; nothing was done with it.
     integer(c_int32_t), parameter, public :: STICKSLIP_BUSY = 33
     ! The number (value) is not a constant of the required kind, or a struct has a member that this library does not support:
     ! reserved is not zero.
@@ -949,7 +957,7 @@ module stickslip_bindings
         ! STICKSLIP_CONVERGED, the reason why the solve did not converge, or STICKSLIP_UNSOLVED.
         integer(c_int32_t) :: status = 0
         ! Origin of the eigenvalue bound behind duality_gap and all other certified errors: STICKSLIP_EIGENVALUE_PROVEN,
-        ! STICKSLIP_EIGENVALUE_ESTIMATED or STICKSLIP_EIGENVALUE_UNKNOWN.
+        ! STICKSLIP_EIGENVALUE_STATED, STICKSLIP_EIGENVALUE_ESTIMATED or STICKSLIP_EIGENVALUE_UNKNOWN.
         integer(c_int32_t) :: eigenvalue_bound = 0
         ! Number of conjugate-gradient iterations.
         integer(c_size_t) :: iterations = 0
@@ -1338,7 +1346,8 @@ module stickslip_bindings
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_history_options
 
-    ! Scalar results of a history after its last step.
+    ! Scalar results of a history. The members that describe the last step are NaN if the history has none, that is, if
+    ! has_last_step is zero.
     type, bind(c), public :: stickslip_step_result
         ! Normal force.
         real(c_double) :: normal_force = 0
@@ -1353,16 +1362,19 @@ module stickslip_bindings
         real(c_double) :: moment = 0
         ! Rotation of body 2 relative to body 1 since the start (radians).
         real(c_double) :: twist = 0
-        ! Ratio of stick cells to contact cells after the last step; zero without contact.
+        ! Ratio of stick cells to contact cells after the last step; zero without contact, NaN without a last step.
         real(c_double) :: stick_ratio = 0
-        ! Nonzero if the whole contact is at its friction limit after the last step.
+        ! Nonzero if the whole contact is at its friction limit after the last step; zero without a last step.
         integer(c_int32_t) :: is_gross_slip = 0
+        ! Nonzero if a step led to the present state. Zero before the first step, and after stickslip_history_set_state and
+        ! stickslip_history_from_bytes.
+        integer(c_int32_t) :: has_last_step = 0
         ! Number of steps since the start.
         integer(c_int64_t) :: steps = 0
-        ! Energies of the last step.
+        ! Energies of the last step; NaN without a last step.
         type(stickslip_energy) :: energy
         ! Creepages along x and y of the last step, prescribed or caused by the force (dimensionless); zero if the bodies did
-        ! not roll.
+        ! not roll, NaN without a last step.
         real(c_double) :: creepage(2) = 0
         ! Reserved for future members: zero.
         integer(c_int64_t) :: reserved(6) = 0
@@ -1565,8 +1577,8 @@ module stickslip_bindings
         end function stickslip_adaptive_steps_free
 
         ! Applies a load in as many steps as the tolerance requires, and writes their number to taken (may be NULL). A
-        ! failure, for example STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged, but the last step of the
-        ! history is then the last attempted step.
+        ! failure, for example STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged. If the call has undone steps, the
+        ! history has no last step until its next step.
         function stickslip_adaptive_steps_step(steps, history, load, taken) result(answer) bind(c)
             import
             type(stickslip_adaptive_steps), value :: steps
@@ -1576,8 +1588,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_adaptive_steps_step
 
-        ! Computes the error that stickslip_history_step would make with a load. The state of the history is unchanged, but the
-        ! last step of the history is then the second half of the trial step.
+        ! Computes the error that stickslip_history_step would make with a load. The state of the history is unchanged. The history
+        ! then has no last step until its next step.
         function stickslip_adaptive_steps_error(steps, history, load, error) result(answer) bind(c)
             import
             type(stickslip_adaptive_steps), value :: steps
@@ -1673,7 +1685,7 @@ module stickslip_bindings
         ! codes (may be NULL) receives the code that stickslip_history_step would return for each history. The call returns
         ! STICKSLIP_SOME_FAILED if any step failed. The last error belongs to the first history whose step failed. Histories whose
         ! step failed are unchanged, and all other histories have taken their step. If a history occurs twice, the second
-        ! occurrence fails with STICKSLIP_BUSY.
+        ! occurrence fails with STICKSLIP_BUSY, and the message names both positions.
         function stickslip_history_step_all(histories, loads, count, codes) result(answer) bind(c)
             import
             type(stickslip_history), intent(in) :: histories(*)
@@ -1927,7 +1939,8 @@ module stickslip_bindings
         end function stickslip_coupled_rolling_solver_solve
 
         ! Computes the derivatives of the loads at the last solution, including the change of the pressure with the tractions.
-        ! observer may be NULL. Returns STICKSLIP_NOT_CONVERGED before the first solve.
+        ! observer may be NULL. Returns STICKSLIP_NOT_CONVERGED before the first solve or after a solve that has not converged, and
+        ! STICKSLIP_OUTDATED_SOLUTION if a load, the gap or the friction has changed since the last solve.
         function stickslip_coupled_rolling_solver_stiffness(solver, observer, stiffness) result(answer) bind(c)
             import
             type(stickslip_coupled_rolling_solver), value :: solver
@@ -2021,7 +2034,8 @@ module stickslip_bindings
         end function stickslip_cycle_begin
 
         ! Adds the last step of the history. Returns STICKSLIP_STEP_ALREADY_COUNTED unless the history has taken a step since
-        ! the last added step or the start of the cycle.
+        ! the last added step or the start of the cycle. Returns STICKSLIP_NO_LAST_STEP if the state of the history was set since its
+        ! last step.
         function stickslip_cycle_add(cycle, history) result(answer) bind(c)
             import
             type(stickslip_cycle), value :: cycle
@@ -2314,11 +2328,12 @@ module stickslip_bindings
         end function stickslip_history_step
 
         ! Applies a load in steps with equal growth of the contact, as many as a tolerance in (0, 1) requires, and writes
-        ! their number to taken (may be NULL). Contacts of dissimilar bodies must be pressed with this function. It applies
-        ! the load in 1, 2, 4, 8, ... steps from the current state until the change of the tractions is at most the tolerance
-        ! times the friction limits. A tolerance of 0.01 is a good choice. The argument observer may be NULL; it receives the
-        ! iterations of all steps. After a failure, for example STICKSLIP_STEP_TOO_LONG, the state of the history is
-        ! unchanged; its last step is the last successful step.
+        ! their number to taken (may be NULL). Press contacts of dissimilar bodies with this function or in several steps: a
+        ! single step issues a warning. The function applies the load in 1, 2, 4, 8, ... steps from the current state until
+        ! the change of the tractions is at most the tolerance times the friction limits. A tolerance of 0.01 is a good
+        ! choice. The argument observer may be NULL; it receives the iterations of all steps. After a failure, for example
+        ! STICKSLIP_STEP_TOO_LONG, the state of the history is unchanged. If the call has undone steps, the history has no
+        ! last step until its next step.
         function stickslip_history_press(history, load, tolerance, observer, taken) result(answer) bind(c)
             import
             type(stickslip_history), value :: history
@@ -2364,7 +2379,8 @@ module stickslip_bindings
         end function stickslip_history_set_relative_displacement
 
         ! Computes the stiffness of the contact after the last step: normal stiffness, and tangential stiffness on loading and
-        ! at reversal. It is the derivative of the last step with respect to the motions at its end.
+        ! at reversal. It is the derivative of the last step with respect to the motions at its end. Returns
+        ! STICKSLIP_OUTDATED_SOLUTION if the friction limits or the gap have changed since the last step.
         function stickslip_history_stiffness(history, stiffness) result(answer) bind(c)
             import
             type(stickslip_history), value :: history
@@ -2393,8 +2409,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_history_next_stiffness
 
-        ! Writes the scalar results. Stick ratio, gross slip, energies and creepages describe the last step. They are zero
-        ! before the first step of a history, including a history created from bytes.
+        ! Writes the scalar results. Stick ratio, gross slip, energies and creepages describe the last step. Without a last step,
+        ! has_last_step is zero and these numbers are NaN.
         function stickslip_history_result(history, result) result(answer) bind(c)
             import
             type(stickslip_history), value :: history
@@ -2427,7 +2443,7 @@ module stickslip_bindings
         end function stickslip_history_friction_capacity
 
         ! Writes the reports of the pressure and the traction of the last step. Their status is STICKSLIP_UNSOLVED if the pressure
-        ! was held, or before the first contact.
+        ! was held, or before the first contact. Returns STICKSLIP_NO_LAST_STEP without a last step.
         function stickslip_history_reports(history, normal, tangential) result(answer) bind(c)
             import
             type(stickslip_history), value :: history
@@ -2436,7 +2452,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_history_reports
 
-        ! Writes the warnings about the last step, like stickslip_normal_solution_warnings.
+        ! Writes the warnings about the last step, like stickslip_normal_solution_warnings. Returns STICKSLIP_NO_LAST_STEP without a
+        ! last step.
         function stickslip_history_warnings(history, buffer, capacity, count) result(answer) bind(c)
             import
             type(stickslip_history), value :: history
@@ -2447,7 +2464,8 @@ module stickslip_bindings
         end function stickslip_history_warnings
 
         ! Returns a field, STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH except displacements, and writes its number of cells to
-        ! count (may be NULL); returns NULL on failure.
+        ! count (may be NULL); returns NULL on failure. The fields of the last step, STICKSLIP_STEP_SLIP_X to
+        ! STICKSLIP_STEP_MID_DISSIPATED_ENERGY, fail with STICKSLIP_NO_LAST_STEP without a last step.
         function stickslip_history_field(history, which, count) result(answer) bind(c)
             import
             type(stickslip_history), value :: history
@@ -2775,8 +2793,7 @@ module stickslip_bindings
         end function stickslip_rolling_solver_set_load
 
         ! Sets the friction of the next solve. Returns STICKSLIP_BEYOND_FRICTION_CAPACITY if the new friction cannot carry the
-        ! current load, or can carry it only by sliding. Until that solve, the stiffness refers to the last solution, if there is
-        ! one.
+        ! current load, or can carry it only by sliding. Until that solve, the stiffness returns STICKSLIP_OUTDATED_SOLUTION.
         function stickslip_rolling_solver_set_friction(solver, friction) result(answer) bind(c)
             import
             type(stickslip_rolling_solver), value :: solver
@@ -2805,7 +2822,9 @@ module stickslip_bindings
         end function stickslip_rolling_solver_set_pressure
 
         ! Sets the normal solver that computes the pressure of a new normal load. The solver is copied with its gap, hardness and
-        ! settings.
+        ! settings. This call does not change the pressure. stickslip_rolling_solver_set_normal_load solves for the pressure over the
+        ! gap of the normal solver, which may differ from the gap of the present pressure. Grid, boundary, cell values and materials
+        ! must be equal. The normal solver need not have solved before.
         function stickslip_rolling_solver_set_normal_solver(solver, normal) result(answer) bind(c)
             import
             type(stickslip_rolling_solver), value :: solver
@@ -2861,7 +2880,8 @@ module stickslip_bindings
 
         ! Computes the derivatives of the loads at the last solution. Stick cells follow the motion, and slip cells remain at
         ! their friction limits. Before the first solve all cells stick, and the derivatives are Kalker's coefficients times G
-        ! a b and powers of the length (a b)^(1/2).
+        ! a b and powers of the length (a b)^(1/2). Returns STICKSLIP_OUTDATED_SOLUTION if a load, the pressure or the friction has
+        ! changed since the last solve, and STICKSLIP_NOT_CONVERGED if that solve has not converged.
         function stickslip_rolling_solver_stiffness(solver, stiffness) result(answer) bind(c)
             import
             type(stickslip_rolling_solver), value :: solver
@@ -2881,8 +2901,8 @@ module stickslip_bindings
 
         ! Computes the loads at count points and writes them to forces. Each solve starts from the solution of the previous point,
         ! so consecutive points should be close to each other. All points are checked before the first solve. Afterwards the last
-        ! point is the prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load, and forces is
-        ! unchanged.
+        ! point is the prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load. forces then contains the
+        ! points solved before, whose number is the member found of stickslip_last_error; its other entries are unchanged.
         function stickslip_rolling_solver_creep_forces(solver, points, count, forces) result(answer) bind(c)
             import
             type(stickslip_rolling_solver), value :: solver
@@ -2894,7 +2914,7 @@ module stickslip_bindings
 
         ! Computes the loads at count points with an observer (may be NULL), like stickslip_rolling_solver_creep_forces. The
         ! observer is called before every product with an operator and may end the call. The call then returns
-        ! STICKSLIP_NOT_CONVERGED, the current point is the prescribed load, and forces is unchanged.
+        ! STICKSLIP_NOT_CONVERGED and leaves forces as after a point that does not converge.
         function stickslip_rolling_solver_creep_forces_observed(solver, points, count, observer, &
             forces) result(answer) bind(c)
             import
@@ -3095,7 +3115,9 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_state_keep
 
-        ! Returns a history to a saved state of this history or of another history on equal bodies.
+        ! Returns a history to a saved state of this history or of another history on equal bodies. The history then has no last
+        ! step until its next step: functions that use the last step return STICKSLIP_NO_LAST_STEP. In a retry, restore the state,
+        ! take a smaller step, and add this step to the cycle and to the wear.
         function stickslip_history_set_state(history, state) result(answer) bind(c)
             import
             type(stickslip_history), value :: history
@@ -3465,7 +3487,8 @@ module stickslip_bindings
         end function stickslip_abi_version
 
         ! Adds to depth (lengths, count entries) the depth that Archard's law removes in the last step: coefficient (one over a
-        ! pressure) times pressure times slip. A failure leaves depth unchanged.
+        ! pressure) times pressure times slip. A failure leaves depth unchanged, for example STICKSLIP_NO_LAST_STEP after
+        ! stickslip_history_set_state.
         function stickslip_wear_archard(history, coefficient, depth, count) result(answer) bind(c)
             import
             type(stickslip_history), value :: history
@@ -3476,7 +3499,7 @@ module stickslip_bindings
         end function stickslip_wear_archard
 
         ! Adds to depth the depth that the energy law removes in the last step: coefficient (one over a pressure) times the
-        ! dissipated energy per area.
+        ! dissipated energy per area. Fails like stickslip_wear_archard.
         function stickslip_wear_energy(history, coefficient, depth, count) result(answer) bind(c)
             import
             type(stickslip_history), value :: history
@@ -3487,7 +3510,8 @@ module stickslip_bindings
         end function stickslip_wear_energy
 
         ! Adds to depth the depth that the energy law with a threshold removes in the last step. Only the part of the energy
-        ! dissipated per area since the start that exceeds the threshold (an energy per area) causes wear.
+        ! dissipated per area since the start that exceeds the threshold (an energy per area) causes wear. Fails like
+        ! stickslip_wear_archard.
         function stickslip_wear_threshold_energy(history, coefficient, threshold, depth, count) result(answer) bind(c)
             import
             type(stickslip_history), value :: history

@@ -55,8 +55,8 @@ contains
     end subroutine adaptive_steps_new
 
     ! Applies a load in as many steps as the tolerance requires, and writes their number to taken. A failure, for
-    ! example STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged, but the last step of the history is
-    ! then the last attempted step.
+    ! example STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged. If the call has undone steps, the
+    ! history has no last step until its next step.
     subroutine adaptive_steps_step(this, history, load, taken, status)
         class(adaptive_steps), intent(in) :: this
         class(contact_history), intent(in) :: history
@@ -66,8 +66,8 @@ contains
         call report_status(stickslip_adaptive_steps_step(this%handle, history%handle, load, taken), status)
     end subroutine adaptive_steps_step
 
-    ! Computes the error that contact_history%step would make with a load. The state of the history is unchanged, but
-    ! the last step of the history is then the second half of the trial step.
+    ! Computes the error that contact_history%step would make with a load. The state of the history is unchanged. The
+    ! history then has no last step until its next step.
     function adaptive_steps_error(this, history, load, status) result(found)
         class(adaptive_steps), intent(in) :: this
         class(contact_history), intent(in) :: history
@@ -129,7 +129,8 @@ contains
     end subroutine cycle_begin
 
     ! Adds the last step of the history. Returns STICKSLIP_STEP_ALREADY_COUNTED unless the history has taken a step
-    ! since the last added step or the start of the cycle.
+    ! since the last added step or the start of the cycle. Returns STICKSLIP_NO_LAST_STEP if the state of the history
+    ! was set since its last step.
     subroutine cycle_add(this, history, status)
         class(contact_cycle), intent(in) :: this
         class(contact_history), intent(in) :: history

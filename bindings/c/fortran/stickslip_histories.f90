@@ -206,10 +206,11 @@ contains
     end subroutine history_step
 
     ! Applies a load in steps with equal growth of the contact, as many as a tolerance in (0, 1) requires, and writes
-    ! their number to taken. Contacts of dissimilar bodies must be pressed with this function. It applies the load in 1,
-    ! 2, 4, 8, ... steps from the current state until the change of the tractions is at most the tolerance times the
-    ! friction limits. A tolerance of 0.01 is a good choice. After a failure, for example STICKSLIP_STEP_TOO_LONG, the
-    ! state of the history is unchanged; its last step is the last successful step.
+    ! their number to taken. Press contacts of dissimilar bodies with this function or in several steps: a single step
+    ! issues a warning. The function applies the load in 1, 2, 4, 8, ... steps from the current state until the change
+    ! of the tractions is at most the tolerance times the friction limits. A tolerance of 0.01 is a good choice. After a
+    ! failure, for example STICKSLIP_STEP_TOO_LONG, the state of the history is unchanged. If the call has undone steps,
+    ! the history has no last step until its next step.
     subroutine history_press(this, load, tolerance, taken, observer, status)
         class(contact_history), intent(in) :: this
         type(stickslip_load_step), intent(in) :: load
@@ -257,7 +258,9 @@ contains
             stickslip_relative_displacement(c_loc(x), c_loc(y), size(x, kind=c_size_t))), status)
     end subroutine history_set_relative_displacement
 
-    ! Returns a history to a saved state of this history or of another history on equal bodies.
+    ! Returns a history to a saved state of this history or of another history on equal bodies. The history then has no
+    ! last step until its next step: functions that use the last step return STICKSLIP_NO_LAST_STEP. In a retry, restore
+    ! the state, take a smaller step, and add this step to the cycle and to the wear.
     subroutine history_set_state(this, state, status)
         class(contact_history), intent(in) :: this
         class(contact_state), intent(in) :: state
@@ -265,8 +268,8 @@ contains
         call report_status(stickslip_history_set_state(this%handle, state%handle), status)
     end subroutine history_set_state
 
-    ! Returns the scalar results. Stick ratio, gross slip, energies and creepages describe the last step. They are zero
-    ! before the first step of a history, including a history created from bytes.
+    ! Returns the scalar results. Stick ratio, gross slip, energies and creepages describe the last step. Without a last
+    ! step, has_last_step is zero and these numbers are NaN.
     function history_result(this, status) result(found)
         class(contact_history), intent(in) :: this
         integer(c_int32_t), intent(out), optional :: status
@@ -283,7 +286,8 @@ contains
     end function history_normal_result
 
     ! Computes the stiffness of the contact after the last step: normal stiffness, and tangential stiffness on loading
-    ! and at reversal. It is the derivative of the last step with respect to the motions at its end.
+    ! and at reversal. It is the derivative of the last step with respect to the motions at its end. Returns
+    ! STICKSLIP_OUTDATED_SOLUTION if the friction limits or the gap have changed since the last step.
     function history_stiffness(this, observer, status) result(found)
         class(contact_history), intent(in) :: this
         type(stickslip_observer), intent(in), optional :: observer
@@ -323,7 +327,7 @@ contains
     end function history_friction_capacity
 
     ! Returns the reports of the pressure and the traction of the last step. Their status is STICKSLIP_UNSOLVED if the
-    ! pressure was held, or before the first contact.
+    ! pressure was held, or before the first contact. Returns STICKSLIP_NO_LAST_STEP without a last step.
     subroutine history_reports(this, normal, tangential, status)
         class(contact_history), intent(in) :: this
         type(stickslip_report), intent(out) :: normal
@@ -332,7 +336,7 @@ contains
         call report_status(stickslip_history_reports(this%handle, normal, tangential), status)
     end subroutine history_reports
 
-    ! Returns the warnings about the last step.
+    ! Returns the warnings about the last step. Returns STICKSLIP_NO_LAST_STEP without a last step.
     subroutine history_warnings(this, warnings, status)
         class(contact_history), intent(in) :: this
         type(stickslip_warning), allocatable, intent(out) :: warnings(:)
@@ -347,7 +351,9 @@ contains
         call report_status(code, status)
     end subroutine history_warnings
 
-    ! Returns a field, STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH except displacements.
+    ! Returns a field, STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH except displacements. The fields of the last step,
+    ! STICKSLIP_STEP_SLIP_X to STICKSLIP_STEP_MID_DISSIPATED_ENERGY, fail with STICKSLIP_NO_LAST_STEP without a last
+    ! step.
     function history_field(this, which, status) result(found)
         class(contact_history), intent(in) :: this
         integer(c_int32_t), intent(in) :: which
@@ -393,7 +399,8 @@ contains
     end subroutine history_spots
 
     ! Adds to depth (lengths) the depth that Archard's law removes in the last step: coefficient (one over a pressure)
-    ! times pressure times slip. A failure leaves depth unchanged.
+    ! times pressure times slip. A failure leaves depth unchanged, for example STICKSLIP_NO_LAST_STEP after
+    ! contact_history%set_state.
     subroutine wear_archard_uniform(this, coefficient, depth, status)
         class(contact_history), intent(in) :: this
         real(c_double), intent(in) :: coefficient
@@ -405,7 +412,8 @@ contains
     end subroutine wear_archard_uniform
 
     ! Adds to depth (lengths) the depth that Archard's law removes in the last step: coefficient (one over a pressure)
-    ! times pressure times slip. A failure leaves depth unchanged.
+    ! times pressure times slip. A failure leaves depth unchanged, for example STICKSLIP_NO_LAST_STEP after
+    ! contact_history%set_state.
     subroutine wear_archard_of_cells(this, coefficients, depth, status)
         class(contact_history), intent(in) :: this
         real(c_double), intent(in), target, contiguous :: coefficients(:, :)
@@ -418,7 +426,7 @@ contains
     end subroutine wear_archard_of_cells
 
     ! Adds to depth the depth that the energy law removes in the last step: coefficient (one over a pressure) times the
-    ! dissipated energy per area.
+    ! dissipated energy per area. Fails like stickslip_wear_archard.
     subroutine wear_energy_uniform(this, coefficient, depth, status)
         class(contact_history), intent(in) :: this
         real(c_double), intent(in) :: coefficient
@@ -430,7 +438,7 @@ contains
     end subroutine wear_energy_uniform
 
     ! Adds to depth the depth that the energy law removes in the last step: coefficient (one over a pressure) times the
-    ! dissipated energy per area.
+    ! dissipated energy per area. Fails like stickslip_wear_archard.
     subroutine wear_energy_of_cells(this, coefficients, depth, status)
         class(contact_history), intent(in) :: this
         real(c_double), intent(in), target, contiguous :: coefficients(:, :)
@@ -443,7 +451,8 @@ contains
     end subroutine wear_energy_of_cells
 
     ! Adds to depth the depth that the energy law with a threshold removes in the last step. Only the part of the energy
-    ! dissipated per area since the start that exceeds the threshold (an energy per area) causes wear.
+    ! dissipated per area since the start that exceeds the threshold (an energy per area) causes wear. Fails like
+    ! stickslip_wear_archard.
     subroutine wear_threshold_energy_uniform(this, coefficient, threshold, depth, status)
         class(contact_history), intent(in) :: this
         real(c_double), intent(in) :: coefficient
@@ -456,7 +465,8 @@ contains
     end subroutine wear_threshold_energy_uniform
 
     ! Adds to depth the depth that the energy law with a threshold removes in the last step. Only the part of the energy
-    ! dissipated per area since the start that exceeds the threshold (an energy per area) causes wear.
+    ! dissipated per area since the start that exceeds the threshold (an energy per area) causes wear. Fails like
+    ! stickslip_wear_archard.
     subroutine wear_threshold_energy_of_cells(this, coefficients, threshold, depth, status)
         class(contact_history), intent(in) :: this
         real(c_double), intent(in), target, contiguous :: coefficients(:, :)

@@ -201,8 +201,8 @@ contains
     end subroutine rolling_solver_set_load
 
     ! Sets the friction of the next solve. Returns STICKSLIP_BEYOND_FRICTION_CAPACITY if the new friction cannot carry
-    ! the current load, or can carry it only by sliding. Until that solve, the stiffness refers to the last solution, if
-    ! there is one.
+    ! the current load, or can carry it only by sliding. Until that solve, the stiffness returns
+    ! STICKSLIP_OUTDATED_SOLUTION.
     subroutine rolling_solver_set_friction(this, friction, status)
         class(rolling_solver), intent(in) :: this
         type(stickslip_friction), intent(in) :: friction
@@ -232,7 +232,9 @@ contains
     end subroutine rolling_solver_set_pressure
 
     ! Sets the normal solver that computes the pressure of a new normal load. The solver is copied with its gap,
-    ! hardness and settings.
+    ! hardness and settings. This call does not change the pressure. rolling_solver%set_normal_load solves for the
+    ! pressure over the gap of the normal solver, which may differ from the gap of the present pressure. Grid, boundary,
+    ! cell values and materials must be equal. The normal solver need not have solved before.
     subroutine rolling_solver_set_normal_solver(this, normal, status)
         class(rolling_solver), intent(in) :: this
         class(normal_solver), intent(in) :: normal
@@ -292,7 +294,8 @@ contains
 
     ! Computes the derivatives of the loads at the last solution. Stick cells follow the motion, and slip cells remain
     ! at their friction limits. Before the first solve all cells stick, and the derivatives are Kalker's coefficients
-    ! times G a b and powers of the length (a b)^(1/2).
+    ! times G a b and powers of the length (a b)^(1/2). Returns STICKSLIP_OUTDATED_SOLUTION if a load, the pressure or
+    ! the friction has changed since the last solve, and STICKSLIP_NOT_CONVERGED if that solve has not converged.
     function rolling_solver_stiffness(this, observer, status) result(found)
         class(rolling_solver), intent(in) :: this
         type(stickslip_observer), intent(in), optional :: observer
@@ -303,7 +306,8 @@ contains
 
     ! Computes the loads at points. Each solve starts from the solution of the previous point, so consecutive points
     ! should be close to each other. All points are checked before the first solve. Afterwards the last point is the
-    ! prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load.
+    ! prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load. forces then contains the
+    ! points solved before, whose number is the member found of stickslip_last_error; its other entries are unchanged.
     subroutine rolling_solver_creep_forces(this, points, forces, observer, status)
         class(rolling_solver), intent(in) :: this
         type(stickslip_creep_point), intent(in), contiguous :: points(:)
@@ -515,7 +519,8 @@ contains
     end subroutine coupled_rolling_solver_solve
 
     ! Computes the derivatives of the loads at the last solution, including the change of the pressure with the
-    ! tractions. Returns STICKSLIP_NOT_CONVERGED before the first solve.
+    ! tractions. Returns STICKSLIP_NOT_CONVERGED before the first solve or after a solve that has not converged, and
+    ! STICKSLIP_OUTDATED_SOLUTION if a load, the gap or the friction has changed since the last solve.
     function coupled_rolling_solver_stiffness(this, observer, status) result(found)
         class(coupled_rolling_solver), intent(in) :: this
         type(stickslip_observer), intent(in), optional :: observer

@@ -250,6 +250,9 @@
 // The eigenvalue bound is a computed lower bound.
 #define STICKSLIP_EIGENVALUE_PROVEN 2
 
+// The eigenvalue bound is a lower bound stated by a user-defined operator. The library does not check it.
+#define STICKSLIP_EIGENVALUE_STATED 3
+
 // Warning: there is no contact.
 #define STICKSLIP_WARNING_NO_CONTACT 1
 
@@ -382,10 +385,18 @@
 // following cycles.
 #define STICKSLIP_CYCLE_NOT_CLOSED 12
 
+// The history has no last step: it took no step since it was created or its state was set. Make a step after
+// stickslip_history_set_state or stickslip_history_from_bytes.
+#define STICKSLIP_NO_LAST_STEP 13
+
+// A stiffness was requested after a change of friction, gap, pressure or load, to which the last solution does not belong. Solve
+// again, or take a step, before you compute the stiffness.
+#define STICKSLIP_OUTDATED_SOLUTION 14
+
 // A required handle or another required pointer is NULL or misaligned.
 #define STICKSLIP_BAD_POINTER 32
 
-// Another thread is using the handle; nothing was done.
+// Another thread is using the handle, or a batch contains it twice; nothing was done with it.
 #define STICKSLIP_BUSY 33
 
 // The number (value) is not a constant of the required kind, or a struct has a member that this library does not support:
@@ -911,7 +922,7 @@ typedef struct {
     // STICKSLIP_CONVERGED, the reason why the solve did not converge, or STICKSLIP_UNSOLVED.
     int32_t status;
     // Origin of the eigenvalue bound behind duality_gap and all other certified errors: STICKSLIP_EIGENVALUE_PROVEN,
-    // STICKSLIP_EIGENVALUE_ESTIMATED or STICKSLIP_EIGENVALUE_UNKNOWN.
+    // STICKSLIP_EIGENVALUE_STATED, STICKSLIP_EIGENVALUE_ESTIMATED or STICKSLIP_EIGENVALUE_UNKNOWN.
     int32_t eigenvalue_bound;
     // Number of conjugate-gradient iterations.
     size_t iterations;
@@ -1313,7 +1324,8 @@ typedef struct {
     uint64_t reserved[8];
 } stickslip_history_options;
 
-// Scalar results of a history after its last step.
+// Scalar results of a history. The members that describe the last step are NaN if the history has none, that is, if
+// has_last_step is zero.
 typedef struct {
     // Normal force.
     double normal_force;
@@ -1328,16 +1340,19 @@ typedef struct {
     double moment;
     // Rotation of body 2 relative to body 1 since the start (radians).
     double twist;
-    // Ratio of stick cells to contact cells after the last step; zero without contact.
+    // Ratio of stick cells to contact cells after the last step; zero without contact, NaN without a last step.
     double stick_ratio;
-    // Nonzero if the whole contact is at its friction limit after the last step.
+    // Nonzero if the whole contact is at its friction limit after the last step; zero without a last step.
     int32_t is_gross_slip;
+    // Nonzero if a step led to the present state. Zero before the first step, and after stickslip_history_set_state and
+    // stickslip_history_from_bytes.
+    int32_t has_last_step;
     // Number of steps since the start.
     uint64_t steps;
-    // Energies of the last step.
+    // Energies of the last step; NaN without a last step.
     stickslip_energy energy;
     // Creepages along x and y of the last step, prescribed or caused by the force (dimensionless); zero if the bodies did
-    // not roll.
+    // not roll, NaN without a last step.
     double creepage[2];
     // Reserved for future members: zero.
     uint64_t reserved[6];
@@ -1535,15 +1550,15 @@ stickslip_status stickslip_adaptive_steps_new(const stickslip_history *history,
 stickslip_status stickslip_adaptive_steps_free(stickslip_adaptive_steps *steps);
 
 // Applies a load in as many steps as the tolerance requires, and writes their number to taken (may be NULL). A
-// failure, for example STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged, but the last step of the
-// history is then the last attempted step.
+// failure, for example STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged. If the call has undone steps, the
+// history has no last step until its next step.
 stickslip_status stickslip_adaptive_steps_step(stickslip_adaptive_steps *steps,
                                                stickslip_history *history,
                                                const stickslip_load_step *load,
                                                size_t *taken);
 
-// Computes the error that stickslip_history_step would make with a load. The state of the history is unchanged, but the
-// last step of the history is then the second half of the trial step.
+// Computes the error that stickslip_history_step would make with a load. The state of the history is unchanged. The history
+// then has no last step until its next step.
 stickslip_status stickslip_adaptive_steps_error(stickslip_adaptive_steps *steps,
                                                 stickslip_history *history,
                                                 const stickslip_load_step *load,
@@ -1609,7 +1624,7 @@ stickslip_status stickslip_vermeulen_johnson_ellipse(const stickslip_half_space 
 // codes (may be NULL) receives the code that stickslip_history_step would return for each history. The call returns
 // STICKSLIP_SOME_FAILED if any step failed. The last error belongs to the first history whose step failed. Histories whose
 // step failed are unchanged, and all other histories have taken their step. If a history occurs twice, the second
-// occurrence fails with STICKSLIP_BUSY.
+// occurrence fails with STICKSLIP_BUSY, and the message names both positions.
 stickslip_status stickslip_history_step_all(stickslip_history *const *histories,
                                             const stickslip_load_step *loads,
                                             size_t count,
@@ -1749,7 +1764,8 @@ stickslip_status stickslip_coupled_rolling_solver_solve(stickslip_coupled_rollin
                                                         const stickslip_observer *observer);
 
 // Computes the derivatives of the loads at the last solution, including the change of the pressure with the tractions.
-// observer may be NULL. Returns STICKSLIP_NOT_CONVERGED before the first solve.
+// observer may be NULL. Returns STICKSLIP_NOT_CONVERGED before the first solve or after a solve that has not converged, and
+// STICKSLIP_OUTDATED_SOLUTION if a load, the gap or the friction has changed since the last solve.
 stickslip_status stickslip_coupled_rolling_solver_stiffness(stickslip_coupled_rolling_solver *solver,
                                                             const stickslip_observer *observer,
                                                             stickslip_rolling_stiffness *stiffness);
@@ -1797,8 +1813,10 @@ stickslip_status stickslip_cycle_free(stickslip_cycle *cycle);
 stickslip_status stickslip_cycle_begin(stickslip_cycle *cycle, const stickslip_history *history);
 
 // Adds the last step of the history. Returns STICKSLIP_STEP_ALREADY_COUNTED unless the history has taken a step since
-// the last added step or the start of the cycle.
-stickslip_status stickslip_cycle_add(stickslip_cycle *cycle, const stickslip_history *history);
+// the last added step or the start of the cycle. Returns STICKSLIP_NO_LAST_STEP if the state of the history was set since its
+// last step.
+stickslip_status stickslip_cycle_add(stickslip_cycle *cycle,
+                                     const stickslip_history *history);
 
 // Writes the scalar results of the cycle.
 stickslip_status stickslip_cycle_result_of(const stickslip_cycle *cycle, stickslip_cycle_result *result);
@@ -1964,11 +1982,12 @@ stickslip_status stickslip_history_step(stickslip_history *history,
                                         const stickslip_observer *observer);
 
 // Applies a load in steps with equal growth of the contact, as many as a tolerance in (0, 1) requires, and writes
-// their number to taken (may be NULL). Contacts of dissimilar bodies must be pressed with this function. It applies
-// the load in 1, 2, 4, 8, ... steps from the current state until the change of the tractions is at most the tolerance
-// times the friction limits. A tolerance of 0.01 is a good choice. The argument observer may be NULL; it receives the
-// iterations of all steps. After a failure, for example STICKSLIP_STEP_TOO_LONG, the state of the history is
-// unchanged; its last step is the last successful step.
+// their number to taken (may be NULL). Press contacts of dissimilar bodies with this function or in several steps: a
+// single step issues a warning. The function applies the load in 1, 2, 4, 8, ... steps from the current state until
+// the change of the tractions is at most the tolerance times the friction limits. A tolerance of 0.01 is a good
+// choice. The argument observer may be NULL; it receives the iterations of all steps. After a failure, for example
+// STICKSLIP_STEP_TOO_LONG, the state of the history is unchanged. If the call has undone steps, the history has no
+// last step until its next step.
 stickslip_status stickslip_history_press(stickslip_history *history,
                                          const stickslip_load_step *load,
                                          double tolerance,
@@ -1992,7 +2011,8 @@ stickslip_status stickslip_history_set_relative_displacement(stickslip_history *
                                                              const stickslip_relative_displacement *pattern);
 
 // Computes the stiffness of the contact after the last step: normal stiffness, and tangential stiffness on loading and
-// at reversal. It is the derivative of the last step with respect to the motions at its end.
+// at reversal. It is the derivative of the last step with respect to the motions at its end. Returns
+// STICKSLIP_OUTDATED_SOLUTION if the friction limits or the gap have changed since the last step.
 stickslip_status stickslip_history_stiffness(const stickslip_history *history, stickslip_stiffness *stiffness);
 
 // Computes the stiffness with an observer (may be NULL). The observer is called before every product with an operator and
@@ -2008,9 +2028,10 @@ stickslip_status stickslip_history_next_stiffness(const stickslip_history *histo
                                                   const stickslip_observer *observer,
                                                   stickslip_stiffness *stiffness);
 
-// Writes the scalar results. Stick ratio, gross slip, energies and creepages describe the last step. They are zero
-// before the first step of a history, including a history created from bytes.
-stickslip_status stickslip_history_result(const stickslip_history *history, stickslip_step_result *result);
+// Writes the scalar results. Stick ratio, gross slip, energies and creepages describe the last step. Without a last step,
+// has_last_step is zero and these numbers are NaN.
+stickslip_status stickslip_history_result(const stickslip_history *history,
+                                          stickslip_step_result *result);
 
 // Writes the scalar results of the normal contact.
 stickslip_status stickslip_history_normal_result(const stickslip_history *history, stickslip_normal_result *result);
@@ -2022,19 +2043,21 @@ stickslip_status stickslip_history_grid(const stickslip_history *history, sticks
 stickslip_status stickslip_history_friction_capacity(const stickslip_history *history, double *capacity);
 
 // Writes the reports of the pressure and the traction of the last step. Their status is STICKSLIP_UNSOLVED if the pressure
-// was held, or before the first contact.
+// was held, or before the first contact. Returns STICKSLIP_NO_LAST_STEP without a last step.
 stickslip_status stickslip_history_reports(const stickslip_history *history,
                                            stickslip_report *normal,
                                            stickslip_report *tangential);
 
-// Writes the warnings about the last step, like stickslip_normal_solution_warnings.
+// Writes the warnings about the last step, like stickslip_normal_solution_warnings. Returns STICKSLIP_NO_LAST_STEP without a
+// last step.
 stickslip_status stickslip_history_warnings(const stickslip_history *history,
                                             stickslip_warning *buffer,
                                             size_t capacity,
                                             size_t *count);
 
 // Returns a field, STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH except displacements, and writes its number of cells to
-// count (may be NULL); returns NULL on failure.
+// count (may be NULL); returns NULL on failure. The fields of the last step, STICKSLIP_STEP_SLIP_X to
+// STICKSLIP_STEP_MID_DISSIPATED_ENERGY, fail with STICKSLIP_NO_LAST_STEP without a last step.
 const double *stickslip_history_field(const stickslip_history *history,
                                       int32_t which,
                                       size_t *count);
@@ -2218,8 +2241,7 @@ stickslip_status stickslip_rolling_solver_set_load(stickslip_rolling_solver *sol
                                                    const stickslip_rolling_load *load);
 
 // Sets the friction of the next solve. Returns STICKSLIP_BEYOND_FRICTION_CAPACITY if the new friction cannot carry the
-// current load, or can carry it only by sliding. Until that solve, the stiffness refers to the last solution, if there is
-// one.
+// current load, or can carry it only by sliding. Until that solve, the stiffness returns STICKSLIP_OUTDATED_SOLUTION.
 stickslip_status stickslip_rolling_solver_set_friction(stickslip_rolling_solver *solver,
                                                        const stickslip_friction *friction);
 
@@ -2236,7 +2258,9 @@ stickslip_status stickslip_rolling_solver_set_pressure(stickslip_rolling_solver 
                                                        size_t count);
 
 // Sets the normal solver that computes the pressure of a new normal load. The solver is copied with its gap, hardness and
-// settings.
+// settings. This call does not change the pressure. stickslip_rolling_solver_set_normal_load solves for the pressure over the
+// gap of the normal solver, which may differ from the gap of the present pressure. Grid, boundary, cell values and materials
+// must be equal. The normal solver need not have solved before.
 stickslip_status stickslip_rolling_solver_set_normal_solver(stickslip_rolling_solver *solver,
                                                             const stickslip_normal_solver *normal);
 
@@ -2267,7 +2291,8 @@ stickslip_status stickslip_rolling_solver_solve(stickslip_rolling_solver *solver
 
 // Computes the derivatives of the loads at the last solution. Stick cells follow the motion, and slip cells remain at
 // their friction limits. Before the first solve all cells stick, and the derivatives are Kalker's coefficients times G
-// a b and powers of the length (a b)^(1/2).
+// a b and powers of the length (a b)^(1/2). Returns STICKSLIP_OUTDATED_SOLUTION if a load, the pressure or the friction has
+// changed since the last solve, and STICKSLIP_NOT_CONVERGED if that solve has not converged.
 stickslip_status stickslip_rolling_solver_stiffness(stickslip_rolling_solver *solver,
                                                     stickslip_rolling_stiffness *stiffness);
 
@@ -2279,8 +2304,8 @@ stickslip_status stickslip_rolling_solver_stiffness_observed(stickslip_rolling_s
 
 // Computes the loads at count points and writes them to forces. Each solve starts from the solution of the previous point,
 // so consecutive points should be close to each other. All points are checked before the first solve. Afterwards the last
-// point is the prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load, and forces is
-// unchanged.
+// point is the prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load. forces then contains the
+// points solved before, whose number is the member found of stickslip_last_error; its other entries are unchanged.
 stickslip_status stickslip_rolling_solver_creep_forces(stickslip_rolling_solver *solver,
                                                        const stickslip_creep_point *points,
                                                        size_t count,
@@ -2288,7 +2313,7 @@ stickslip_status stickslip_rolling_solver_creep_forces(stickslip_rolling_solver 
 
 // Computes the loads at count points with an observer (may be NULL), like stickslip_rolling_solver_creep_forces. The
 // observer is called before every product with an operator and may end the call. The call then returns
-// STICKSLIP_NOT_CONVERGED, the current point is the prescribed load, and forces is unchanged.
+// STICKSLIP_NOT_CONVERGED and leaves forces as after a point that does not converge.
 stickslip_status stickslip_rolling_solver_creep_forces_observed(stickslip_rolling_solver *solver,
                                                                 const stickslip_creep_point *points,
                                                                 size_t count,
@@ -2408,8 +2433,11 @@ stickslip_status stickslip_state_free(stickslip_state *state);
 // Overwrites a saved state with the current state of a history; the memory is reused.
 stickslip_status stickslip_state_keep(stickslip_state *state, const stickslip_history *history);
 
-// Returns a history to a saved state of this history or of another history on equal bodies.
-stickslip_status stickslip_history_set_state(stickslip_history *history, const stickslip_state *state);
+// Returns a history to a saved state of this history or of another history on equal bodies. The history then has no last
+// step until its next step: functions that use the last step return STICKSLIP_NO_LAST_STEP. In a retry, restore the state,
+// take a smaller step, and add this step to the cycle and to the wear.
+stickslip_status stickslip_history_set_state(stickslip_history *history,
+                                             const stickslip_state *state);
 
 // Writes the state of a history as bytes. A history created from these bytes by stickslip_history_from_bytes takes
 // further steps with bitwise identical results. The number of bytes for each cell is 57 (small contact, scalar model) to
@@ -2613,21 +2641,23 @@ const char *stickslip_version(void);
 uint32_t stickslip_abi_version(void);
 
 // Adds to depth (lengths, count entries) the depth that Archard's law removes in the last step: coefficient (one over a
-// pressure) times pressure times slip. A failure leaves depth unchanged.
+// pressure) times pressure times slip. A failure leaves depth unchanged, for example STICKSLIP_NO_LAST_STEP after
+// stickslip_history_set_state.
 stickslip_status stickslip_wear_archard(const stickslip_history *history,
                                         const stickslip_per_cell *coefficient,
                                         double *depth,
                                         size_t count);
 
 // Adds to depth the depth that the energy law removes in the last step: coefficient (one over a pressure) times the
-// dissipated energy per area.
+// dissipated energy per area. Fails like stickslip_wear_archard.
 stickslip_status stickslip_wear_energy(const stickslip_history *history,
                                        const stickslip_per_cell *coefficient,
                                        double *depth,
                                        size_t count);
 
 // Adds to depth the depth that the energy law with a threshold removes in the last step. Only the part of the energy
-// dissipated per area since the start that exceeds the threshold (an energy per area) causes wear.
+// dissipated per area since the start that exceeds the threshold (an energy per area) causes wear. Fails like
+// stickslip_wear_archard.
 stickslip_status stickslip_wear_threshold_energy(const stickslip_history *history,
                                                  const stickslip_per_cell *coefficient,
                                                  double threshold,

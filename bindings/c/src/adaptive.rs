@@ -58,8 +58,8 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_free(
 }
 
 /// Applies a load in as many steps as the tolerance requires, and writes their number to taken (may be NULL). A
-/// failure, for example STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged, but the last step of the
-/// history is then the last attempted step.
+/// failure, for example STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged. If the call has undone steps, the
+/// history has no last step until its next step.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_adaptive_steps_step(
     steps: *mut stickslip_adaptive_steps,
@@ -80,8 +80,8 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_step(
     })
 }
 
-/// Computes the error that stickslip_history_step would make with a load. The state of the history is unchanged, but the
-/// last step of the history is then the second half of the trial step.
+/// Computes the error that stickslip_history_step would make with a load. The state of the history is unchanged. The history
+/// then has no last step until its next step.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_adaptive_steps_error(
     steps: *mut stickslip_adaptive_steps,

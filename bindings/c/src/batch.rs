@@ -4,11 +4,12 @@ use rayon::iter::{IndexedParallelIterator, IntoParallelIterator, ParallelIterato
 use stickslip_rs::{History, LoadStep};
 
 use crate::call::{Outcome, call, caught};
+use crate::error::Failure;
 use crate::handle::{Changing, changing};
 use crate::history::stickslip_history;
 use crate::loads::stickslip_load_step;
 use crate::pointer::{entries, entries_mut};
-use crate::status::{STICKSLIP_OK, stickslip_status};
+use crate::status::{STICKSLIP_BUSY, STICKSLIP_OK, stickslip_status};
 use crate::threads::enter_always;
 
 /// Takes a step of each of count histories on the threads of stickslip_set_num_threads; the i-th load belongs to the i-th
@@ -17,7 +18,7 @@ use crate::threads::enter_always;
 /// codes (may be NULL) receives the code that stickslip_history_step would return for each history. The call returns
 /// STICKSLIP_SOME_FAILED if any step failed. The last error belongs to the first history whose step failed. Histories whose
 /// step failed are unchanged, and all other histories have taken their step. If a history occurs twice, the second
-/// occurrence fails with STICKSLIP_BUSY.
+/// occurrence fails with STICKSLIP_BUSY, and the message names both positions.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_step_all(
     histories: *const *mut stickslip_history,
@@ -39,10 +40,19 @@ pub unsafe extern "C" fn stickslip_history_step_all(
                 codes,
             )
         };
-        let contacts = histories.iter().zip(loads).map(|(history, load)| {
+        let contacts = histories.iter().zip(loads).enumerate();
+        let contacts = contacts.map(|(place, (history, load))| {
             // SAFETY: the caller follows the rule for pointers.
-            let history = unsafe { changing(history.cast_const()) };
-            history.and_then(|history| Ok((history, load.checked()?)))
+            match unsafe { changing(history.cast_const()) } {
+                Ok(history) => Ok((history, load.checked()?)),
+                Err(failure) => {
+                    let first = histories[..place].iter().position(|other| other == history);
+                    Err(match first.filter(|_| failure.code == STICKSLIP_BUSY) {
+                        Some(first) => Failure::repeated([first, place]),
+                        None => failure,
+                    })
+                }
+            }
         });
         let contacts: Vec<Outcome<(Changing<'_, History>, LoadStep)>> = contacts.collect();
         let taken = |contact| caught(|| step(contact));

@@ -205,7 +205,8 @@ pub unsafe extern "C" fn stickslip_coupled_rolling_solver_solve(
 }
 
 /// Computes the derivatives of the loads at the last solution, including the change of the pressure with the tractions.
-/// observer may be NULL. Returns STICKSLIP_NOT_CONVERGED before the first solve.
+/// observer may be NULL. Returns STICKSLIP_NOT_CONVERGED before the first solve or after a solve that has not converged, and
+/// STICKSLIP_OUTDATED_SOLUTION if a load, the gap or the friction has changed since the last solve.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_coupled_rolling_solver_stiffness(
     solver: *mut stickslip_coupled_rolling_solver,

@@ -104,7 +104,8 @@ pub unsafe extern "C" fn stickslip_cycle_begin(
 }
 
 /// Adds the last step of the history. Returns STICKSLIP_STEP_ALREADY_COUNTED unless the history has taken a step since
-/// the last added step or the start of the cycle.
+/// the last added step or the start of the cycle. Returns STICKSLIP_NO_LAST_STEP if the state of the history was set since its
+/// last step.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_cycle_add(
     cycle: *mut stickslip_cycle,

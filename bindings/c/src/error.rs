@@ -67,6 +67,21 @@ impl Failure {
         )
     }
 
+    /// Creates the failure for a history that a batch contains twice.
+    pub(crate) fn repeated([first, second]: [usize; 2]) -> Self {
+        Self::new(
+            STICKSLIP_BUSY,
+            format!(
+                "history {second} is the same object as history {first}: pass each history once"
+            ),
+        )
+    }
+
+    /// Returns the failure of a call that has written this number of entries before it failed.
+    pub(crate) fn after_entries(self, written: usize) -> Self {
+        self.with(|numbers| numbers.found = written)
+    }
+
     /// Creates the failure for a number that is not a constant of its kind.
     pub(crate) fn option(name: &str, value: i32) -> Self {
         Self::new(
@@ -140,6 +155,8 @@ fn code_of(error: &Error) -> stickslip_status {
         Error::Yielded { .. } => STICKSLIP_YIELDED,
         Error::StepAlreadyCounted { .. } => STICKSLIP_STEP_ALREADY_COUNTED,
         Error::CycleNotClosed { .. } => STICKSLIP_CYCLE_NOT_CLOSED,
+        Error::NoLastStep => STICKSLIP_NO_LAST_STEP,
+        Error::OutdatedSolution { .. } => STICKSLIP_OUTDATED_SOLUTION,
         Error::GridSize { .. } => STICKSLIP_GRID_SIZE,
         Error::Memory { .. } => STICKSLIP_MEMORY,
         Error::NotPositive { .. } => STICKSLIP_NOT_POSITIVE,

@@ -188,11 +188,12 @@ pub unsafe extern "C" fn stickslip_history_step(
 }
 
 /// Applies a load in steps with equal growth of the contact, as many as a tolerance in (0, 1) requires, and writes
-/// their number to taken (may be NULL). Contacts of dissimilar bodies must be pressed with this function. It applies
-/// the load in 1, 2, 4, 8, ... steps from the current state until the change of the tractions is at most the tolerance
-/// times the friction limits. A tolerance of 0.01 is a good choice. The argument observer may be NULL; it receives the
-/// iterations of all steps. After a failure, for example STICKSLIP_STEP_TOO_LONG, the state of the history is
-/// unchanged; its last step is the last successful step.
+/// their number to taken (may be NULL). Press contacts of dissimilar bodies with this function or in several steps: a
+/// single step issues a warning. The function applies the load in 1, 2, 4, 8, ... steps from the current state until
+/// the change of the tractions is at most the tolerance times the friction limits. A tolerance of 0.01 is a good
+/// choice. The argument observer may be NULL; it receives the iterations of all steps. After a failure, for example
+/// STICKSLIP_STEP_TOO_LONG, the state of the history is unchanged. If the call has undone steps, the history has no
+/// last step until its next step.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_press(
     history: *mut stickslip_history,
@@ -275,7 +276,8 @@ pub unsafe extern "C" fn stickslip_history_set_relative_displacement(
 }
 
 /// Computes the stiffness of the contact after the last step: normal stiffness, and tangential stiffness on loading and
-/// at reversal. It is the derivative of the last step with respect to the motions at its end.
+/// at reversal. It is the derivative of the last step with respect to the motions at its end. Returns
+/// STICKSLIP_OUTDATED_SOLUTION if the friction limits or the gap have changed since the last step.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_stiffness(
     history: *const stickslip_history,

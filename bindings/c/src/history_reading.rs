@@ -1,6 +1,6 @@
 //! State and last step of a history.
 
-use stickslip_rs::history::EnergyBalance;
+use stickslip_rs::history::{EnergyBalance, StepResult};
 use stickslip_rs::{Field, History};
 
 use crate::call::{Outcome, call_on};
@@ -57,7 +57,21 @@ impl From<&EnergyBalance> for stickslip_energy {
     }
 }
 
-/// Scalar results of a history after its last step.
+/// Energies without a value.
+const UNDEFINED: stickslip_energy = stickslip_energy {
+    work: f64::NAN,
+    elastic_before: f64::NAN,
+    elastic_after: f64::NAN,
+    dissipated_energy: f64::NAN,
+    dissipated_energy_midpoint: f64::NAN,
+    released: f64::NAN,
+    residual: f64::NAN,
+    imbalance: f64::NAN,
+    reserved: [0; 8],
+};
+
+/// Scalar results of a history. The members that describe the last step are NaN if the history has none, that is, if
+/// has_last_step is zero.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_step_result {
@@ -74,16 +88,19 @@ pub struct stickslip_step_result {
     pub moment: f64,
     /// Rotation of body 2 relative to body 1 since the start (radians).
     pub twist: f64,
-    /// Ratio of stick cells to contact cells after the last step; zero without contact.
+    /// Ratio of stick cells to contact cells after the last step; zero without contact, NaN without a last step.
     pub stick_ratio: f64,
-    /// Nonzero if the whole contact is at its friction limit after the last step.
+    /// Nonzero if the whole contact is at its friction limit after the last step; zero without a last step.
     pub is_gross_slip: i32,
+    /// Nonzero if a step led to the present state. Zero before the first step, and after stickslip_history_set_state and
+    /// stickslip_history_from_bytes.
+    pub has_last_step: i32,
     /// Number of steps since the start.
     pub steps: u64,
-    /// Energies of the last step.
+    /// Energies of the last step; NaN without a last step.
     pub energy: stickslip_energy,
     /// Creepages along x and y of the last step, prescribed or caused by the force (dimensionless); zero if the bodies did
-    /// not roll.
+    /// not roll, NaN without a last step.
     pub creepage: [f64; 2],
     /// Reserved for future members: zero.
     pub reserved: [u64; 6],
@@ -91,7 +108,7 @@ pub struct stickslip_step_result {
 
 impl From<&History> for stickslip_step_result {
     fn from(history: &History) -> Self {
-        let step = history.last_step();
+        let step = history.last_step().ok();
         Self {
             normal_force: history.normal().force(),
             approach: history.approach(),
@@ -99,18 +116,19 @@ impl From<&History> for stickslip_step_result {
             shift: history.shift(),
             moment: history.moment(),
             twist: history.twist(),
-            stick_ratio: step.stick_ratio(),
-            is_gross_slip: i32::from(step.is_gross_slip()),
+            stick_ratio: step.map_or(f64::NAN, StepResult::stick_ratio),
+            is_gross_slip: i32::from(step.is_some_and(StepResult::is_gross_slip)),
+            has_last_step: i32::from(step.is_some()),
             steps: history.steps(),
-            energy: step.energy().into(),
-            creepage: step.creepage().unwrap_or_default(),
+            energy: step.map_or(UNDEFINED, |step| step.energy().into()),
+            creepage: step.map_or([f64::NAN; 2], |step| step.creepage().unwrap_or_default()),
             reserved: [0; 6],
         }
     }
 }
 
-/// Writes the scalar results. Stick ratio, gross slip, energies and creepages describe the last step. They are zero
-/// before the first step of a history, including a history created from bytes.
+/// Writes the scalar results. Stick ratio, gross slip, energies and creepages describe the last step. Without a last step,
+/// has_last_step is zero and these numbers are NaN.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_result(
     history: *const stickslip_history,
@@ -155,7 +173,7 @@ pub unsafe extern "C" fn stickslip_history_friction_capacity(
 }
 
 /// Writes the reports of the pressure and the traction of the last step. Their status is STICKSLIP_UNSOLVED if the pressure
-/// was held, or before the first contact.
+/// was held, or before the first contact. Returns STICKSLIP_NO_LAST_STEP without a last step.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_reports(
     history: *const stickslip_history,
@@ -167,7 +185,7 @@ pub unsafe extern "C" fn stickslip_history_reports(
         let normal = Place::new("normal", normal)?;
         let tangential = Place::new("tangential", tangential)?;
         let history = reading(history)?;
-        let step = history.last_step();
+        let step = history.last_step()?;
         let report = |own: Option<_>| own.map_or_else(unsolved, stickslip_report::from);
         normal.put(report(step.normal_report()));
         tangential.put(report(step.tangential_report()));
@@ -175,7 +193,8 @@ pub unsafe extern "C" fn stickslip_history_reports(
     })
 }
 
-/// Writes the warnings about the last step, like stickslip_normal_solution_warnings.
+/// Writes the warnings about the last step, like stickslip_normal_solution_warnings. Returns STICKSLIP_NO_LAST_STEP without a
+/// last step.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_warnings(
     history: *const stickslip_history,
@@ -186,13 +205,14 @@ pub unsafe extern "C" fn stickslip_history_warnings(
     // SAFETY: the caller follows the rule for pointers.
     unsafe {
         warn(history, (buffer, capacity, count), |of| {
-            Ok(of.last_step().warnings())
+            Ok(of.last_step()?.warnings())
         })
     }
 }
 
 /// Returns a field, STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH except displacements, and writes its number of cells to
-/// count (may be NULL); returns NULL on failure.
+/// count (may be NULL); returns NULL on failure. The fields of the last step, STICKSLIP_STEP_SLIP_X to
+/// STICKSLIP_STEP_MID_DISSIPATED_ENERGY, fail with STICKSLIP_NO_LAST_STEP without a last step.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_field(
     history: *const stickslip_history,
@@ -204,7 +224,7 @@ pub unsafe extern "C" fn stickslip_history_field(
 }
 
 fn field(history: &History, which: i32) -> Outcome<&Field> {
-    let step = history.last_step();
+    let step = || history.last_step();
     Ok(match which {
         STICKSLIP_PRESSURE | STICKSLIP_GAP => of_normal(history.normal(), which)?,
         STICKSLIP_TRACTION_X => history.traction()[0],
@@ -214,11 +234,11 @@ fn field(history: &History, which: i32) -> Outcome<&Field> {
         STICKSLIP_SLIP_DISTANCE => history.accumulated_slip(),
         STICKSLIP_DISSIPATED_ENERGY => history.dissipation(),
         STICKSLIP_INITIAL_GAP => history.gap(),
-        STICKSLIP_STEP_SLIP_X => step.slip()[0],
-        STICKSLIP_STEP_SLIP_Y => step.slip()[1],
-        STICKSLIP_STEP_SLIP_DISTANCE => step.slip_distance(),
-        STICKSLIP_STEP_DISSIPATED_ENERGY => step.dissipation(),
-        STICKSLIP_STEP_MID_DISSIPATED_ENERGY => step.dissipation_midpoint(),
+        STICKSLIP_STEP_SLIP_X => step()?.slip()[0],
+        STICKSLIP_STEP_SLIP_Y => step()?.slip()[1],
+        STICKSLIP_STEP_SLIP_DISTANCE => step()?.slip_distance(),
+        STICKSLIP_STEP_DISSIPATED_ENERGY => step()?.dissipation(),
+        STICKSLIP_STEP_MID_DISSIPATED_ENERGY => step()?.dissipation_midpoint(),
         STICKSLIP_YIELDED_DEPTH => history.state().yielded().ok_or_else(|| none(which))?,
         other => return Err(none(other)),
     })

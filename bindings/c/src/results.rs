@@ -29,6 +29,8 @@ pub const STICKSLIP_EIGENVALUE_UNKNOWN: i32 = 0;
 pub const STICKSLIP_EIGENVALUE_ESTIMATED: i32 = 1;
 /// The eigenvalue bound is a computed lower bound.
 pub const STICKSLIP_EIGENVALUE_PROVEN: i32 = 2;
+/// The eigenvalue bound is a lower bound stated by a user-defined operator. The library does not check it.
+pub const STICKSLIP_EIGENVALUE_STATED: i32 = 3;
 
 /// Status, cost and error bounds of a solve.
 #[repr(C)]
@@ -37,7 +39,7 @@ pub struct stickslip_report {
     /// STICKSLIP_CONVERGED, the reason why the solve did not converge, or STICKSLIP_UNSOLVED.
     pub status: i32,
     /// Origin of the eigenvalue bound behind duality_gap and all other certified errors: STICKSLIP_EIGENVALUE_PROVEN,
-    /// STICKSLIP_EIGENVALUE_ESTIMATED or STICKSLIP_EIGENVALUE_UNKNOWN.
+    /// STICKSLIP_EIGENVALUE_STATED, STICKSLIP_EIGENVALUE_ESTIMATED or STICKSLIP_EIGENVALUE_UNKNOWN.
     pub eigenvalue_bound: i32,
     /// Number of conjugate-gradient iterations.
     pub iterations: usize,
@@ -73,6 +75,7 @@ impl From<&Report> for stickslip_report {
             },
             eigenvalue_bound: match report.eigenvalue_bound {
                 EigenvalueBound::Proven => STICKSLIP_EIGENVALUE_PROVEN,
+                EigenvalueBound::Stated => STICKSLIP_EIGENVALUE_STATED,
                 EigenvalueBound::Estimated => STICKSLIP_EIGENVALUE_ESTIMATED,
                 _ => STICKSLIP_EIGENVALUE_UNKNOWN,
             },

@@ -205,8 +205,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_load(
 }
 
 /// Sets the friction of the next solve. Returns STICKSLIP_BEYOND_FRICTION_CAPACITY if the new friction cannot carry the
-/// current load, or can carry it only by sliding. Until that solve, the stiffness refers to the last solution, if there is
-/// one.
+/// current load, or can carry it only by sliding. Until that solve, the stiffness returns STICKSLIP_OUTDATED_SOLUTION.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_set_friction(
     solver: *mut stickslip_rolling_solver,
@@ -248,7 +247,9 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_pressure(
 }
 
 /// Sets the normal solver that computes the pressure of a new normal load. The solver is copied with its gap, hardness and
-/// settings.
+/// settings. This call does not change the pressure. stickslip_rolling_solver_set_normal_load solves for the pressure over the
+/// gap of the normal solver, which may differ from the gap of the present pressure. Grid, boundary, cell values and materials
+/// must be equal. The normal solver need not have solved before.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_solver(
     solver: *mut stickslip_rolling_solver,
@@ -343,7 +344,8 @@ pub struct stickslip_rolling_stiffness {
 
 /// Computes the derivatives of the loads at the last solution. Stick cells follow the motion, and slip cells remain at
 /// their friction limits. Before the first solve all cells stick, and the derivatives are Kalker's coefficients times G
-/// a b and powers of the length (a b)^(1/2).
+/// a b and powers of the length (a b)^(1/2). Returns STICKSLIP_OUTDATED_SOLUTION if a load, the pressure or the friction has
+/// changed since the last solve, and STICKSLIP_NOT_CONVERGED if that solve has not converged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_stiffness(
     solver: *mut stickslip_rolling_solver,
@@ -408,8 +410,8 @@ impl From<CreepForce> for stickslip_creep_force {
 
 /// Computes the loads at count points and writes them to forces. Each solve starts from the solution of the previous point,
 /// so consecutive points should be close to each other. All points are checked before the first solve. Afterwards the last
-/// point is the prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load, and forces is
-/// unchanged.
+/// point is the prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load. forces then contains the
+/// points solved before, whose number is the member found of stickslip_last_error; its other entries are unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_creep_forces(
     solver: *mut stickslip_rolling_solver,
@@ -424,7 +426,7 @@ pub unsafe extern "C" fn stickslip_rolling_solver_creep_forces(
 
 /// Computes the loads at count points with an observer (may be NULL), like stickslip_rolling_solver_creep_forces. The
 /// observer is called before every product with an operator and may end the call. The call then returns
-/// STICKSLIP_NOT_CONVERGED, the current point is the prescribed load, and forces is unchanged.
+/// STICKSLIP_NOT_CONVERGED and leaves forces as after a point that does not converge.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_creep_forces_observed(
     solver: *mut stickslip_rolling_solver,
@@ -443,11 +445,14 @@ pub unsafe extern "C" fn stickslip_rolling_solver_creep_forces_observed(
             .map(|at| [at.creepage[0], at.creepage[1], at.spin]);
         let points = collected(Vec::new(), points)?;
         let mut solver = changing(solver)?;
-        let found = solver.own.creep_forces_observed(points, observer)?;
-        for (place, force) in places.iter_mut().zip(found) {
-            *place = force.into();
+        let (mut observer, mut found) = (observer, Vec::new());
+        let outcome = solver
+            .own
+            .creep_forces_into(points, &mut found, |iteration, _| observer(iteration));
+        for (place, force) in places.iter_mut().zip(&found) {
+            *place = (*force).into();
         }
-        Ok(())
+        outcome.map_err(|error| Failure::from(error).after_entries(found.len()))
     })
 }
 

@@ -50,7 +50,9 @@ pub unsafe extern "C" fn stickslip_state_keep(
     })
 }
 
-/// Returns a history to a saved state of this history or of another history on equal bodies.
+/// Returns a history to a saved state of this history or of another history on equal bodies. The history then has no last
+/// step until its next step: functions that use the last step return STICKSLIP_NO_LAST_STEP. In a retry, restore the state,
+/// take a smaller step, and add this step to the cycle and to the wear.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_set_state(
     history: *mut stickslip_history,

@@ -35,9 +35,16 @@ pub const STICKSLIP_STEP_ALREADY_COUNTED: i32 = 11;
 /// following cycles.
 pub const STICKSLIP_CYCLE_NOT_CLOSED: i32 = 12;
 
+/// The history has no last step: it took no step since it was created or its state was set. Make a step after
+/// stickslip_history_set_state or stickslip_history_from_bytes.
+pub const STICKSLIP_NO_LAST_STEP: i32 = 13;
+/// A stiffness was requested after a change of friction, gap, pressure or load, to which the last solution does not belong. Solve
+/// again, or take a step, before you compute the stiffness.
+pub const STICKSLIP_OUTDATED_SOLUTION: i32 = 14;
+
 /// A required handle or another required pointer is NULL or misaligned.
 pub const STICKSLIP_BAD_POINTER: i32 = 32;
-/// Another thread is using the handle; nothing was done.
+/// Another thread is using the handle, or a batch contains it twice; nothing was done with it.
 pub const STICKSLIP_BUSY: i32 = 33;
 /// The number (value) is not a constant of the required kind, or a struct has a member that this library does not support:
 /// reserved is not zero.

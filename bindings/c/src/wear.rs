@@ -41,7 +41,8 @@ unsafe fn wear(
 }
 
 /// Adds to depth (lengths, count entries) the depth that Archard's law removes in the last step: coefficient (one over a
-/// pressure) times pressure times slip. A failure leaves depth unchanged.
+/// pressure) times pressure times slip. A failure leaves depth unchanged, for example STICKSLIP_NO_LAST_STEP after
+/// stickslip_history_set_state.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_wear_archard(
     history: *const stickslip_history,
@@ -50,7 +51,7 @@ pub unsafe extern "C" fn stickslip_wear_archard(
     count: usize,
 ) -> stickslip_status {
     let law = |coefficient: Coefficient<'_>, history: &History, depth: &mut Field| {
-        let slip = history.last_step().slip_distance();
+        let slip = history.last_step()?.slip_distance();
         wear::archard(coefficient, history.pressure(), slip, depth)
     };
     // SAFETY: the caller follows the rule for pointers.
@@ -60,7 +61,7 @@ pub unsafe extern "C" fn stickslip_wear_archard(
 }
 
 /// Adds to depth the depth that the energy law removes in the last step: coefficient (one over a pressure) times the
-/// dissipated energy per area.
+/// dissipated energy per area. Fails like stickslip_wear_archard.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_wear_energy(
     history: *const stickslip_history,
@@ -69,7 +70,7 @@ pub unsafe extern "C" fn stickslip_wear_energy(
     count: usize,
 ) -> stickslip_status {
     let law = |coefficient: Coefficient<'_>, history: &History, depth: &mut Field| {
-        wear::energy(coefficient, history.last_step().dissipation(), depth)
+        wear::energy(coefficient, history.last_step()?.dissipation(), depth)
     };
     // SAFETY: the caller follows the rule for pointers.
     call_on(history, || unsafe {
@@ -78,7 +79,8 @@ pub unsafe extern "C" fn stickslip_wear_energy(
 }
 
 /// Adds to depth the depth that the energy law with a threshold removes in the last step. Only the part of the energy
-/// dissipated per area since the start that exceeds the threshold (an energy per area) causes wear.
+/// dissipated per area since the start that exceeds the threshold (an energy per area) causes wear. Fails like
+/// stickslip_wear_archard.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_wear_threshold_energy(
     history: *const stickslip_history,
@@ -88,7 +90,7 @@ pub unsafe extern "C" fn stickslip_wear_threshold_energy(
     count: usize,
 ) -> stickslip_status {
     let law = |coefficient: Coefficient<'_>, history: &History, depth: &mut Field| {
-        let (total, step) = (history.dissipation(), history.last_step().dissipation());
+        let (total, step) = (history.dissipation(), history.last_step()?.dissipation());
         wear::threshold_energy(coefficient, threshold, total, step, depth)
     };
     // SAFETY: the caller follows the rule for pointers.

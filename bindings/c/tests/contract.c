@@ -282,6 +282,87 @@ static void fields_are_not_copied(void) {
     OK(stickslip_half_space_free(bodies));
 }
 
+/* A rejected step counts neither in a cycle nor as wear, and its numbers are no longer returned. */
+static void rejected_steps_do_not_count(void) {
+    stickslip_half_space *bodies = make_bodies();
+    stickslip_history *history = make_history(bodies), *direct = NULL, *restored = NULL;
+    stickslip_step_result result;
+    stickslip_report reports[2];
+    stickslip_per_cell alpha = {1e-14, NULL, 0};
+    static double depth[CELLS], expected[CELLS];
+    size_t count = 0;
+    OK(stickslip_history_result(history, &result));
+    CHECK(result.has_last_step == 0 && isnan(result.stick_ratio) && isnan(result.energy.work) && isnan(result.creepage[1]));
+    stickslip_load_step load = press(100.0);
+    OK(stickslip_history_step(history, &load, NULL));
+    OK(stickslip_history_clone(history, &direct));
+    stickslip_state *before = NULL;
+    stickslip_cycle *cycle = NULL, *of_direct = NULL;
+    OK(stickslip_state_new(history, &before));
+    OK(stickslip_cycle_new(history, &cycle));
+    OK(stickslip_cycle_new(direct, &of_direct));
+    const double forces[] = {20.0, 40.0, -40.0, 0.0};
+    for (int i = 0; i < 4; i++) {
+        OK(stickslip_state_keep(before, history));
+        load = drag(-0.9 * forces[i]);
+        OK(stickslip_history_step(history, &load, NULL));
+        OK(stickslip_history_set_state(history, before));
+        CHECK(stickslip_cycle_add(cycle, history) == STICKSLIP_NO_LAST_STEP);
+        CHECK(stickslip_wear_energy(history, &alpha, depth, CELLS) == STICKSLIP_NO_LAST_STEP);
+        CHECK(stickslip_wear_archard(history, &alpha, depth, CELLS) == STICKSLIP_NO_LAST_STEP);
+        CHECK(stickslip_wear_threshold_energy(history, &alpha, 0.0, depth, CELLS) == STICKSLIP_NO_LAST_STEP);
+        CHECK(strstr(stickslip_last_error_message(), "make a step after set_state") != NULL);
+        CHECK(stickslip_history_reports(history, &reports[0], &reports[1]) == STICKSLIP_NO_LAST_STEP);
+        CHECK(stickslip_history_warnings(history, NULL, 0, &count) == STICKSLIP_NO_LAST_STEP);
+        CHECK(stickslip_history_field(history, STICKSLIP_STEP_SLIP_DISTANCE, NULL) == NULL);
+        CHECK(stickslip_history_field(history, STICKSLIP_SLIP_DISTANCE, NULL) != NULL);
+        OK(stickslip_history_result(history, &result));
+        CHECK(result.has_last_step == 0 && isnan(result.stick_ratio) && isnan(result.energy.dissipated_energy));
+        CHECK(fabs(result.normal_force / 100.0 - 1.0) < 1e-6 && result.steps == (uint64_t)(i + 1));
+        load = drag(forces[i]);
+        OK(stickslip_history_step(history, &load, NULL));
+        OK(stickslip_cycle_add(cycle, history));
+        OK(stickslip_wear_energy(history, &alpha, depth, CELLS));
+        OK(stickslip_history_step(direct, &load, NULL));
+        OK(stickslip_cycle_add(of_direct, direct));
+        OK(stickslip_wear_energy(direct, &alpha, expected, CELLS));
+    }
+    stickslip_cycle_result one, other;
+    OK(stickslip_cycle_result_of(cycle, &one));
+    OK(stickslip_cycle_result_of(of_direct, &other));
+    CHECK(one.steps == 4 && other.steps == 4 && one.energy.dissipated_energy > 0.0);
+    CHECK(memcmp(&one.energy, &other.energy, sizeof one.energy) == 0 && one.cyclic_residual == other.cyclic_residual);
+    CHECK(memcmp(depth, expected, sizeof depth) == 0);
+    OK(stickslip_history_result(history, &result));
+    CHECK(result.has_last_step == 1 && result.stick_ratio > 0.0);
+
+    size_t length = 0;
+    OK(stickslip_history_to_bytes(history, NULL, 0, &length));
+    uint8_t *bytes = malloc(length);
+    OK(stickslip_history_to_bytes(history, bytes, length, &length));
+    OK(stickslip_history_from_bytes(bodies, bytes, length, &restored));
+    CHECK(stickslip_cycle_add(cycle, restored) == STICKSLIP_NO_LAST_STEP);
+    free(bytes);
+
+    /* A stiffness belongs to the friction of the last step. */
+    stickslip_stiffness slope;
+    stickslip_friction less = stickslip_coulomb(0.4);
+    OK(stickslip_history_set_friction(history, &less));
+    CHECK(stickslip_history_stiffness(history, &slope) == STICKSLIP_OUTDATED_SOLUTION);
+    CHECK(stickslip_history_next_stiffness(history, NULL, &slope) == STICKSLIP_OUTDATED_SOLUTION);
+    CHECK(strstr(stickslip_last_error_message(), "take a step first") != NULL);
+    load = drag(10.0);
+    OK(stickslip_history_step(history, &load, NULL));
+    OK(stickslip_history_next_stiffness(history, NULL, &slope));
+    OK(stickslip_cycle_free(cycle));
+    OK(stickslip_cycle_free(of_direct));
+    OK(stickslip_state_free(before));
+    OK(stickslip_history_free(history));
+    OK(stickslip_history_free(direct));
+    OK(stickslip_history_free(restored));
+    OK(stickslip_half_space_free(bodies));
+}
+
 static void batches_are_the_steps_alone(void) {
     stickslip_half_space *bodies = make_bodies();
     stickslip_history *histories[5], *alone = make_history(bodies);
@@ -307,6 +388,9 @@ static void batches_are_the_steps_alone(void) {
     stickslip_error error;
     OK(stickslip_last_error(&error));
     CHECK(error.index == 1);
+    loads[1] = drag(1.0);
+    CHECK(stickslip_history_step_all(histories, loads, 5, NULL) == STICKSLIP_SOME_FAILED);
+    CHECK(strstr(stickslip_last_error_message(), "history 3 is the same object as history 0: pass each history once") != NULL);
     histories[3] = NULL;
     CHECK(stickslip_history_step_all(histories, loads, 4, NULL) == STICKSLIP_SOME_FAILED);
     OK(stickslip_history_step_all(NULL, NULL, 0, NULL));
@@ -433,6 +517,7 @@ int main(void) {
     bad_input_is_refused();
     failed_steps_leave_no_trace();
     fields_are_not_copied();
+    rejected_steps_do_not_count();
     batches_are_the_steps_alone();
     dissimilar_bodies_are_coupled();
     loads_are_cut_into_steps();

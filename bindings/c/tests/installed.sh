@@ -9,6 +9,8 @@ here=$(cd "$(dirname "$0")" && pwd)
 work=$(mktemp -d)
 trap 'rm -r "$work"' EXIT
 
+# The pkg-config file is valid in the installed folder only.
+[[ ! -e $build/stickslip.pc ]]
 if [[ -d $build ]]; then
     "$cmake" --install "$build" --prefix "$work/prefix" >/dev/null
 else
@@ -32,6 +34,7 @@ if command -v pkg-config >/dev/null; then
     mv "$work/prefix" "$work/moved"
     PKG_CONFIG_PATH=$(dirname "$(find "$work/moved" -name stickslip.pc)")
     export PKG_CONFIG_PATH
+    [[ $(realpath "$(pkg-config --variable=prefix stickslip)") == $(realpath "$work/moved") ]]
     read -ra flags < <(pkg-config --cflags --libs stickslip)
     lib=$(pkg-config --variable=libdir stickslip)
     "$cc" "$here/../examples/press_and_shear.c" "${flags[@]}" -lm -o "$work/program"

@@ -85,7 +85,7 @@ contains
         ! The observer changes this variable through a pointer, which the compiler may not detect.
         type(told_and_seen), target, volatile :: seen
         type(c_ptr) :: before
-        real(c_double) :: ball(n, n)
+        real(c_double) :: ball(n, n), worn(n, n)
         real(c_double), pointer :: samples(:, :)
         integer(c_int8_t), allocatable :: bytes(:)
         integer(c_int32_t) :: status
@@ -158,6 +158,10 @@ contains
         call history%from_bytes(bodies, bytes)
         result = history%result()
         call check(abs(result%normal_force / 100 - 1) < 1d-9, 'force of the history from bytes')
+        call check(result%has_last_step == 0 .and. result%stick_ratio /= result%stick_ratio, 'no last step after a restart')
+        worn = 0
+        call history%wear_archard(1d-9, worn, status)
+        call check(status == STICKSLIP_NO_LAST_STEP .and. all(abs(worn) <= 0), 'no wear by a step that was not taken')
         call planes%new(bodies, [0.02d0])
         samples => planes%field(STICKSLIP_STRESS_ZZ, status)
         call check(status == STICKSLIP_INVALID_ARGUMENT, 'new planes have no field')

@@ -1,6 +1,7 @@
 /* Steady and stepwise rolling compared with Carter and Kalker, with prescribed creepages, forces and moments. */
 
 #include <math.h>
+#include <string.h>
 
 #include "check.h"
 
@@ -209,6 +210,8 @@ static void friction_changes_and_the_last_answer_is_forgotten(stickslip_rolling_
     stickslip_rolling_result before = solve(solver, solution);
     OK(stickslip_rolling_solver_stiffness(solver, &slipping));
     OK(stickslip_rolling_solver_set_friction(solver, &more));
+    CHECK(stickslip_rolling_solver_stiffness(solver, &sticking) == STICKSLIP_OUTDATED_SOLUTION);
+    CHECK(strstr(stickslip_last_error_message(), "the friction changed since the last solution") != NULL);
     stickslip_rolling_result after = solve(solver, solution);
     CLOSE(after.force[0], 0.2, 1e-8);
     CHECK(after.creepage[0] < before.creepage[0] && after.stick_ratio > before.stick_ratio);
@@ -238,6 +241,24 @@ static void long_calls_ask_their_observer(stickslip_rolling_solver *solver) {
     CHECK(report.status == STICKSLIP_CANCELLED && few == -1 && forces[0].moment == 7.0);
     OK(stickslip_rolling_solver_creep_forces_observed(solver, points, 2, &patient, forces));
     CHECK(left < 1000 && forces[1].force[0] > forces[0].force[0]);
+
+    /* The points solved before the end are written. */
+    stickslip_creep_force whole = forces[0];
+    stickslip_error numbers;
+    forces[0].moment = forces[1].moment = 7.0;
+    OK(stickslip_rolling_solver_reset(solver));
+    left = 1000;
+    OK(stickslip_rolling_solver_creep_forces_observed(solver, points, 1, &patient, forces));
+    int of_first = 1000 - left;
+    forces[0].moment = 7.0;
+    OK(stickslip_rolling_solver_reset(solver));
+    left = of_first + 2;
+    CHECK(stickslip_rolling_solver_creep_forces_observed(solver, points, 2, &patient, forces) == STICKSLIP_NOT_CONVERGED);
+    OK(stickslip_last_error(&numbers));
+    CHECK(numbers.found == 1 && forces[1].moment == 7.0);
+    CLOSE(forces[0].force[0], whole.force[0], 1e-6);
+    stickslip_rolling_stiffness stiffness;
+    CHECK(stickslip_rolling_solver_stiffness(solver, &stiffness) == STICKSLIP_NOT_CONVERGED);
 }
 
 static void closed_forms_are_met(const stickslip_half_space *bodies, stickslip_rolling_solver *solver) {

@@ -3,10 +3,25 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <type_traits>
 
 #include <stickslip.hpp>
 
 namespace ss = stickslip;
+
+// A view does not own its samples, so it refers to no temporary vector. Arguments may be temporary.
+using Vector = std::vector<double>;
+static_assert(!std::is_constructible<ss::Field, Vector>::value, "view of a temporary vector");
+static_assert(!std::is_constructible<ss::Field, const Vector>::value, "view of a constant temporary vector");
+static_assert(!std::is_convertible<Vector, ss::Field>::value, "conversion of a temporary vector");
+static_assert(!std::is_assignable<ss::Field &, Vector>::value, "assignment of a temporary vector");
+static_assert(std::is_constructible<ss::Field, Vector &>::value, "view of a vector");
+static_assert(std::is_convertible<const Vector &, ss::Field>::value, "conversion of a vector");
+static_assert(std::is_constructible<ss::FieldArgument, Vector>::value, "temporary vector as an argument");
+static_assert(std::is_constructible<ss::FieldArgument, ss::Field>::value, "view as an argument");
+static_assert(!std::is_copy_constructible<ss::FieldArgument>::value, "copy of an argument");
+static_assert(std::is_constructible<ss::NormalSolver, ss::HalfSpace &, Vector, stickslip_normal_load>::value,
+              "solver of a temporary gap");
 
 static int failures = 0;
 
@@ -97,6 +112,12 @@ int main() {
         history.wear_archard({1e-6, nullptr, 0}, worn);
     }
     check(history.spots().spots[0].stick_ratio == history.result().stick_ratio, "stick ratio of the spot");
+    // A restored state has no last step.
+    ss::State kept(history);
+    history.set_state(kept);
+    fails(STICKSLIP_NO_LAST_STEP, [&] { cycle.add(history); });
+    fails(STICKSLIP_NO_LAST_STEP, [&] { history.wear_archard({1e-6, nullptr, 0}, worn); });
+    check(history.result().has_last_step == 0 && std::isnan(history.result().stick_ratio), "no last step");
     stickslip_jump_limits limits = stickslip_jump_limits_default();
     limits.cycles_left = 7.0;
     limits.max_residual = 2.0;

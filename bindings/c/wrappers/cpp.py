@@ -54,7 +54,7 @@ class Wrapper:
             return f"{'const ' if one.is_const else ''}{OBJECTS[short(one.type)].cpp} &{one.name}"
         if one.kind == "observer":
             return "const Observe &observe = nullptr"
-        plain = {"cells": f"Field {one.name}", "changed_cells": f"std::vector<double> &{one.name}",
+        plain = {"cells": f"const FieldArgument &{one.name}", "changed_cells": f"std::vector<double> &{one.name}",
                  "array": f"const std::vector<{self.type(one)}> &{one.name}", "flag": f"bool {one.name} = false",
                  "number": f"{self.type(one)} {one.name}", "index": f"{self.type(one)} {one.name}"}
         if one.kind in plain:

@@ -104,7 +104,7 @@ named! {
         "time_limit" = TimeLimit, "stalled" = Stalled, "cancelled" = Cancelled
     }
     "stickslip" "EigenvalueBound": stickslip::EigenvalueBound {
-        "unknown" = Unknown, "estimated" = Estimated, "proven" = Proven
+        "unknown" = Unknown, "estimated" = Estimated, "stated" = Stated, "proven" = Proven
     }
     "stickslip.history" "Regime": stickslip::history::Regime {
         "full_stick" = FullStick, "partial_slip" = PartialSlip, "gross_slip" = GrossSlip

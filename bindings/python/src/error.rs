@@ -164,6 +164,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         NoWaveInBand { longest, shortest }
         HeightMomentsNotReached { skewness, kurtosis, reached }
         StepAlreadyCounted { step, last }
+        OutdatedSolution { quantity, changed, remedy }
         CycleNotClosed { residual, limit }
         StepTooLong { part, error, tolerance }
     });
@@ -220,6 +221,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         (_, Error::RepeatedDirection) => "RepeatedDirection",
         (_, Error::EmptyContact) => "EmptyContact",
         (_, Error::EmptyPath) => "EmptyPath",
+        (_, Error::NoLastStep) => "NoLastStep",
         // The error enum of the crate is non-exhaustive.
         _ => "StickslipError",
     };

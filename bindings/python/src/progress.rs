@@ -1,5 +1,6 @@
 //! Progress reports of solves.
 
+use pyo3::call::PyCallArgs;
 use pyo3::prelude::*;
 use pyo3::types::PyBool;
 
@@ -19,15 +20,24 @@ impl<'py> Progress<'py> {
     }
 
     pub(crate) fn of(argument: Option<&Bound<'py, PyAny>>) -> PyResult<Self> {
-        Self::with_bar(argument, "Bar")
+        Self::with_bar(argument, "Bar", ())
     }
 
     /// Returns the progress of a solve on several grids.
     pub(crate) fn of_grids(argument: Option<&Bound<'py, PyAny>>) -> PyResult<Self> {
-        Self::with_bar(argument, "GridBar")
+        Self::with_bar(argument, "GridBar", ())
     }
 
-    fn with_bar(argument: Option<&Bound<'py, PyAny>>, class: &str) -> PyResult<Self> {
+    /// Returns the progress of solves at `count` points.
+    pub(crate) fn of_points(argument: Option<&Bound<'py, PyAny>>, count: usize) -> PyResult<Self> {
+        Self::with_bar(argument, "PointBar", (count,))
+    }
+
+    fn with_bar(
+        argument: Option<&Bound<'py, PyAny>>,
+        class: &str,
+        arguments: impl PyCallArgs<'py>,
+    ) -> PyResult<Self> {
         let Some(argument) = argument else {
             return Ok(Self::none());
         };
@@ -41,7 +51,7 @@ impl<'py> Progress<'py> {
             return Ok(Self::none());
         }
         let module = argument.py().import("stickslip._progress")?;
-        let bar = module.getattr(class)?.call0()?;
+        let bar = module.getattr(class)?.call1(arguments)?;
         Ok(Self {
             callback: Some(bar.clone().unbind()),
             bar: Some(bar),

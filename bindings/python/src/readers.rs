@@ -52,7 +52,8 @@ macro_rules! record {
     ($class:ident: $($name:ident),+) => {
         #[pyo3::pymethods]
         impl $class {
-            /// Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``.
+            /// Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``. The numbers of
+            /// an object with the same method have its name as the prefix.
             fn to_dict<'py>(
                 slf: &pyo3::Bound<'py, Self>,
             ) -> pyo3::PyResult<pyo3::Bound<'py, pyo3::types::PyDict>> {
@@ -76,8 +77,8 @@ macro_rules! frame {
     ($class:ident, $function:ident: $($name:ident),+) => {
         #[pyo3::pymethods]
         impl $class {
-            /// Returns arrays by name, with one entry per element; a pair (x, y) becomes two arrays with the endings ``_x``
-            /// and ``_y``.
+            /// Returns arrays by name, with one entry per element; a vector becomes one array per component with the endings
+            /// ``_x``, ``_y`` and ``_z``, and stresses have endings such as ``_xx``.
             fn to_dict<'py>(
                 slf: &pyo3::Bound<'py, Self>,
             ) -> pyo3::PyResult<pyo3::Bound<'py, pyo3::types::PyDict>> {

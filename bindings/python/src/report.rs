@@ -75,8 +75,8 @@ readers! { Report.0:
     /// On a periodic grid under a prescribed approach or shift, the bound is relative to the contact under the computed
     /// force and excludes the error of this force.
     energy_error_bound(): f64,
-    /// Origin of the bound on the smallest eigenvalue that :attr:`duality_gap` depends on: "proven"; "estimated", on the
-    /// safe side, for stiff coatings on long grids; or "unknown". If it is "unknown", the error bound, the square root of
+    /// Origin of the bound on the smallest eigenvalue that :attr:`duality_gap` depends on: "proven"; "stated", given by the
+    /// caller with a user-defined operator; "estimated", on the safe side, for stiff coatings on long grids; or "unknown". If it is "unknown", the error bound, the square root of
     /// the duality gap of the problem, decreases only with the square root of the residual.
     eigenvalue_bound: Choice<stickslip::EigenvalueBound> => Choice,
     /// Relative error of the prescribed total; zero if no total is prescribed.

@@ -12,7 +12,7 @@ use crate::error::{OrRaise, with_iterate};
 use crate::progress::Progress;
 use crate::report::warn;
 use crate::solution_pool::{Spare, lock};
-use crate::work::{Observer, solve, unobserved_on};
+use crate::work::{Observer, Stage, solve, solve_in_stages, unobserved_on};
 
 /// Solver of the crate.
 pub(crate) trait Solver: Send + Sized {
@@ -123,17 +123,25 @@ impl<S: Solver> Reused<S> {
         unobserved_on(py, self.grid, || work(solver))
     }
 
-    /// Runs long work with the solver that returns no solution, and that a signal or the progress callback can end.
-    pub(crate) fn observed<'py, T: Send>(
+    /// Runs long work with the solver that returns no solution, and that a signal can end.
+    pub(crate) fn observed<T: Send>(
         &self,
-        py: Python<'py>,
-        progress: Option<&Bound<'py, PyAny>>,
+        py: Python<'_>,
         work: impl FnOnce(&mut S, Observer<'_>) -> Result<T> + Send,
     ) -> PyResult<T> {
-        let progress = Progress::of(progress)?;
+        self.observed_in_stages(py, Progress::none(), work)
+    }
+
+    /// Runs long work like [`Self::observed`], which the progress callback can also end.
+    pub(crate) fn observed_in_stages<T: Send, G: Stage>(
+        &self,
+        py: Python<'_>,
+        progress: Progress<'_>,
+        work: impl FnOnce(&mut S, Observer<'_, G>) -> Result<T> + Send,
+    ) -> PyResult<T> {
         let mut held = self.lock()?;
         let solver = &mut held.0;
-        let outcome = solve(py, self.grid.cells(), progress, |observer| {
+        let outcome = solve_in_stages(py, self.grid.cells(), progress, |observer| {
             work(solver, observer)
         })?;
         outcome.or_raise_on(py, self.grid)

@@ -53,6 +53,7 @@ thread_local! {
 
 /// Solves a problem on the given number of cells. The outer error is a Python exception, raised by a signal handler (as
 /// for Ctrl-C), by the progress callback, or by a function that is an operator. The solve then ends at its next product.
+/// If the progress callback returns `False`, the solve is cancelled: the inner result is its error or its partial result.
 ///
 /// Python handles signals on the main thread only. A long solve therefore runs in the pool, while the calling thread
 /// waits for it and checks for signals. A short solve runs on the calling thread, and so does every solve if there is
@@ -150,13 +151,14 @@ fn in_place<T: Send, S: Stage>(
 ) -> PyResult<Ended<T>> {
     let mut interruption = None;
     let outcome = py.detach(|| {
+        let mut is_cancelled = false;
         let mut looked = Instant::now();
         let mut observer = |stage: Option<&S>| {
             let is_due = looked.elapsed() >= SIGNAL_INTERVAL;
             if interruption.is_none() && (is_due || callback.is_some()) {
                 let outcome = Python::attach(|py| {
-                    if let Some(stage) = stage {
-                        called(py, callback, stage)?;
+                    if let Some(stage) = stage.filter(|_| !is_cancelled) {
+                        is_cancelled = called(py, callback, stage)?.is_break();
                     }
                     py.check_signals()
                 });
@@ -164,7 +166,7 @@ fn in_place<T: Send, S: Stage>(
                 looked = Instant::now();
             }
             match interruption {
-                None if !has_raised() => ControlFlow::Continue(()),
+                None if !is_cancelled && !has_raised() => ControlFlow::Continue(()),
                 _ => ControlFlow::Break(()),
             }
         };
@@ -253,6 +255,7 @@ fn in_pool<T: Send, S: Stage>(
     let is_followed = callback.is_some();
     let mut outcome = None;
     let mut interruption = None;
+    let mut is_cancelled = false;
     pool.in_place_scope(|scope| {
         scope.spawn(|_| {
             let done = Done(&exchange);
@@ -277,13 +280,17 @@ fn in_pool<T: Send, S: Stage>(
                 break;
             }
             if interruption.is_none() {
-                let seen = stage
-                    .as_ref()
-                    .map_or(Ok(()), |stage| called(py, callback, stage));
-                interruption = seen.and_then(|()| py.check_signals()).err();
-                exchange
-                    .stop
-                    .store(interruption.is_some(), Ordering::Relaxed);
+                let shown = stage.as_ref().filter(|_| !is_cancelled);
+                let answer = shown.map_or(Ok(ControlFlow::Continue(())), |stage| {
+                    called(py, callback, stage)
+                });
+                let seen = answer.and_then(|answer| {
+                    is_cancelled |= answer.is_break();
+                    py.check_signals()
+                });
+                interruption = seen.err();
+                let is_stopped = is_cancelled || interruption.is_some();
+                exchange.stop.store(is_stopped, Ordering::Relaxed);
             }
             if stage.is_some() {
                 exchange.called();
@@ -294,13 +301,23 @@ fn in_pool<T: Send, S: Stage>(
     Ok((outcome?, interruption))
 }
 
-fn called(py: Python<'_>, callback: Option<&Py<PyAny>>, stage: &impl Stage) -> PyResult<()> {
+/// Calls the progress callback, which cancels the work by returning `False`.
+fn called(
+    py: Python<'_>,
+    callback: Option<&Py<PyAny>>,
+    stage: &impl Stage,
+) -> PyResult<ControlFlow<()>> {
     let Some(callback) = callback else {
-        return Ok(());
+        return Ok(ControlFlow::Continue(()));
     };
     let stage = stage.clone().object(py)?;
     IS_CALLED_BACK.set(true);
     let outcome = callback.call1(py, (stage,));
     IS_CALLED_BACK.set(false);
-    outcome.map(|_| ())
+    let is_cancelled = outcome?.extract::<bool>(py).is_ok_and(|goes_on| !goes_on);
+    Ok(if is_cancelled {
+        ControlFlow::Break(())
+    } else {
+        ControlFlow::Continue(())
+    })
 }

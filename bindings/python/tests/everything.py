@@ -133,8 +133,9 @@ class Scene:
             "History": history,
             "State": history.state(),
             "StepResult": history.last_step.keep(),
-            "StepErrorEstimate": adaptive.error(history, load),
             "EnergyBalance": history.last_step.energy,
+            # The history has no last step after this call.
+            "StepErrorEstimate": adaptive.error(history, load),
             "Cycle": cycle,
             "LoopPoint": cycle.points[0],
             "Plane": plane,

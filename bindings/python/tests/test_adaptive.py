@@ -250,6 +250,14 @@ def test_exception_in_progress_ends_solve():
     assert problem.solve().is_reached
 
 
+def test_progress_false_ends_solve_with_solution_so_far():
+    problem = AdaptiveProblem(PAIR, ball, NEAR, force=FORCE, target={"area": 1e-3})
+    seen = []
+    contact = problem.solve(progress=lambda record: seen.append(record) or len(seen) < 2, warn=False)
+    assert contact.status == "cancelled" and not contact.is_reached and contact.grids == seen and len(seen) == 2
+    assert problem.solve(progress=lambda record: True).is_reached
+
+
 @pytest.mark.parametrize("threads", [1, 2])
 @pytest.mark.parametrize("place", ["gap", "progress"])
 def test_ctrl_c_ends_solve(threads, place):

@@ -272,8 +272,10 @@ def test_step_all_matches_single_steps(scene):
     assert histories[1].tangential_force == (0.0, 0.0) and histories[2].tangential_force == pytest.approx((20.0, 0.0))
     with pytest.raises(ss.errors.Length):
         ss.History.step_all(histories, [])
-    with pytest.raises(RuntimeError):
-        ss.History.step_all([alone, alone], [ss.LoadStep()] * 2)
+    before = histories[0].to_bytes()
+    with pytest.raises(ValueError, match=r"histories\[2\] is the same object as histories\[1\]: list each history once"):
+        ss.History.step_all([histories[0], alone, alone], [ss.LoadStep(force_x=5.0)] * 3)
+    assert histories[0].to_bytes() == before
 
 
 def test_minimise_matches_explicit_matrix():

@@ -171,6 +171,14 @@ def test_numbers_convert_to_tables(scene):
     assert np.isnan(spots["stick_ratio"][0]) and spots["centroid_x"][0] == contact.spots[0].centroid[0]
     assert contact.spots[0].to_dict()["centroid_y"] == contact.spots[0].centroid[1]
 
+    points = [(0.0, 0.0, 1e-5), (1e-5, 0.0, 2e-5)]
+    stresses = ss.subsurface.at_points(scene.bodies, "one", contact, points)
+    frame = stresses.to_frame()
+    assert np.array_equal(frame["normal_stress_zz"], stresses.normal_stress[2]) and len(frame) == 2
+    assert np.array_equal(frame["shear_stress_xz"], stresses.shear_stress[1])
+    assert np.array_equal(frame["displacement_z"], stresses.displacement[2])
+    assert np.array_equal(stresses.to_dict()["von_mises"], stresses.von_mises)
+
     history = scene.history(tolerance=1e-6)
     history.step(normal_force=100.0)
     path = ss.history.LoadPath.triangle((1e-6, 0.0), 4)
@@ -179,6 +187,8 @@ def test_numbers_convert_to_tables(scene):
     frame = cycle.points.to_frame()
     assert np.array_equal(frame["force_x"], cycle.points.force[0]) and len(frame) == 5
     assert cycle.energy.to_dict()["work"] == cycle.energy.work
+    # The name in the repr is the path to the number.
+    assert f" energy.dissipated_energy={cycle.energy.dissipated_energy:.6g}," in repr(cycle)
     worn = ss.wear.run(history, loop, ss.wear.EnergyLaw(1e-13), 100).history
     assert np.array_equal(worn.to_frame()["cycles"], worn.cycles)
 

@@ -150,7 +150,8 @@ def test_failure_leaves_history_in_state_after_last_jump():
     snapshot = caught.value.snapshot
     assert len(snapshot.history) == 2 and snapshot.cycles == snapshot.history.jump.sum()
     assert worn.state().to_bytes() == snapshot.state.to_bytes()
-    rest = ss.wear.run(worn, loop(), LAW, 3000, largest_depth=five_percent, resume=snapshot)
+    # The law fails once only.
+    rest = ss.wear.run(worn, loop(), law, 3000, largest_depth=five_percent, resume=snapshot)
     whole = ss.wear.run(history(), loop(), LAW, 3000, largest_depth=five_percent)
     assert np.array_equal(rest.depth, whole.depth)
 
@@ -166,6 +167,42 @@ def test_arguments_and_limits_are_checked():
     with pytest.raises(ss.errors.CycleNotClosed):
         ss.wear.run(history(), loop(), LAW, 10, settling=1, max_residual=1e-12)
     assert ss.wear.run(history(), loop(), LAW, 0).cycles == 0
+
+
+def test_history_out_of_contact_is_rejected():
+    apart = ss.History(BODIES, ss.surface.sphere(GRID, 3.5e-3), 0.5)
+    with pytest.raises(ss.errors.EmptyContact, match="press it by a step with a normal load before the run"):
+        ss.wear.run(apart, loop(), LAW, 10)
+    assert apart.steps == 0
+
+
+def per_cell(history, cycle):
+    return LAW(history, cycle)
+
+
+def test_snapshot_resumes_with_its_law_and_loop_only():
+    worn = history()
+    first = ss.wear.run(worn, loop(), LAW, 100)
+    before = worn.to_bytes()
+    with pytest.raises(ss.errors.ArgumentRange, match="cycles must be at least 100, .* got 99"):
+        ss.wear.run(worn, loop(), LAW, 99, resume=first.snapshot)
+    coefficients = np.full(GRID.shape, COEFFICIENT)
+    others = [ss.wear.EnergyLaw(2e-13), ss.wear.ArchardLaw(COEFFICIENT), ss.wear.EnergyLaw(coefficients), per_cell]
+    for law in others:
+        with pytest.raises(ss.errors.SnapshotMismatch, match=r"law of the snapshot is EnergyLaw\(coefficient=1e-13\), got") as caught:
+            ss.wear.run(worn, loop(), law, 200, resume=first.snapshot)
+        assert caught.value.argument == "law"
+    heavier = ss.history.FrettingLoop(loop()._path, lambda shift: ss.LoadStep(normal_force=2.0 * FORCE, shift=shift))
+    for other in (loop(2e-6), loop(steps=12), heavier):
+        with pytest.raises(ss.errors.SnapshotMismatch, match="the loop of the snapshot is 8 steps") as caught:
+            ss.wear.run(worn, other, LAW, 200, resume=first.snapshot)
+        assert caught.value.argument == "loop"
+    assert worn.to_bytes() == before
+    # Limits are choices of a run.
+    rest = ss.wear.run(worn, loop(), ss.wear.EnergyLaw(np.float64(COEFFICIENT)), 200, resume=first.snapshot, settling=5)
+    assert rest.cycles == 200 and ss.wear.run(worn, loop(), LAW, 200, resume=rest.snapshot).cycles == 200
+    by_name = ss.wear.run(history(), loop(), per_cell, 50)
+    assert by_name.snapshot.law == f"{__name__}.per_cell"
 
 
 def test_ctrl_c_ends_wear_with_state_after_last_jump(tmp_path):
@@ -196,7 +233,7 @@ def test_loop_reports_progress_and_stops():
     seen = []
     outcome = loop().run(history(), 4, progress=lambda done, cycle: seen.append((done, cycle.steps)))
     assert seen == [(1, 8), (2, 8), (3, 8), (4, 8)] and outcome.ending == "cycle_limit"
-    stopped = loop().run(history(), 4, progress=lambda done, cycle: done < 2)
+    stopped = loop().run(history(), 4, progress=lambda done, cycle: np.bool_(done < 2))
     assert stopped.cycles == 2 and stopped.ending == "stopped" and stopped.last.steps == 8
 
 

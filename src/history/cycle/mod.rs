@@ -209,6 +209,7 @@ impl Cycle {
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid of the history differs.
+    /// - [`Error::NoLastStep`] if the history has taken no step since it was created or since [`History::set_state`].
     /// - [`Error::StepAlreadyCounted`] if the history has not taken a step since the last added step or the start of the cycle.
     ///   The check compares only [`History::steps`]. It does not detect a step of a different history with a larger step
     ///   number.
@@ -216,14 +217,15 @@ impl Cycle {
     ///
     /// The cycle is unchanged after an error.
     pub fn add(&mut self, history: &History) -> Result<()> {
-        let (bodies, step) = (&history.bodies, history.last_step());
+        let (bodies, step) = (&history.bodies, &history.step);
         let (number, last) = (history.steps(), self.last_step);
         let is_new = if number > last {
             Ok(())
         } else {
             Err(Error::StepAlreadyCounted { step: number, last })
         };
-        bodies.collective_result(self.check(history).and(is_new))?;
+        let has_step = history.last_step().map(|_| ());
+        bodies.collective_result(self.check(history).and(has_step).and(is_new))?;
         // The collective reductions come first, so that the cycle is unchanged if a rank fails.
         let [largest_traction, traction_change] = self.compare_traction(history);
         let regime = self.regime_with(history);
@@ -262,7 +264,7 @@ impl Cycle {
 
     /// Returns the regime of the cycle including the last step.
     fn regime_with(&self, history: &History) -> Regime {
-        let (step, layout) = (history.last_step(), history.bodies.grid_layout());
+        let (step, layout) = (&history.step, history.bodies.grid_layout());
         let slip = step.slip_distance().as_slice();
         if step.is_gross_slip() {
             Regime::GrossSlip
@@ -277,7 +279,7 @@ impl Cycle {
     fn average_pressure(&mut self, history: &History) {
         let [pressure, slip, path] = [
             history.pressure(),
-            history.last_step().slip_distance(),
+            history.step.slip_distance(),
             &self.sums.slip_distance,
         ]
         .map(Field::as_slice);

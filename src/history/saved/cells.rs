@@ -281,6 +281,7 @@ impl State {
             normal: self.normal.outline_on(grid)?,
             pressed_gap: zeros()?,
             is_pressure_stale: self.is_pressure_stale,
+            is_friction_new: self.is_friction_new,
             pressed_by: self.pressed_by,
             press_window: self.press_window,
             trend,

@@ -182,8 +182,14 @@ impl State {
         visit_normal(codec, &mut self.normal)?;
         self.visit_hardness(codec)?;
         self.visit_relative(codec)?;
-        let is_stale = &mut self.is_pressure_stale;
-        codec.kind("mark of a stale pressure", is_stale, &[false, true])?;
+        let mut marks = [self.is_pressure_stale, self.is_friction_new];
+        let kinds = [[false, false], [true, false], [false, true], [true, true]];
+        codec.kind(
+            "mark of a stale pressure and a new friction",
+            &mut marks,
+            &kinds,
+        )?;
+        [self.is_pressure_stale, self.is_friction_new] = marks;
         visit_control(codec, &mut self.pressed_by)?;
         let whole = || Ok(Window::whole(grid));
         codec.option("window of the pressure", &mut self.press_window, whole)?;
@@ -364,6 +370,7 @@ fn visit_normal<C: Codec>(codec: &mut C, normal: &mut NormalSolution) -> Result<
         EigenvalueBound::Unknown,
         EigenvalueBound::Estimated,
         EigenvalueBound::Proven,
+        EigenvalueBound::Stated,
     ];
     codec.kind("eigenvalue bound", &mut report.eigenvalue_bound, &bounds)?;
     Ok(())

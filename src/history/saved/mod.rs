@@ -172,7 +172,7 @@ impl History {
 
     /// Creates a history from the bytes of [`History::to_bytes`], on the bodies that the bytes belong to. The history
     /// continues with bitwise identical results ([limits on other machines](crate::guide::embedding#restart)). Its
-    /// [last step](History::last_step) is empty.
+    /// [last step](History::last_step) is missing until the next step.
     ///
     /// # Errors
     /// Errors of [`State::from_bytes`] and [`History::from_state`].

@@ -22,6 +22,7 @@ impl PartialEq for State {
             normal,
             pressed_gap,
             is_pressure_stale,
+            is_friction_new,
             pressed_by,
             press_window,
             trend,
@@ -46,6 +47,7 @@ impl PartialEq for State {
             && *coupling == other.coupling
             && *pressed_by == other.pressed_by
             && *is_pressure_stale == other.is_pressure_stale
+            && *is_friction_new == other.is_friction_new
             && *press_window == other.press_window
             && *motion == other.motion
             && *force == other.force

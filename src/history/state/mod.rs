@@ -98,6 +98,8 @@ pub struct State {
     /// Gap of the present pressure, which differs from `gap` after wear.
     pub(super) pressed_gap: Field,
     pub(super) is_pressure_stale: bool,
+    /// Whether the friction limits of the contact have changed since the last step.
+    pub(super) is_friction_new: bool,
     /// Load of the present pressure, or `Hold` before the first pressure solve.
     pub(super) pressed_by: NormalControl,
     /// Window of the last pressure solve, or `None` before the first contact.
@@ -127,7 +129,7 @@ clones!(State {
     friction, gap, hardness, yielded, relative, normal, pressed_gap, trend, contact, traction, slip, accumulated_slip,
     dissipated_energy, zones,
 } {
-    axes, settings, is_pressure_stale, pressed_by, press_window, motion, force, moment, steps, entry_rule, coupling, capacity,
+    axes, settings, is_pressure_stale, is_friction_new, pressed_by, press_window, motion, force, moment, steps, entry_rule, coupling, capacity,
 });
 
 const QUANTITY: &str = "state of a history";
@@ -157,6 +159,7 @@ impl State {
             yielded: None,
             relative: None,
             is_pressure_stale: false,
+            is_friction_new: false,
             pressed_by: NormalControl::Hold,
             press_window: None,
             trend: LoadTrend::default(),

@@ -33,6 +33,20 @@ impl State {
         is_shared.then(|| self.capacity_with(bodies, friction))
     }
 
+    /// Returns whether this friction has different limits in the contact than the present friction.
+    pub(in crate::history) fn friction_differs(
+        &self,
+        bodies: &HalfSpace,
+        friction: &Friction,
+    ) -> bool {
+        let pressure = self.pressure().as_slice();
+        let differs = |of: &dyn Fn(&Friction) -> f64| of(&self.friction) - of(friction) != 0.0;
+        reduce::any(&bodies.grid_layout(), |i| {
+            let p = pressure[i];
+            p > 0.0 && (differs(&|of| of.limit(i, p)) || differs(&|of| of.slope(i, p)))
+        })
+    }
+
     /// Returns the largest tangential force that this friction can carry at the present pressure.
     pub(in crate::history) fn capacity_with(&self, bodies: &HalfSpace, friction: &Friction) -> f64 {
         let pressure = self.pressure().as_slice();

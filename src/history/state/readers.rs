@@ -3,7 +3,7 @@
 use crate::bodies::coupling::Coupling;
 use crate::bodies::material::ElasticPair;
 use crate::cgm::Settings;
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::grid::field::Field;
@@ -151,13 +151,27 @@ impl State {
     pub fn is_pressure_stale(&self) -> bool {
         self.is_pressure_stale
     }
+
+    /// Returns whether [`set_friction`](crate::History::set_friction) has changed the friction limits in the contact since the
+    /// last step. The tractions then belong to the previous friction.
+    #[must_use]
+    pub fn is_friction_new(&self) -> bool {
+        self.is_friction_new
+    }
 }
 
 impl History {
-    /// Returns the result of the last step. All its values are zero before the first step.
-    #[must_use]
-    pub fn last_step(&self) -> &StepResult {
-        &self.step
+    /// Returns the result of the last step, which led to the present state.
+    ///
+    /// # Errors
+    /// - [`Error::NoLastStep`] before the first step, and after [`History::set_state`], [`History::from_state`] and
+    ///   [`History::from_bytes`]. A state does not contain the result of its last step.
+    pub fn last_step(&self) -> Result<&StepResult> {
+        if self.has_last_step {
+            Ok(&self.step)
+        } else {
+            Err(Error::NoLastStep)
+        }
     }
 
     /// Computes the displacement of the surface of body 1 relative to the surface of body 2 due to the tractions
@@ -167,7 +181,7 @@ impl History {
     ///
     /// # Errors
     /// - Errors of [`HalfSpace::operator`](crate::HalfSpace::operator).
-    /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail.
+    /// - [`Error::Ranks`] if ranks fail.
     pub fn displacement(&self) -> Result<[Field; 2]> {
         if let Some(memory) = self
             .state

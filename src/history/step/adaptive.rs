@@ -110,13 +110,13 @@ impl AdaptiveSteps {
             tolerance,
             beginning: state.try_clone()?,
             kept: state.try_clone()?,
-            middle: (state.try_clone()?, history.last_step().try_clone()?),
+            middle: (state.try_clone()?, history.step.try_clone()?),
             whole: try_each(|axis| state.traction()[axis].try_clone())?,
         })
     }
 
     /// Estimates the error of [`History::step`] for this load. The state of the history is unchanged afterwards. The
-    /// [last step](History::last_step) of the history is the second half step.
+    /// history then has no [last step](History::last_step), as after [`History::set_state`].
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid of the history differs.
@@ -136,7 +136,8 @@ impl AdaptiveSteps {
     /// - [`Error::UnsupportedByModel`] if the load rolls.
     /// - Errors of [`History::step`].
     ///
-    /// The state is unchanged after an error. The [last step](History::last_step) is the step of the last attempt.
+    /// The state is unchanged after an error. If the call has undone steps, the history has no [last
+    /// step](History::last_step), as after [`History::set_state`].
     pub fn step(&mut self, history: &mut History, load: &LoadStep) -> Result<usize> {
         self.step_observed(history, load, |_| Ok(()))
     }
@@ -234,7 +235,7 @@ impl AdaptiveSteps {
         history.step(&part(0.5 * (start + end)))?;
         let (state, step) = &mut self.middle;
         state.try_clone_from(history.state())?;
-        step.try_clone_from(history.last_step())?;
+        step.try_clone_from(&history.step)?;
         let second = history.step(&part(end))?;
         let halves = step.energy().dissipated_energy + second.energy().dissipated_energy;
         let difference = |a: [f64; 2], b: [f64; 2]| [a[0] - b[0], a[1] - b[1]];
@@ -257,9 +258,12 @@ impl AdaptiveSteps {
         self.kept.try_clone_from(history.state())?;
         history.set_state(state)?;
         std::mem::swap(&mut history.step, step);
+        history.has_last_step = true;
         let outcome = history.bodies.run_collectively(|| observer(history));
         std::mem::swap(&mut history.step, step);
         history.set_state(&self.kept)?;
+        // The result of the second half belongs to the restored state.
+        history.has_last_step = true;
         outcome?;
         history.bodies.run_collectively(|| observer(history))
     }

@@ -62,6 +62,7 @@ impl History {
             neglected_lift: scheme.neglected_lift(),
             ..StepDiagnostics::default()
         };
+        state.is_friction_new = false;
         step.normal_force = state.normal.force();
         step.approach = state.approach();
         let found = scheme.solution();

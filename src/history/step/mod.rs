@@ -97,6 +97,8 @@ pub struct History {
     /// Normal contact of the present step.
     candidate: PooledBuffer<NormalSolution>,
     pub(super) step: StepResult,
+    /// Whether `step` led to the present state.
+    pub(super) has_last_step: bool,
     /// Window in which the fields of the step may be non-zero, or `None` if all fields are zero.
     written: Option<Window>,
 }
@@ -124,7 +126,7 @@ impl History {
     }
 
     /// Creates a history from a state, on the bodies that the state belongs to. The history continues with results
-    /// bitwise identical to the results of the original history. Its [last step](Self::last_step) is empty.
+    /// bitwise identical to the results of the original history. It has no [last step](Self::last_step) before its next step.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::MaterialMismatch`] if the state belongs to
@@ -145,6 +147,7 @@ impl History {
             candidate: PooledBuffer::new(bodies.pool(&[], bodies.grid().size())?),
             scheme,
             step: StepResult::new(state.grid())?,
+            has_last_step: false,
             written: None,
             state,
         })
@@ -159,7 +162,11 @@ impl History {
     /// Restores a state of this history, or of another history on equal bodies, including its gap, friction and
     /// settings. The state is copied into the existing buffers. The function allocates memory if the contact has moved to a
     /// different window since the state was saved. It also allocates memory if only one of the two states has a relative
-    /// displacement. [`last_step`](Self::last_step) remains the last step taken.
+    /// displacement.
+    ///
+    /// The history then has no [last step](Self::last_step) until its next step, because a state does not contain the result of
+    /// the step that led to it. [`Cycle::add`](crate::history::Cycle::add) returns [`Error::NoLastStep`] until then. In a retry,
+    /// restore the state, take a smaller step, and add this step to the cycle.
     ///
     /// # Errors
     /// Errors of [`History::from_state`]. The history is unchanged after an error.
@@ -191,11 +198,14 @@ impl History {
             } = &mut self.state;
             normal.measure_scale(&self.bodies, pressed_gap);
         }
+        self.has_last_step = false;
         Ok(())
     }
 
     /// Restores an earlier state of this history, even after a rank failure.
     pub(super) fn go_back(&mut self, state: &mut State) -> Result<()> {
+        // Without a step since then, the last step is still the step that led to the state.
+        self.has_last_step &= self.state.steps == state.steps;
         if self.state.has_room_for(state) {
             self.state.clone_from(state);
         } else {
@@ -243,7 +253,7 @@ impl History {
     /// assert!(second.shift()[0] < first.shift()[0] && shift[0] < first.shift()[0]);
     ///
     /// // Both references are shared, so step and state can be used together.
-    /// let (step, state) = (history.last_step(), history.state());
+    /// let (step, state) = (history.last_step()?, history.state());
     /// assert!(step.shift() == state.shift() && state.normal().pressure().max() == pressure);
     /// # Ok::<(), Error>(())
     /// ```
@@ -289,10 +299,12 @@ impl History {
         let is_shared = self.bodies.is_shared();
         let keep = || Ok::<_, Error>((self.state.try_clone()?, self.step.try_clone()?));
         let kept = is_shared.then(keep).transpose()?;
+        let had_last_step = std::mem::replace(&mut self.has_last_step, true);
         self.commit(step, motion);
         let entered = self.bodies.joint(Ok(()));
         if let (Err(_), Some(kept)) = (&entered, kept) {
             (self.state, self.step) = kept;
+            self.has_last_step = had_last_step;
             self.state.crop_memory(remembered);
         }
         entered
@@ -329,7 +341,8 @@ impl History {
         Ok(())
     }
 
-    /// Changes the friction of the following steps. All other quantities are kept.
+    /// Changes the friction of the following steps. All other quantities are kept. The tractions follow in the next step.
+    /// Until then, the [stiffness](Self::stiffness) is an error.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.
@@ -339,8 +352,10 @@ impl History {
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         friction.check_on(&self.bodies)?;
         let capacity = self.state.capacity_on_ranks(&self.bodies, friction);
+        let differs = self.state.friction_differs(&self.bodies, friction);
         self.bodies.joint(Ok(()))?;
         self.state.friction.try_clone_from(friction)?;
+        self.state.is_friction_new |= differs;
         self.state.capacity = capacity;
         Ok(())
     }
@@ -375,6 +390,7 @@ impl TryClone for History {
             candidate: self.candidate.clone(),
             scheme,
             step: self.step.try_clone()?,
+            has_last_step: self.has_last_step,
             written: self.written,
             state,
         })

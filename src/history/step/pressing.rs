@@ -56,8 +56,8 @@ impl History {
     /// let load = LoadStep::hold().normal(NormalControl::Force(60.0));
     /// let steps = history.press(&load, 0.03)?;
     /// let exact = SpencePressing::round(bodies.pair(), 0.1)?.stick_radius();
-    /// assert!(steps <= 16 && (history.last_step().stick_ratio().sqrt() - exact).abs() < 0.05);
-    /// assert!(!history.last_step().warnings().contains(&Warning::SingleLoadStep));
+    /// assert!(steps <= 16 && (history.last_step()?.stick_ratio().sqrt() - exact).abs() < 0.05);
+    /// assert!(!history.last_step()?.warnings().contains(&Warning::SingleLoadStep));
     /// # Ok::<(), Error>(())
     /// ```
     ///
@@ -68,8 +68,8 @@ impl History {
     /// - [`Error::Memory`] if memory runs out.
     /// - Errors of [`History::step`] for the load or one of the steps.
     ///
-    /// After an error the state is bitwise unchanged, and the [last step](History::last_step) is the last step that
-    /// succeeded.
+    /// After an error the state is bitwise unchanged. If the call has undone steps, the history has no [last
+    /// step](History::last_step), as after [`History::set_state`].
     pub fn press(&mut self, load: &LoadStep, tolerance: f64) -> Result<usize> {
         self.press_observed(load, tolerance, |_| ControlFlow::Continue(()))
     }

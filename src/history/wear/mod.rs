@@ -22,7 +22,7 @@
 //! let path = LoadPath::sine([0.4, 0.0], 8)?;
 //! let fretting = FrettingLoop::new(path, |shift| LoadStep::shift(shift).normal(NormalLoad::Force(0.5)));
 //! fretting.run_observed(&mut history, 2, |history, _| {
-//!     let slip = history.last_step().slip_distance();
+//!     let slip = history.last_step()?.slip_distance();
 //!     wear::archard(1e-2, history.pressure(), slip, &mut gap)?;
 //!     history.set_gap(&gap)?;
 //!     Ok(ControlFlow::Continue(()))

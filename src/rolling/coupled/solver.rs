@@ -79,9 +79,11 @@ pub(crate) struct CoupledRollingEngine {
     lift: Vec<f64>,
     spin: f64,
     is_warm: bool,
+    /// Input that has changed since the last solution, in words.
+    pub(super) changed: Option<&'static str>,
     /// Normal half of the last solution of coupled bodies.
     pub(super) last: Option<NormalSolution>,
-    report: CoupledRollingReport,
+    pub(super) report: CoupledRollingReport,
 }
 
 /// Outcome of a pass over both halves.
@@ -140,6 +142,7 @@ impl Model<CoupledRollingSolution> for CoupledRollingProblem {
             lift: fallible::zeros(cells)?,
             spin: 0.0,
             is_warm: false,
+            changed: None,
             last: None,
             report: CoupledRollingReport::unsolved(),
         })
@@ -169,6 +172,8 @@ impl Model<CoupledRollingSolution> for CoupledRollingProblem {
         let mut observer = cancellation.watch(observer);
         let settings = solver.problem.options.settings;
         let mut conditions = SolveContext::new(&settings, &mut observer);
+        // A solve without an iterate leaves neither the earlier solution nor a new one.
+        solver.engine.changed = Some("the input");
         let outcome = solver.solve_passes(solution, &mut conditions);
         let outcome = cancellation.applied(&solver.problem.bodies, outcome, || {
             solver.engine.report.work.cancelled()
@@ -207,7 +212,9 @@ impl CoupledRollingSolver {
     ) -> Result<()> {
         let spin = spin.into();
         self.problem.check(self.problem.normal, controls, spin)?;
-        (self.problem.options.controls, self.problem.options.spin) = (controls, spin);
+        if self.problem.options.set_load(controls, spin) {
+            self.engine.changed = Some("the load");
+        }
         Ok(())
     }
 
@@ -219,7 +226,9 @@ impl CoupledRollingSolver {
     pub fn set_normal_load(&mut self, normal: NormalLoad) -> Result<()> {
         let RollingOptions { controls, spin, .. } = self.problem.options;
         self.problem.check(normal, controls, spin)?;
-        self.problem.normal = normal;
+        if std::mem::replace(&mut self.problem.normal, normal) != normal {
+            self.engine.changed = Some("the normal load");
+        }
         Ok(())
     }
 
@@ -234,7 +243,9 @@ impl CoupledRollingSolver {
         let bodies = &self.problem.bodies;
         gap.check("gap", bodies.grid())?;
         self.problem.normal.check(bodies, gap, None)?;
-        field::replace(&mut self.problem.gap, gap)
+        field::replace(&mut self.problem.gap, gap)?;
+        self.engine.changed = Some("the gap");
+        Ok(())
     }
 
     /// Sets the friction for the next solve.
@@ -243,7 +254,9 @@ impl CoupledRollingSolver {
     /// - [`Error::GridMismatch`] or [`Error::Memory`]. The friction is then unchanged.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         friction.check(self.problem.bodies.grid())?;
-        self.problem.friction.try_clone_from(friction)
+        self.problem.friction.try_clone_from(friction)?;
+        self.engine.changed = Some("the friction");
+        Ok(())
     }
 
     /// Repeats passes until the pressure and the tractions are consistent with each other.
@@ -536,6 +549,8 @@ impl CoupledRollingSolver {
         }
         if !has_iterate(outcome) || !self.engine.report.work.residual.is_finite() {
             self.reset();
+        } else {
+            self.engine.changed = None;
         }
     }
 }

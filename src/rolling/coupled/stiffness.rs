@@ -22,7 +22,7 @@ use crate::report::{Iteration, Report, Status};
 use crate::rolling::RollingSolver;
 use crate::rolling::coupled::CoupledRollingSolver;
 use crate::rolling::entry::entering;
-use crate::rolling::steady::stiffness::{RollingSensitivity, TOLERANCE};
+use crate::rolling::steady::stiffness::{RollingSensitivity, TOLERANCE, check_current};
 use crate::tangential::{
     Axis, CouplingDisplacement, EntryCompliance, Friction, Lifting, is_at_limit,
 };
@@ -70,10 +70,12 @@ impl CoupledRollingSolver {
     ///
     /// with the rows and units of [`RollingSolver::stiffness`]. The normal load is constant. The pressure follows the
     /// tractions, and the friction limits and the entry compliance follow the pressure. The zones and the contact area are
-    /// fixed. Each column takes as many passes as a solve.
+    /// fixed. Each column takes as many passes as a solve. After a change of the loads, the gap or the friction, the matrix is an
+    /// error until the next solve.
     ///
     /// # Errors
-    /// - [`Error::NotConverged`] if there is no solution yet, or if the iteration for a column does not converge.
+    /// - [`Error::OutdatedSolution`] if the input has changed since the last solve.
+    /// - [`Error::NotConverged`] if there is no converged solution, or if the iteration for a column does not converge.
     /// - [`Error::Memory`] if memory runs out.
     pub fn stiffness(&mut self) -> Result<[[f64; 3]; 3]> {
         self.stiffness_observed(unwatched)
@@ -88,6 +90,14 @@ impl CoupledRollingSolver {
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<[[f64; 3]; 3]> {
         let unsolved = || Error::NotConverged(Box::new(Report::unsolved()));
+        if self.engine.rolling.is_none() {
+            return Err(unsolved());
+        }
+        check_current(self.engine.changed)?;
+        let report = &self.engine.report.work;
+        if !report.is_converged() {
+            return Err(Error::NotConverged(Box::new(report.clone())));
+        }
         let mut rolling = self.engine.rolling.take().ok_or_else(unsolved)?;
         let found = match (&mut self.engine.lifting, &self.engine.last) {
             (Some(lifting), Some(normal)) => {
@@ -96,7 +106,7 @@ impl CoupledRollingSolver {
                 rolling.coupled_stiffness(lifting, (normal, friction, is_force), &mut observer)
             }
             (Some(_), None) => Err(unsolved()),
-            (None, _) => rolling.stiffness_observed(&mut observer),
+            (None, _) => rolling.slopes(&mut observer),
         };
         self.engine.rolling = Some(rolling);
         found

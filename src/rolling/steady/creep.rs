@@ -60,7 +60,7 @@ impl RollingSolver {
     }
 
     /// Returns [`creep_forces`](Self::creep_forces) with an observer, which receives every iteration of each solve and
-    /// may cancel.
+    /// may cancel. [`creep_forces_into`](Self::creep_forces_into) keeps the points that were solved before an error.
     ///
     /// # Errors
     /// The errors of [`creep_forces`](Self::creep_forces).
@@ -69,6 +69,42 @@ impl RollingSolver {
         points: impl IntoIterator<Item = [f64; 3]>,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<Vec<CreepForce>> {
+        let mut found = Vec::new();
+        self.creep_forces_into(points, &mut found, |iteration, _| observer(iteration))?;
+        Ok(found)
+    }
+
+    /// Appends each of the loads of [`creep_forces`](Self::creep_forces) to `found` after its solve. After an error or a
+    /// cancellation, `found` contains the points solved before. The observer receives every iteration and the points that this
+    /// call has solved.
+    ///
+    /// ```
+    /// # use std::ops::ControlFlow;
+    /// # use stickslip::{rolling::RollingProblem, *};
+    /// # let grid = Grid::square(24, 3.0)?;
+    /// # let body = Material::from_shear_modulus(1.0, 0.25)?;
+    /// # let bodies = HalfSpace::new(grid, ElasticPair::new(body, body)?)?;
+    /// # let (ball, load) = (surface::sphere(grid, 1.0)?, NormalLoad::Force(1.0));
+    /// # let normal = NormalProblem::builder(&bodies, &ball, load).build()?.solve()?;
+    /// let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3)?).build()?;
+    /// let curve = (1..=10).map(|step| [0.03 * f64::from(step), 0.0, 0.0]);
+    /// let mut found = Vec::new();
+    /// let outcome = problem.into_solver()?.creep_forces_into(curve, &mut found, |_, solved| {
+    ///     if solved.len() < 4 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+    /// });
+    /// assert!(matches!(outcome, Err(Error::NotConverged(_))));
+    /// assert_eq!(found.len(), 4);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The errors of [`creep_forces`](Self::creep_forces).
+    pub fn creep_forces_into(
+        &mut self,
+        points: impl IntoIterator<Item = [f64; 3]>,
+        found: &mut Vec<CreepForce>,
+        mut observer: impl FnMut(&Iteration, &[CreepForce]) -> ControlFlow<()> + Send,
+    ) -> Result<()> {
         let mut checked = Vec::new();
         let creepages = |xi: f64, eta: f64| [xi, eta].map(RollingControl::Creepage);
         for point in points {
@@ -77,10 +113,12 @@ impl RollingSolver {
             fallible::push(&mut checked, point)?;
         }
         let mut solution = self.try_new_solution()?;
-        let mut found = Vec::new();
+        let first = found.len();
         for [xi, eta, spin] in checked {
             self.set_load(creepages(xi, eta), spin)?;
-            self.solve_observed(&mut solution, &mut observer)?;
+            self.solve_observed(&mut solution, |iteration| {
+                observer(iteration, &found[first..])
+            })?;
             let force = CreepForce {
                 creepage: [xi, eta],
                 spin,
@@ -88,8 +126,8 @@ impl RollingSolver {
                 moment: solution.moment(),
                 stick_ratio: solution.stick_ratio(),
             };
-            fallible::push(&mut found, force)?;
+            fallible::push(found, force)?;
         }
-        Ok(found)
+        Ok(())
     }
 }

@@ -32,6 +32,19 @@ impl Default for RollingOptions {
     }
 }
 
+impl RollingOptions {
+    /// Sets the prescribed motion, and returns whether it has changed.
+    pub(in crate::rolling) fn set_load(
+        &mut self,
+        controls: [RollingControl; 2],
+        spin: SpinControl,
+    ) -> bool {
+        let before = (self.controls, self.spin);
+        (self.controls, self.spin) = (controls, spin);
+        before != (controls, spin)
+    }
+}
+
 /// Setters of the options, which are identical for both builders. The builder stores the options in `$($path).+`.
 macro_rules! rolling_methods {
     ($($path:ident).+) => {

@@ -39,8 +39,8 @@ const SHARPER: f64 = 0.1;
 const SHARPEST: f64 = 2e-4;
 
 /// Solver for a sequence of creepages, forces or spins. Each solve starts from the last solution. The normal load can change
-/// between solves. After [`reset`](Solver::reset), [`stiffness`](RollingSolver::stiffness) refers to a contact that sticks
-/// everywhere.
+/// between solves. [`stiffness`](RollingSolver::stiffness) belongs to the last solution. After a change of the input it is an error
+/// until the next solve. After [`reset`](Solver::reset) it belongs to a contact that sticks everywhere.
 ///
 /// For a prescribed moment, several solves determine the spin. The tolerance of each of these solves is at most a tenth of the
 /// tolerance of the settings. The report contains the sum of the work of these solves, and the limits apply to all of them
@@ -100,6 +100,8 @@ pub(crate) struct RollingEngine {
     pub(in crate::rolling) lag: [Vec<f64>; 2],
     /// Whether there is a last solution.
     pub(in crate::rolling) is_warm: bool,
+    /// Input that has changed since the last solution, in words.
+    pub(in crate::rolling) changed: Option<&'static str>,
     pub(in crate::rolling) trend: CreepTrend,
     /// Initial guess of the next solve.
     known: InitialGuess<2>,
@@ -207,6 +209,7 @@ impl Model<RollingSolution> for RollingProblem {
                 cells
             })?,
             is_warm: false,
+            changed: None,
             has_new_pressure: false,
             trend: CreepTrend::new(cells)?,
             known: InitialGuess::Nothing,
@@ -234,6 +237,8 @@ impl Model<RollingSolution> for RollingProblem {
         solution: &mut RollingSolution,
         observer: Observer<'_>,
     ) -> Result<()> {
+        // A solve without an iterate leaves neither the earlier solution nor a new one.
+        solver.engine.changed = Some("the input");
         solver.engine.take_limits(&solver.problem);
         solver.extrapolate();
         let cancellation = Cancellation::default();
@@ -252,11 +257,15 @@ impl Model<RollingSolution> for RollingProblem {
             trend,
             traction,
             report,
+            changed,
             ..
         } = &mut solver.engine;
         trend.finish(traction);
         if outcome.is_err() {
             trend.forget();
+        }
+        if has_iterate(&outcome) {
+            *changed = None;
         }
         cancellation.applied(&solver.problem.bodies, outcome, || {
             let report = report.cancelled();
@@ -276,6 +285,7 @@ impl Model<RollingSolution> for RollingProblem {
         }
         engine.spin = 0.0;
         engine.is_warm = false;
+        engine.changed = None;
         engine.trend.forget();
         engine.take_limits(&solver.problem);
     }
@@ -294,12 +304,13 @@ impl RollingSolver {
     ) -> Result<()> {
         let spin = spin.into();
         self.problem.check(controls, spin)?;
-        (self.problem.options.controls, self.problem.options.spin) = (controls, spin);
+        if self.problem.options.set_load(controls, spin) {
+            self.engine.changed = Some("the load");
+        }
         Ok(())
     }
 
-    /// Sets the friction of the next solve. Until that solve, [`stiffness`](Self::stiffness) refers to the last
-    /// solution, if there is one.
+    /// Sets the friction of the next solve.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.
@@ -314,7 +325,9 @@ impl RollingSolver {
         let pressure = &problem.pressed.pressure;
         self.engine.candidate.pressure.copy_from_slice(pressure);
         self.engine.candidate.set_friction(friction);
-        self.take_candidate(|problem| problem.friction.try_clone_from(friction))
+        self.take_candidate(|problem| problem.friction.try_clone_from(friction))?;
+        self.engine.changed = Some("the friction");
+        Ok(())
     }
 
     /// Accepts the candidate pressure and limits if they allow the current loads and `work` succeeds.

@@ -8,7 +8,7 @@ use std::ops::ControlFlow;
 
 use crate::cgm::{Disc, LinearisedSet, Row};
 use crate::contact::{Elasticity, LinearResponse, ResponseContext};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::numerics::cell_vector::{at, slices};
 use crate::numerics::small_matrix::Small;
 use crate::observer::{Observer, unwatched};
@@ -24,6 +24,17 @@ pub(in crate::rolling) const TOLERANCE: f64 = 1e-10;
 pub(in crate::rolling) type RollingSensitivity =
     LinearResponse<<Disc as LinearisedSet<2>>::CellMotion, 2>;
 
+/// Returns an error if an input has changed since the last solution.
+pub(in crate::rolling) fn check_current(changed: Option<&'static str>) -> Result<()> {
+    changed.map_or(Ok(()), |changed| {
+        Err(Error::OutdatedSolution {
+            quantity: "stiffness",
+            changed,
+            remedy: "solve again before you compute the stiffness",
+        })
+    })
+}
+
 impl RollingSolver {
     /// Returns the derivatives of forces and moment with respect to creepages and spin at the last solution,
     ///
@@ -38,6 +49,9 @@ impl RollingSolver {
     /// one direction, some entries of the matrix are zero. On 64 cells across a sphere the three columns take 90 to 140
     /// products in double precision. A solve after an increase of the creepage by one per cent takes a third to half as
     /// many products.
+    ///
+    /// The matrix requires that neither loads nor friction nor pressure have changed since the last solve. After a change it is
+    /// an error until the next solve.
     ///
     /// ```
     /// # use stickslip::{rolling::RollingProblem, *};
@@ -57,8 +71,10 @@ impl RollingSolver {
     /// ```
     ///
     /// # Errors
-    /// - [`Error::NotConverged`](crate::Error::NotConverged) if the tractions do not reach a relative residual of 1e-10.
-    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
+    /// - [`Error::OutdatedSolution`] if the input has changed since the last solve.
+    /// - [`Error::NotConverged`] if the last solve has not converged, or if the tractions do not reach a relative residual of
+    ///   1e-10.
+    /// - [`Error::Memory`] if memory runs out.
     pub fn stiffness(&mut self) -> Result<[[f64; 3]; 3]> {
         self.stiffness_observed(unwatched)
     }
@@ -72,8 +88,18 @@ impl RollingSolver {
         &mut self,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<[[f64; 3]; 3]> {
+        let engine = &self.engine;
+        check_current(engine.changed.filter(|_| engine.is_warm))?;
+        if engine.is_warm && !engine.report.is_converged() {
+            return Err(Error::NotConverged(Box::new(engine.report.clone())));
+        }
+        self.slopes(&mut observer)
+    }
+
+    /// Returns the stiffness at the last iterate.
+    pub(in crate::rolling) fn slopes(&mut self, observer: Observer<'_>) -> Result<[[f64; 3]; 3]> {
         let mut follow = self.take_follow()?;
-        let found = self.loads(&mut follow, &mut observer);
+        let found = self.loads(&mut follow, observer);
         self.engine.follow = Some(follow);
         Ok(Small(found?).transposed().0)
     }

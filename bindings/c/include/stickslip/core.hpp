@@ -27,11 +27,13 @@ using Stiffness = stickslip_stiffness;
 using StiffnessOptions = stickslip_stiffness_options;
 using Iteration = stickslip_iteration;
 
-/// View of the samples of an array of the caller or of a field of an object, row by row with x fastest.
+/// View of the samples of an array of the caller or of a field of an object, row by row with x fastest. The view does not own
+/// the samples, so it cannot be created from a temporary vector: store the vector first.
 template <class T> class View {
   public:
     View(const T *data, std::size_t size) : data_(data), size_(size) {}
     View(const std::vector<T> &samples) : View(samples.data(), samples.size()) {}
+    View(const std::vector<T> &&) = delete;
 
     const T *data() const { return data_; }
     std::size_t size() const { return size_; }
@@ -46,6 +48,23 @@ template <class T> class View {
 
 using Field = View<double>;
 using Zones = View<std::uint8_t>;
+
+/// Samples that a function reads during its call only. A field, a vector and a temporary vector convert to it.
+class FieldArgument {
+  public:
+    FieldArgument(const double *data, std::size_t size) : data_(data), size_(size) {}
+    FieldArgument(const Field &field) : FieldArgument(field.data(), field.size()) {}
+    FieldArgument(const std::vector<double> &samples) : FieldArgument(samples.data(), samples.size()) {}
+    FieldArgument(const FieldArgument &) = delete;
+    FieldArgument &operator=(const FieldArgument &) = delete;
+
+    const double *data() const { return data_; }
+    std::size_t size() const { return size_; }
+
+  private:
+    const double *data_;
+    std::size_t size_;
+};
 
 /// Failure of a call.
 class Error : public std::runtime_error {

@@ -103,7 +103,7 @@ class CoupledSolver {
   public:
     /// Creates a solver for a gap before loading (lengths). An omitted hardness means no limit of the pressure, an
     /// omitted relative means no relative displacement, and omitted settings mean the defaults.
-    CoupledSolver(const HalfSpace &bodies, Field gap, const stickslip_friction &friction,
+    CoupledSolver(const HalfSpace &bodies, const FieldArgument &gap, const stickslip_friction &friction,
         const stickslip_normal_load &normal, const stickslip_tangential_load &tangential,
         const stickslip_settings *settings = nullptr, const stickslip_relative_displacement *relative = nullptr,
         const stickslip_per_cell *hardness = nullptr)
@@ -116,7 +116,7 @@ class CoupledSolver {
         check(stickslip_coupled_solver_set_load(get(), &normal, &tangential));
     }
     /// Sets the gap before loading of the next solve (lengths).
-    void set_gap(Field gap) { check(stickslip_coupled_solver_set_gap(get(), gap.data(), gap.size())); }
+    void set_gap(const FieldArgument &gap) { check(stickslip_coupled_solver_set_gap(get(), gap.data(), gap.size())); }
     /// Sets the friction of the next solve.
     void set_friction(const stickslip_friction &friction) {
         check(stickslip_coupled_solver_set_friction(get(), &friction));

@@ -50,7 +50,7 @@ class StiffnessWorkspace {
 class History {
   public:
     /// Creates a history for a gap before loading (lengths); the bodies do not touch before the first step.
-    History(const HalfSpace &bodies, Field gap, const stickslip_friction &friction,
+    History(const HalfSpace &bodies, const FieldArgument &gap, const stickslip_friction &friction,
         const stickslip_history_options &options = stickslip_history_options_default())
         : own_(detail::made<Own>([&](auto **out) {
             return stickslip_history_new(bodies.get(), gap.data(), gap.size(), &friction, &options, out);
@@ -82,10 +82,11 @@ class History {
         return result();
     }
     /// Applies a load in steps with equal growth of the contact, as many as a tolerance in (0, 1) requires, and returns
-    /// their number. Contacts of dissimilar bodies must be pressed with this function. It applies the load in 1, 2, 4,
-    /// 8, ... steps from the current state until the change of the tractions is at most the tolerance times the
-    /// friction limits. A tolerance of 0.01 is a good choice. After a failure, for example STICKSLIP_STEP_TOO_LONG, the
-    /// state of the history is unchanged; its last step is the last successful step.
+    /// their number. Press contacts of dissimilar bodies with this function or in several steps: a single step issues a
+    /// warning. The function applies the load in 1, 2, 4, 8, ... steps from the current state until the change of the
+    /// tractions is at most the tolerance times the friction limits. A tolerance of 0.01 is a good choice. After a
+    /// failure, for example STICKSLIP_STEP_TOO_LONG, the state of the history is unchanged. If the call has undone
+    /// steps, the history has no last step until its next step.
     std::size_t press(const stickslip_load_step &load, double tolerance, const Observe &observe = nullptr) {
         std::size_t found{};
         detail::Watch(observe).run([&](const stickslip_observer *observer) {
@@ -95,7 +96,7 @@ class History {
     }
     /// Sets the gap before loading (lengths), for example after wear. The pressure does not change until a step
     /// prescribes a normal load.
-    void set_gap(Field gap) { check(stickslip_history_set_gap(get(), gap.data(), gap.size())); }
+    void set_gap(const FieldArgument &gap) { check(stickslip_history_set_gap(get(), gap.data(), gap.size())); }
     /// Sets the friction of the following steps.
     void set_friction(const stickslip_friction &friction) { check(stickslip_history_set_friction(get(), &friction)); }
     /// Sets the method, the tolerance and the limits of the following steps.
@@ -104,10 +105,12 @@ class History {
     void set_relative_displacement(const stickslip_relative_displacement &pattern) {
         check(stickslip_history_set_relative_displacement(get(), &pattern));
     }
-    /// Returns a history to a saved state of this history or of another history on equal bodies.
+    /// Returns a history to a saved state of this history or of another history on equal bodies. The history then has
+    /// no last step until its next step: functions that use the last step return STICKSLIP_NO_LAST_STEP. In a retry,
+    /// restore the state, take a smaller step, and add this step to the cycle and to the wear.
     void set_state(const State &state);
-    /// Returns the scalar results. Stick ratio, gross slip, energies and creepages describe the last step. They are
-    /// zero before the first step of a history, including a history created from bytes.
+    /// Returns the scalar results. Stick ratio, gross slip, energies and creepages describe the last step. Without a
+    /// last step, has_last_step is zero and these numbers are NaN.
     stickslip_step_result result() const {
         stickslip_step_result found{};
         check(stickslip_history_result(get(), &found));
@@ -120,7 +123,8 @@ class History {
         return found;
     }
     /// Computes the stiffness of the contact after the last step: normal stiffness, and tangential stiffness on loading
-    /// and at reversal. It is the derivative of the last step with respect to the motions at its end.
+    /// and at reversal. It is the derivative of the last step with respect to the motions at its end. Throws
+    /// STICKSLIP_OUTDATED_SOLUTION if the friction limits or the gap have changed since the last step.
     stickslip_stiffness stiffness(const Observe &observe = nullptr) const {
         stickslip_stiffness found{};
         detail::Watch(observe).run([&](const stickslip_observer *observer) {
@@ -154,17 +158,19 @@ class History {
         return found;
     }
     /// Returns the reports of the pressure and the traction of the last step. Their status is STICKSLIP_UNSOLVED if the
-    /// pressure was held, or before the first contact.
+    /// pressure was held, or before the first contact. Throws STICKSLIP_NO_LAST_STEP without a last step.
     std::pair<stickslip_report, stickslip_report> reports() const {
         std::pair<stickslip_report, stickslip_report> found{};
         check(stickslip_history_reports(get(), &found.first, &found.second));
         return found;
     }
-    /// Returns the warnings about the last step.
+    /// Returns the warnings about the last step. Throws STICKSLIP_NO_LAST_STEP without a last step.
     std::vector<stickslip_warning> warnings() const {
         return detail::listed<stickslip_warning>([&](auto... to) { return stickslip_history_warnings(get(), to...); });
     }
-    /// Returns a field, STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH except displacements.
+    /// Returns a field, STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH except displacements. The fields of the last
+    /// step, STICKSLIP_STEP_SLIP_X to STICKSLIP_STEP_MID_DISSIPATED_ENERGY, fail with STICKSLIP_NO_LAST_STEP without a
+    /// last step.
     Field field(std::int32_t which) const {
         return detail::viewed<double>([&](std::size_t *count) { return stickslip_history_field(get(), which, count); });
     }
@@ -183,17 +189,19 @@ class History {
         return found;
     }
     /// Adds to depth (lengths) the depth that Archard's law removes in the last step: coefficient (one over a pressure)
-    /// times pressure times slip. A failure leaves depth unchanged.
+    /// times pressure times slip. A failure leaves depth unchanged, for example STICKSLIP_NO_LAST_STEP after
+    /// History::set_state.
     void wear_archard(const stickslip_per_cell &coefficient, std::vector<double> &depth) const {
         check(stickslip_wear_archard(get(), &coefficient, depth.data(), depth.size()));
     }
     /// Adds to depth the depth that the energy law removes in the last step: coefficient (one over a pressure) times
-    /// the dissipated energy per area.
+    /// the dissipated energy per area. Fails like stickslip_wear_archard.
     void wear_energy(const stickslip_per_cell &coefficient, std::vector<double> &depth) const {
         check(stickslip_wear_energy(get(), &coefficient, depth.data(), depth.size()));
     }
     /// Adds to depth the depth that the energy law with a threshold removes in the last step. Only the part of the
-    /// energy dissipated per area since the start that exceeds the threshold (an energy per area) causes wear.
+    /// energy dissipated per area since the start that exceeds the threshold (an energy per area) causes wear. Fails
+    /// like stickslip_wear_archard.
     void wear_threshold_energy(const stickslip_per_cell &coefficient, double threshold,
         std::vector<double> &depth) const {
         check(stickslip_wear_threshold_energy(get(), &coefficient, threshold, depth.data(), depth.size()));

@@ -90,7 +90,7 @@ class NormalSolver {
   public:
     /// Creates a solver for a gap before loading (lengths) under a load. hardness is the largest pressure that the
     /// cells can carry.
-    NormalSolver(const HalfSpace &bodies, Field gap, const stickslip_normal_load &load,
+    NormalSolver(const HalfSpace &bodies, const FieldArgument &gap, const stickslip_normal_load &load,
         const stickslip_settings *settings = nullptr, const stickslip_per_cell *hardness = nullptr)
         : own_(detail::made<Own>([&](auto **out) {
             return stickslip_normal_solver_new(bodies.get(), gap.data(), gap.size(), &load, hardness, settings, out);
@@ -98,7 +98,7 @@ class NormalSolver {
     /// Sets the load of the next solve.
     void set_load(const stickslip_normal_load &load) { check(stickslip_normal_solver_set_load(get(), &load)); }
     /// Sets the gap before loading of the next solve (lengths).
-    void set_gap(Field gap) { check(stickslip_normal_solver_set_gap(get(), gap.data(), gap.size())); }
+    void set_gap(const FieldArgument &gap) { check(stickslip_normal_solver_set_gap(get(), gap.data(), gap.size())); }
     /// Sets the method, the tolerance and the limits of the next solve.
     void set_settings(const stickslip_settings &settings) {
         check(stickslip_normal_solver_set_settings(get(), &settings));

@@ -29,15 +29,15 @@ class AdaptiveSteps {
             return stickslip_adaptive_steps_new(history.get(), tolerance, out);
         })) {}
     /// Applies a load in as many steps as the tolerance requires, and returns their number. A failure, for example
-    /// STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged, but the last step of the history is then the
-    /// last attempted step.
+    /// STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged. If the call has undone steps, the history
+    /// has no last step until its next step.
     std::size_t step(History &history, const stickslip_load_step &load) {
         std::size_t found{};
         check(stickslip_adaptive_steps_step(get(), history.get(), &load, &found));
         return found;
     }
-    /// Computes the error that History::step would make with a load. The state of the history is unchanged, but the
-    /// last step of the history is then the second half of the trial step.
+    /// Computes the error that History::step would make with a load. The state of the history is unchanged. The history
+    /// then has no last step until its next step.
     stickslip_step_error error(History &history, const stickslip_load_step &load) {
         stickslip_step_error found{};
         check(stickslip_adaptive_steps_error(get(), history.get(), &load, &found));
@@ -60,7 +60,8 @@ class Cycle {
     /// Restarts the cycle at the current state of a history.
     void begin(const History &history) { check(stickslip_cycle_begin(get(), history.get())); }
     /// Adds the last step of the history. Throws STICKSLIP_STEP_ALREADY_COUNTED unless the history has taken a step
-    /// since the last added step or the start of the cycle.
+    /// since the last added step or the start of the cycle. Throws STICKSLIP_NO_LAST_STEP if the state of the history
+    /// was set since its last step.
     void add(const History &history) { check(stickslip_cycle_add(get(), history.get())); }
     /// Returns the scalar results of the cycle.
     stickslip_cycle_result result() const {
@@ -78,7 +79,7 @@ class Cycle {
     /// limits it. depth (lengths) is the depth that the cycle removed from both bodies together. Throws
     /// STICKSLIP_CYCLE_NOT_CLOSED if the cycle does not close, like the first cycle from rest. Throws
     /// STICKSLIP_NEGATIVE_OR_NOT_FINITE for an invalid limit, and STICKSLIP_SAMPLE for an invalid depth.
-    double jump(const HalfSpace &bodies, Field depth,
+    double jump(const HalfSpace &bodies, const FieldArgument &depth,
         const stickslip_jump_limits &limits = stickslip_jump_limits_default()) const {
         double found{};
         check(stickslip_cycle_jump(bodies.get(), get(), depth.data(), depth.size(), &limits, &found));
@@ -96,7 +97,8 @@ class Cycle {
 /// Explicit integration of Archard's law is stable below this number. coefficient (one over a pressure) is the sum of
 /// the wear coefficients of both bodies, and slip_distance (lengths) is the slip distance of one cycle. For the energy
 /// law, coefficient is the wear coefficient times the coefficient of friction. The number is infinite if no cell slips.
-inline double max_stable_cycles(const HalfSpace &bodies, const stickslip_per_cell &coefficient, Field slip_distance) {
+inline double max_stable_cycles(const HalfSpace &bodies, const stickslip_per_cell &coefficient,
+    const FieldArgument &slip_distance) {
     double found{};
     check(stickslip_max_stable_cycles(bodies.get(), &coefficient, slip_distance.data(), slip_distance.size(), &found));
     return found;

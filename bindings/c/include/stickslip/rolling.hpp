@@ -95,8 +95,8 @@ class RollingSolver {
     /// cannot carry, or can carry only by sliding.
     void set_load(const stickslip_rolling_load &load) { check(stickslip_rolling_solver_set_load(get(), &load)); }
     /// Sets the friction of the next solve. Throws STICKSLIP_BEYOND_FRICTION_CAPACITY if the new friction cannot carry
-    /// the current load, or can carry it only by sliding. Until that solve, the stiffness refers to the last solution,
-    /// if there is one.
+    /// the current load, or can carry it only by sliding. Until that solve, the stiffness throws
+    /// STICKSLIP_OUTDATED_SOLUTION.
     void set_friction(const stickslip_friction &friction) {
         check(stickslip_rolling_solver_set_friction(get(), &friction));
     }
@@ -106,11 +106,13 @@ class RollingSolver {
     void set_pressure(const NormalSolution &normal) { check(stickslip_rolling_solver_set_normal(get(), normal.get())); }
     /// Sets the pressure of the next solve to the given values. No gap belongs to these values, so the call throws
     /// STICKSLIP_UNSUPPORTED_BY_MODEL unless the solver uses STICKSLIP_WHOLE_STEP.
-    void set_pressure(Field pressure) {
+    void set_pressure(const FieldArgument &pressure) {
         check(stickslip_rolling_solver_set_pressure(get(), pressure.data(), pressure.size()));
     }
     /// Sets the normal solver that computes the pressure of a new normal load. The solver is copied with its gap,
-    /// hardness and settings.
+    /// hardness and settings. This call does not change the pressure. RollingSolver::set_normal_load solves for the
+    /// pressure over the gap of the normal solver, which may differ from the gap of the present pressure. Grid,
+    /// boundary, cell values and materials must be equal. The normal solver need not have solved before.
     void set_normal_solver(const NormalSolver &normal) {
         check(stickslip_rolling_solver_set_normal_solver(get(), normal.get()));
     }
@@ -152,7 +154,8 @@ class RollingSolver {
     }
     /// Computes the derivatives of the loads at the last solution. Stick cells follow the motion, and slip cells remain
     /// at their friction limits. Before the first solve all cells stick, and the derivatives are Kalker's coefficients
-    /// times G a b and powers of the length (a b)^(1/2).
+    /// times G a b and powers of the length (a b)^(1/2). Throws STICKSLIP_OUTDATED_SOLUTION if a load, the pressure or
+    /// the friction has changed since the last solve, and STICKSLIP_NOT_CONVERGED if that solve has not converged.
     stickslip_rolling_stiffness stiffness(const Observe &observe = nullptr) {
         stickslip_rolling_stiffness found{};
         detail::Watch(observe).run([&](const stickslip_observer *observer) {
@@ -162,7 +165,8 @@ class RollingSolver {
     }
     /// Computes the loads at points. Each solve starts from the solution of the previous point, so consecutive points
     /// should be close to each other. All points are checked before the first solve. Afterwards the last point is the
-    /// prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load.
+    /// prescribed load. After STICKSLIP_NOT_CONVERGED the failed point is the prescribed load. forces then contains the
+    /// points solved before, whose number is the member found of stickslip_last_error; its other entries are unchanged.
     std::vector<stickslip_creep_force> creep_forces(const std::vector<stickslip_creep_point> &points,
         const Observe &observe = nullptr) {
         std::vector<stickslip_creep_force> forces(points.size());
@@ -249,7 +253,7 @@ class CoupledRollingSolver {
     /// Creates a solver for a gap before loading (lengths) under a normal load. An omitted load means no creepage and
     /// no spin, and omitted options mean the defaults. For the extent of the grid ahead of the contact, see
     /// RollingSolver; here the solve throws STICKSLIP_GRID_TOO_SHORT.
-    CoupledRollingSolver(const HalfSpace &bodies, Field gap, const stickslip_friction &friction,
+    CoupledRollingSolver(const HalfSpace &bodies, const FieldArgument &gap, const stickslip_friction &friction,
         const stickslip_normal_load &normal, const stickslip_rolling_load &load = {},
         const stickslip_rolling_options *options = nullptr)
         : own_(detail::made<Own>([&](auto **out) {
@@ -265,7 +269,9 @@ class CoupledRollingSolver {
         check(stickslip_coupled_rolling_solver_set_load(get(), &load));
     }
     /// Sets the gap before loading of the next solve (lengths).
-    void set_gap(Field gap) { check(stickslip_coupled_rolling_solver_set_gap(get(), gap.data(), gap.size())); }
+    void set_gap(const FieldArgument &gap) {
+        check(stickslip_coupled_rolling_solver_set_gap(get(), gap.data(), gap.size()));
+    }
     /// Sets the friction of the next solve.
     void set_friction(const stickslip_friction &friction) {
         check(stickslip_coupled_rolling_solver_set_friction(get(), &friction));
@@ -295,7 +301,8 @@ class CoupledRollingSolver {
         });
     }
     /// Computes the derivatives of the loads at the last solution, including the change of the pressure with the
-    /// tractions. Throws STICKSLIP_NOT_CONVERGED before the first solve.
+    /// tractions. Throws STICKSLIP_NOT_CONVERGED before the first solve or after a solve that has not converged, and
+    /// STICKSLIP_OUTDATED_SOLUTION if a load, the gap or the friction has changed since the last solve.
     stickslip_rolling_stiffness stiffness(const Observe &observe = nullptr) {
         stickslip_rolling_stiffness found{};
         detail::Watch(observe).run([&](const stickslip_observer *observer) {

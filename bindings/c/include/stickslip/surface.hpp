@@ -27,7 +27,7 @@ inline std::vector<double> self_affine(const Grid &grid, const SelfAffine &surfa
 }
 
 /// Returns the statistics of heights.
-inline Statistics statistics(const Grid &grid, Field heights) {
+inline Statistics statistics(const Grid &grid, const FieldArgument &heights) {
     Statistics found{};
     check(stickslip_surface_statistics(&grid, heights.data(), heights.size(), &found));
     return found;

@@ -108,7 +108,7 @@ class TangentialSolver {
             return stickslip_tangential_solver_new(bodies.get(), normal.get(), &friction, &load, options, out);
         })) {}
     /// Creates a solver under a given pressure.
-    TangentialSolver(const HalfSpace &bodies, Field pressure, const stickslip_friction &friction,
+    TangentialSolver(const HalfSpace &bodies, const FieldArgument &pressure, const stickslip_friction &friction,
         const stickslip_tangential_load &load, const stickslip_tangential_options *options = nullptr)
         : own_(detail::made<Own>([&](auto **out) {
             return stickslip_tangential_solver_new_under(bodies.get(), pressure.data(), pressure.size(), &friction,
@@ -125,7 +125,7 @@ class TangentialSolver {
         check(stickslip_tangential_solver_set_normal(get(), normal.get()));
     }
     /// Sets the pressure of the next solve to the given values.
-    void set_pressure(Field pressure) {
+    void set_pressure(const FieldArgument &pressure) {
         check(stickslip_tangential_solver_set_pressure(get(), pressure.data(), pressure.size()));
     }
     /// Sets the relative displacement of the next solve.

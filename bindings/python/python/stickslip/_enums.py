@@ -106,7 +106,8 @@ class Status(_Name):
 class EigenvalueBound(_Name):
     """Origin of the bound on the smallest eigenvalue of an operator, on which the certified error depends.
 
-    "proven": a lower bound, computed for the operators of this package or stated for a user-defined operator.
+    "proven": a lower bound, computed for the operators of this package. "stated": the lower bound that the caller gives
+    with a user-defined operator, which is not checked.
     "estimated": an estimate on the safe side, for stiff coatings on long grids. "unknown": no bound is available. The
     error bound, the square root of the duality gap of the problem, then decreases only with the square root of the
     residual.
@@ -114,6 +115,7 @@ class EigenvalueBound(_Name):
 
     UNKNOWN = "unknown"
     ESTIMATED = "estimated"
+    STATED = "stated"
     PROVEN = "proven"
 
 

@@ -6,9 +6,12 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 if TYPE_CHECKING:
     from . import Iteration
     from .adaptive import GridRecord
+    from .rolling import CreepForce
 
 
 def _tqdm(**options: Any) -> Any:
@@ -24,8 +27,8 @@ class _Bar:
 
     unit: str
 
-    def __init__(self) -> None:
-        self._bar = _tqdm(unit=self.unit)
+    def __init__(self, total: int | None = None) -> None:
+        self._bar = _tqdm(unit=self.unit, total=total)
 
     def close(self) -> None:
         self._bar.close()
@@ -52,6 +55,20 @@ def cycle_bar(cycles: int, done: int, is_shown: bool) -> Iterator[Callable[[int]
         yield bar.update
     finally:
         bar.close()
+
+
+class PointBar(_Bar):
+    """Progress bar that shows the solved points of a creep curve."""
+
+    unit = " points"
+
+    def __call__(self, point: CreepForce) -> None:
+        self._bar.update(1)
+
+
+def is_stop(answer: object) -> bool:
+    """Returns whether a callback returned ``False``, which ends the call. ``None`` and all other values continue it."""
+    return isinstance(answer, (bool, np.bool_)) and not answer
 
 
 class GridBar(_Bar):

@@ -268,8 +268,9 @@ class AdaptiveProblem:
         Parameters
         ----------
         progress : callable or bool, optional
-            A function that is called with a :class:`GridRecord` after the solve on each grid; an exception in it ends the
-            solve. ``True`` shows a progress bar of tqdm.
+            A function that is called with a :class:`GridRecord` after the solve on each grid. If it returns ``False``, the
+            solve ends with the solution on this grid and the status "cancelled". An exception in the function ends the solve.
+            ``True`` shows a progress bar of tqdm.
         warn : bool, default True
             Whether the warnings of the solution are also issued through ``warnings``, each kind once per location.
 
@@ -439,13 +440,13 @@ class AdaptiveSteps:
     def __repr__(self, /) -> str: ...
     def error(self, /, history: History, load: LoadStep) -> StepErrorEstimate:
         """
-        Returns the error of a single step with this load. The state of the history is unchanged afterwards, except for
-        its last step.
+        Returns the error of a single step with this load. The state of the history is unchanged afterwards. The history then
+        has no last step until its next step.
         """
     def step(self, /, history: History, load: LoadStep, *, cycle: Cycle | None = None, warn: bool = True) -> int:
         """
         Applies a load in as many steps as the tolerance requires, and returns the number of steps. Ctrl-C takes effect
-        after the current part; the state of the history is then unchanged, except for its last step.
+        after the current part. The state of the history is then unchanged, but it has no last step until its next step.
 
         Parameters
         ----------
@@ -521,7 +522,8 @@ class Autocorrelation:
         """
     def to_dict(self, /) -> dict[str, Any]:
         """
-        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``.
+        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``. The numbers of
+        an object with the same method have its name as the prefix.
         """
     def to_series(self, /) -> Any:
         """
@@ -1126,8 +1128,8 @@ class ContactSpots:
         """
     def to_dict(self, /) -> dict[str, Any]:
         """
-        Returns arrays by name, with one entry per element; a pair (x, y) becomes two arrays with the endings ``_x``
-        and ``_y``.
+        Returns arrays by name, with one entry per element; a vector becomes one array per component with the endings
+        ``_x``, ``_y`` and ``_z``, and stresses have endings such as ``_xx``.
         """
     def to_frame(self, /) -> Any:
         """
@@ -1313,6 +1315,15 @@ class CoupledReport:
         """
         Report of the steps and products with the tangential part alone.
         """
+    def to_dict(self, /) -> dict[str, Any]:
+        """
+        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``. The numbers of
+        an object with the same method have its name as the prefix.
+        """
+    def to_series(self, /) -> Any:
+        """
+        Returns the numbers of :meth:`to_dict` as a :class:`pandas.Series` (requires pandas).
+        """
     @property
     def traction_error_bound(self, /) -> float:
         """
@@ -1430,6 +1441,15 @@ class CoupledRollingReport:
         """
         Report of the steps and products for the tractions.
         """
+    def to_dict(self, /) -> dict[str, Any]:
+        """
+        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``. The numbers of
+        an object with the same method have its name as the prefix.
+        """
+    def to_series(self, /) -> Any:
+        """
+        Returns the numbers of :meth:`to_dict` as a :class:`pandas.Series` (requires pandas).
+        """
     @property
     def traction_error_bound(self, /) -> float:
         """
@@ -1535,8 +1555,10 @@ class CoupledRollingSolver:
 
         Raises
         ------
+        OutdatedSolution
+            If a load, the gap or the friction has changed since the last solve.
         NotConverged
-            Before the first solve, or if the solve of a column does not converge.
+            Before the first solve, if it has not converged, or if the solve of a column does not converge.
         """
 
 @final
@@ -1701,8 +1723,8 @@ class CreepForces:
         """
     def to_dict(self, /) -> dict[str, Any]:
         """
-        Returns arrays by name, with one entry per element; a pair (x, y) becomes two arrays with the endings ``_x``
-        and ``_y``.
+        Returns arrays by name, with one entry per element; a vector becomes one array per component with the endings
+        ``_x``, ``_y`` and ``_z``, and stresses have endings such as ``_xx``.
         """
     def to_frame(self, /) -> Any:
         """
@@ -1730,6 +1752,14 @@ class Cycle:
     def add(self, /, history: History) -> None:
         """
         Adds the last step of the history; call it once after each step.
+
+        Raises
+        ------
+        NoLastStep
+            If the history has taken no step since it was created or since :meth:`History.set_state`.
+        StepAlreadyCounted
+            If the step has already been added, or is not later than the start of the cycle.
+        GridMismatch
         """
     def begin(self, /, history: History) -> None:
         """
@@ -2139,7 +2169,8 @@ class EnergyBalance:
         """
     def to_dict(self, /) -> dict[str, Any]:
         """
-        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``.
+        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``. The numbers of
+        an object with the same method have its name as the prefix.
         """
     def to_series(self, /) -> Any:
         """
@@ -2167,6 +2198,15 @@ class ErrorEstimate:
     def pressure(self, /) -> float:
         """
         Estimated error of the pressure.
+        """
+    def to_dict(self, /) -> dict[str, Any]:
+        """
+        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``. The numbers of
+        an object with the same method have its name as the prefix.
+        """
+    def to_series(self, /) -> Any:
+        """
+        Returns the numbers of :meth:`to_dict` as a :class:`pandas.Series` (requires pandas).
         """
     @property
     def traction(self, /) -> float:
@@ -3126,7 +3166,8 @@ class History:
     @property
     def last_step(self, /) -> StepResult:
         """
-        Result of the last step.
+        Result of the last step, which led to the present state. Raises ``NoLastStep`` before the first step, after
+        :meth:`set_state`, and after a restart.
         """
     @staticmethod
     def load(bodies: HalfSpace, path: str | PathLike[str]) -> History:
@@ -3145,13 +3186,13 @@ class History:
         """
     def press(self, /, load: LoadStep | None = None, *, tolerance: float, normal_force: float | None = None, approach: float | None = None, progress: Any | None = None, warn: bool = True) -> int:
         """
-        Applies a load in steps with equal growth of the contact, as many as a tolerance requires. A contact of
-        dissimilar bodies must be pressed in this way, because the stick and slip zones depend on the growth of the
-        contact.
+        Applies a load in steps with equal growth of the contact, as many as a tolerance requires. Press a contact of
+        dissimilar bodies in this way or in several steps, because the stick and slip zones depend on the growth of the
+        contact. A single step issues a warning.
 
         The load is applied in 1, 2, 4, 8, ... steps from the present state, until the tractions differ from the tractions
         for half the number of steps by no more than the tolerance. A call that fails, or that is interrupted by Ctrl-C,
-        leaves the state unchanged; the last step is then the last step that succeeded.
+        leaves the state unchanged. The history then has no last step until its next step.
 
         Parameters
         ----------
@@ -3190,7 +3231,7 @@ class History:
         """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
-        Sets the friction of later steps.
+        Sets the friction of later steps. Until the next step, :meth:`stiffness` raises ``OutdatedSolution``.
         """
     def set_gap(self, /, gap: Field | ArrayLike) -> None:
         """
@@ -3203,6 +3244,9 @@ class History:
     def set_state(self, /, state: State) -> None:
         """
         Restores a state of this history or of a history on equal bodies.
+
+        The history then has no :attr:`last_step` until its next step. Until then, :meth:`Cycle.add` raises ``NoLastStep``. In a
+        retry, restore the state, take a smaller step, and add this step to the cycle.
         """
     @property
     def settings(self, /) -> Settings:
@@ -3233,8 +3277,8 @@ class History:
     def step(self, /, load: LoadStep | None = None, *, normal_force: float | None = None, approach: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, relative_displacement: float | None = None, roll: Rolling | None = None, progress: Any | None = None, warn: bool = True) -> StepResult:
         """
         Takes a step, given as a :class:`LoadStep` or by its keywords. A quantity without a keyword is held: the
-        pressure, the shift, the twist and the relative displacement. Dissimilar bodies must be pressed by
-        :meth:`press`.
+        pressure, the shift, the twist and the relative displacement. Any history can be pressed by a step. For dissimilar
+        bodies, whose stick zone depends on the growth of the contact, :meth:`press` is more accurate than a single step.
 
         A step without a tangential load holds the shift, not the tangential force. The force decreases if a lower
         pressure or less friction cannot carry it. To keep the force constant, prescribe it in each step.
@@ -3282,6 +3326,8 @@ class History:
         Raises
         ------
         Length
+        ValueError
+            If a history is listed twice.
         """
     @property
     def steps(self, /) -> int:
@@ -3299,6 +3345,13 @@ class History:
             present state. Otherwise they are derivatives of the last step. In the next step, all stick cells resist
             fully, including cells that came into contact in the last step, and cells at their limit continue to slip. A
             simulation that continues to shear the contact under the same normal load needs these derivatives.
+
+        Raises
+        ------
+        OutdatedSolution
+            If the friction limits or the gap have changed since the last step. Take a step first, with a normal load after a
+            change of the gap.
+        NotConverged
         """
     @property
     def tangential_force(self, /) -> tuple[float, float]:
@@ -3696,8 +3749,8 @@ class LinearOperator:
     @property
     def eigenvalue_bound(self, /) -> EigenvalueBound:
         """
-        Origin of the lower bound: "proven", "estimated" (stiff coatings on long grids), or "unknown", in which case the
-        bound is zero.
+        Origin of the lower bound: "proven", "stated" (by a user-defined operator), "estimated" (stiff coatings on long
+        grids), or "unknown", in which case the bound is zero.
         """
     @property
     def lower_bound(self, /) -> float:
@@ -3882,8 +3935,8 @@ class LoopPoints:
         """
     def to_dict(self, /) -> dict[str, Any]:
         """
-        Returns arrays by name, with one entry per element; a pair (x, y) becomes two arrays with the endings ``_x``
-        and ``_y``.
+        Returns arrays by name, with one entry per element; a vector becomes one array per component with the endings
+        ``_x``, ``_y`` and ``_z``, and stresses have endings such as ``_xx``.
         """
     def to_frame(self, /) -> Any:
         """
@@ -4156,7 +4209,8 @@ class MaterialRatio:
         """
     def to_dict(self, /) -> dict[str, Any]:
         """
-        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``.
+        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``. The numbers of
+        an object with the same method have its name as the prefix.
         """
     def to_series(self, /) -> Any:
         """
@@ -4478,8 +4532,9 @@ class NormalProblem:
         Parameters
         ----------
         progress : callable or bool, optional
-            A function that is called with an :class:`Iteration` before each product; an exception in it ends the solve.
-            ``True`` shows a progress bar of tqdm.
+            A function that is called with an :class:`Iteration` before each product. If it returns ``False``, the solve is
+            cancelled and raises ``NotConverged``, whose report has the status "cancelled". All other results, such as ``None``,
+            continue the solve, and an exception in the function ends it. ``True`` shows a progress bar of tqdm.
         warn : bool, default True
             Whether the warnings of the solution are also issued through ``warnings``, each kind once per location.
 
@@ -5256,8 +5311,8 @@ class Report:
     @property
     def eigenvalue_bound(self, /) -> EigenvalueBound:
         """
-        Origin of the bound on the smallest eigenvalue that :attr:`duality_gap` depends on: "proven"; "estimated", on the
-        safe side, for stiff coatings on long grids; or "unknown". If it is "unknown", the error bound, the square root of
+        Origin of the bound on the smallest eigenvalue that :attr:`duality_gap` depends on: "proven"; "stated", given by the
+        caller with a user-defined operator; "estimated", on the safe side, for stiff coatings on long grids; or "unknown". If it is "unknown", the error bound, the square root of
         the duality gap of the problem, decreases only with the square root of the residual.
         """
     @property
@@ -5314,7 +5369,8 @@ class Report:
         """
     def to_dict(self, /) -> dict[str, Any]:
         """
-        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``.
+        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``. The numbers of
+        an object with the same method have its name as the prefix.
         """
     def to_series(self, /) -> Any:
         """
@@ -5378,6 +5434,15 @@ class PointResults:
     def shear_stress(self, /) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64]]:
         """
         Components xy, xz and yz (pressures).
+        """
+    def to_dict(self, /) -> dict[str, Any]:
+        """
+        Returns arrays by name, with one entry per element; a vector becomes one array per component with the endings
+        ``_x``, ``_y`` and ``_z``, and stresses have endings such as ``_xx``.
+        """
+    def to_frame(self, /) -> Any:
+        """
+        Returns the arrays of :meth:`to_dict` as columns of a :class:`pandas.DataFrame` (requires pandas).
         """
     @property
     def von_mises(self, /) -> NDArray[float64]:
@@ -5597,13 +5662,17 @@ class RollingSolver:
         solution of the previous point. The last point remains prescribed. All points are checked before the first solve.
         After Ctrl-C, the point whose solve was ended remains prescribed.
 
+        Any exception after the first solve has the attribute ``partial`` with the :class:`CreepForces` of the points solved
+        before, also ``KeyboardInterrupt``.
+
         Parameters
         ----------
         points : array_like of shape (n, 3)
             Points ``(creepage_x, creepage_y, spin)`` (dimensionless, dimensionless, one over a length). Consecutive
             points should be close to each other.
-        progress : optional
-            See :meth:`NormalProblem.solve`.
+        progress : callable or bool, optional
+            A function that is called with the :class:`CreepForce` of each solved point. It ends the call by returning
+            ``False``, as in :meth:`NormalProblem.solve`. ``True`` shows a progress bar of the points.
 
         Returns
         -------
@@ -5615,7 +5684,7 @@ class RollingSolver:
         NotFinite, UnsupportedByModel
             If any of the points is invalid; the solver is then unchanged.
         NotConverged
-            At the first point that fails, which remains prescribed.
+            At the first point that fails or is cancelled, which remains prescribed.
         """
     @property
     def friction_capacity(self, /) -> float:
@@ -5656,6 +5725,14 @@ class RollingSolver:
         """
         Sets the normal solver that computes the pressure for a new load. The solver is copied, with its gap, hardness and
         settings.
+
+        This call does not change the pressure. :meth:`set_load` solves for the pressure over the gap of ``solver``, which
+        therefore need not have solved before. Its gap may differ from that of the present pressure, for example after wear.
+        Grid, boundary, cell values and materials must be equal.
+
+        Raises
+        ------
+        GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch
         """
     def set_pressure(self, /, pressure: NormalSolution | Field | ArrayLike) -> None:
         """
@@ -5704,6 +5781,13 @@ class RollingSolver:
         the moment each add a factor of length. Stick cells follow the change and slip cells remain at their limits.
         Before the first solve, all cells stick, and the entries are Kalker's coefficients times G a b and powers of a
         length.
+
+        Raises
+        ------
+        OutdatedSolution
+            If a load, the pressure or the friction has changed since the last solve.
+        NotConverged
+            If the last solve has not converged, or if a column does not converge.
         """
 
 @final
@@ -6062,7 +6146,8 @@ class Spot:
         """
     def to_dict(self, /) -> dict[str, Any]:
         """
-        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``.
+        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``. The numbers of
+        an object with the same method have its name as the prefix.
         """
     def to_series(self, /) -> Any:
         """
@@ -6137,6 +6222,11 @@ class State:
     def hardness(self, /) -> Hardness | None:
         """
         The largest pressure of the cells; ``None`` if it is not limited.
+        """
+    @property
+    def is_friction_new(self, /) -> bool:
+        """
+        Whether the friction limits in the contact have changed since the last step.
         """
     @property
     def is_pressure_stale(self, /) -> bool:
@@ -6365,7 +6455,8 @@ class Statistics:
         """
     def to_dict(self, /) -> dict[str, Any]:
         """
-        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``.
+        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``. The numbers of
+        an object with the same method have its name as the prefix.
         """
     def to_series(self, /) -> Any:
         """
@@ -6406,8 +6497,8 @@ class StepErrorEstimate:
 class StepResult:
     """
     Results of a step of a history: numbers and fields. The fields are available as long as the step is the last step of
-    the history, even if a later step fails. A failed attempt of :class:`AdaptiveSteps`, however, replaces the last
-    step. :meth:`keep` copies the fields permanently. Vectors are (x, y).
+    the history, even if a later step fails. A restored state and a failed attempt of :class:`AdaptiveSteps` end this time.
+    The method :meth:`keep` copies the fields permanently. Vectors are (x, y).
     """
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...

@@ -8,13 +8,23 @@ from typing import Any
 import numpy as np
 
 
+# Components of tuples that are not vectors.
+PARTS = {
+    "normal_stress": ("xx", "yy", "zz"),
+    "shear_stress": ("xy", "xz", "yz"),
+    "error_bounds": ("pressure", "traction"),
+}
+
+
 def record(target: object, names: Iterable[str]) -> dict[str, Any]:
-    """Returns attributes by name; a pair (x, y) becomes two entries."""
+    """Returns attributes by name; the components of a tuple, and the entries of an object with ``to_dict``, become entries."""
     values: dict[str, Any] = {}
     for name in names:
         value = getattr(target, name)
         if isinstance(value, tuple):
-            values |= {f"{name}_{axis}": part for axis, part in zip("xy", value)}
+            values |= {f"{name}_{part}": number for part, number in zip(PARTS.get(name, "xyz"), value)}
+        elif hasattr(value, "to_dict"):
+            values |= {f"{name}_{key}": number for key, number in value.to_dict().items()}
         else:
             values[name] = value
     return values

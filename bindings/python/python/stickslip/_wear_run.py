@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import os
 from collections.abc import Callable
 from dataclasses import dataclass, fields
@@ -11,10 +12,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ._enums import WearEnding
-from ._progress import cycle_bar
+from ._progress import cycle_bar, is_stop
 from ._stickslip import CycleJump, Cycle, Field, HalfSpace, History, State, archard, energy
 from ._tables import to_frame
-from .errors import ArgumentRange
+from .errors import ArgumentRange, EmptyContact, SnapshotMismatch
 
 if TYPE_CHECKING:
     from .history import FrettingLoop
@@ -122,6 +123,10 @@ class WearSnapshot:
     """Energy dissipated so far, including the cycles jumped over."""
     rows: tuple[tuple[float, ...], ...]
     """Entries of :class:`WearHistory`."""
+    law: str
+    """The wear law, in words. A run resumes with the same law only."""
+    loop: str
+    """The steps of the cycle, in words. A run resumes with the same steps only."""
 
     @property
     def history(self) -> WearHistory:
@@ -139,6 +144,8 @@ class WearSnapshot:
                 depth=self.depth,
                 dissipated_energy=self.dissipated_energy,
                 rows=np.array(self.rows, dtype=float),
+                law=self.law,
+                loop=self.loop,
             )
         os.replace(partial, path)
 
@@ -152,6 +159,8 @@ class WearSnapshot:
                 file["depth"],
                 float(file["dissipated_energy"]),
                 tuple(tuple(map(float, row)) for row in file["rows"]),
+                str(file["law"]),
+                str(file["loop"]),
             )
 
     def restored(self, bodies: HalfSpace) -> History:
@@ -219,7 +228,7 @@ def run(
     Parameters
     ----------
     history : History
-        A history that has been pressed. Its gap is worn, and it ends in the state of the result.
+        A history that is in contact. Its gap is worn, and it ends in the state of the result.
     loop : FrettingLoop
         The steps of a cycle. Every step must prescribe the normal load, because the gap changes. ``until_steady`` has no
         effect; ``max_residual`` replaces it.
@@ -227,7 +236,7 @@ def run(
         A function of history and cycle that returns the depth that the cycle removes in each cell (lengths, not negative),
         such as :class:`EnergyLaw` or :class:`ArchardLaw`. The depth of a jump is this depth times the number of cycles.
     cycles : int
-        Number of cycles, including those of ``resume``.
+        Number of cycles, including those of ``resume``, which must not exceed it.
     max_depth : float, optional
         The run ends when the largest depth removed since the start has reached this value (a length). The last jump is
         shortened to whole cycles, and exceeds the value by less than the depth of one cycle.
@@ -243,10 +252,13 @@ def run(
     snapshot_every : int, optional
         Number of cycles after which a snapshot is added to :attr:`WearResult.snapshots`, at the next end of a jump.
     progress : callable or bool, optional
-        A function that is called after each jump with a :class:`WearSnapshot`, and stops the run by returning ``False``.
+        A function that is called after each jump with a :class:`WearSnapshot`. The run ends with the status "stopped" if the
+        function returns ``False``.
         ``True`` shows a progress bar of the cycles (requires tqdm).
     resume : WearSnapshot, optional
-        A snapshot from which the run continues. The state of the history is replaced by that of the snapshot.
+        A snapshot from which the run continues. The state of the history is replaced by that of the snapshot. The law and the
+        steps of the loop must be those of the snapshot. The limits, such as ``largest_depth`` and ``settling``, may differ.
+        Laws other than :class:`EnergyLaw` and :class:`ArchardLaw` are compared by their names only.
 
     Returns
     -------
@@ -255,7 +267,12 @@ def run(
     Raises
     ------
     ArgumentRange
-        If the number of cycles, ``settling``, ``largest_jump`` or ``snapshot_every`` is out of range.
+        If the number of cycles, ``settling``, ``largest_jump`` or ``snapshot_every`` is out of range, or if the snapshot
+        contains more cycles.
+    EmptyContact
+        If the history is not in contact, for example because it has not been pressed.
+    SnapshotMismatch
+        If the law or the steps of the loop differ from those of the snapshot.
     CycleNotClosed
         If no cycle closed among the cycles computed on a gap.
     NoWholeCycle
@@ -284,10 +301,13 @@ def run(
         error = ArgumentRange(f"max_depth must not be negative, got {max_depth}")
         error.argument = "max_depth"
         raise error
+    given = {"law": _law_in_words(law), "loop": _loop_in_words(loop)}
     if resume is None:
+        _check_contact(history.contact)
         done, rows, total_energy = 0, [], 0.0
         depth = np.zeros(history.grid.shape)
     else:
+        _check_resume(resume, cycles, given)
         history.set_state(resume.state)
         done, rows, total_energy = resume.cycles, list(resume.rows), resume.dissipated_energy
         depth = resume.depth.copy()
@@ -296,7 +316,7 @@ def run(
             rows.pop()
     cycle = Cycle(history)
     snapshots: list[WearSnapshot] = []
-    snapshot = WearSnapshot(history.state(), done, depth, total_energy, tuple(rows))
+    snapshot = WearSnapshot(history.state(), done, depth, total_energy, tuple(rows), **given)
     with cycle_bar(cycles, done, progress is True) as bar:
         try:
             while True:
@@ -306,7 +326,7 @@ def run(
                 if done >= cycles or is_worn_out:
                     ending = WearEnding.DEPTH if is_worn_out else WearEnding.CYCLE_LIMIT
                     rows.append(row)
-                    snapshot = WearSnapshot(history.state(), done, depth, total_energy, tuple(rows))
+                    snapshot = WearSnapshot(history.state(), done, depth, total_energy, tuple(rows), **given)
                     return WearResult(ending, cycle, snapshot, tuple(snapshots))
                 of_cycle = np.asarray(law(history, cycle), dtype=float)
                 left = min(cycles - done, largest_jump or cycles, _until_depth(max_depth, depth, of_cycle, cycles))
@@ -319,11 +339,11 @@ def run(
                 done += jump
                 total_energy += jump * cycle.energy.dissipated_energy
                 rows.append((row[0], float(jump), *row[2:]))
-                snapshot = WearSnapshot(history.state(), done, depth, total_energy, tuple(rows))
+                snapshot = WearSnapshot(history.state(), done, depth, total_energy, tuple(rows), **given)
                 if snapshot_every is not None and done // snapshot_every > (done - jump) // snapshot_every:
                     snapshots.append(snapshot)
                 bar(jump)
-                if callable(progress) and progress(snapshot) is False:
+                if callable(progress) and is_stop(progress(snapshot)):
                     return WearResult(WearEnding.STOPPED, cycle, snapshot, tuple(snapshots))
         except BaseException as error:
             history.set_state(snapshot.state)
@@ -340,6 +360,50 @@ def _check(cycles: int, settling: int, largest_jump: int | None, snapshot_every:
             error = ArgumentRange(f"{name} must be a whole number of at least {smallest}, got {value}")
             error.argument = name
             raise error
+
+
+def _check_contact(contact: NDArray[Any]) -> None:
+    if not contact.any():
+        raise EmptyContact("the history is not in contact: press it by a step with a normal load before the run")
+
+
+def _check_resume(resume: WearSnapshot, cycles: int, given: dict[str, str]) -> None:
+    if cycles < resume.cycles:
+        range_error = ArgumentRange(
+            f"cycles must be at least {resume.cycles}, the number of cycles of the snapshot, got {cycles}"
+        )
+        range_error.argument = "cycles"
+        raise range_error
+    for name, found in given.items():
+        expected = getattr(resume, name)
+        if found != expected:
+            mismatch = SnapshotMismatch(
+                f"the {name} of the snapshot is {expected}, got {found}: "
+                f"resume with the same {name}, or start a new run from resume.restored(bodies)"
+            )
+            mismatch.argument = name
+            raise mismatch
+    _check_contact(resume.state.contact)
+
+
+def _law_in_words(law: Callable[[History, Cycle], ArrayLike]) -> str:
+    if not isinstance(law, (EnergyLaw, ArchardLaw)):
+        named = law if hasattr(law, "__qualname__") else type(law)
+        return f"{named.__module__}.{named.__qualname__}"
+    coefficient = np.asarray(law.coefficient, dtype=float)
+    text = repr(float(coefficient)) if coefficient.ndim == 0 else f"array of digest {_digest(coefficient.tobytes())}"
+    return f"{type(law).__name__}(coefficient={text})"
+
+
+def _loop_in_words(loop: FrettingLoop) -> str:
+    """Returns the number of steps, and a digest of the path and of the loads along it."""
+    values = loop._path.cycles(1)
+    loads = "".join(repr(loop._load(value)) for value in values)
+    return f"{len(values)} steps of digest {_digest(np.asarray(values, dtype=float).tobytes() + loads.encode())}"
+
+
+def _digest(content: bytes) -> str:
+    return hashlib.sha256(content).hexdigest()[:16]
 
 
 def _settle(history: History, loop: FrettingLoop, cycle: Cycle, settling: int, max_residual: float) -> int:

@@ -564,6 +564,31 @@ class StepAlreadyCounted(StickslipError, ValueError):
     """The number of the last step that the cycle contains or starts after."""
 
 
+class NoLastStep(StickslipError, ValueError):
+    """The result of the last step was requested, but no step led to the present state of the history.
+
+    The history is new, or its state was set: make a step after ``set_state``, ``from_state`` or ``from_bytes``.
+    """
+
+
+class OutdatedSolution(StickslipError, ValueError):
+    """A stiffness was requested after a change of the input, to which the last solution does not belong."""
+
+    quantity: str
+    """The requested quantity, in words."""
+    changed: str
+    """The changed input, in words."""
+    remedy: str
+    """The remedy, in words."""
+
+
+class SnapshotMismatch(StickslipError, ValueError):
+    """A run of wear resumes with another law or another loop than the run of its snapshot."""
+
+    argument: str
+    """Name of the argument that differs."""
+
+
 class CycleNotClosed(StickslipError):
     """A cycle that does not close cannot represent the following cycles."""
 

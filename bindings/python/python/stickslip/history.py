@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from . import wear
 from ._enums import LeadingEdge, StopReason, Regime, EntryRule
-from ._progress import cycle_bar
+from ._progress import cycle_bar, is_stop
 from ._remarks import warn
 from ._stickslip import (
     AdaptiveSteps,
@@ -144,7 +144,7 @@ class FrettingLoop:
                 if not self._pass(history, last, observer):
                     return FrettingResult(done - 1, StopReason.STOPPED, last)
                 bar(1)
-                is_stopped = callable(progress) and progress(done, last) is False
+                is_stopped = callable(progress) and is_stop(progress(done, last))
                 if self._until_steady is not None and last.cyclic_residual <= self._until_steady:
                     return FrettingResult(done, StopReason.STEADY, last)
                 if is_stopped:
@@ -163,7 +163,7 @@ class FrettingLoop:
         for value in self._path.cycles(1):
             history.step(self._load(value), warn=False)
             cycle.add(history)
-            if observer is not None and observer(history, cycle) is False:
+            if observer is not None and is_stop(observer(history, cycle)):
                 return False
         # Only warnings of the whole cycle are issued: after a reversal, the first slip ring is narrow but unimportant.
         warn([(remark.kind, remark.message) for remark in cycle.warnings])

@@ -252,8 +252,9 @@ impl AdaptiveProblem {
     /// Parameters
     /// ----------
     /// progress : callable or bool, optional
-    ///     A function that is called with a :class:`GridRecord` after the solve on each grid; an exception in it ends the
-    ///     solve. ``True`` shows a progress bar of tqdm.
+    ///     A function that is called with a :class:`GridRecord` after the solve on each grid. If it returns ``False``, the
+    ///     solve ends with the solution on this grid and the status "cancelled". An exception in the function ends the solve.
+    ///     ``True`` shows a progress bar of tqdm.
     /// warn : bool, default True
     ///     Whether the warnings of the solution are also issued through ``warnings``, each kind once per location.
     ///
@@ -285,6 +286,7 @@ impl AdaptiveProblem {
         let progress = Progress::of_grids(progress.as_ref())?;
         let input = &self.input;
         let cells = input.cell_limit.unwrap_or(usize::MAX);
+        let mut cancelled = None;
         let outcome = solve_in_stages(py, cells, progress, |observer| {
             let observer = SharedObserver::new(observer);
             let gap = ObservedGap {
@@ -294,12 +296,18 @@ impl AdaptiveProblem {
             let problem = input.problem(&gap)?;
             let solution = problem.solve_observed(|record| observer.call(Some(record)))?;
             match solution.status() {
-                // The error only ends the solve; the exception that interrupted it is raised instead.
-                AdaptiveStatus::Cancelled => Err(Error::EmptyPath),
+                // An exception that interrupted the solve is raised instead of this error.
+                AdaptiveStatus::Cancelled => {
+                    cancelled = Some(solution);
+                    Err(Error::EmptyPath)
+                }
                 _ => Ok(solution),
             }
         })?;
-        let solution = outcome.or_raise(py)?;
+        let solution = match cancelled {
+            Some(solution) => solution,
+            None => outcome.or_raise(py)?,
+        };
         let warnings = solution.warnings().or_raise(py)?;
         self::warn(py, warn, || warnings)?;
         Ok(AdaptiveSolution::new(solution, input.targets.clone()))

@@ -216,7 +216,8 @@ impl AdaptiveSolution {
                 let of_step = || {
                     solution
                         .history()
-                        .map(|history| history.last_step().stick_ratio())
+                        .and_then(|history| history.last_step().ok())
+                        .map(stickslip::history::StepResult::stick_ratio)
                 };
                 Ok(of_load.or_else(of_step))
             }

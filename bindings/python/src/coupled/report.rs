@@ -4,7 +4,7 @@ use pyo3::prelude::*;
 
 use crate::digits::{in_python, rough};
 use crate::pickle::picklable;
-use crate::readers::readers;
+use crate::readers::{readers, record};
 use crate::report::Report;
 use crate::sequence::pair;
 
@@ -32,6 +32,8 @@ impl ErrorEstimate {
 }
 
 picklable!(ErrorEstimate: stickslip::coupled::ErrorEstimate);
+
+record!(ErrorEstimate: pressure, traction);
 
 /// Termination and cost of a coupled solve, and the certified error bounds of its normal and tangential parts.
 #[pyclass(frozen, eq, module = "stickslip.coupled")]
@@ -97,3 +99,6 @@ impl CoupledReport {
 }
 
 picklable!(CoupledReport: stickslip::coupled::CoupledReport);
+
+record!(CoupledReport: is_converged, pressure_error_bound, traction_error_bound, error_bounds, error_estimate, work, normal,
+    tangential);

@@ -185,6 +185,13 @@ impl History {
     ///     present state. Otherwise they are derivatives of the last step. In the next step, all stick cells resist
     ///     fully, including cells that came into contact in the last step, and cells at their limit continue to slip. A
     ///     simulation that continues to shear the contact under the same normal load needs these derivatives.
+    ///
+    /// Raises
+    /// ------
+    /// OutdatedSolution
+    ///     If the friction limits or the gap have changed since the last step. Take a step first, with a normal load after a
+    ///     change of the gap.
+    /// NotConverged
     #[pyo3(signature = (*, next_step=false))]
     fn stiffness(&self, py: Python<'_>, next_step: bool) -> PyResult<ContactStiffness> {
         let mut work = lock(&self.work, NAME)?;

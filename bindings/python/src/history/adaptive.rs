@@ -74,8 +74,8 @@ impl AdaptiveSteps {
         steps.or_raise(py).map(|steps| Self(Mutex::new(steps)))
     }
 
-    /// Returns the error of a single step with this load. The state of the history is unchanged afterwards, except for
-    /// its last step.
+    /// Returns the error of a single step with this load. The state of the history is unchanged afterwards. The history then
+    /// has no last step until its next step.
     fn error(
         &self,
         py: Python<'_>,
@@ -91,7 +91,7 @@ impl AdaptiveSteps {
     }
 
     /// Applies a load in as many steps as the tolerance requires, and returns the number of steps. Ctrl-C takes effect
-    /// after the current part; the state of the history is then unchanged, except for its last step.
+    /// after the current part. The state of the history is then unchanged, but it has no last step until its next step.
     ///
     /// Parameters
     /// ----------
@@ -132,7 +132,8 @@ impl AdaptiveSteps {
             work.tried(|history| steps.step_observed(history, &load.0.0, seen))
         })?;
         let count = outcome.or_raise(py)?;
-        report::warn(py, warn, || work.history.last_step().warnings())?;
+        let step = work.history.last_step().or_raise(py)?;
+        report::warn(py, warn, || step.warnings())?;
         Ok(count)
     }
 

@@ -87,10 +87,11 @@ impl Work {
         &mut self,
         attempt: impl FnOnce(&mut stickslip::History) -> stickslip::Result<T>,
     ) -> stickslip::Result<T> {
-        let before = Numbers::of(self.history.last_step());
+        let numbers = |history: &stickslip::History| history.last_step().map(Numbers::of);
+        let before = numbers(&self.history);
         let outcome = attempt(&mut self.history);
         // Two steps differ at least in their run times.
-        let is_same = outcome.is_err() && Numbers::of(self.history.last_step()) == before;
+        let is_same = outcome.is_err() && numbers(&self.history) == before;
         self.taken += u64::from(!is_same);
         outcome
     }
@@ -115,14 +116,15 @@ impl History {
         self.bodies.0.grid()
     }
 
-    /// Reads the last step if it still has this number.
+    /// Reads the last step if it still has this number and led to the present state.
     pub(crate) fn read_step<T>(
         &self,
         number: u64,
         read: impl FnOnce(&Step) -> T,
     ) -> PyResult<Option<T>> {
         let work = lock(&self.work, NAME)?;
-        Ok((work.taken == number).then(|| read(work.history.last_step())))
+        let step = work.history.last_step().ok();
+        Ok(step.filter(|_| work.taken == number).map(read))
     }
 
     pub(crate) fn read<T>(&self, read: impl FnOnce(&stickslip::History) -> T) -> PyResult<T> {
@@ -201,7 +203,7 @@ impl History {
         self.change(py, |history| history.set_gap(&gap))
     }
 
-    /// Sets the friction of later steps.
+    /// Sets the friction of later steps. Until the next step, :meth:`stiffness` raises ``OutdatedSolution``.
     fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
         let friction = friction.on(py, self.grid())?;
         self.change(py, |history| history.set_friction(&friction))

@@ -154,6 +154,14 @@ impl Cycle {
     }
 
     /// Adds the last step of the history; call it once after each step.
+    ///
+    /// Raises
+    /// ------
+    /// NoLastStep
+    ///     If the history has taken no step since it was created or since :meth:`History.set_state`.
+    /// StepAlreadyCounted
+    ///     If the step has already been added, or is not later than the start of the cycle.
+    /// GridMismatch
     fn add(&self, py: Python<'_>, history: &History) -> PyResult<()> {
         let mut cycle = self.lock()?;
         history.read(|history| cycle.add(history))?.or_raise(py)
@@ -278,7 +286,7 @@ impl Cycle {
     fn __repr__(&self) -> PyResult<String> {
         let cycle = self.lock()?;
         Ok(format!(
-            "Cycle(steps={}, regime='{}', dissipated_energy={}, energy_ratio={}, cyclic_residual={}{})",
+            "Cycle(steps={}, regime='{}', energy.dissipated_energy={}, energy_ratio={}, cyclic_residual={}{})",
             cycle.steps(),
             Choice(cycle.regime()).name(),
             short(cycle.energy().dissipated_energy),

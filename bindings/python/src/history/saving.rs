@@ -23,6 +23,9 @@ impl History {
     }
 
     /// Restores a state of this history or of a history on equal bodies.
+    ///
+    /// The history then has no :attr:`last_step` until its next step. Until then, :meth:`Cycle.add` raises ``NoLastStep``. In a
+    /// retry, restore the state, take a smaller step, and add this step to the cycle.
     fn set_state(&self, py: Python<'_>, state: &State) -> PyResult<()> {
         self.change(py, |history| history.set_state(&state.0))
     }

@@ -37,6 +37,8 @@ readers! { State.0:
     entry_rule(): Choice<stickslip::history::EntryRule> => Choice,
     /// Coupling between pressure and traction in the model.
     coupling(): Choice<stickslip::Coupling> => Choice,
+    /// Whether the friction limits in the contact have changed since the last step.
+    is_friction_new(): bool,
     /// Whether the pressure was computed for an earlier gap.
     is_pressure_stale(): bool,
     /// Approach of the bodies from the datum of the gap (a length).

@@ -62,8 +62,8 @@ enum Fields {
 }
 
 /// Results of a step of a history: numbers and fields. The fields are available as long as the step is the last step of
-/// the history, even if a later step fails. A failed attempt of :class:`AdaptiveSteps`, however, replaces the last
-/// step. :meth:`keep` copies the fields permanently. Vectors are (x, y).
+/// the history, even if a later step fails. A restored state and a failed attempt of :class:`AdaptiveSteps` end this time.
+/// The method :meth:`keep` copies the fields permanently. Vectors are (x, y).
 #[pyclass(frozen, module = "stickslip.history")]
 pub(crate) struct StepResult {
     numbers: Numbers,
@@ -99,7 +99,7 @@ impl StepResult {
             Fields::Kept(step) => Ok(read(step)),
             Fields::Last { history, number } => history.bind(py).get().read_step(*number, read)?.ok_or_else(|| {
                 PyRuntimeError::new_err(
-                    "the history has taken a further step: call keep() before the next step to keep the fields",
+                    "the history has taken a further step, or its state was set: call keep() before that to keep the fields",
                 )
             }),
         }

@@ -3,6 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use stickslip::Error;
@@ -21,8 +22,8 @@ use crate::work::solve;
 #[pymethods]
 impl History {
     /// Takes a step, given as a :class:`LoadStep` or by its keywords. A quantity without a keyword is held: the
-    /// pressure, the shift, the twist and the relative displacement. Dissimilar bodies must be pressed by
-    /// :meth:`press`.
+    /// pressure, the shift, the twist and the relative displacement. Any history can be pressed by a step. For dissimilar
+    /// bodies, whose stick zone depends on the growth of the contact, :meth:`press` is more accurate than a single step.
     ///
     /// A step without a tangential load holds the shift, not the tangential force. The force decreases if a lower
     /// pressure or less friction cannot carry it. To keep the force constant, prescribe it in each step.
@@ -91,19 +92,20 @@ impl History {
             Ok(())
         })?;
         outcome.or_raise(py)?;
-        let step = StepResult::last(work.history.last_step(), slf.clone().unbind(), work.taken);
+        let step = work.history.last_step().or_raise(py)?;
+        let step = StepResult::last(step, slf.clone().unbind(), work.taken);
         drop(work);
         self::warn(py, warn, || step.warnings_of())?;
         Ok(step)
     }
 
-    /// Applies a load in steps with equal growth of the contact, as many as a tolerance requires. A contact of
-    /// dissimilar bodies must be pressed in this way, because the stick and slip zones depend on the growth of the
-    /// contact.
+    /// Applies a load in steps with equal growth of the contact, as many as a tolerance requires. Press a contact of
+    /// dissimilar bodies in this way or in several steps, because the stick and slip zones depend on the growth of the
+    /// contact. A single step issues a warning.
     ///
     /// The load is applied in 1, 2, 4, 8, ... steps from the present state, until the tractions differ from the tractions
     /// for half the number of steps by no more than the tolerance. A call that fails, or that is interrupted by Ctrl-C,
-    /// leaves the state unchanged; the last step is then the last step that succeeded.
+    /// leaves the state unchanged. The history then has no last step until its next step.
     ///
     /// Parameters
     /// ----------
@@ -153,7 +155,7 @@ impl History {
             tried.tried(|history| history.press_observed(&load, tolerance.0, seen))
         })?;
         let steps = outcome.or_raise(py)?;
-        let warnings = work.history.last_step().warnings();
+        let warnings = work.history.last_step().or_raise(py)?.warnings();
         drop(work);
         self::warn(py, warn, || warnings)?;
         Ok(steps)
@@ -178,6 +180,8 @@ impl History {
     /// Raises
     /// ------
     /// Length
+    /// ValueError
+    ///     If a history is listed twice.
     #[staticmethod]
     #[pyo3(signature = (histories, loads, *, warn=true))]
     fn step_all<'py>(
@@ -199,8 +203,15 @@ impl History {
             ));
         }
         let mut places = Vec::with_capacity(histories.len());
-        for history in &histories {
-            // A history that is listed twice is already locked by its first step.
+        for (index, history) in histories.iter().enumerate() {
+            let first = histories[..index]
+                .iter()
+                .position(|other| other.is(history));
+            if let Some(first) = first {
+                return Err(PyValueError::new_err(format!(
+                    "histories[{index}] is the same object as histories[{first}]: list each history once"
+                )));
+            }
             places.push(lock(&history.get().work, NAME)?);
         }
         let cells = histories.iter().map(|history| history.get().cells()).sum();
@@ -225,9 +236,10 @@ impl History {
         drop(contacts);
         for (index, place) in places.into_iter().enumerate() {
             let has_failed = failed.iter().any(|(failed, _)| *failed == index);
-            self::warn(py, warn && !has_failed, || {
-                place.history.last_step().warnings()
-            })?;
+            if !has_failed {
+                let step = place.history.last_step().or_raise(py)?;
+                self::warn(py, warn, || step.warnings())?;
+            }
         }
         let exception = |error| raised(py, error).into_value(py).into_bound(py).into_any();
         Ok(failed
@@ -236,14 +248,12 @@ impl History {
             .collect())
     }
 
-    /// Result of the last step.
+    /// Result of the last step, which led to the present state. Raises ``NoLastStep`` before the first step, after
+    /// :meth:`set_state`, and after a restart.
     #[getter]
     fn last_step(slf: &Bound<'_, Self>) -> PyResult<StepResult> {
         let work = lock(&slf.get().work, NAME)?;
-        Ok(StepResult::last(
-            work.history.last_step(),
-            slf.clone().unbind(),
-            work.taken,
-        ))
+        let step = work.history.last_step().or_raise(slf.py())?;
+        Ok(StepResult::last(step, slf.clone().unbind(), work.taken))
     }
 }

@@ -113,8 +113,9 @@ impl NormalProblem {
     /// Parameters
     /// ----------
     /// progress : callable or bool, optional
-    ///     A function that is called with an :class:`Iteration` before each product; an exception in it ends the solve.
-    ///     ``True`` shows a progress bar of tqdm.
+    ///     A function that is called with an :class:`Iteration` before each product. If it returns ``False``, the solve is
+    ///     cancelled and raises ``NotConverged``, whose report has the status "cancelled". All other results, such as ``None``,
+    ///     continue the solve, and an exception in the function ends it. ``True`` shows a progress bar of tqdm.
     /// warn : bool, default True
     ///     Whether the warnings of the solution are also issued through ``warnings``, each kind once per location.
     ///

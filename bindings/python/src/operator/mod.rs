@@ -236,8 +236,8 @@ impl LinearOperator {
         self.product.lower_bound()
     }
 
-    /// Origin of the lower bound: "proven", "estimated" (stiff coatings on long grids), or "unknown", in which case the
-    /// bound is zero.
+    /// Origin of the lower bound: "proven", "stated" (by a user-defined operator), "estimated" (stiff coatings on long
+    /// grids), or "unknown", in which case the bound is zero.
     #[getter]
     fn eigenvalue_bound(&self) -> Choice<EigenvalueBound> {
         Choice(self.product.eigenvalue_bound())

@@ -19,7 +19,7 @@ use crate::half_space::HalfSpace;
 use crate::load;
 use crate::normal::NormalSolution;
 use crate::pickle::{Recipe, picklable};
-use crate::readers::readers;
+use crate::readers::{readers, record};
 use crate::real::{Count, Real};
 use crate::report::{Report, Warning, ending};
 use crate::rolling::RollingSolution;
@@ -289,10 +289,12 @@ impl CoupledRollingSolver {
     ///
     /// Raises
     /// ------
+    /// OutdatedSolution
+    ///     If a load, the gap or the friction has changed since the last solve.
     /// NotConverged
-    ///     Before the first solve, or if the solve of a column does not converge.
+    ///     Before the first solve, if it has not converged, or if the solve of a column does not converge.
     fn stiffness(&self, py: Python<'_>) -> PyResult<[[f64; 3]; 3]> {
-        self.0.observed(py, None, |solver, observer| {
+        self.0.observed(py, |solver, observer| {
             solver.stiffness_observed(watch(observer))
         })
     }
@@ -409,3 +411,6 @@ impl CoupledRollingReport {
 }
 
 picklable!(CoupledRollingReport: rolling::CoupledRollingReport);
+
+record!(CoupledRollingReport: is_converged, passes, coupling_residual, pressure_change, pressure_error_bound,
+    traction_error_bound, error_estimate, work, normal, rolling);

@@ -8,6 +8,7 @@ use crate::digits::{counted, short, tuple};
 use crate::pickle::picklable;
 use crate::readers::{frame, readers};
 use crate::sequence::{Entries, entry, pair};
+use crate::work::Stage;
 
 /// Point of a creep curve or a creep surface: creepages, spin and the resulting loads.
 #[pyclass(frozen, eq, module = "stickslip.rolling")]
@@ -40,6 +41,12 @@ impl CreepForce {
 }
 
 picklable!(CreepForce: rolling::CreepForce);
+
+impl Stage for rolling::CreepForce {
+    fn object(self, py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+        Bound::new(py, CreepForce(self)).map(Bound::into_any)
+    }
+}
 
 /// The points of a creep curve or a creep surface: a sequence of :class:`CreepForce`, and arrays with one number per
 /// point, in their order. Vectors are (x, y).

@@ -8,6 +8,7 @@ use crate::error::OrRaise;
 use crate::friction::AnyFriction;
 use crate::load;
 use crate::normal::NormalSolver;
+use crate::progress::Progress;
 use crate::real::Real;
 use crate::report::Report;
 use crate::rolling::control::Keywords;
@@ -109,6 +110,14 @@ impl RollingSolver {
 
     /// Sets the normal solver that computes the pressure for a new load. The solver is copied, with its gap, hardness and
     /// settings.
+    ///
+    /// This call does not change the pressure. :meth:`set_load` solves for the pressure over the gap of ``solver``, which
+    /// therefore need not have solved before. Its gap may differ from that of the present pressure, for example after wear.
+    /// Grid, boundary, cell values and materials must be equal.
+    ///
+    /// Raises
+    /// ------
+    /// GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch
     fn set_normal_solver(&self, py: Python<'_>, solver: &NormalSolver) -> PyResult<()> {
         let normal = solver.copied()?;
         self.0.change(py, |solver| solver.set_normal_solver(normal))
@@ -150,8 +159,15 @@ impl RollingSolver {
     /// the moment each add a factor of length. Stick cells follow the change and slip cells remain at their limits.
     /// Before the first solve, all cells stick, and the entries are Kalker's coefficients times G a b and powers of a
     /// length.
+    ///
+    /// Raises
+    /// ------
+    /// OutdatedSolution
+    ///     If a load, the pressure or the friction has changed since the last solve.
+    /// NotConverged
+    ///     If the last solve has not converged, or if a column does not converge.
     fn stiffness(&self, py: Python<'_>) -> PyResult<[[f64; 3]; 3]> {
-        self.0.observed(py, None, |solver, observer| {
+        self.0.observed(py, |solver, observer| {
             solver.stiffness_observed(watch(observer))
         })
     }
@@ -160,13 +176,17 @@ impl RollingSolver {
     /// solution of the previous point. The last point remains prescribed. All points are checked before the first solve.
     /// After Ctrl-C, the point whose solve was ended remains prescribed.
     ///
+    /// Any exception after the first solve has the attribute ``partial`` with the :class:`CreepForces` of the points solved
+    /// before, also ``KeyboardInterrupt``.
+    ///
     /// Parameters
     /// ----------
     /// points : array_like of shape (n, 3)
     ///     Points ``(creepage_x, creepage_y, spin)`` (dimensionless, dimensionless, one over a length). Consecutive
     ///     points should be close to each other.
-    /// progress : optional
-    ///     See :meth:`NormalProblem.solve`.
+    /// progress : callable or bool, optional
+    ///     A function that is called with the :class:`CreepForce` of each solved point. It ends the call by returning
+    ///     ``False``, as in :meth:`NormalProblem.solve`. ``True`` shows a progress bar of the points.
     ///
     /// Returns
     /// -------
@@ -178,7 +198,7 @@ impl RollingSolver {
     /// NotFinite, UnsupportedByModel
     ///     If any of the points is invalid; the solver is then unchanged.
     /// NotConverged
-    ///     At the first point that fails, which remains prescribed.
+    ///     At the first point that fails or is cancelled, which remains prescribed.
     #[pyo3(signature = (points, *, progress=None))]
     fn creep_forces<'py>(
         &self,
@@ -186,10 +206,27 @@ impl RollingSolver {
         points: conversion::CreepPoints,
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<CreepForces> {
-        let found = self.0.observed(py, progress.as_ref(), |solver, observer| {
-            solver.creep_forces_observed(points.0, watch(observer))
+        let progress = Progress::of_points(progress.as_ref(), points.0.len())?;
+        let mut found = Vec::new();
+        let outcome = self.0.observed_in_stages(py, progress, |solver, observer| {
+            let mut shown = 0;
+            solver.creep_forces_into(points.0, &mut found, |_, solved| {
+                let point = (solved.len() > shown).then(|| solved[shown]);
+                shown = solved.len();
+                observer(point.as_ref())
+            })?;
+            // All points are solved, so that the answer to the last point has no effect.
+            let _ = found.last().map(|last| observer(Some(last)));
+            Ok(())
         });
-        found.map(CreepForces::from)
+        match outcome {
+            Ok(()) => Ok(found.into()),
+            Err(exception) => {
+                let partial = Bound::new(py, CreepForces::from(found))?;
+                exception.value(py).setattr("partial", partial)?;
+                Err(exception)
+            }
+        }
     }
 
     /// Report of the last solve.

@@ -12,6 +12,7 @@ use crate::error::OrRaise;
 use crate::half_space::HalfSpace;
 use crate::pickle::picklable;
 use crate::progress::Progress;
+use crate::readers::frame;
 use crate::sequence::{Entries, entry};
 use crate::subsurface::{Loaded, Stress};
 use crate::work::{solve, watch};
@@ -133,6 +134,8 @@ impl PointResults {
 }
 
 picklable!(PointResults: Vec<subsurface::PointResult>);
+
+frame!(PointResults, record: displacement, normal_stress, shear_stress, von_mises, hydrostatic, max_shear);
 
 /// Computes stress and displacement at points of a body without a coating, by summing over all cells. If there are more
 /// than 2048 loaded cells and more than three points, distant cells are summed in blocks. For coated bodies, and on grids

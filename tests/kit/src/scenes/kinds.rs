@@ -380,8 +380,8 @@ impl Contact {
         for (act, load, part) in steps {
             let mut row = Row::new(name, format!("history, {act}"));
             let stepped = history.step(&load).map(|_| ());
-            let report = history.last_step();
-            let report = report.tangential_report().or(report.normal_report());
+            let step = history.last_step().ok();
+            let report = step.and_then(|step| step.tangential_report().or(step.normal_report()));
             end(&mut row, &stepped, |()| report, self.expected(part));
             let is_pressed = history.normal().contact_cells() > 0;
             rows.push(row);

@@ -113,7 +113,7 @@ impl LoadHistory {
             };
             match history.step(&load).map(|_| ()) {
                 Ok(()) => {
-                    if let Some(report) = history.last_step().tangential_report() {
+                    if let Some(report) = history.last_step().unwrap().tangential_report() {
                         row.end(&Ok(()), report, expected);
                     }
                     check(&mut row, self, &history, &compliance, &before, act);
@@ -156,7 +156,7 @@ fn check(
     before: &Before,
     act: &StepAction,
 ) {
-    let step = history.last_step();
+    let step = history.last_step().unwrap();
     let limits = limits(&story.friction, history.normal());
     let cells = limits.len();
     let [x, y] = history.traction().map(Field::as_slice);

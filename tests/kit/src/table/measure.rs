@@ -6,7 +6,7 @@ use super::{Scene, UnitTransform};
 
 /// Returns the complete state of a history and of its last step, in bits.
 pub fn bits(history: &History) -> Vec<u8> {
-    let (mut bits, step) = (history.to_bytes(), history.last_step());
+    let (mut bits, step) = (history.to_bytes(), history.last_step().unwrap());
     let [x, y] = step.slip();
     let fields = [
         x,
@@ -24,7 +24,7 @@ pub fn bits(history: &History) -> Vec<u8> {
 
 /// Returns the results of a history and of its last step that are available on every rank.
 pub fn known(history: &History) -> Vec<f64> {
-    let (step, normal) = (history.last_step(), history.normal());
+    let (step, normal) = (history.last_step().unwrap(), history.normal());
     let energy = step.energy();
     let ([fx, fy], [dx, dy], [mx, my]) = (
         history.tangential_force(),
@@ -74,7 +74,7 @@ pub fn known(history: &History) -> Vec<f64> {
 
 /// Returns the results of a history in each cell.
 pub fn cells(history: &History) -> Vec<[f64; 8]> {
-    let ([qx, qy], step) = (history.traction(), history.last_step());
+    let ([qx, qy], step) = (history.traction(), history.last_step().unwrap());
     let fields = [
         history.pressure(),
         history.normal().gap(),
@@ -126,7 +126,7 @@ impl Measured {
     }
 
     fn add(&mut self, scene: &Scene, pose: &UnitTransform, history: &History) {
-        let step = history.last_step();
+        let step = history.last_step().unwrap();
         let (length, pressure) = (pose.length, pose.pressure);
         let energy = pressure * length * length * scene.depth(pose);
         let into = |group: &mut Vec<f64>, field: &Field, unit: f64| {

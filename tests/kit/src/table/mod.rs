@@ -287,7 +287,7 @@ impl Scene {
             return;
         }
         let mut gap = history.gap().clone();
-        let slipped = history.last_step().slip_distance();
+        let slipped = history.last_step().unwrap().slip_distance();
         let mut depth = Field::zeros(gap.grid());
         let rate = self.wear / pose.pressure;
         wear::archard(rate, history.pressure(), slipped, &mut depth).unwrap();
