@@ -146,6 +146,7 @@ closed_form! {
 /// ------
 /// NotPositive, NegativeOrNotFinite, NotFinite, BeyondFrictionCapacity
 #[pyfunction]
+#[pyo3(signature = (*, load, friction, force))]
 pub(crate) fn linear_stick_ratio(
     py: Python<'_>,
     load: Real,

@@ -114,7 +114,7 @@ impl CoupledProblem {
             keywords.load_or(load)?,
         );
         let grid = bodies.0.grid();
-        let gap = gap.on(py, "gap", grid)?;
+        let gap = gap.per_cell(py, "gap", grid)?;
         let friction = friction.on(py, grid)?;
         let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
         let bodies_and_surfaces = (

@@ -166,7 +166,7 @@ impl History {
     ) -> PyResult<Self> {
         let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
         let grid = bodies.0.grid();
-        let gap = gap.on(py, "gap", grid)?;
+        let gap = gap.per_cell(py, "gap", grid)?;
         let friction = friction.on(py, grid)?;
         let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
         let history = unobserved_on(py, grid, || {
@@ -197,7 +197,7 @@ impl History {
 
     /// Sets the gap of later steps (lengths), for example after wear.
     fn set_gap(&self, py: Python<'_>, gap: Samples<'_>) -> PyResult<()> {
-        let gap = gap.on(py, "gap", self.grid())?;
+        let gap = gap.per_cell(py, "gap", self.grid())?;
         self.change(py, |history| history.set_gap(&gap))
     }
 

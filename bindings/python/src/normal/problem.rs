@@ -49,7 +49,7 @@ use crate::work::unobserved_on;
 /// >>> bodies = stickslip.HalfSpace(grid, (steel, steel))
 /// >>> ball = stickslip.surface.sphere(grid, 3.5e-3)
 /// >>> contact = stickslip.NormalProblem(bodies, ball, force=100.0).solve()
-/// >>> hertz = stickslip.analytical.HertzSphere(bodies.pair, 3.5e-3, 100.0)
+/// >>> hertz = stickslip.analytical.HertzSphere(bodies.pair, radius=3.5e-3, load=100.0)
 /// >>> bool(abs(contact.pressure.max() / hertz.max_pressure - 1.0) < 2e-3)
 /// True
 #[pyclass(frozen, module = "stickslip")]
@@ -84,7 +84,7 @@ impl NormalProblem {
         load::by_keyword("NormalProblem", positional, "force= or approach=")?;
         let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
         let grid = bodies.0.grid();
-        let gap = gap.on(py, "gap", grid)?;
+        let gap = gap.per_cell(py, "gap", grid)?;
         let load = load::needed(force, approach)?;
         let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
         let recipe = Recipe::new(py, (bodies.clone(), Field::from(Arc::clone(&gap))))?

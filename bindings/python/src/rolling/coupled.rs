@@ -121,7 +121,7 @@ impl CoupledRollingProblem {
         )?;
         let normal = load::needed_as("normal_force", normal_force, approach)?;
         let grid = bodies.0.grid();
-        let gap = gap.on(py, "gap", grid)?;
+        let gap = gap.per_cell(py, "gap", grid)?;
         let friction = friction.on(py, grid)?;
         let given = (
             bodies.clone(),
@@ -274,7 +274,7 @@ impl CoupledRollingSolver {
 
     /// Sets the gap of the next solve (lengths).
     fn set_gap(&self, py: Python<'_>, gap: Samples<'_>) -> PyResult<()> {
-        let gap = gap.on(py, "gap", self.0.grid())?;
+        let gap = gap.per_cell(py, "gap", self.0.grid())?;
         self.0.change(py, |solver| solver.set_gap(&gap))
     }
 

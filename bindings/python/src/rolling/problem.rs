@@ -76,7 +76,7 @@ use crate::work::unobserved_on;
 /// >>> ball = stickslip.surface.sphere(grid, 1.0)
 /// >>> normal = stickslip.NormalProblem(bodies, ball, force=1.0).solve()
 /// >>> rolling = stickslip.rolling.RollingProblem(bodies, normal, 0.3, creepage_x=1e-5).solve()
-/// >>> a = stickslip.analytical.HertzSphere(bodies.pair, 1.0, 1.0).contact_radius
+/// >>> a = stickslip.analytical.HertzSphere(bodies.pair, radius=1.0, load=1.0).contact_radius
 /// >>> abs(rolling.force[0] / (a * a * 1e-5) / 4.12 - 1.0) < 0.02  # Kalker's coefficient C11
 /// True
 #[pyclass(frozen, module = "stickslip.rolling")]

@@ -60,8 +60,8 @@ use crate::work::unobserved_on;
 /// >>> ball = stickslip.surface.sphere(grid, 3.5e-3)
 /// >>> normal = stickslip.NormalProblem(bodies, ball, force=100.0).solve()
 /// >>> shear = stickslip.TangentialProblem(bodies, normal, 0.5, force_x=20.0).solve()
-/// >>> hertz = stickslip.analytical.HertzSphere(bodies.pair, 3.5e-3, 100.0)
-/// >>> exact = stickslip.analytical.CattaneoMindlin(hertz, 0.5, 20.0)
+/// >>> hertz = stickslip.analytical.HertzSphere(bodies.pair, radius=3.5e-3, load=100.0)
+/// >>> exact = stickslip.analytical.CattaneoMindlin(hertz, friction=0.5, force=20.0)
 /// >>> abs(shear.stick_ratio - exact.stick_ratio) < 0.02
 /// True
 #[pyclass(frozen, module = "stickslip")]
