@@ -132,7 +132,12 @@ pub(crate) fn wrong_type(py: Python<'_>, argument: &str, message: &str) -> PyErr
     let exception = || {
         let attributes = PyDict::new(py);
         attributes.set_item("argument", argument)?;
-        named(py, "ArgumentType", &format!("{argument} {message}"), &attributes)
+        named(
+            py,
+            "ArgumentType",
+            &format!("{argument} {message}"),
+            &attributes,
+        )
     };
     exception().unwrap_or_else(|failure| failure)
 }

@@ -99,7 +99,8 @@ impl NormalSolver {
         py: Python<'_>,
         gap: Option<Samples<'_>>,
     ) -> PyResult<Option<Arc<stickslip::Field>>> {
-        gap.map(|gap| gap.per_cell(py, "gap", self.0.grid())).transpose()
+        gap.map(|gap| gap.per_cell(py, "gap", self.0.grid()))
+            .transpose()
     }
 
     fn change(
