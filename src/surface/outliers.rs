@@ -27,8 +27,8 @@ const ROUND_OFF: f64 = 1e-12;
 /// estimates the standard deviation of the deviations and is hardly affected by outliers.
 ///
 /// The local scale distinguishes an outlier from an edge, ridge or groove of the surface. All points along an edge deviate,
-/// whereas an outlier deviates alone. Of the other points at most `radius` cells away along each axis, a straight line
-/// through the point contains `2 radius`. The scale $`\sigma_{\text{local}}`$ is the deviation with this rank (the fourth
+/// whereas an outlier deviates alone. A straight line through the point contains `2 radius` of the other points that are at
+/// most `radius` cells away along each axis. The scale $`\sigma_{\text{local}}`$ is the deviation with this rank (the fourth
 /// largest of 24), divided by its value for a standard normal distribution. Near missing heights and edges of the grid, the
 /// rank is reduced in proportion to the number of other points.
 ///
@@ -38,7 +38,7 @@ const ROUND_OFF: f64 = 1e-12;
 /// # Accuracy
 /// - Smooth surfaces lose no points: spheres, waves, steps, ramps, cones and pyramids at the default radius and $`k = 6`$. At
 ///   $`k = 3`$ some points of oblique edges of a surface without roughness are outliers.
-/// - Of normally distributed independent heights, $`k = 3`$ removes about 0.3 %.
+/// - The threshold $`k = 3`$ removes about 0.3 % of normally distributed independent heights.
 /// - A group of more than `2 radius` outliers counts as an edge. It requires a larger radius.
 /// - An outlier next to an edge is detected only if it exceeds the deviation at the edge several times.
 /// - On a single row of cells, the point of a ridge deviates alone and is an outlier.

@@ -73,8 +73,8 @@ impl WithoutOutliers {
 /// heights : Field or topography
 ///     The heights (lengths); NaN marks missing heights.
 /// threshold : float, default 6
-///     Threshold in estimated standard deviations. Of normally distributed independent heights, 3 removes about 0.3 %. The
-///     default removes no points of smooth surfaces such as spheres, waves, steps, ramps and cones.
+///     Threshold in estimated standard deviations. The value 3 removes about 0.3 % of normally distributed independent
+///     heights. The default removes no points of smooth surfaces such as spheres, waves, steps, ramps and cones.
 /// radius : int, default 2
 ///     Largest distance of the points of a pair along each axis, in cells, at least 1. A group of more than ``2 * radius``
 ///     outliers counts as an edge. An outlier next to an edge must exceed the deviation at the edge several times.
