@@ -8,7 +8,7 @@ use pyo3::pyclass::CompareOp;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyTuple};
 use stickslip::Error;
 
-use crate::argument::argument;
+use crate::argument::{Object, argument};
 use crate::array::{Array, mask, view};
 use crate::conversion::kind_of;
 use crate::digits::short;
@@ -88,7 +88,7 @@ impl Field {
     #[pyo3(signature = (grid, samples, unit=None))]
     fn new(
         py: Python<'_>,
-        grid: &Grid,
+        grid: Object<Grid>,
         samples: Samples<'_>,
         unit: Option<&str>,
     ) -> PyResult<Self> {
@@ -612,7 +612,7 @@ impl Samples<'_> {
         match self.number() {
             Some(value) => Ok(Spread::Uniform(value)),
             None => self
-                .on(py, quantity, grid_of(grid, &[self])?)
+                .on(py, quantity, grid_of(grid.as_deref(), &[self])?)
                 .map(Spread::PerCell),
         }
     }

@@ -8,6 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyTuple};
 use stickslip::io::{self, Sides, vti};
 
+use crate::argument::Object;
 use crate::conversion::{self, entries};
 use crate::digits::counted;
 use crate::error::OrRaise;
@@ -479,9 +480,9 @@ pub(crate) fn vti_write(
     py: Python<'_>,
     path: PathBuf,
     fields: &Bound<'_, PyAny>,
-    grid: Option<&Grid>,
+    grid: Option<Object<Grid>>,
 ) -> PyResult<()> {
-    let arrays = Arrays::of(py, fields, grid)?;
+    let arrays = Arrays::of(py, fields, grid.as_deref())?;
     py.detach(|| vti::write(&path, &arrays.named()))
         .or_raise(py)
 }
@@ -492,9 +493,9 @@ pub(crate) fn vti_write(
 pub(crate) fn vti_to_bytes<'py>(
     py: Python<'py>,
     fields: &Bound<'py, PyAny>,
-    grid: Option<&Grid>,
+    grid: Option<Object<Grid>>,
 ) -> PyResult<Bound<'py, PyBytes>> {
-    let arrays = Arrays::of(py, fields, grid)?;
+    let arrays = Arrays::of(py, fields, grid.as_deref())?;
     let bytes = py.detach(|| vti::to_bytes(&arrays.named())).or_raise(py)?;
     Ok(PyBytes::new(py, &bytes))
 }
@@ -523,9 +524,9 @@ impl PvdWriter {
         py: Python<'_>,
         time: Real,
         fields: &Bound<'_, PyAny>,
-        grid: Option<&Grid>,
+        grid: Option<Object<Grid>>,
     ) -> PyResult<()> {
-        let arrays = Arrays::of(py, fields, grid)?;
+        let arrays = Arrays::of(py, fields, grid.as_deref())?;
         let mut series = lock(&self.0, "series")?;
         let series = &mut *series;
         py.detach(|| series.write(time.0, &arrays.named()))

@@ -151,12 +151,13 @@ fn refused(object: &Bound<'_, PyAny>, error: PyErr, expected: &str, range: &str)
     if !error.is_instance_of::<PyTypeError>(py) {
         return error;
     }
-    let found = found(object);
-    unnamed(
-        py,
-        "ArgumentType",
-        &format!("must be {expected}, got {found}"),
-    )
+    refused_type(object, expected)
+}
+
+/// Returns the exception for an object of a wrong type.
+pub(crate) fn refused_type(object: &Bound<'_, PyAny>, expected: &str) -> PyErr {
+    let message = format!("must be {expected}, got {}", found(object));
+    unnamed(object.py(), "ArgumentType", &message)
 }
 
 /// Describes an object of a wrong type: the shape of an array, the length of a sequence, or the name of the type.

@@ -322,13 +322,22 @@ def test_rolling_solutions_convert_to_datasets_and_images(ball):
     assert all(f'Name="{name}"'.encode() in image for name in ("pressure", "traction", "dissipation"))
 
 
+def test_coupled_rolling_solver_rejects_force_beyond_friction_before_solve(ball):
+    gap = ss.surface.sphere(ball.bodies.grid, 1.0)
+    solver = ss.rolling.CoupledRollingProblem(ball.bodies, gap, FRICTION, normal_force=1.0, force_x=0.5 * FRICTION).solver()
+    with pytest.raises(ss.errors.BeyondFrictionCapacity):
+        solver.set_normal_load(normal_force=0.4)
+    with pytest.raises(ss.errors.BeyondFrictionCapacity):
+        ss.rolling.CoupledRollingProblem(ball.bodies, gap, FRICTION, normal_force=1.0, force_x=1.1 * FRICTION)
+
+
 def test_rolling_solver_accepts_new_loads(ball):
     gap = ss.surface.sphere(ball.bodies.grid, 1.0)
     solver = ball.problem(creepage_x=0.02).solver()
     with pytest.raises(ss.errors.UnsupportedByModel, match="set_normal_solver"):
-        solver.set_load(force=0.8)
+        solver.set_normal_load(normal_force=0.8)
     solver.set_normal_solver(ss.NormalSolver(ball.bodies, gap, force=1.0))
-    solver.set_load(force=0.8)
+    solver.set_normal_load(normal_force=0.8)
     assert solver.friction_capacity == pytest.approx(0.8 * FRICTION)
     light = ss.NormalProblem(ball.bodies, gap, force=0.8).solve()
     expected = RollingProblem(ball.bodies, light, FRICTION, creepage_x=0.02).solve()
@@ -339,4 +348,4 @@ def test_rolling_solver_accepts_new_loads(ball):
     with pytest.raises(ss.errors.UnsupportedByModel, match="gap"):
         solver.set_pressure(ball.normal.pressure)
     with pytest.raises(ss.errors.EmptyContact):
-        solver.set_load(force=0.0)
+        solver.set_normal_load(normal_force=0.0)

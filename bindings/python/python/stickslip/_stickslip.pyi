@@ -1493,7 +1493,7 @@ class CoupledRollingSolver:
         """
         Sets the gap of the next solve (lengths).
         """
-    def set_load(self, /, *, normal_force: float | None = None, approach: float | None = None) -> None:
+    def set_normal_load(self, /, *, normal_force: float | None = None, approach: float | None = None) -> None:
         """
         Sets the normal load of the next solve: a normal force (not negative) or an approach (a length).
         """
@@ -5635,7 +5635,7 @@ class RollingSolver:
         """
         Sets the friction of the next solve.
         """
-    def set_load(self, /, *, force: float | None = None, approach: float | None = None) -> None:
+    def set_normal_load(self, /, *, normal_force: float | None = None, approach: float | None = None) -> None:
         """
         Sets the normal load of the next solve, and computes the pressure starting from the last pressure. The normal
         solver must have been set by :meth:`set_normal_solver`.
@@ -7149,7 +7149,7 @@ class Warning:
     The attribute ``kind`` is the name of the warning: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``,
     ``single_row_of_cells``, ``contact_spans_grid``, ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``,
     ``underresolved_stick_zone``, ``underresolved_slip_zone``, ``single_load_step``, ``stress_at_edge``,
-    ``discretisation_error``, ``approach_beyond_grid``, ``large_contact_radius``, ``steep_surface``,
+    ``discretisation_error``, ``approach_beyond_grid``, ``shift_beyond_grid``, ``large_contact_radius``, ``steep_surface``,
     ``held_shift_lost_force``, ``neglected_lift`` or ``accuracy_not_reached``.
     """
     def __eq__(self, value: object, /) -> bool: ...

@@ -19,7 +19,7 @@ macro_rules! closed_form {
         $(also { $($also:item)* })?
     ) => {
         $(#[$doc])*
-        #[pyo3::pyclass(frozen, eq, module = "stickslip.analytical", from_py_object)]
+        #[pyo3::pyclass(frozen, eq, module = "stickslip.analytical")]
         #[derive(Clone, PartialEq)]
         pub(crate) struct $class(pub(crate) stickslip::analytical::$class);
 
@@ -103,6 +103,7 @@ macro_rules! closed_form {
             }
         }
 
+        crate::argument::by_value!($class);
         crate::pickle::picklable!($class: stickslip::analytical::$class);
 
         $(#[pyo3::pymethods] impl $class { $($also)* })?

@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use stickslip::history::{EntryRule, StepResult as Step};
 use stickslip::{Axis, Coupling, TangentialModel, cgm};
 
+use crate::argument::Object;
 use crate::choice::Choice;
 use crate::field::Samples;
 use crate::friction::AnyFriction;
@@ -148,7 +149,7 @@ impl History {
         max_iterations=None, time_limit=None))]
     fn new(
         py: Python<'_>,
-        bodies: &HalfSpace,
+        bodies: Object<HalfSpace>,
         gap: Samples<'_>,
         friction: AnyFriction<'_>,
         axis: Option<Choice<Axis>>,
@@ -192,7 +193,7 @@ impl History {
             }
             builder.build()
         })?;
-        Ok(Self::of(history, bodies))
+        Ok(Self::of(history, &bodies))
     }
 
     /// Sets the gap of later steps (lengths), for example after wear.

@@ -4,6 +4,7 @@ use std::sync::{Mutex, MutexGuard};
 
 use pyo3::prelude::*;
 
+use crate::argument::Object;
 use crate::array::{Array, copy};
 use crate::choice::Choice;
 use crate::digits::{counted, rough, short, tuple};
@@ -142,19 +143,19 @@ impl Cycle {
 #[pymethods]
 impl Cycle {
     #[new]
-    fn new(history: &History) -> PyResult<Self> {
+    fn new(history: Object<History>) -> PyResult<Self> {
         let cycle = history.read(stickslip::history::Cycle::new)?;
         Ok(Self(Mutex::new(cycle)))
     }
 
     /// Discards all steps and restarts the cycle in the present state of the history.
-    fn begin(&self, py: Python<'_>, history: &History) -> PyResult<()> {
+    fn begin(&self, py: Python<'_>, history: Object<History>) -> PyResult<()> {
         let mut cycle = self.lock()?;
         history.read(|history| cycle.begin(history))?.or_raise(py)
     }
 
     /// Adds the last step of the history; call it once after each step.
-    fn add(&self, py: Python<'_>, history: &History) -> PyResult<()> {
+    fn add(&self, py: Python<'_>, history: Object<History>) -> PyResult<()> {
         let mut cycle = self.lock()?;
         history.read(|history| cycle.add(history))?.or_raise(py)
     }

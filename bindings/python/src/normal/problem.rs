@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use stickslip::{NormalLoad, cgm};
 
+use crate::argument::Object;
 use crate::choice::Choice;
 use crate::field::{Field, Samples};
 use crate::grid::size;
@@ -69,7 +70,7 @@ impl NormalProblem {
             method=None, max_iterations=None, time_limit=None)")]
     pub(super) fn new(
         py: Python<'_>,
-        bodies: &HalfSpace,
+        bodies: Object<HalfSpace>,
         gap: Samples<'_>,
         positional: &Bound<'_, PyTuple>,
         force: Option<Real>,

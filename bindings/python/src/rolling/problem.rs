@@ -6,6 +6,7 @@ use stickslip::cgm;
 use stickslip::history::EntryRule;
 use stickslip::rolling::{self, LeadingEdge};
 
+use crate::argument::Object;
 use crate::choice::Choice;
 use crate::conversion;
 use crate::friction::{AnyFriction, Friction};
@@ -94,7 +95,7 @@ impl RollingProblem {
             time_limit=None)")]
     fn new(
         py: Python<'_>,
-        bodies: &HalfSpace,
+        bodies: Object<HalfSpace>,
         normal: Bound<'_, NormalSolution>,
         friction: AnyFriction<'_>,
         positional: &Bound<'_, PyTuple>,

@@ -4,6 +4,7 @@ use pyo3::prelude::*;
 use stickslip::Error;
 use stickslip::subsurface::{self, Body};
 
+use crate::argument::Object;
 use crate::array::Array;
 use crate::choice::Choice;
 use crate::conversion;
@@ -171,7 +172,7 @@ picklable!(PointResults: Vec<subsurface::PointResult>);
 #[pyo3(signature = (bodies, body, tractions, points, *, uniform_stress=None))]
 pub(crate) fn at_points(
     py: Python<'_>,
-    bodies: &HalfSpace,
+    bodies: Object<HalfSpace>,
     body: Choice<Body>,
     tractions: Loaded<'_>,
     points: conversion::Points,

@@ -4,6 +4,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use stickslip::{Coupling, TangentialModel, cgm};
 
+use crate::argument::Object;
 use crate::choice::Choice;
 use crate::conversion;
 use crate::digits::short;
@@ -75,7 +76,7 @@ impl TangentialProblem {
         relative_displacement=None, settings=None, tolerance=None, method=None, max_iterations=None, time_limit=None))]
     fn new(
         py: Python<'_>,
-        bodies: &HalfSpace,
+        bodies: Object<HalfSpace>,
         pressure: Pressure<'_>,
         friction: AnyFriction<'_>,
         load: Option<TangentialArgument>,
