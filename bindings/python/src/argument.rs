@@ -9,7 +9,8 @@ use pyo3::inspect::PyStaticExpr;
 use pyo3::prelude::*;
 use pyo3::pyclass::boolean_struct::True;
 
-use crate::real::refused_type;
+use crate::conversion::kind_of;
+use crate::real::unnamed;
 
 /// Declares an argument that accepts an object of one of these classes, an array, or anything else that NumPy converts to
 /// an array.
@@ -67,8 +68,8 @@ impl<T: PyClass<Frozen = True> + Sync> FromPyObject<'_, '_> for Object<T> {
                 object: object.to_owned().unbind(),
             }),
             Err(_) => {
-                let expected = format!("an object of the class {}", T::NAME);
-                Err(refused_type(&object, &expected))
+                let message = format!("must be of the class {}, got {}", T::NAME, kind_of(&object));
+                Err(unnamed(object.py(), "ArgumentType", &message))
             }
         }
     }

@@ -123,7 +123,7 @@ whole! {
 
 /// Creates an exception of ``stickslip.errors`` about an argument. PyO3 adds a note with the name of the argument, and the
 /// exception moves the name from the note to its message.
-fn unnamed(py: Python<'_>, class: &str, message: &str) -> PyErr {
+pub(crate) fn unnamed(py: Python<'_>, class: &str, message: &str) -> PyErr {
     named(py, class, message, &PyDict::new(py)).unwrap_or_else(|failure| failure)
 }
 
@@ -151,13 +151,12 @@ fn refused(object: &Bound<'_, PyAny>, error: PyErr, expected: &str, range: &str)
     if !error.is_instance_of::<PyTypeError>(py) {
         return error;
     }
-    refused_type(object, expected)
-}
-
-/// Returns the exception for an object of a wrong type.
-pub(crate) fn refused_type(object: &Bound<'_, PyAny>, expected: &str) -> PyErr {
-    let message = format!("must be {expected}, got {}", found(object));
-    unnamed(object.py(), "ArgumentType", &message)
+    let found = found(object);
+    unnamed(
+        py,
+        "ArgumentType",
+        &format!("must be {expected}, got {found}"),
+    )
 }
 
 /// Describes an object of a wrong type: the shape of an array, the length of a sequence, or the name of the type.

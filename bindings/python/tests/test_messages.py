@@ -129,6 +129,26 @@ def test_uniform_gap_is_accepted_as_field_and_on_grid_of_one_cell():
     assert forces == pytest.approx([2.0, 2.0, 2.0])
 
 
+@pytest.mark.parametrize(
+    ("call", "argument", "message"),
+    [
+        (lambda scene: ss.NormalProblem(scene.ball, scene.bodies, force=1.0), "bodies", "of the class HalfSpace, got Field"),
+        (lambda scene: ss.HalfSpace(64, (STEEL, STEEL)), "grid", "of the class Grid, got int"),
+        (lambda scene: ss.surface.sphere(3.5e-3, scene.grid), "grid", "of the class Grid, got float"),
+        (lambda scene: ss.rolling.RollingProblem(scene.bodies, 0.5, scene.normal()), "normal", "of the class NormalSolution, got float"),
+        (lambda scene: ss.analytical.HertzSphere((STEEL, STEEL), radius=1.0, load=1.0), "pair", "of the class ElasticPair, got tuple"),
+        (lambda scene: ss.analytical.CattaneoMindlin(100.0, friction=0.5, force=1.0), "hertz", "of the class HertzSphere, got float"),
+        (lambda scene: ss.NormalProblem(scene.bodies, scene.ball, force=1.0, settings=1e-8), "settings", "of the class Settings, got float"),
+        (lambda scene: ss.NormalProblem(scene.bodies, scene.ball, force=1.0).solve(progress=1.0), "progress", "a callable or a bool, got float"),
+        (lambda scene: ss.Kernel.isotropic(scene.bodies.pair, 1e-3, 2.0), "response", "a callable, got float"),
+    ],
+)
+def test_object_of_wrong_class_message_names_argument(scene, call, argument, message):
+    with pytest.raises(ss.errors.ArgumentType, match=f"^{argument} must be {message}$") as refused:
+        call(scene)
+    assert refused.value.argument == argument and isinstance(refused.value, TypeError)
+
+
 def test_closed_forms_reject_numbers_by_position(scene):
     pair = scene.bodies.pair
     with pytest.raises(TypeError, match="positional"):
