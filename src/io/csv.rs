@@ -192,7 +192,7 @@ impl Options {
     }
 }
 
-/// Returns the error for a cell that is not a number. The error for a name in the first line or the first column suggests the
+/// Returns the error for a cell that violates a rule for numbers. The error for a name in the first line or the first column suggests the
 /// option that skips the cell.
 fn rejected(
     [line, column]: [usize; 2],
@@ -388,7 +388,7 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 ///
 /// # Errors
 /// - [`Error::NotPositive`] if a cell side is not positive and finite.
-/// - [`Error::Format`], with line and column, if a cell is not a number.
+/// - [`Error::Format`], with line and column, if a cell contains other text.
 /// - [`Error::Format`], with the line, if the width of a line differs from the width of the
 ///   first line, or if the first line or column may be labels.
 /// - [`Error::Format`] if the text is in UTF-16, if the file contains no numbers, or if it is a file of
