@@ -1495,7 +1495,9 @@ class CoupledRollingSolver:
         """
     def set_normal_load(self, /, *, normal_force: float | None = None, approach: float | None = None) -> None:
         """
-        Sets the normal load of the next solve: a normal force (not negative) or an approach (a length).
+        Sets the normal load of the next solve: a normal force (not negative) or an approach (a length). If friction cannot
+        carry the prescribed forces under this normal force, the load is unchanged and
+        :class:`~stickslip.errors.BeyondFrictionCapacity` is raised.
         """
     @property
     def settings(self, /) -> Settings:
@@ -3532,7 +3534,9 @@ class Kernel:
             nx), where the z direction is the pressure. It returns the displacements of body 1 relative to body 2 in the
             same shape and order (lengths). A LinearOperator has the same number of unknowns;
             :class:`~stickslip.dense.DenseOperator` accepts the compliance matrix of a finite-element code. On a grid that
-            is periodic along both axes, uniform tractions must cause no displacement.
+            is periodic along both axes, uniform tractions must cause no displacement. An operator is rejected as not
+            symmetric if the work of each of two test fields on the displacements of the other differs by more than 1e-9 of
+            the energies. The mean of a matrix and its transpose, ``(matrix + matrix.T) / 2``, is symmetric to round-off.
         lower_bounds : dict, optional
             Lower bounds on the smallest eigenvalues of the callables, by name; 0 by default. Errors are certified with
             these bounds. Without a bound, coupled contacts cannot be solved and the stiffness is not available. A
@@ -5642,8 +5646,8 @@ class RollingSolver:
 
         Parameters
         ----------
-        force, approach : float, optional
-            Exactly one of the two; see :class:`NormalProblem`.
+        normal_force, approach : float, optional
+            Exactly one of the two; see ``force`` and ``approach`` of :class:`NormalProblem`.
 
         Raises
         ------
@@ -7501,6 +7505,11 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
     """
     Reads a field from a text file that contains a matrix.
 
+    A cell is missing (NaN) if it is empty, consists of stars, or is one of these words in upper or lower case: ``nan``,
+    ``BAD``, ``No Data``, ``no_data``, ``no-data``, ``N/A``, ``#N/A``, ``NA``, ``null``, ``none``, ``void``, ``invalid``,
+    ``missing`` and ``--``. Any other text is rejected with its line and column. Numbers that may be labels are also
+    rejected: a first row or column 0, 1, 2, ..., and evenly spaced coordinates in the first row and column.
+
     Parameters
     ----------
     path : path_like
@@ -7508,13 +7517,13 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
     cell, size : pair of float
         Side lengths of a cell or of the grid; exactly one of the two is required.
     missing : float, optional
-        The value that marks a missing point; none by default.
+        The value that marks a missing point (default: the value that a comment states, or none).
     skip_rows : int, default 0
         Number of rows before the matrix.
     skip_columns : int, default 0
         Number of columns to skip at the start of each row, such as names or row numbers.
     without_labels : bool, default False
-        Whether a first row or column 0, 1, 2, ... contains heights; if not, such a row or column is rejected.
+        Whether a first row or column with numbers that may be labels contains heights; if not, it is rejected.
     unit : str, optional
         The unit of the lengths of the file, which the surface keeps, such as ``"um"``.
     height_unit : str, optional
@@ -7846,21 +7855,22 @@ def remove_outliers(heights: Field | ArrayLike, *, threshold: float = ..., radiu
     instrument.
 
     The deviation of a point is its height minus the median of the means of pairs. A pair consists of two measured points on
-    opposite sides of the point, so a tilt causes no deviation. The scale is 1.4826 times the median of the absolute
-    deviations of all points, an estimate of the standard deviation that outliers hardly affect. A point is an outlier if its
-    absolute deviation exceeds ``threshold`` times the scale (Hampel, 1974), also relative to the pairs without larger
-    outliers. ISO 25178-2 defines outliers and leaves the method open.
+    opposite sides of the point, so a tilt causes no deviation. A point is an outlier if its absolute deviation exceeds
+    ``threshold`` times the larger of two scales, also relative to the pairs without larger outliers. The first scale is 1.4826
+    times the median of the absolute deviations of all points (Hampel, 1974). The second scale follows from the deviations
+    around the point, because all points along an edge, ridge or groove deviate, whereas an outlier deviates alone. ISO 25178-2
+    defines outliers and leaves the method open.
 
     Parameters
     ----------
     heights : Field or topography
         The heights (lengths); NaN marks missing heights.
     threshold : float, default 6
-        Threshold in estimated standard deviations. For normally distributed deviations, 3 removes 0.3 % of the points, and 6
-        removes 2 in 1e9.
+        Threshold in estimated standard deviations. The value 3 removes about 0.3 % of normally distributed independent
+        heights. The default removes no points of smooth surfaces such as spheres, waves, steps, ramps and cones.
     radius : int, default 2
-        Largest distance of the points of a pair along each axis, in cells, at least 1. A group of outliers that affects half
-        of the pairs is not detected.
+        Largest distance of the points of a pair along each axis, in cells, at least 1. A group of more than ``2 * radius``
+        outliers counts as an edge. An outlier next to an edge must exceed the deviation at the edge several times.
 
     Returns
     -------
