@@ -133,8 +133,8 @@ pub enum Warning {
         per_mille: usize,
     },
     /// The rms slope of the gap before loading within the contact exceeds 0.5. Half-space theory assumes that slopes
-    /// are small. If no neighbouring cells are both in contact, the slopes between cells in contact and their neighbours
-    /// are used.
+    /// are small. If all contact spots are at most two cells wide, the slopes between cells in contact and their other
+    /// neighbours are used.
     SteepSurface {
         /// The rms slope, in thousandths.
         per_mille: usize,

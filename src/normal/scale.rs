@@ -13,7 +13,7 @@ pub(crate) struct Scale {
     approach_tenths: usize,
     /// Contact radius over the radius of curvature, in thousandths.
     radius_per_mille: usize,
-    /// Rms slope within the contact, or around the cells in contact if none of their neighbours is in contact, in thousandths.
+    /// Rms slope within the contact, or around it if it is at most two cells wide, in thousandths.
     slope_per_mille: usize,
 }
 
@@ -26,8 +26,9 @@ const LARGEST_SLOPE: usize = 500;
 /// Here x is the middle of the pair, and s is the slope of the gap between the two cells.
 type Slopes = [f64; 6];
 
-/// Number and sum of the squared slopes between cells in contact and their neighbours along an axis that are not in contact.
-type OuterSlopes = [f64; 2];
+/// Number of cells in contact between two neighbours in contact along an axis, and number and sum of the squared slopes between
+/// cells in contact and neighbours that are not in contact.
+type Surroundings = [f64; 3];
 
 impl Scale {
     /// Measures the contact of a pressure over a gap before loading. Pairs of rows on different ranks do not count.
@@ -37,7 +38,8 @@ impl Scale {
         let (slopes, outer, least) = reduce::fold(
             &bodies.grid_layout(),
             |cells| {
-                let (mut slopes, mut outer) = ([Slopes::default(); 2], [OuterSlopes::default(); 2]);
+                let (mut slopes, mut outer) =
+                    ([Slopes::default(); 2], [Surroundings::default(); 2]);
                 let mut least = f64::INFINITY;
                 for cell in cells.filter(|cell| pressure[*cell] > 0.0) {
                     least = least.min(gap[cell]);
@@ -51,8 +53,13 @@ impl Scale {
                         for outside in [pair.0, pair.1].into_iter().flatten() {
                             if pressure[outside] <= 0.0 {
                                 let s = (gap[outside] - gap[cell]) / sides[axis];
-                                outer[axis] = outer[axis].plus([1.0, s * s]);
+                                outer[axis] = outer[axis].plus([0.0, 1.0, s * s]);
                             }
+                        }
+                        let is_in_contact =
+                            |next: Option<usize>| next.is_some_and(|i| pressure[i] > 0.0);
+                        if is_in_contact(pair.0) && is_in_contact(pair.1) {
+                            outer[axis][0] += 1.0;
                         }
                         let Some(next) = pair.0.filter(|next| pressure[*next] > 0.0) else {
                             continue;
@@ -69,9 +76,10 @@ impl Scale {
         let grid = grid.whole();
         let radius = slopes.map(|slopes| radius_over_curvature(grid, slopes));
         let mean = |count: f64, squares: f64| squares / count.max(1.0);
-        let is_isolated = slopes.iter().all(|slopes| slopes[0] == 0.0);
-        let squared = if is_isolated {
-            outer.map(|[count, squares]| mean(count, squares))
+        // Two cells next to a summit have equal heights, so that their slope is zero.
+        let is_narrow = outer.iter().all(|[between, ..]| *between == 0.0);
+        let squared = if is_narrow {
+            outer.map(|[_, count, squares]| mean(count, squares))
         } else {
             slopes.map(|[count, .., squares]| mean(count, squares))
         };

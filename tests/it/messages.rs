@@ -573,8 +573,13 @@ fn steep_surface_on_single_cell_gives_warning() {
             .collect::<Vec<_>>()
     };
     assert_eq!(stated(1.0), []);
-    // Heights in a unit that is a thousand times too small: four cells touch at the middle, and one does after a shift by half a
-    // cell.
+    // Heights in a unit that is a thousand times too small. Four cells touch around the middle, with slopes of 200 along both
+    // axes.
+    assert_eq!(
+        stated(1e-3 / 2.0),
+        [Warning::SteepSurface { per_mille: 282_843 }]
+    );
+    // After a shift by half a cell, one cell touches.
     let off_centre = |factor: f64| {
         let gap = Field::from_fn(grid, |x, y| {
             factor * ((x - 0.05).powi(2) + (y - 0.05).powi(2))

@@ -56,6 +56,13 @@ impl<T: PyClass<Frozen = True> + Sync> Deref for Object<T> {
     }
 }
 
+impl<T> Object<T> {
+    /// Returns the object for Python.
+    pub(crate) fn object<'py>(&self, py: Python<'py>) -> Bound<'py, T> {
+        self.object.bind(py).clone()
+    }
+}
+
 impl<T: PyClass<Frozen = True> + Sync> FromPyObject<'_, '_> for Object<T> {
     type Error = PyErr;
 

@@ -96,7 +96,7 @@ impl RollingProblem {
     fn new(
         py: Python<'_>,
         bodies: Object<HalfSpace>,
-        normal: Bound<'_, NormalSolution>,
+        normal: Object<NormalSolution>,
         friction: AnyFriction<'_>,
         positional: &Bound<'_, PyTuple>,
         creepage: Option<conversion::Creepages>,
@@ -127,7 +127,11 @@ impl RollingProblem {
         )?;
         let grid = bodies.0.grid();
         let friction = friction.on(py, grid)?;
-        let given = (bodies.clone(), normal.clone(), Friction(friction.clone()));
+        let given = (
+            bodies.clone(),
+            normal.object(py),
+            Friction(friction.clone()),
+        );
         let recipe = Recipe::new(py, given)?
             .with(py, "leading_edge", leading_edge)?
             .with(py, "step", step.map(|Count(cells)| cells))?
@@ -139,7 +143,7 @@ impl RollingProblem {
             )?
             .with(py, "settings", Some(Settings(settings)))?;
         let recipe = keywords.recorded(py, recipe)?;
-        let normal = normal.get().get();
+        let normal = normal.get();
         let built = unobserved_on(py, grid, || {
             let [x, y] = keywords.controls();
             let mut builder = rolling::RollingProblem::builder(&bodies.0, normal, friction)
