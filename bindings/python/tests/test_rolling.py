@@ -227,7 +227,7 @@ def test_rolling_invalid_contacts_are_rejected(ball):
     assert isinstance(caught.value.last_iterate, ss.rolling.RollingSolution)
     # The contact reaches the edge of the grid, where particles would enter.
     flat = ss.NormalProblem(ball.bodies, np.zeros((24, 24)), force=1.0).solve(warn=False)
-    with pytest.raises(ss.errors.GridTooShort, match="cells ahead of the contact, but the grid has 0: extend the grid there by at least 1 cells"):
+    with pytest.raises(ss.errors.GridTooShort, match="1 cell ahead of the contact, but the grid has 0: extend the grid there by at least 1 cell$"):
         RollingProblem(ball.bodies, flat, FRICTION)
 
 
