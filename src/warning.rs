@@ -164,6 +164,7 @@ pub enum Warning {
     },
 }
 
+#[expect(clippy::too_many_lines, reason = "a text for each warning")]
 impl std::fmt::Display for Warning {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {

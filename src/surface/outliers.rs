@@ -351,12 +351,15 @@ mod tests {
         }
     }
 
+    /// Name of a surface and its height at a point.
+    type Named<'a> = (&'a str, &'a dyn Fn(f64, f64) -> f64);
+
     #[test]
     fn smooth_surfaces_with_edges_lose_no_point() {
         let grid = Grid::square(48, 48.0).unwrap();
         let (sine, cosine) = 0.47_f64.sin_cos();
         let along = move |x: f64, y: f64| cosine * x + sine * y;
-        let surfaces: [(&str, &dyn Fn(f64, f64) -> f64); 13] = [
+        let surfaces: [Named<'_>; 13] = [
             ("sphere", &|x, y| (1200.0 - x * x - y * y).max(0.0).sqrt()),
             ("sphere on a plane", &|x, y| {
                 (400.0 - x * x - y * y).max(0.0).sqrt()
