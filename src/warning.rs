@@ -3,7 +3,7 @@
 #[cfg(test)]
 mod tests;
 
-use crate::error::Result;
+use crate::error::{Result, counted};
 use crate::grid::Grid;
 
 /// Warning that a converged solution may be misleading.
@@ -114,6 +114,12 @@ pub enum Warning {
         /// The approach divided by the longest side of the grid, in tenths.
         tenths: usize,
     },
+    /// The shift of a step exceeds the longest side of the grid. A common cause is an inconsistent unit of the shift. Steps
+    /// that roll do not have this warning.
+    ShiftBeyondGrid {
+        /// The shift of the step divided by the longest side of the grid, in tenths.
+        tenths: usize,
+    },
     /// The contact radius a exceeds 0.3 of the radius of curvature R of the gap. Half-space theory assumes that a/R is
     /// small.
     ///
@@ -127,9 +133,10 @@ pub enum Warning {
         per_mille: usize,
     },
     /// The rms slope of the gap before loading within the contact exceeds 0.5. Half-space theory assumes that slopes
-    /// are small.
+    /// are small. If all contact spots are at most two cells wide, the slopes between cells in contact and their other
+    /// neighbours are used.
     SteepSurface {
-        /// The rms slope between cells in contact, in thousandths.
+        /// The rms slope, in thousandths.
         per_mille: usize,
     },
     /// A step of a history specified no tangential load. The step kept the shift. The tangential force decreased by more
@@ -157,6 +164,7 @@ pub enum Warning {
     },
 }
 
+#[expect(clippy::too_many_lines, reason = "a text for each warning")]
 impl std::fmt::Display for Warning {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
@@ -166,12 +174,14 @@ impl std::fmt::Display for Warning {
             Self::ContactAtEdge { cells } => {
                 write!(
                     formatter,
-                    "{cells} contact cells lie on the edge of the grid: use a larger grid"
+                    "the edge of the grid contains {}: use a larger grid",
+                    counted(*cells, "contact cell")
                 )
             }
             Self::UnresolvedSpots { unresolved, spots } => write!(
                 formatter,
-                "{unresolved} of {spots} contact spots have fewer than {RESOLVED} cells, and together they contain at least a tenth of the contact cells: refine the grid, or filter out the short waves of the surface"
+                "contact spots of fewer than {RESOLVED} cells ({unresolved} of {}) contain at least a tenth of the contact cells: refine the grid, or filter out the short waves of the surface",
+                counted(*spots, "spot")
             ),
             Self::SingleRowOfCells => write!(
                 formatter,
@@ -190,7 +200,8 @@ impl std::fmt::Display for Warning {
             }
             Self::BeyondHardness { cells } => write!(
                 formatter,
-                "the pressure exceeds the hardness of the softer body in {cells} cells: limit the pressure to the hardness"
+                "the pressure exceeds the hardness of the softer body in {}: limit the pressure to the hardness",
+                counted(*cells, "cell")
             ),
             Self::StalePressure => formatter.write_str(
                 "the gap has changed, but the step kept the pressure, which belongs to the old gap: prescribe the normal load again",
@@ -201,11 +212,13 @@ impl std::fmt::Display for Warning {
             ),
             Self::UnderresolvedContact { cells } => write!(
                 formatter,
-                "the contact has only {cells} cells, so that its area and its stick ratio are inaccurate: refine the grid"
+                "the contact has only {}, so that its area and its stick ratio are inaccurate: refine the grid",
+                counted(*cells, "cell")
             ),
             Self::UnderresolvedStickZone { cells } => write!(
                 formatter,
-                "only {cells} cells stick, so that the size of the stick zone is inaccurate: refine the grid"
+                "the stick zone has only {}, so that its size is inaccurate: refine the grid",
+                counted(*cells, "cell")
             ),
             Self::UnderresolvedSlipZone { tenths } => write!(
                 formatter,
@@ -228,9 +241,10 @@ impl std::fmt::Display for Warning {
                 ..
             } => write!(
                 formatter,
-                "the estimated discretisation error of the fields is {}.{} %: for an error of 1 %, use {cells_per_radius} cells on the radius of a contact spot",
+                "the estimated discretisation error of the fields is {}.{} %: for an error of 1 %, use {} on the radius of a contact spot",
                 per_mille / 10,
-                per_mille % 10
+                per_mille % 10,
+                counted(*cells_per_radius, "cell")
             ),
             Self::SingleLoadStep => write!(
                 formatter,
@@ -242,6 +256,12 @@ impl std::fmt::Display for Warning {
                 tenths / 10,
                 tenths % 10
             ),
+            Self::ShiftBeyondGrid { tenths } => write!(
+                formatter,
+                "the shift of the step is {}.{} times the longest side of the grid, expected less than 1: check the units of shift and grid",
+                tenths / 10,
+                tenths % 10
+            ),
             Self::LargeContactRadius { per_mille } => write!(
                 formatter,
                 "the contact radius is about {:.2} of the radius of curvature, expected at most 0.3: check the units of gap and grid, or lower the load; half-spaces assume small slopes",
@@ -249,7 +269,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::SteepSurface { per_mille } => write!(
                 formatter,
-                "the rms slope of the surface within the contact is {:.2}, expected at most 0.5: check the units of heights and grid, or filter out short waves; half-spaces assume small slopes",
+                "the rms slope of the surface at the contact is {:.2}, expected at most 0.5: check the units of heights and grid, or filter out short waves; half-spaces assume small slopes",
                 1e-3 * *per_mille as f64
             ),
             Self::HeldShiftLostForce { per_cent } => write!(
@@ -291,6 +311,9 @@ fn write_accuracy(formatter: &mut std::fmt::Formatter<'_>, tenths: usize) -> std
 const LARGEST_ERROR: f64 = 0.05;
 /// Discretisation error after the suggested refinement.
 const SMALL_ERROR: f64 = 0.01;
+
+/// Largest shift of a step without a warning, in tenths of the longest side of the grid.
+const LARGEST_SHIFT: usize = 10;
 
 /// Number of spots above which a contact counts as rough. The radius of the spots then cannot be chosen.
 const MANY_SPOTS: usize = 10;
@@ -336,6 +359,17 @@ impl Warning {
         Self::AccuracyNotReached {
             tenths: (10.0 * ratio).ceil() as usize,
         }
+    }
+
+    /// Returns a shift over the longest side of the whole grid, in tenths, or `None` if the shift is small.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the size is not negative, and a large one saturates"
+    )]
+    pub(crate) fn shift_beyond(grid: Grid, [x, y]: [f64; 2]) -> Option<usize> {
+        let tenths = (10.0 * x.hypot(y) / grid.whole().longest_side()).round() as usize;
+        (tenths > LARGEST_SHIFT).then_some(tenths)
     }
 
     /// Returns a neglected lift due to tractions, in millionths, or `None` if the lift is within the tolerance.

@@ -261,7 +261,7 @@ impl<'a, K: Constraint<N>, const N: usize> Posed<'a, K, N> {
             return Ok(());
         };
         Err(Error::Method {
-            method: "PolonskyKeer",
+            method: "Polonsky-Keer",
             quantity,
         })
     }

@@ -143,7 +143,8 @@ impl CoupledSolution {
         warnings.extend(
             tangential
                 .zone_warnings()
-                .chain(tangential.pressing_warning()),
+                .chain(tangential.pressing_warning())
+                .chain(tangential.shift_warning()),
         );
         Ok(warnings)
     }

@@ -22,6 +22,15 @@ pub(super) fn size(bytes: u128) -> String {
     format!("{value:.decimals$} {unit}")
 }
 
+/// Returns a count with its noun in the singular or the plural.
+pub(crate) fn counted(count: usize, noun: &str) -> String {
+    match noun.strip_suffix('y') {
+        _ if count == 1 => format!("1 {noun}"),
+        Some(stem) => format!("{count} {stem}ies"),
+        None => format!("{count} {noun}s"),
+    }
+}
+
 /// Returns the message for a tangential force beyond the friction capacity, with a remedy.
 pub(super) fn beyond_capacity(force: f64, limit: f64, remedy: &str) -> String {
     let remedy = if limit > 0.0 {

@@ -14,6 +14,7 @@ pub(crate) use check::{
     SLIDE, all_finite, all_non_negative, at_least, finite, has_squares, length, memory,
     non_negative, not_converged, of_rolling, poisson_ratio, positive, samples_obey,
 };
+pub(crate) use messages::counted;
 pub use {kind::ErrorKind, place::Place, ranks::RankFailure, result::Result, system::SystemError};
 
 use crate::report::Report;
@@ -183,7 +184,7 @@ pub enum Error {
         sides: [f64; 2],
     },
     /// A slice, field or list has the wrong number of entries.
-    #[error("{quantity} has {found} entries, expected {expected}")]
+    #[error("{quantity} has {}, expected {expected}", counted(*found, "entry"))]
     Length {
         /// The slice or list, in words.
         quantity: &'static str,
@@ -218,7 +219,7 @@ pub enum Error {
     },
     /// A solution belongs to bodies with a different interpretation of cell values.
     #[error(
-        "{quantity} belongs to bodies with a different CellValue: use the bodies for which it was computed"
+        "{quantity} belongs to bodies with a different interpretation of cell values: use the bodies for which it was computed"
     )]
     CellValueMismatch {
         /// The solution, in words.
@@ -236,7 +237,7 @@ pub enum Error {
     )]
     NoPressureToHold,
     /// The method does not support the problem.
-    #[error("the method {method} does not support {quantity}: use ActiveSet")]
+    #[error("the {method} method does not support {quantity}: use the active-set method")]
     #[non_exhaustive]
     Method {
         /// The requested method.
@@ -312,7 +313,7 @@ pub enum Error {
     },
     /// A quantity for elastic contacts was requested for a contact with cells at their hardness.
     #[error(
-        "{quantity} requires an elastic contact, but {cells} cells have reached their hardness: lower the load, or raise the hardness"
+        "{quantity} requires an elastic contact, but {} reached the hardness: lower the load, or raise the hardness", counted(*cells, "cell")
     )]
     #[non_exhaustive]
     Yielded {
@@ -384,7 +385,7 @@ pub enum Error {
     },
     /// The known points do not determine an unknown quantity.
     #[error(
-        "{known} known points do not determine the {unknowns} unknowns of the {quantity}: provide more known points"
+        "the {quantity} has {}, but there are only {}: provide more known points", counted(*unknowns, "unknown"), counted(*known, "known point")
     )]
     Undetermined {
         /// The unknown quantity, in words.
@@ -446,8 +447,9 @@ pub enum Error {
     },
     /// The distance between the contact and the edge of the grid is too small for a rolling step.
     #[error(
-        "a rolling step requires {needed} cells {side} the contact, but the grid has {found}: extend the grid there by at least {} cells",
-        needed.saturating_sub(*found)
+        "a rolling step requires {} {side} the contact, but the grid has {found}: extend the grid there by at least {}",
+        counted(*needed, "cell"),
+        counted(needed.saturating_sub(*found), "cell")
     )]
     GridTooShort {
         /// The side of the contact: "ahead of" or "behind".

@@ -194,7 +194,7 @@ fn every_error_has_its_text() {
             Error::CellValueMismatch {
                 quantity: "normal solution",
             },
-            "normal solution belongs to bodies with a different CellValue: use the bodies for which it was computed",
+            "normal solution belongs to bodies with a different interpretation of cell values: use the bodies for which it was computed",
         ),
         (
             Error::Tolerance(2.0),
@@ -210,10 +210,10 @@ fn every_error_has_its_text() {
         ),
         (
             Error::Method {
-                method: "PolonskyKeer",
+                method: "Polonsky-Keer",
                 quantity: "springs",
             },
-            "the method PolonskyKeer does not support springs: use ActiveSet",
+            "the Polonsky-Keer method does not support springs: use the active-set method",
         ),
         (
             Error::Bounds {
@@ -275,7 +275,7 @@ fn every_error_has_its_text() {
                 quantity: "the superposition",
                 cells: 12,
             },
-            "the superposition requires an elastic contact, but 12 cells have reached their hardness: lower the load, or raise the hardness",
+            "the superposition requires an elastic contact, but 12 cells reached the hardness: lower the load, or raise the hardness",
         ),
         (
             Error::ObliqueLoad { x: 1.0, y: 2.0 },
@@ -320,7 +320,7 @@ fn every_error_has_its_text() {
                 unknowns: 6,
                 known: 4,
             },
-            "4 known points do not determine the 6 unknowns of the form: provide more known points",
+            "the form has 6 unknowns, but there are only 4 known points: provide more known points",
         ),
         (
             Error::Degree {
@@ -366,6 +366,22 @@ fn every_error_has_its_text() {
                 found: 1,
             },
             "a rolling step requires 3 cells ahead of the contact, but the grid has 1: extend the grid there by at least 2 cells",
+        ),
+        (
+            Error::GridTooShort {
+                side: "behind",
+                needed: 1,
+                found: 0,
+            },
+            "a rolling step requires 1 cell behind the contact, but the grid has 0: extend the grid there by at least 1 cell",
+        ),
+        (
+            Error::Length {
+                quantity: "matrix",
+                expected: 9,
+                found: 1,
+            },
+            "matrix has 1 entry, expected 9",
         ),
         (
             Error::NoWaveInBand {

@@ -198,6 +198,11 @@ impl Grid {
         self.cell_area() * self.cells() as f64
     }
 
+    /// Returns the longer side of the grid (a length).
+    pub(crate) fn longest_side(&self) -> f64 {
+        (self.dx * self.nx as f64).max(self.dy * self.ny as f64)
+    }
+
     /// Checks that a quantity on the grid `found` is on this grid.
     pub(crate) fn check_equal(&self, quantity: &'static str, found: Self) -> Result<()> {
         if self.agrees_with(found) {

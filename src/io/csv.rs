@@ -115,11 +115,11 @@ impl Options {
             let separator = *separator.get_or_insert_with(|| Separator::of(&line));
             let (start, mut last) = (samples.len(), "");
             for (column, cell) in separator.split(&line).skip(self.skip_columns).enumerate() {
-                let sample = separator.number(FORMAT, number, cell);
-                samples.push(sample.map_err(|error| {
-                    let columns = self.skip_columns;
-                    named(number, cell, [start == 0, column == 0], columns).unwrap_or(error)
-                })?);
+                let sample = separator.parse(cell).map_err(|rule| {
+                    let place = [number, self.skip_columns + column + 1];
+                    rejected(place, cell, rule, [start == 0, column == 0])
+                })?;
+                samples.push(sample);
                 spelling.read(start == 0, column, cell);
                 last = cell;
             }
@@ -192,27 +192,25 @@ impl Options {
     }
 }
 
-/// Returns the error for a name in the first line or the first column, or `None` for any other cell. The error suggests
-/// the option that skips the cell.
-fn named(
-    line: usize,
+/// Returns the error for a cell that violates a rule for numbers. The error for a name in the first line or the first column suggests the
+/// option that skips the cell.
+fn rejected(
+    [line, column]: [usize; 2],
     cell: &str,
+    rule: &str,
     [is_first_line, is_first_column]: [bool; 2],
-    skipped: usize,
-) -> Option<Error> {
+) -> Error {
     let is_name = cell.starts_with(|first: char| first.is_alphabetic() || "\"'_".contains(first));
-    let rows = format!("skip header lines by the option skip_rows = {line}");
-    let columns = skipped + 1;
-    let columns = format!("skip row names by the option skip_columns = {columns}");
+    let rows = format!(": skip header lines by the option skip_rows = {line}");
+    let columns = format!("skip row names by the option skip_columns = {column}");
     let remedy = match (is_first_line, is_first_column) {
-        _ if !is_name => return None,
-        (true, true) => format!("{rows}, or {columns}"),
-        (true, false) => rows,
-        (false, true) => columns,
-        (false, false) => return None,
+        (true, true) if is_name => format!("{rows}, or {columns}"),
+        (true, false) if is_name => rows,
+        (false, true) if is_name => format!(": {columns}"),
+        _ => String::new(),
     };
-    let problem = format!("{} is not a number: {remedy}", excerpt(cell));
-    Some(FORMAT.on_line(line, problem))
+    let problem = format!("{} in column {column} {rule}{remedy}", excerpt(cell));
+    FORMAT.on_line(line, problem)
 }
 
 /// Spelling of the cells, which identifies numbers that may be labels.
@@ -269,21 +267,30 @@ impl Spelling {
 
     /// Returns whether the first line and the first column of a matrix are labels.
     ///
-    /// Next to an empty corner, labels count 0, 1, 2 or 1, 2, 3, or are evenly spaced coordinates on both axes. If the
-    /// corner is not empty, labels are whole numbers that count while the other numbers do not count or have decimals.
-    /// Two numbers are labels only if all others have decimals.
+    /// Next to an empty corner, labels count 0, 1, 2 or 1, 2, 3, or are evenly spaced coordinates on both axes. Three or
+    /// more coordinates on both axes are also labels next to a number that does not continue them, unless the lines below
+    /// rise like the first line. Other labels are whole numbers that count while the other numbers do not count or have
+    /// decimals. Two numbers are labels only if all others have decimals.
     fn labels(&self, samples: &[f64], width: usize) -> [bool; 2] {
         let height = samples.len() / width;
         let line = |row: usize, from: usize| (from..width).map(move |ix| samples[row * width + ix]);
         let column =
             |ix: usize, from: usize| (from..height).map(move |iy| samples[iy * width + ix]);
+        let spacings = spacing(line(0, 1)).zip(spacing(column(0, 1)));
         if self.corner == Corner::Empty {
             let does_line_count = self.is_line_whole && counts(line(0, 1));
             let does_column_count = self.is_column_whole && counts(column(0, 1));
-            let is_pair = (does_line_count || is_even(line(0, 1)))
-                && (does_column_count || is_even(column(0, 1)));
+            let is_pair = does_line_count && does_column_count || spacings.is_some();
             let is_long = does_line_count && width > 3 || does_column_count && height > 3;
             return [is_pair || is_long; 2];
+        }
+        if let Some((dx, dy)) = spacings.filter(|_| width > 3 && height > 3) {
+            let continues = |first: f64, step: f64| is_equal(first - samples[0], step);
+            let is_plane = || (1..height).all(|row| does_rise(line(row, 1), dx));
+            let is_edge = continues(samples[1], dx) && continues(samples[width], dy);
+            if !is_edge && !is_plane() {
+                return [true; 2];
+            }
         }
         if self.corner != Corner::Whole {
             return [false; 2];
@@ -315,14 +322,27 @@ fn steps_by_one(numbers: impl Iterator<Item = f64> + Clone) -> bool {
     numbers.zip(next).all(|(a, b)| b - a == 1.0)
 }
 
-/// Returns whether three or more numbers are evenly spaced, within the rounding of a few decimals.
-fn is_even(numbers: impl Iterator<Item = f64> + Clone) -> bool {
-    let mut steps = numbers.clone().zip(numbers.skip(1)).map(|(a, b)| b - a);
-    let (Some(first), Some(second)) = (steps.next(), steps.next()) else {
-        return false;
-    };
-    let is_equal = |step: f64| (step - first).abs() <= 0.01 * first.abs();
-    first != 0.0 && is_equal(second) && steps.all(is_equal)
+/// Returns the spacing of two or more numbers that are evenly spaced within the rounding of a few decimals.
+fn spacing(numbers: impl ExactSizeIterator<Item = f64> + Clone) -> Option<f64> {
+    let (count, first, last) = (
+        numbers.len(),
+        numbers.clone().next()?,
+        numbers.clone().last()?,
+    );
+    let step = (last - first) / (count as f64 - 1.0);
+    let is_even = |(index, number)| is_equal(number - first - index as f64 * step + step, step);
+    (count > 1 && step != 0.0 && numbers.enumerate().all(is_even)).then_some(step)
+}
+
+/// Returns whether each number exceeds its predecessor by a step.
+fn does_rise(numbers: impl Iterator<Item = f64> + Clone, step: f64) -> bool {
+    let next = numbers.clone().skip(1);
+    numbers.zip(next).all(|(a, b)| is_equal(b - a, step))
+}
+
+/// Returns whether a difference equals a step within the rounding of a few decimals.
+fn is_equal(difference: f64, step: f64) -> bool {
+    (difference - step).abs() <= 0.02 * step.abs()
 }
 
 /// Returns the value of missing points if a comment contains it, as `# missing value = -32768` or
@@ -357,18 +377,19 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 ///   `void value`, in upper or lower case and with any separators between words. All other comments are ignored. Use
 ///   [`Options::missing`] if a comment of a different form contains the value of missing points.
 /// - A cell is missing (NaN) if it is empty, consists of stars (`***`) or is `--`. It is also missing if it is one of
-///   these words in upper or lower case: `nan`, `BAD`, `No Data`, `no_data`, `N/A`, `NA`, `null`, `none`, `void`,
-///   `invalid` and `missing`.
+///   these words in upper or lower case: `nan`, `-nan`, `BAD`, `No Data`, `no_data`, `no-data`, `N/A`, `#N/A`,
+///   `NA`, `null`, `none`, `void`, `invalid` and `missing`. Any other text is rejected.
 /// - A separator at the end of every line adds no cell.
 /// - Names of columns and rows are rejected. [`Options::skip_rows`] and [`Options::skip_columns`] skip them.
 /// - Numbers that may be labels are also rejected. A first line or column may be labels if it counts 0, 1, 2 or 1, 2, 3
-///   in whole numbers, whereas the other numbers do not count or have decimals. After an empty first cell, evenly
-///   spaced coordinates on both axes are also labels. With [`Options::without_labels`] all of these numbers are read as
-///   heights.
+///   in whole numbers, whereas the other numbers do not count or have decimals. Evenly spaced coordinates on both axes are
+///   also labels, after an empty first cell or after a number that does not continue them. With
+///   [`Options::without_labels`] all of these numbers are read as heights.
 ///
 /// # Errors
 /// - [`Error::NotPositive`] if a cell side is not positive and finite.
-/// - [`Error::Format`], with the line, if a cell is not a number, if the width of a line differs from the width of the
+/// - [`Error::Format`], with line and column, if a cell contains other text.
+/// - [`Error::Format`], with the line, if the width of a line differs from the width of the
 ///   first line, or if the first line or column may be labels.
 /// - [`Error::Format`] if the text is in UTF-16, if the file contains no numbers, or if it is a file of
 ///   [`asc`](super::asc).

@@ -106,9 +106,16 @@ impl Separator {
         cells.filter(move |cell| self != Self::Space || !cell.is_empty())
     }
 
-    /// Parses the number in a cell. The result is NaN if the cell is empty or consists of stars, or is `nan` or a word
-    /// of [`MISSING`]. A decimal comma counts as a point unless commas separate the cells.
+    /// Parses the number in a cell of a line, as [`parse`](Self::parse).
     pub(super) fn number(self, format: Format, line: usize, cell: &str) -> Result<f64> {
+        let problem = |rule| format.on_line(line, format!("{} {rule}", excerpt(cell)));
+        self.parse(cell).map_err(problem)
+    }
+
+    /// Parses the number in a cell. The result is NaN if the cell is empty or consists of stars, or is `nan` or a word
+    /// of [`MISSING`]. A decimal comma counts as a point unless commas separate the cells. The error is the violated rule, in
+    /// words.
+    pub(super) fn parse(self, cell: &str) -> std::result::Result<f64, &'static str> {
         let is_stars = cell.bytes().all(|byte| byte == b'*');
         if is_stars || MISSING.iter().any(|word| word.eq_ignore_ascii_case(cell)) {
             return Ok(f64::NAN);
@@ -123,11 +130,8 @@ impl Separator {
             Ok(value) if f64::is_finite(value) || !cell.contains(|c: char| c.is_ascii_digit()) => {
                 Ok(value)
             }
-            Ok(_) => Err(format.on_line(
-                line,
-                format!("{} exceeds the range of double precision", excerpt(cell)),
-            )),
-            Err(_) => Err(format.on_line(line, format!("{} is not a number", excerpt(cell)))),
+            Ok(_) => Err("exceeds the range of double precision"),
+            Err(_) => Err("is not a number"),
         }
     }
 }

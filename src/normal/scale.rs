@@ -13,7 +13,7 @@ pub(crate) struct Scale {
     approach_tenths: usize,
     /// Contact radius over the radius of curvature, in thousandths.
     radius_per_mille: usize,
-    /// Rms slope within the contact, in thousandths.
+    /// Rms slope within the contact, or around it if it is at most two cells wide, in thousandths.
     slope_per_mille: usize,
 }
 
@@ -26,15 +26,21 @@ const LARGEST_SLOPE: usize = 500;
 /// Here x is the middle of the pair, and s is the slope of the gap between the two cells.
 type Slopes = [f64; 6];
 
+/// Number of cells in contact between two neighbours in contact along an axis, and number and sum of the squared slopes between
+/// cells in contact and neighbours that are not in contact.
+type Surroundings = [f64; 3];
+
 impl Scale {
     /// Measures the contact of a pressure over a gap before loading. Pairs of rows on different ranks do not count.
     pub(super) fn of(bodies: &HalfSpace, gap: &[f64], pressure: &[f64], approach: f64) -> Self {
         let grid = bodies.grid();
         let ([nx, ny], sides) = (grid.size(), [grid.dx(), grid.dy()]);
-        let (slopes, least) = reduce::fold(
+        let (slopes, outer, least) = reduce::fold(
             &bodies.grid_layout(),
             |cells| {
-                let (mut slopes, mut least) = ([Slopes::default(); 2], f64::INFINITY);
+                let (mut slopes, mut outer) =
+                    ([Slopes::default(); 2], [Surroundings::default(); 2]);
+                let mut least = f64::INFINITY;
                 for cell in cells.filter(|cell| pressure[*cell] > 0.0) {
                     least = least.min(gap[cell]);
                     let (column, row) = (cell % nx, cell / nx);
@@ -42,8 +48,20 @@ impl Scale {
                         (column + 1 < nx).then_some(cell + 1),
                         (row + 1 < ny).then_some(cell + nx),
                     ];
-                    for (axis, next) in next.into_iter().enumerate() {
-                        let Some(next) = next.filter(|next| pressure[*next] > 0.0) else {
+                    let last = [(column > 0).then(|| cell - 1), (row > 0).then(|| cell - nx)];
+                    for (axis, pair) in next.into_iter().zip(last).enumerate() {
+                        for outside in [pair.0, pair.1].into_iter().flatten() {
+                            if pressure[outside] <= 0.0 {
+                                let s = (gap[outside] - gap[cell]) / sides[axis];
+                                outer[axis] = outer[axis].plus([0.0, 1.0, s * s]);
+                            }
+                        }
+                        let is_in_contact =
+                            |next: Option<usize>| next.is_some_and(|i| pressure[i] > 0.0);
+                        if is_in_contact(pair.0) && is_in_contact(pair.1) {
+                            outer[axis][0] += 1.0;
+                        }
+                        let Some(next) = pair.0.filter(|next| pressure[*next] > 0.0) else {
                             continue;
                         };
                         let x = grid.position(column, row)[axis] + 0.5 * sides[axis];
@@ -51,16 +69,22 @@ impl Scale {
                         slopes[axis] = slopes[axis].plus([1.0, x, x * x, s, x * s, s * s]);
                     }
                 }
-                (slopes, least)
+                (slopes, outer, least)
             },
-            |(a, least), (b, other)| (a.plus(b), least.min(other)),
+            |(a, outer, least), (b, also, other)| (a.plus(b), outer.plus(also), least.min(other)),
         );
         let grid = grid.whole();
-        let longest = (grid.dx() * grid.nx() as f64).max(grid.dy() * grid.ny() as f64);
         let radius = slopes.map(|slopes| radius_over_curvature(grid, slopes));
-        let squared = slopes.map(|[count, .., squares]| squares / f64::max(count, 1.0));
+        let mean = |count: f64, squares: f64| squares / count.max(1.0);
+        // Two cells next to a summit have equal heights, so that their slope is zero.
+        let is_narrow = outer.iter().all(|[between, ..]| *between == 0.0);
+        let squared = if is_narrow {
+            outer.map(|[_, count, squares]| mean(count, squares))
+        } else {
+            slopes.map(|[count, .., squares]| mean(count, squares))
+        };
         Self {
-            approach_tenths: whole(10.0 * (approach - least) / longest),
+            approach_tenths: whole(10.0 * (approach - least) / grid.longest_side()),
             radius_per_mille: whole(1e3 * radius[0].max(radius[1])),
             slope_per_mille: whole(1e3 * (squared[0] + squared[1]).sqrt()),
         }

@@ -135,7 +135,7 @@ pub fn at_points_observed<'a>(
         return Err(Error::UnsupportedForCoatings {
             quantity: "the stress at points",
             bodies: "coated bodies",
-            remedy: "use planes of cell centres (subsurface::Planes)",
+            remedy: "compute the stress on planes instead",
         });
     }
     let tractions = tractions.into();

@@ -244,7 +244,7 @@ impl TangentialModel {
     pub(crate) fn check(self, settings: &Settings) -> Result<()> {
         match (self, settings.method) {
             (Self::Vector, Method::PolonskyKeer) => Err(Error::Method {
-                method: "PolonskyKeer",
+                method: "Polonsky-Keer",
                 quantity: "the vector model",
             }),
             _ => Ok(()),

@@ -318,6 +318,7 @@ impl TangentialSolution {
     pub fn try_warnings(&self) -> Result<Vec<Warning>> {
         let mut warnings = self.contact_map().warnings()?;
         warnings.extend(self.zone_warnings().chain(self.pressing_warning()));
+        warnings.extend(self.shift_warning());
         let contact = || self.contact_map().mean_spot();
         let estimate = self.discretisation_estimate();
         warnings.extend(Warning::of_discretisation(estimate, contact)?);
@@ -330,6 +331,12 @@ impl TangentialSolution {
         let contact = Resolution::of_contact(self.grid().whole(), cells[0] + cells[1]);
         let zones = contact.with_zones(cells, || self.contact_map().switches());
         zones.zone_warnings()
+    }
+
+    /// Returns the warning about a shift that is larger than the grid.
+    pub(crate) fn shift_warning(&self) -> Option<Warning> {
+        let beyond = Warning::shift_beyond(self.grid(), self.shift());
+        beyond.map(|tenths| Warning::ShiftBeyondGrid { tenths })
     }
 
     fn contact_map(&self) -> ContactMap<'_, impl Fn(usize) -> bool + '_> {

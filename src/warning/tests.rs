@@ -6,7 +6,7 @@ use crate::warning::Warning;
 variants! { Warning:
     NoContact ContactAtEdge UnresolvedSpots SingleRowOfCells ContactSpansGrid BeyondHardness StalePressure StressAtEdge
     UnderresolvedContact UnderresolvedStickZone UnderresolvedSlipZone DiscretisationError SingleLoadStep
-    ApproachBeyondGrid LargeContactRadius SteepSurface HeldShiftLostForce NeglectedLift AccuracyNotReached
+    ApproachBeyondGrid ShiftBeyondGrid LargeContactRadius SteepSurface HeldShiftLostForce NeglectedLift AccuracyNotReached
 }
 
 #[test]
@@ -19,14 +19,25 @@ fn every_warning_has_its_text() {
         ),
         (
             Warning::ContactAtEdge { cells: 12 },
-            "12 contact cells lie on the edge of the grid: use a larger grid",
+            "the edge of the grid contains 12 contact cells: use a larger grid",
+        ),
+        (
+            Warning::ContactAtEdge { cells: 1 },
+            "the edge of the grid contains 1 contact cell: use a larger grid",
+        ),
+        (
+            Warning::UnresolvedSpots {
+                unresolved: 1,
+                spots: 1,
+            },
+            "contact spots of fewer than 5 cells (1 of 1 spot) contain at least a tenth of the contact cells: refine the grid, or filter out the short waves of the surface",
         ),
         (
             Warning::UnresolvedSpots {
                 unresolved: 7,
                 spots: 40,
             },
-            "7 of 40 contact spots have fewer than 5 cells, and together they contain at least a tenth of the contact cells: refine the grid, or filter out the short waves of the surface",
+            "contact spots of fewer than 5 cells (7 of 40 spots) contain at least a tenth of the contact cells: refine the grid, or filter out the short waves of the surface",
         ),
         (
             Warning::SingleRowOfCells,
@@ -71,7 +82,7 @@ fn every_warning_has_its_text() {
         ),
         (
             Warning::UnderresolvedStickZone { cells: 30 },
-            "only 30 cells stick, so that the size of the stick zone is inaccurate: refine the grid",
+            "the stick zone has only 30 cells, so that its size is inaccurate: refine the grid",
         ),
         (
             Warning::UnderresolvedSlipZone { tenths: 14 },
@@ -102,12 +113,16 @@ fn every_warning_has_its_text() {
             "the approach is 1.5 times the longest side of the grid, expected less than 1: check the units of gap, grid, modulus and load",
         ),
         (
+            Warning::ShiftBeyondGrid { tenths: 25 },
+            "the shift of the step is 2.5 times the longest side of the grid, expected less than 1: check the units of shift and grid",
+        ),
+        (
             Warning::LargeContactRadius { per_mille: 350 },
             "the contact radius is about 0.35 of the radius of curvature, expected at most 0.3: check the units of gap and grid, or lower the load; half-spaces assume small slopes",
         ),
         (
             Warning::SteepSurface { per_mille: 750 },
-            "the rms slope of the surface within the contact is 0.75, expected at most 0.5: check the units of heights and grid, or filter out short waves; half-spaces assume small slopes",
+            "the rms slope of the surface at the contact is 0.75, expected at most 0.5: check the units of heights and grid, or filter out short waves; half-spaces assume small slopes",
         ),
         (
             Warning::HeldShiftLostForce { per_cent: 60 },

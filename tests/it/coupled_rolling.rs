@@ -434,10 +434,31 @@ fn coupled_rolling_with_invalid_input_is_rejected() {
         builder().step(0).build() => Error::NotPositive { .. },
         builder().tolerance(0.0).build() => Error::Tolerance(_),
     }
+    // A prescribed normal force bounds the capacity before the solve.
+    let dragged = |force: f64| builder().control(Axis::X, RollingControl::Force(force));
+    let NormalLoad::Force(press) = pressed.2 else {
+        panic!("the scene prescribes a force");
+    };
+    kit::assert_refused! { dragged(0.301 * press).build() => Error::BeyondFrictionCapacity { .. } }
+    let mut solver = dragged(0.2 * press).build().unwrap().into_solver().unwrap();
+    let controls = |force: f64| [RollingControl::Force(force), RollingControl::Creepage(0.0)];
     kit::assert_refused! {
-        builder().control(Axis::X, RollingControl::Force(2.0)).build().unwrap().solve()
-            => Error::BeyondFrictionCapacity { .. },
+        solver.set_load(controls(-0.301 * press), 0.0) => Error::BeyondFrictionCapacity { .. },
+        solver.set_normal_load(NormalLoad::Force(0.6 * press)) => Error::BeyondFrictionCapacity { .. },
+        solver.set_friction(&Friction::coulomb(0.1).unwrap()) => Error::BeyondFrictionCapacity { .. },
     }
+    solver.set_load(controls(0.05 * press), 0.0).unwrap();
+    solver
+        .set_normal_load(NormalLoad::Force(0.6 * press))
+        .unwrap();
+    // The capacity under a prescribed approach follows from the solve.
+    let deep = (
+        pressed.0.clone(),
+        pressed.1.clone(),
+        NormalLoad::Approach(0.05),
+    );
+    let deep = coupled_builder(&deep, 0.3).control(Axis::X, RollingControl::Force(1e9 * press));
+    kit::assert_refused! { deep.build().unwrap().solve() => Error::BeyondFrictionCapacity { .. } }
     let apart = (
         pressed.0.clone(),
         pressed.1.clone(),

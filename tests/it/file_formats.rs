@@ -309,6 +309,19 @@ fn csv_labels_of_pandas_are_rejected_with_the_option() {
             ";0,0;0,1;0,2\n0,0;1;2;4\n0,5;1;2;4\n1,0;1;2;4\n",
             "skip_rows = 1 and skip_columns = 1",
         ),
+        // Coordinates after an empty first cell, after a number and after a missing number.
+        (
+            ",0,0.5\n0,1,7\n0.5,3,4\n",
+            "skip_rows = 1 and skip_columns = 1",
+        ),
+        (
+            "0,0,0.33,0.67,1\n0,7,5,6,6\n0.5,4,9,5,5\n1,2,2,2,2\n",
+            "skip_rows = 1 and skip_columns = 1",
+        ),
+        (
+            "nan -1 0 1\n5 7 5 6\n10 4 9 5\n15 2 2 2\n",
+            "skip_rows = 1 and skip_columns = 1",
+        ),
         // Either the row numbers or the column numbers are absent.
         ("0,1,2\n1.5,2.5,3.5\n4.5,5.5,6.5\n", "skip_rows = 1,"),
         ("0,1.5,2.5\n1,4.5,5.5\n2,6.5,7.5\n", "skip_columns = 1,"),
@@ -344,6 +357,9 @@ fn csv_ramps_and_floats_that_count_are_heights() {
         "0.0,1.0,2.0\n3.0,1.0,5.0\n",
         ",5,7\n3,4,9\n",
         "1 2 3\n",
+        // A plane with a spike in its corner, and an edge that continues through the corner.
+        "9,1.5,2,2.5\n3,3.5,4,4.5\n5,5.5,6,6.5\n7,7.5,8,8.5\n",
+        "1,1.5,2,2.5\n3,3.5,4,9\n5,5.5,6,6.5\n7,7.5,8,8.5\n",
     ] {
         assert!(
             io::csv::parse(text.as_bytes(), [1.0, 1.0]).is_ok(),

@@ -206,7 +206,8 @@ fn warnings_can_be_compared() {
                 unresolved: 1,
                 spots: 1
             },
-            Warning::DiscretisationError { .. }
+            Warning::DiscretisationError { .. },
+            Warning::SteepSurface { .. }
         ]
     ));
     let load = TangentialLoad::force([1e-8, 0.0]);

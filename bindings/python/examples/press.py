@@ -24,7 +24,7 @@ solver = ss.NormalSolver(bodies, ss.surface.sphere(grid, RADIUS), force=0.0)
 print("force, N   approach, um   Hertz, um   max. pressure, GPa   certified error")
 for force in np.linspace(20.0, 100.0, 5):
     contact = solver.solve(force=force)
-    hertz = ss.analytical.HertzSphere(bodies.pair, RADIUS, force)
+    hertz = ss.analytical.HertzSphere(bodies.pair, radius=RADIUS, load=force)
     print(
         f"{force:8.0f}   {contact.approach * 1e6:12.4f}   {hertz.approach * 1e6:9.4f}"
         f"   {contact.pressure.max() / 1e9:18.4f}   {contact.report.energy_error_bound:15.1e}"

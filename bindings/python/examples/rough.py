@@ -31,7 +31,7 @@ areas = []
 for reduced in (0.02, 0.05, 0.1, 0.15):
     pressure = reduced * bodies.pair.contact_modulus * 0.1
     contact = solver.solve(force=pressure * grid.area)
-    persson = ss.analytical.Persson(bodies.pair, 0.1, pressure)
+    persson = ss.analytical.Persson(bodies.pair, rms_slope=0.1, mean_pressure=pressure)
     areas.append(contact.contact_area_corrected / grid.area)
     print(f"{reduced:24.2f}   {100 * areas[-1]:7.2f}   {100 * persson.contact_fraction:10.2f}   {len(contact.spots):5d}")
 assert np.all(np.diff(areas) > 0.0) and abs(areas[2] / 0.16 - 1.0) < 0.35

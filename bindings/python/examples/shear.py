@@ -13,7 +13,7 @@ grid = ss.Grid.square(160, 0.3e-3)
 steel = ss.Material(213e9, 0.29)
 bodies = ss.HalfSpace(grid, (steel, steel))
 ball = ss.surface.sphere(grid, RADIUS)
-hertz = ss.analytical.HertzSphere(bodies.pair, RADIUS, FORCE)
+hertz = ss.analytical.HertzSphere(bodies.pair, radius=RADIUS, load=FORCE)
 normal = ss.NormalProblem(bodies, ball, force=FORCE).solve()
 
 # %% Monotonic tangential load
@@ -25,7 +25,7 @@ print("force, N   shift, um   exact, um   stick ratio   exact")
 solver = ss.TangentialProblem(bodies, normal, FRICTION, force_x=0.0).solver()
 for force in (10.0, 20.0, 30.0, 40.0):
     tangential = solver.solve(force_x=force)
-    exact = ss.analytical.CattaneoMindlin(hertz, FRICTION, force)
+    exact = ss.analytical.CattaneoMindlin(hertz, friction=FRICTION, force=force)
     print(
         f"{force:8.0f}   {tangential.shift[0] * 1e6:9.4f}   {exact.shift * 1e6:9.4f}"
         f"   {tangential.stick_ratio:11.3f}   {exact.stick_ratio:5.3f}"
@@ -56,7 +56,7 @@ for _ in range(2):
     for x, _ in ss.history.LoadPath.triangle((40.0, 0.0), 16).cycles(1):
         history.step(force_x=x)
         cycle.add(history)
-exact = ss.analytical.MindlinDeresiewicz(hertz, FRICTION, [40.0, -40.0, 40.0])
+exact = ss.analytical.MindlinDeresiewicz(hertz, friction=FRICTION, path=[40.0, -40.0, 40.0])
 print(
     f"a cycle dissipates {cycle.energy.dissipated_energy * 1e6:.3f} uJ, exactly {exact.energy_per_cycle * 1e6:.3f} uJ"
 )

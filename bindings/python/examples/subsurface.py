@@ -16,7 +16,7 @@ steel = ss.Material(210e3, 0.3)  # MPa, mm
 bodies = ss.HalfSpace(grid, (steel, steel))
 contact = ss.NormalProblem(bodies, ss.surface.sphere(grid, 5.0), force=100.0).solve()
 tangential = ss.TangentialProblem(bodies, contact, 0.3, force_x=25.0).solve()
-hertz = ss.analytical.HertzSphere(bodies.pair, 5.0, 100.0)
+hertz = ss.analytical.HertzSphere(bodies.pair, radius=5.0, load=100.0)
 
 # %% Planes
 # Stresses on planes at chosen depths are computed by fast Fourier transforms. Under the pressure alone, the largest shear

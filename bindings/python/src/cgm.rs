@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 use stickslip::cgm::{self, Bounds, Problem, Total};
 use stickslip::{Iteration, Operator};
 
+use crate::argument::Object;
 use crate::array::{Array, view_slice};
 use crate::choice::Choice;
 use crate::conversion;
@@ -143,7 +144,7 @@ pub(crate) fn minimise<'py>(
     total: Option<Real>,
     spring: Option<conversion::FarEnd>,
     diagonal: Option<Bound<'py, PyAny>>,
-    preconditioner: Option<&LinearOperator>,
+    preconditioner: Option<Object<LinearOperator>>,
     lower_bound: Real,
     start: Option<Bound<'py, PyAny>>,
     settings: Option<Settings>,

@@ -4,6 +4,7 @@ use numpy::IntoPyArray;
 use numpy::PyArrayMethods;
 use pyo3::prelude::*;
 
+use crate::argument::Object;
 use crate::array::{Array, view};
 use crate::digits::short;
 use crate::error::OrRaise;
@@ -71,7 +72,7 @@ impl Edges {
 
     /// Returns the areas of the contact spots, in their order, with the covered parts of the cells at the edges (lengths
     /// squared).
-    fn areas_of<'py>(&self, py: Python<'py>, spots: &ContactSpots) -> PyResult<Array<'py>> {
+    fn areas_of<'py>(&self, py: Python<'py>, spots: Object<ContactSpots>) -> PyResult<Array<'py>> {
         let areas = self.0.areas_of(&spots.0).or_raise(py)?;
         Ok(Array::new(py, areas))
     }

@@ -8,14 +8,14 @@ use pyo3::pyclass::CompareOp;
 use pyo3::types::{PyBool, PyDict, PyFloat, PyTuple};
 use stickslip::Error;
 
-use crate::argument::argument;
+use crate::argument::{Object, argument};
 use crate::array::{Array, mask, view};
 use crate::conversion::kind_of;
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::grid::{Grid, size};
 use crate::pickle::{Reduced, Stored, reduced};
-use crate::real::{Count, is_real, misshapen, plane};
+use crate::real::{Count, is_real, misshapen, plane, wrong_type};
 use crate::unit::{Unit, factor, is_same, known, one_of};
 
 /// Samples at the cells of a grid, one number per cell, such as gaps, heights or pressures. A field is immutable.
@@ -88,7 +88,7 @@ impl Field {
     #[pyo3(signature = (grid, samples, unit=None))]
     fn new(
         py: Python<'_>,
-        grid: &Grid,
+        grid: Object<Grid>,
         samples: Samples<'_>,
         unit: Option<&str>,
     ) -> PyResult<Self> {
@@ -571,6 +571,26 @@ impl Samples<'_> {
         Ok(Arc::new(field))
     }
 
+    /// Returns the samples as a field on this grid, as [`on`](Self::on), but rejects a single number. For a gap or a pressure, a
+    /// number is more likely the next argument, such as a coefficient of friction, than a uniform field.
+    pub(crate) fn per_cell(
+        &self,
+        py: Python<'_>,
+        quantity: &str,
+        grid: stickslip::Grid,
+    ) -> PyResult<Arc<stickslip::Field>> {
+        let dimensions = |object: &Bound<'_, PyAny>| object.getattr("ndim")?.extract::<usize>();
+        let is_plane = self.field().is_some() || dimensions(&self.0).is_ok_and(|count| count > 0);
+        if let Some(number) = self.number().filter(|_| !is_plane) {
+            let message = format!(
+                "must be a Field or an array of shape (ny, nx), got the number {}: for a uniform {quantity} give Field(grid, {0})",
+                short(number)
+            );
+            return Err(wrong_type(py, quantity, &message));
+        }
+        self.on(py, quantity, grid)
+    }
+
     /// Returns the single number, if the argument is one.
     pub(crate) fn number(&self) -> Option<f64> {
         self.0.extract().ok()
@@ -592,7 +612,7 @@ impl Samples<'_> {
         match self.number() {
             Some(value) => Ok(Spread::Uniform(value)),
             None => self
-                .on(py, quantity, grid_of(grid, &[self])?)
+                .on(py, quantity, grid_of(grid.as_deref(), &[self])?)
                 .map(Spread::PerCell),
         }
     }

@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 #[cfg(feature = "stubs")]
 use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_union};
 
-use crate::argument::argument;
+use crate::argument::{Object, argument};
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::field::{Samples, Spread};
@@ -41,15 +41,9 @@ impl Friction {
         py: Python<'_>,
         coefficient: Samples<'_>,
         max_shear_stress: Option<Real>,
-        grid: Option<&Grid>,
+        grid: Option<Object<Grid>>,
     ) -> PyResult<Self> {
-        let friction = match coefficient.spread(py, "coefficient of friction", grid)? {
-            Spread::Uniform(coefficient) => stickslip::Friction::coulomb(coefficient).or_raise(py),
-            Spread::PerCell(field) => {
-                let grid = field.grid();
-                stickslip::Friction::per_cell(Arc::unwrap_or_clone(field)).or_raise_on(py, grid)
-            }
-        }?;
+        let friction = coulomb(py, &coefficient, grid.as_deref())?;
         match max_shear_stress {
             None => Ok(Self(friction)),
             Some(Real(cap)) => friction.max_shear_stress(cap).or_raise(py).map(Self),
@@ -74,6 +68,21 @@ impl Friction {
             format!("Friction({coefficient}, max_shear_stress={})", short(cap))
         } else {
             format!("Friction({coefficient})")
+        }
+    }
+}
+
+/// Returns the friction law of one coefficient, or of one coefficient per cell of a grid.
+fn coulomb(
+    py: Python<'_>,
+    coefficient: &Samples<'_>,
+    grid: Option<&Grid>,
+) -> PyResult<stickslip::Friction> {
+    match coefficient.spread(py, "coefficient of friction", grid)? {
+        Spread::Uniform(coefficient) => stickslip::Friction::coulomb(coefficient).or_raise(py),
+        Spread::PerCell(field) => {
+            let grid = field.grid();
+            stickslip::Friction::per_cell(Arc::unwrap_or_clone(field)).or_raise_on(py, grid)
         }
     }
 }
@@ -112,7 +121,6 @@ impl AnyFriction<'_> {
         if let Ok(friction) = self.0.cast::<Friction>() {
             return Ok(friction.get().0.clone());
         }
-        let coefficient = self.0.extract()?;
-        Friction::new(py, coefficient, None, Some(&Grid(grid))).map(|friction| friction.0)
+        coulomb(py, &self.0.extract()?, Some(&Grid(grid)))
     }
 }

@@ -5,6 +5,7 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 use pyo3::prelude::*;
 use pyo3::types::PySlice;
 
+use crate::argument::by_value;
 use crate::array::Array;
 use crate::digits::short;
 use crate::error::OrRaise;
@@ -31,7 +32,7 @@ use crate::real::{Count, Real};
 /// >>> grid = stickslip.Grid.square(128, 0.4e-3)
 /// >>> grid.shape, grid.dx
 /// ((128, 128), 3.125e-06)
-#[pyclass(frozen, eq, module = "stickslip", from_py_object)]
+#[pyclass(frozen, eq, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Grid(pub(crate) stickslip::Grid);
 
@@ -53,6 +54,8 @@ readers! { Grid.0:
     /// The whole grid if this grid is a slab of its rows, created by :meth:`HalfSpace.distributed`; otherwise this grid.
     whole(): Self => Self,
 }
+
+by_value!(Grid);
 
 #[pymethods]
 impl Grid {

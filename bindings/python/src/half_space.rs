@@ -5,6 +5,7 @@ use std::sync::Arc;
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 
+use crate::argument::{Object, by_value};
 use crate::boundary::{Boundary, Surroundings};
 use crate::choice::Choice;
 use crate::digits::short;
@@ -40,7 +41,7 @@ use crate::readers::readers;
 /// >>> bodies = stickslip.HalfSpace(stickslip.Grid.square(64, 0.4e-3), (steel, steel))
 /// >>> bodies.grid.cells
 /// 4096
-#[pyclass(frozen, module = "stickslip", from_py_object)]
+#[pyclass(frozen, module = "stickslip")]
 #[derive(Clone)]
 pub(crate) struct HalfSpace(pub(crate) stickslip::HalfSpace);
 
@@ -53,13 +54,15 @@ readers! { HalfSpace.0:
     cell_value(): Choice<stickslip::CellValue> => Choice,
 }
 
+by_value!(HalfSpace);
+
 #[pymethods]
 impl HalfSpace {
     #[new]
     #[pyo3(signature = (grid, pair, boundary=None, cell_value=None))]
     fn new(
         py: Python<'_>,
-        grid: &Grid,
+        grid: Object<Grid>,
         pair: Bodies,
         boundary: Option<Surroundings>,
         cell_value: Option<Choice<stickslip::CellValue>>,
@@ -119,7 +122,7 @@ impl HalfSpace {
     #[pyo3(signature = (grid, pair, comm, boundary=None, cell_value=None))]
     fn distributed(
         py: Python<'_>,
-        grid: &Grid,
+        grid: Object<Grid>,
         pair: Bodies,
         comm: Bound<'_, PyAny>,
         boundary: Option<Surroundings>,

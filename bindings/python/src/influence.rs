@@ -3,6 +3,7 @@
 use pyo3::prelude::*;
 use stickslip::influence;
 
+use crate::argument::Object;
 use crate::choice::Choice;
 use crate::digits::short;
 use crate::error::OrRaise;
@@ -77,12 +78,12 @@ impl Rectangle {
     }
 
     /// Returns the coefficients of a body at a position relative to the centre (lengths).
-    fn tensor(&self, material: &Material, x: Real, y: Real) -> Tensor {
+    fn tensor(&self, material: Object<Material>, x: Real, y: Real) -> Tensor {
         Tensor(self.cell.tensor(&material.0, x.0, y.0))
     }
 
     /// Returns the coefficients of a pair at a position relative to the centre (lengths).
-    fn pair_tensor(&self, pair: &ElasticPair, x: Real, y: Real) -> Tensor {
+    fn pair_tensor(&self, pair: Object<ElasticPair>, x: Real, y: Real) -> Tensor {
         Tensor(self.cell.pair_tensor(&pair.0, x.0, y.0))
     }
 
@@ -110,8 +111,8 @@ impl Table {
     #[new]
     fn new(
         py: Python<'_>,
-        grid: &Grid,
-        pair: &ElasticPair,
+        grid: Object<Grid>,
+        pair: Object<ElasticPair>,
         component: Choice<influence::Component>,
     ) -> PyResult<Self> {
         let sample = || influence::Table::sample(grid.0, &pair.0, component.0);

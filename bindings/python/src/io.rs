@@ -8,6 +8,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyTuple};
 use stickslip::io::{self, Sides, vti};
 
+use crate::argument::Object;
 use crate::conversion::{self, entries};
 use crate::digits::counted;
 use crate::error::OrRaise;
@@ -222,6 +223,11 @@ fn options(
 
 /// Reads a field from a text file that contains a matrix.
 ///
+/// A cell is missing (NaN) if it is empty, consists of stars, or is one of these words in upper or lower case: ``nan``,
+/// ``BAD``, ``No Data``, ``no_data``, ``no-data``, ``N/A``, ``#N/A``, ``NA``, ``null``, ``none``, ``void``, ``invalid``,
+/// ``missing`` and ``--``. Any other text is rejected with its line and column. Numbers that may be labels are also
+/// rejected: a first row or column 0, 1, 2, ..., and evenly spaced coordinates in the first row and column.
+///
 /// Parameters
 /// ----------
 /// path : path_like
@@ -229,13 +235,13 @@ fn options(
 /// cell, size : pair of float
 ///     Side lengths of a cell or of the grid; exactly one of the two is required.
 /// missing : float, optional
-///     The value that marks a missing point; none by default.
+///     The value that marks a missing point (default: the value that a comment states, or none).
 /// skip_rows : int, default 0
 ///     Number of rows before the matrix.
 /// skip_columns : int, default 0
 ///     Number of columns to skip at the start of each row, such as names or row numbers.
 /// without_labels : bool, default False
-///     Whether a first row or column 0, 1, 2, ... contains heights; if not, such a row or column is rejected.
+///     Whether a first row or column with numbers that may be labels contains heights; if not, it is rejected.
 /// unit : str, optional
 ///     The unit of the lengths of the file, which the surface keeps, such as ``"um"``.
 /// height_unit : str, optional
@@ -474,9 +480,9 @@ pub(crate) fn vti_write(
     py: Python<'_>,
     path: PathBuf,
     fields: &Bound<'_, PyAny>,
-    grid: Option<&Grid>,
+    grid: Option<Object<Grid>>,
 ) -> PyResult<()> {
-    let arrays = Arrays::of(py, fields, grid)?;
+    let arrays = Arrays::of(py, fields, grid.as_deref())?;
     py.detach(|| vti::write(&path, &arrays.named()))
         .or_raise(py)
 }
@@ -487,9 +493,9 @@ pub(crate) fn vti_write(
 pub(crate) fn vti_to_bytes<'py>(
     py: Python<'py>,
     fields: &Bound<'py, PyAny>,
-    grid: Option<&Grid>,
+    grid: Option<Object<Grid>>,
 ) -> PyResult<Bound<'py, PyBytes>> {
-    let arrays = Arrays::of(py, fields, grid)?;
+    let arrays = Arrays::of(py, fields, grid.as_deref())?;
     let bytes = py.detach(|| vti::to_bytes(&arrays.named())).or_raise(py)?;
     Ok(PyBytes::new(py, &bytes))
 }
@@ -518,9 +524,9 @@ impl PvdWriter {
         py: Python<'_>,
         time: Real,
         fields: &Bound<'_, PyAny>,
-        grid: Option<&Grid>,
+        grid: Option<Object<Grid>>,
     ) -> PyResult<()> {
-        let arrays = Arrays::of(py, fields, grid)?;
+        let arrays = Arrays::of(py, fields, grid.as_deref())?;
         let mut series = lock(&self.0, "series")?;
         let series = &mut *series;
         py.detach(|| series.write(time.0, &arrays.named()))

@@ -10,13 +10,15 @@ use stickslip::influence::{Component, Direction};
 use stickslip::kernel::{CoefficientTable, Operators};
 use stickslip::layers::Response;
 
+use crate::argument::{Object, by_value};
 use crate::choice::Choice;
+use crate::conversion::kind_of;
 use crate::error::OrRaise;
 use crate::function::raising;
 use crate::grid::Grid;
 use crate::material::ElasticPair;
 use crate::operator::{LinearOperator, Product, Shared, product_of};
-use crate::real::{Real, is_real};
+use crate::real::{Real, is_real, wrong_type};
 
 /// Two bodies with a user-defined response, in place of the material pair of a :class:`HalfSpace`. A kernel is created by
 /// :meth:`isotropic`, :meth:`tabulated` or :meth:`operators`. Kernels cannot be pickled, nor can bodies that use them.
@@ -38,9 +40,11 @@ use crate::real::{Real, is_real};
 /// ... )
 /// >>> abs(contact.approach / same.approach - 1) < 1e-6
 /// True
-#[pyclass(frozen, module = "stickslip", from_py_object)]
+#[pyclass(frozen, module = "stickslip")]
 #[derive(Clone)]
 pub(crate) struct Kernel(pub(crate) stickslip::Kernel);
+
+by_value!(Kernel);
 
 #[pymethods]
 impl Kernel {
@@ -67,10 +71,14 @@ impl Kernel {
     #[staticmethod]
     fn isotropic(
         py: Python<'_>,
-        near: &ElasticPair,
+        near: Object<ElasticPair>,
         thickness: Real,
         response: Bound<'_, PyAny>,
     ) -> PyResult<Self> {
+        if !response.is_callable() {
+            let message = format!("must be a callable, got {}", kind_of(&response));
+            return Err(wrong_type(py, "response", &message));
+        }
         // An exception in this first call is raised to the caller; a thickness that is not a valid length is rejected
         // below.
         if thickness.0 > 0.0 && thickness.0.is_finite() {
@@ -123,7 +131,7 @@ impl Kernel {
     #[staticmethod]
     fn tabulated(
         py: Python<'_>,
-        near: &ElasticPair,
+        near: Object<ElasticPair>,
         sides: [f64; 2],
         coefficients: Bound<'_, PyDict>,
     ) -> PyResult<Self> {
@@ -176,7 +184,9 @@ impl Kernel {
     ///     nx), where the z direction is the pressure. It returns the displacements of body 1 relative to body 2 in the
     ///     same shape and order (lengths). A LinearOperator has the same number of unknowns;
     ///     :class:`~stickslip.dense.DenseOperator` accepts the compliance matrix of a finite-element code. On a grid that
-    ///     is periodic along both axes, uniform tractions must cause no displacement.
+    ///     is periodic along both axes, uniform tractions must cause no displacement. An operator is rejected as not
+    ///     symmetric if the work of each of two test fields on the displacements of the other differs by more than 1e-9 of
+    ///     the energies. The mean of a matrix and its transpose, ``(matrix + matrix.T) / 2``, is symmetric to round-off.
     /// lower_bounds : dict, optional
     ///     Lower bounds on the smallest eigenvalues of the callables, by name; 0 by default. Errors are certified with
     ///     these bounds. Without a bound, coupled contacts cannot be solved and the stiffness is not available. A
@@ -207,8 +217,8 @@ impl Kernel {
     #[pyo3(signature = (near, grid, operators, *, lower_bounds=None))]
     fn operators(
         py: Python<'_>,
-        near: &ElasticPair,
-        grid: &Grid,
+        near: Object<ElasticPair>,
+        grid: Object<Grid>,
         operators: Bound<'_, PyDict>,
         lower_bounds: Option<Bound<'_, PyDict>>,
     ) -> PyResult<Self> {

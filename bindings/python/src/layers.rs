@@ -3,6 +3,7 @@
 use pyo3::prelude::*;
 use stickslip::layers;
 
+use crate::argument::by_value;
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::pickle::picklable;
@@ -31,7 +32,7 @@ use crate::real::Real;
 /// >>> anodised = ss.Material(70e9, 0.33).coated([oxide])
 /// >>> anodised.layers[0].thickness
 /// 5e-06
-#[pyclass(frozen, eq, module = "stickslip.layers", from_py_object)]
+#[pyclass(frozen, eq, module = "stickslip.layers")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Layer(pub(crate) layers::Layer);
 
@@ -45,6 +46,8 @@ readers! { Layer.0:
     /// Shear modulus (a pressure).
     shear_modulus(): f64,
 }
+
+by_value!(Layer);
 
 #[pymethods]
 impl Layer {

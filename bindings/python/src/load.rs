@@ -9,6 +9,7 @@ use stickslip::{
     Axis, LoadStep as Step, NormalControl, NormalLoad, TangentialControl, TangentialLoad as Load,
 };
 
+use crate::argument::by_value;
 use crate::choice::Choice;
 use crate::conversion::{self, kind_of};
 use crate::digits::{short, tuple};
@@ -269,9 +270,11 @@ fn one_of<T>(object: Option<T>, is_without_keywords: bool, by_keywords: T) -> Py
 /// twist : float, default 0
 ///     Rotation of body 2 relative to body 1 about the origin of the grid (radians, positive from x to y). Only the
 ///     vector model supports a twist.
-#[pyclass(frozen, eq, module = "stickslip", from_py_object)]
+#[pyclass(frozen, eq, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct TangentialLoad(pub(crate) Load);
+
+by_value!(TangentialLoad, LoadStep);
 
 #[pymethods]
 impl TangentialLoad {
@@ -418,7 +421,7 @@ fn keywords(
 /// >>> import stickslip
 /// >>> press = stickslip.LoadStep(normal_force=100.0)
 /// >>> drag = stickslip.LoadStep(shift_x=1e-6)
-#[pyclass(frozen, eq, module = "stickslip", from_py_object)]
+#[pyclass(frozen, eq, module = "stickslip")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct LoadStep(pub(crate) Step);
 

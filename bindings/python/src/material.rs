@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 #[cfg(feature = "stubs")]
 use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_union};
 
+use crate::argument::by_value;
 use crate::conversion::{entries, kind_of};
 use crate::digits::short;
 use crate::error::OrRaise;
@@ -38,7 +39,7 @@ use crate::real::Real;
 /// >>> steel = stickslip.Material(210e9, 0.3)
 /// >>> round(steel.shear_modulus / 1e9, 1)
 /// 80.8
-#[pyclass(frozen, eq, module = "stickslip", from_py_object)]
+#[pyclass(frozen, eq, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Material(pub(crate) stickslip::Material);
 
@@ -56,6 +57,8 @@ readers! { Material.0:
     /// Whether the body is coated.
     is_coated(): bool,
 }
+
+by_value!(Material, ElasticPair);
 
 #[pymethods]
 impl Material {
@@ -186,7 +189,7 @@ fn constants(body: &stickslip::Material) -> Vec<f64> {
 /// Raises
 /// ------
 /// BothRigid, NotPositive, NotFinite
-#[pyclass(frozen, eq, module = "stickslip", from_py_object)]
+#[pyclass(frozen, eq, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct ElasticPair(pub(crate) stickslip::ElasticPair);
 

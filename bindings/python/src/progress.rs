@@ -4,6 +4,9 @@ use pyo3::call::PyCallArgs;
 use pyo3::prelude::*;
 use pyo3::types::PyBool;
 
+use crate::conversion::kind_of;
+use crate::real::wrong_type;
+
 /// The argument ``progress``: nothing, a callable, or ``True`` for a progress bar of tqdm.
 pub(crate) struct Progress<'py> {
     callback: Option<Py<PyAny>>,
@@ -42,6 +45,10 @@ impl<'py> Progress<'py> {
             return Ok(Self::none());
         };
         let Ok(is_wanted) = argument.cast::<PyBool>() else {
+            if !argument.is_callable() {
+                let message = format!("must be a callable or a bool, got {}", kind_of(argument));
+                return Err(wrong_type(argument.py(), "progress", &message));
+            }
             return Ok(Self {
                 callback: Some(argument.clone().unbind()),
                 bar: None,

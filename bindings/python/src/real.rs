@@ -123,8 +123,23 @@ whole! {
 
 /// Creates an exception of ``stickslip.errors`` about an argument. PyO3 adds a note with the name of the argument, and the
 /// exception moves the name from the note to its message.
-fn unnamed(py: Python<'_>, class: &str, message: &str) -> PyErr {
+pub(crate) fn unnamed(py: Python<'_>, class: &str, message: &str) -> PyErr {
     named(py, class, message, &PyDict::new(py)).unwrap_or_else(|failure| failure)
+}
+
+/// Creates the exception for an argument of a wrong type, of which the caller states the name.
+pub(crate) fn wrong_type(py: Python<'_>, argument: &str, message: &str) -> PyErr {
+    let exception = || {
+        let attributes = PyDict::new(py);
+        attributes.set_item("argument", argument)?;
+        named(
+            py,
+            "ArgumentType",
+            &format!("{argument} {message}"),
+            &attributes,
+        )
+    };
+    exception().unwrap_or_else(|failure| failure)
 }
 
 /// Returns the exception for an object that is not the expected number.

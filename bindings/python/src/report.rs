@@ -114,7 +114,7 @@ record!(Report: status, iterations, double_precision_products, single_precision_
 /// The attribute ``kind`` is the name of the warning: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``,
 /// ``single_row_of_cells``, ``contact_spans_grid``, ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``,
 /// ``underresolved_stick_zone``, ``underresolved_slip_zone``, ``single_load_step``, ``stress_at_edge``,
-/// ``discretisation_error``, ``approach_beyond_grid``, ``large_contact_radius``, ``steep_surface``,
+/// ``discretisation_error``, ``approach_beyond_grid``, ``shift_beyond_grid``, ``large_contact_radius``, ``steep_surface``,
 /// ``held_shift_lost_force``, ``neglected_lift`` or ``accuracy_not_reached``.
 #[pyclass(frozen, eq, hash, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
@@ -147,6 +147,7 @@ impl Warning {
             W::StressAtEdge => "stress_at_edge",
             W::DiscretisationError { .. } => "discretisation_error",
             W::ApproachBeyondGrid { .. } => "approach_beyond_grid",
+            W::ShiftBeyondGrid { .. } => "shift_beyond_grid",
             W::LargeContactRadius { .. } => "large_contact_radius",
             W::SteepSurface { .. } => "steep_surface",
             W::HeldShiftLostForce { .. } => "held_shift_lost_force",

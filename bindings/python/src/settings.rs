@@ -5,6 +5,7 @@ use std::time::Duration;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
+use crate::argument::by_value;
 use crate::choice::Choice;
 use crate::digits::short;
 use crate::error::OrRaise;
@@ -29,7 +30,7 @@ use crate::real::{Count, Real};
 /// Raises
 /// ------
 /// Tolerance, IterationLimit
-#[pyclass(frozen, eq, module = "stickslip", from_py_object)]
+#[pyclass(frozen, eq, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Settings(pub(crate) stickslip::cgm::Settings);
 
@@ -41,6 +42,8 @@ readers! { Settings.0:
     /// Maximum number of conjugate-gradient steps.
     max_iterations: usize,
 }
+
+by_value!(Settings);
 
 #[pymethods]
 impl Settings {

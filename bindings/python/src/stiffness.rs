@@ -2,6 +2,7 @@
 
 use pyo3::prelude::*;
 
+use crate::argument::Object;
 use crate::conversion;
 use crate::digits::{rough, short, tuple};
 use crate::error::OrRaise;
@@ -140,10 +141,10 @@ impl ContactStiffness {
     #[new]
     fn new(
         py: Python<'_>,
-        bodies: &HalfSpace,
-        normal: &NormalSolution,
+        bodies: Object<HalfSpace>,
+        normal: Object<NormalSolution>,
         friction: AnyFriction<'_>,
-        shear: &TangentialSolution,
+        shear: Object<TangentialSolution>,
     ) -> PyResult<Self> {
         let bodies = &bodies.0;
         let friction = friction.on(py, bodies.grid())?;

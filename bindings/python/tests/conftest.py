@@ -16,7 +16,7 @@ class Scene:
         self.grid = ss.Grid.square(cells, side)
         self.bodies = ss.HalfSpace(self.grid, (steel, steel))
         self.ball = ss.surface.sphere(self.grid, RADIUS)
-        self.hertz = ss.analytical.HertzSphere(self.bodies.pair, RADIUS, FORCE)
+        self.hertz = ss.analytical.HertzSphere(self.bodies.pair, radius=RADIUS, load=FORCE)
 
     def normal(self, **options):
         return ss.NormalProblem(self.bodies, self.ball, force=FORCE, **options).solve()

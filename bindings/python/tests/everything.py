@@ -65,10 +65,10 @@ class Scene:
         for force in (-20.0, 20.0):
             history.step(force_x=force)
             cycle.add(history)
-        hertz = ss.analytical.HertzSphere(pair, 3.5e-3, 100.0)
-        ellipse = ss.analytical.HertzEllipse(pair, 3e-3, 4e-3, 100.0)
-        line = ss.analytical.HertzLine(pair, 3.5e-3, 1e4)
-        wavy = ss.analytical.Westergaard(pair, 1e-6, 1e-3, 1e8)
+        hertz = ss.analytical.HertzSphere(pair, radius=3.5e-3, load=100.0)
+        ellipse = ss.analytical.HertzEllipse(pair, radius_x=3e-3, radius_y=4e-3, load=100.0)
+        line = ss.analytical.HertzLine(pair, radius=3.5e-3, load=1e4)
+        wavy = ss.analytical.Westergaard(pair, amplitude=1e-6, wavelength=1e-3, mean_pressure=1e8)
         slope = 1e-2
         rough = ss.surface.SelfAffine(rms_height=1e-7, seed=3)
         operator = bodies.operator("zz")
@@ -183,7 +183,7 @@ class Scene:
             "a": 1.0, "b": 2.0, "accumulated": ball, "along_x": ball, "along_y": ball, "amplitude": 1e-6,
             "amplitudes": (1e-7, 2e-7), "approach": 1e-6, "area_coefficient": 2.0, "axis": "x", "bodies": bodies,
             "body": "one", "body_1": steel, "body_2": steel, "bytes": grid_bytes, "cells": 9, "coefficient": 1e-13,
-            "column": 1, "columns": (0, 8), "comm": Alone(), "component": "zz", "cone": ss.analytical.Cone(pair, slope, 100.0),
+            "column": 1, "columns": (0, 8), "comm": Alone(), "component": "zz", "cone": ss.analytical.Cone(pair, slope=slope, load=100.0),
             "contact": normal, "contact_radius": 1e-4, "count": 2, "creepage": 1e-3,
             "curvatures": (1.0, 0.0, 1.0), "cycle": cycle, "datum": 1.0, "depth": ball, "depths": [0.0, 1e-5],
             "dx": 1e-6, "dy": 1e-6, "energy": ball, "field": ball,
@@ -245,14 +245,14 @@ class Scene:
             "NormalSolver.solve": {"force": 100.0},
             "Planes.write_vti": {"path": f"{self.folder}/planes.vti"},
             "CoupledRollingProblem": {"normal_force": 100.0, "creepage_x": 1e-3},
-            "CoupledRollingSolver.set_load": {"normal_force": 100.0},
+            "CoupledRollingSolver.set_normal_load": {"normal_force": 100.0},
             "CoupledRollingSolver.solve": {"creepage_x": 1e-3},
             "Region.line": {"x": extent},
             "Region.periodic": {"x": extent, "y": extent},
             "Region.rectangle": {"x": extent, "y": extent},
             "RollingProblem": {"creepage_x": 1e-3},
             "RollingSolver.creep_forces": {"points": [(1e-3, 0.0, 0.0), (2e-3, 0.0, 0.0)]},
-            "RollingSolver.set_load": {"force": 100.0},
+            "RollingSolver.set_normal_load": {"normal_force": 100.0},
             "RollingSolver.set_normal_solver": {"solver": presser},
             "RollingSolver.solve": {"creepage_x": 1e-3},
             "RoundedPunch": {"radius": 3.5e-3},

@@ -15,7 +15,7 @@ from stickslip.adaptive import AdaptiveProblem, AdaptiveStatus, GridRecord, Quan
 
 STEEL = ss.Material(213e9, 0.29)
 PAIR = ss.ElasticPair(STEEL, STEEL)
-HERTZ = ss.analytical.HertzSphere(PAIR, RADIUS, FORCE)
+HERTZ = ss.analytical.HertzSphere(PAIR, radius=RADIUS, load=FORCE)
 A = HERTZ.contact_radius
 # A square whose sides are a hundred times the contact diameter.
 WIDE = Region.rectangle((-100 * A, 100 * A), (-100 * A, 100 * A))
@@ -77,7 +77,7 @@ def test_prescribed_approach_returns_force():
 
 
 def test_tangential_load_returns_cattaneo_mindlin_stick_ratio():
-    exact = ss.analytical.CattaneoMindlin(HERTZ, 0.5, 20.0)
+    exact = ss.analytical.CattaneoMindlin(HERTZ, friction=0.5, force=20.0)
     targets = {Quantity.STICK_RATIO: 1e-2, "shift": 1e-2}
     contact = solved(friction=0.5, force_x=20.0, target=targets)
     assert contact.is_reached and contact.targets == {"stick_ratio": 1e-2, "shift": 1e-2}
@@ -169,14 +169,14 @@ def test_progress_bar_of_tqdm_is_shown(capsys):
 
 
 def test_line_and_periodic_region_agree_with_closed_forms():
-    line = ss.analytical.HertzLine(PAIR, RADIUS, 1e5)
+    line = ss.analytical.HertzLine(PAIR, radius=RADIUS, load=1e5)
     width = line.half_width
     contact = solved(
         lambda x, y: x**2 / (2 * RADIUS), Region.line((-50 * width, 50 * width), 1.0), force=1e5, target={"area": 5e-3}
     )
     assert contact.grid.ny == 1 and abs(contact.area / (2 * width) - 1.0) < 5e-3
     amplitude, wavelength = 1e-6, 1e-3
-    wave = ss.analytical.Westergaard(PAIR, amplitude, wavelength, 1e8)
+    wave = ss.analytical.Westergaard(PAIR, amplitude=amplitude, wavelength=wavelength, mean_pressure=1e8)
     force = wave.mean_pressure * wavelength**2
     gap = lambda x, y: amplitude * (1.0 - np.cos(2 * np.pi * x / wavelength))  # noqa: E731
     periodic = solved(gap, Region.periodic((-0.5e-3, 0.5e-3), (-0.5e-3, 0.5e-3)), force=force, target={"area": 2e-2})

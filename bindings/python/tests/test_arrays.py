@@ -431,11 +431,11 @@ def test_closed_forms_accept_numbers_and_arrays(scene):
     hertz = scene.hertz
     assert isinstance(hertz.pressure(0.0), float) and hertz.pressure(0.0) == hertz.max_pressure
     assert hertz.pressure(np.zeros((2, 3))).shape == (2, 3)
-    exact = ss.analytical.CattaneoMindlin(hertz, 0.5, 20.0)
+    exact = ss.analytical.CattaneoMindlin(hertz, friction=0.5, force=20.0)
     assert exact.slip(np.linspace(0.0, hertz.contact_radius, 5), 0.0).shape == (5,)
     assert exact.slip(np.zeros((1, 4)), np.zeros((3, 1))).shape == (3, 4)
     assert exact.hertz == hertz and hertz.pair == scene.bodies.pair
     with pytest.raises(ValueError, match="shapes"):
         exact.slip(np.zeros(3), np.zeros(4))
     assert 0.0 < ss.analytical.SpencePressing.round(ss.ElasticPair(ss.Material(1.0, 0.0), ss.Material.rigid()), 0.3).stick_radius < 1.0
-    assert ss.analytical.linear_stick_ratio(100.0, 0.5, 20.0) == pytest.approx(0.6)
+    assert ss.analytical.linear_stick_ratio(load=100.0, friction=0.5, force=20.0) == pytest.approx(0.6)

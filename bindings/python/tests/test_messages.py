@@ -104,6 +104,62 @@ def test_wrong_type_of_number_message_names_argument(scene, call, argument, mess
 
 
 @pytest.mark.parametrize(
+    ("call", "quantity"),
+    [
+        (lambda scene: ss.History(scene.bodies, 0.25, scene.ball), "gap"),
+        (lambda scene: ss.NormalProblem(scene.bodies, 0.25, force=1.0), "gap"),
+        (lambda scene: ss.CoupledProblem(scene.bodies, 0.25, scene.ball, normal_force=1.0), "gap"),
+        (lambda scene: ss.rolling.CoupledRollingProblem(scene.bodies, np.float64(0.25), scene.ball, normal_force=1.0), "gap"),
+        (lambda scene: ss.TangentialProblem(scene.bodies, 0.25, scene.normal().pressure, force_x=1.0), "pressure"),
+        (lambda scene: scene.history().set_gap(0.25), "gap"),
+    ],
+)
+def test_number_instead_of_gap_or_pressure_is_rejected_with_remedy(scene, call, quantity):
+    message = rf"^{quantity} must be .* of shape \(ny, nx\), got the number 0\.25: for a uniform {quantity} give Field\(grid, 0\.25\)$"
+    with pytest.raises(ss.errors.ArgumentType, match=message) as refused:
+        call(scene)
+    assert refused.value.argument == quantity
+
+
+def test_uniform_gap_is_accepted_as_field_and_on_grid_of_one_cell():
+    grid = ss.Grid.square(1, 1.0)
+    bodies = ss.HalfSpace(grid, (STEEL, STEEL))
+    gaps = (ss.Field(grid, 0.0), np.zeros((1, 1)), [[0.0]])
+    forces = [ss.NormalProblem(bodies, gap, force=2.0).solve(warn=False).pressure.sum() for gap in gaps]
+    assert forces == pytest.approx([2.0, 2.0, 2.0])
+
+
+@pytest.mark.parametrize(
+    ("call", "argument", "message"),
+    [
+        (lambda scene: ss.NormalProblem(scene.ball, scene.bodies, force=1.0), "bodies", "of the class HalfSpace, got Field"),
+        (lambda scene: ss.HalfSpace(64, (STEEL, STEEL)), "grid", "of the class Grid, got int"),
+        (lambda scene: ss.surface.sphere(3.5e-3, scene.grid), "grid", "of the class Grid, got float"),
+        (lambda scene: ss.rolling.RollingProblem(scene.bodies, 0.5, scene.normal()), "normal", "of the class NormalSolution, got float"),
+        (lambda scene: ss.analytical.HertzSphere((STEEL, STEEL), radius=1.0, load=1.0), "pair", "of the class ElasticPair, got tuple"),
+        (lambda scene: ss.analytical.CattaneoMindlin(100.0, friction=0.5, force=1.0), "hertz", "of the class HertzSphere, got float"),
+        (lambda scene: ss.NormalProblem(scene.bodies, scene.ball, force=1.0, settings=1e-8), "settings", "of the class Settings, got float"),
+        (lambda scene: ss.NormalProblem(scene.bodies, scene.ball, force=1.0).solve(progress=1.0), "progress", "a callable or a bool, got float"),
+        (lambda scene: ss.Kernel.isotropic(scene.bodies.pair, 1e-3, 2.0), "response", "a callable, got float"),
+    ],
+)
+def test_object_of_wrong_class_message_names_argument(scene, call, argument, message):
+    with pytest.raises(ss.errors.ArgumentType, match=f"^{argument} must be {message}$") as refused:
+        call(scene)
+    assert refused.value.argument == argument and isinstance(refused.value, TypeError)
+
+
+def test_closed_forms_reject_numbers_by_position(scene):
+    pair = scene.bodies.pair
+    with pytest.raises(TypeError, match="positional"):
+        ss.analytical.HertzSphere(pair, 100.0, 3.5e-3)
+    with pytest.raises(TypeError, match="positional"):
+        ss.analytical.CattaneoMindlin(scene.hertz, 20.0, 0.5)
+    with pytest.raises(TypeError, match="positional"):
+        ss.analytical.linear_stick_ratio(100.0, 0.5, 20.0)
+
+
+@pytest.mark.parametrize(
     ("call", "message"),
     [
         (lambda scene: ss.HalfSpace(scene.grid, STEEL, STEEL), r"pair must be .* a tuple of two Materials, .*, got Material"),
@@ -200,7 +256,7 @@ def test_non_real_numbers_are_rejected(scene, number):
             lambda: ss.LoadStep(twist=number),
             lambda: ss.LoadStep(spring_x=(number, 1.0)),
             lambda: scene.history().step(normal_force=number),
-            lambda: ss.analytical.HertzSphere(scene.bodies.pair, 1.0, number),
+            lambda: ss.analytical.HertzSphere(scene.bodies.pair, radius=1.0, load=number),
             lambda: ss.wear.energy(number, scene.ball),
             lambda: ss.surface.SelfAffine(rms_slope=number),
             lambda: ss.subsurface.Stress(xx=number),

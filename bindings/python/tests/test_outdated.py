@@ -121,7 +121,7 @@ def test_stiffness_of_rolling_requires_solve_after_change(small, rolling):
     worn = ss.NormalProblem(small.bodies, ss.surface.sphere(small.grid, 4e-3), force=FORCE).solver()
     rolling.set_normal_solver(worn)
     assert rolling.stiffness()
-    rolling.set_load(force=0.9 * FORCE)
+    rolling.set_normal_load(normal_force=0.9 * FORCE)
     with pytest.raises(ss.errors.OutdatedSolution, match="the pressure"):
         rolling.stiffness()
     with pytest.raises(ss.NotConverged):

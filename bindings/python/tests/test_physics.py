@@ -28,7 +28,7 @@ def test_normal_prescribed_approach_gives_force(scene):
 
 def test_tangential_ball_matches_cattaneo_mindlin(scene):
     shear = ss.TangentialProblem(scene.bodies, scene.normal(), 0.5, force_x=20.0).solve()
-    exact = ss.analytical.CattaneoMindlin(scene.hertz, 0.5, 20.0)
+    exact = ss.analytical.CattaneoMindlin(scene.hertz, friction=0.5, force=20.0)
     assert shear.force == pytest.approx((20.0, 0.0), rel=1e-12)
     assert shear.shift[0] == pytest.approx(exact.shift, rel=1e-3)
     assert shear.stick_ratio == pytest.approx(exact.stick_ratio, abs=0.02)
@@ -58,11 +58,11 @@ def test_cycle_dissipation_matches_mindlin_deresiewicz(scene):
         step = history.step(ss.LoadStep(force_x=force))
         assert step.energy.imbalance < 1e-6
         cycle.add(history)
-    quarter = ss.analytical.CattaneoMindlin(scene.hertz, 0.5, 30.0).energy_of_first_quarter
+    quarter = ss.analytical.CattaneoMindlin(scene.hertz, friction=0.5, force=30.0).energy_of_first_quarter
     assert cycle.energy.dissipated_energy == pytest.approx(4.0 * quarter, rel=0.01)
     assert cycle.regime == ss.history.Regime.PARTIAL_SLIP
     assert cycle.force_amplitude == pytest.approx((30.0, 0.0))
-    exact = ss.analytical.MindlinDeresiewicz(scene.hertz, 0.5, [30.0, -30.0, 30.0])
+    exact = ss.analytical.MindlinDeresiewicz(scene.hertz, friction=0.5, path=[30.0, -30.0, 30.0])
     assert history.shift[0] == pytest.approx(exact.shift, rel=2e-3)
 
 
@@ -71,7 +71,7 @@ def test_vector_model_supports_twist(scene):
     history.step(normal_force=FORCE)
     step = history.step(force_x=10.0, shift_y=0.4e-6, twist=2e-3)
     assert step.moment > 0.0 and step.tangential_force[1] > 0.0
-    sliding = ss.analytical.LubkinTorsion(scene.hertz, 0.5, 2e-3)
+    sliding = ss.analytical.LubkinTorsion(scene.hertz, friction=0.5, twist=2e-3)
     assert step.moment < sliding.sliding_moment
 
 
@@ -166,7 +166,7 @@ def test_line_contact_matches_hertz():
     grid = ss.Grid.line(256, 0.004)
     bodies = ss.HalfSpace(grid, (steel, steel), boundary=("periodic_along_y", 50.0))
     contact = ss.NormalProblem(bodies, ss.surface.cylinder(grid, 20.0), force=200.0).solve()
-    hertz = ss.analytical.HertzLine(bodies.pair, 20.0, 200.0)
+    hertz = ss.analytical.HertzLine(bodies.pair, radius=20.0, load=200.0)
     assert contact.pressure.max() == pytest.approx(hertz.max_pressure, rel=1e-3)
     assert contact.approach == pytest.approx(hertz.approach(50.0), rel=1e-3)
 
@@ -175,7 +175,7 @@ def test_periodic_waves_match_westergaard():
     grid = ss.Grid.square(64, 1.0)
     bodies = ss.HalfSpace(grid, (ss.Material(1.0, 0.5), ss.Material.rigid()), boundary=ss.Boundary.PERIODIC)
     gap = ss.surface.sinusoidal(grid, 0.01, 1.0)
-    exact = ss.analytical.Westergaard(bodies.pair, 0.01, 1.0, 0.01)
+    exact = ss.analytical.Westergaard(bodies.pair, amplitude=0.01, wavelength=1.0, mean_pressure=0.01)
     contact = ss.NormalProblem(bodies, gap, force=0.01).solve()
     assert contact.contact_area == pytest.approx(exact.contact_fraction, abs=0.04)
 
@@ -378,7 +378,7 @@ def test_work_of_loads_equals_loop_area():
 
 def test_line_contact_stresses_match_closed_forms():
     titanium = ss.Material(115e3, 0.32)
-    hertz = ss.analytical.HertzLine(ss.ElasticPair(titanium, titanium), 20.0, 200.0)
+    hertz = ss.analytical.HertzLine(ss.ElasticPair(titanium, titanium), radius=20.0, load=200.0)
     a, p0 = hertz.half_width, hertz.max_pressure
     depth = np.array([0.0, 0.5, 2.0]) * a
     xx, zz, xz = hertz.stress(0.0, depth)
@@ -389,7 +389,7 @@ def test_line_contact_stresses_match_closed_forms():
     assert np.array_equal(hertz.surface_stress(x), -hertz.pressure(x))
     assert isinstance(hertz.stress(0.0, a)[0], float) and hertz.stress(x[:, None], depth)[0].shape == (9, 3)
     # The largest stress is at the trailing edge with respect to the traction, Johnson (1985), 7.2.
-    shear = ss.analytical.CattaneoMindlinLine(hertz, 0.5, 40.0)
+    shear = ss.analytical.CattaneoMindlinLine(hertz, friction=0.5, force=40.0)
     one, two = shear.surface_stress(-a)
     assert one == pytest.approx(2.0 * 0.5 * p0 * math.sqrt(0.4)) and two == pytest.approx(-one)
     assert shear.surface_stress(x)[0] == pytest.approx(shear.stress(x, 0.0)[0][0])
@@ -444,8 +444,8 @@ def test_edges_have_sub_cell_accuracy():
     grid, body = ss.Grid.square(64, 3.0), ss.Material(2.0, 0.0)
     bodies = ss.HalfSpace(grid, (body, body), cell_value="centre")
     assert bodies.cell_value == ss.HalfSpace(*bodies.__reduce__()[1]).cell_value == "centre"
-    hertz = ss.analytical.HertzSphere(bodies.pair, 1.0, 4 / 3)
-    exact = ss.analytical.CattaneoMindlin(hertz, 0.5, 0.2)
+    hertz = ss.analytical.HertzSphere(bodies.pair, radius=1.0, load=4 / 3)
+    exact = ss.analytical.CattaneoMindlin(hertz, friction=0.5, force=0.2)
     contact = ss.NormalProblem(bodies, ss.surface.sphere(grid, 1.0), force=4 / 3).solve()
     edges = contact.edges()
     assert abs(edges.area / hertz.contact_area - 1) < 1e-3 < abs(contact.contact_area / hertz.contact_area - 1)

@@ -57,18 +57,18 @@ def test_bulk_strain_round_trips_with_strain(scene):
 def test_closed_forms_and_statistics_round_trip(scene):
     pair, hertz = scene.bodies.pair, scene.hertz
     forms = ss.analytical
-    line, ellipse = forms.HertzLine(pair, 0.01, 1e4), forms.HertzEllipse(pair, 1e-2, 2e-2, 100.0)
-    waves, cone = forms.Westergaard(pair, 1e-6, 1e-3, 1e7), forms.Cone(pair, 0.01, 10.0)
+    line, ellipse = forms.HertzLine(pair, radius=0.01, load=1e4), forms.HertzEllipse(pair, radius_x=1e-2, radius_y=2e-2, load=100.0)
+    waves, cone = forms.Westergaard(pair, amplitude=1e-6, wavelength=1e-3, mean_pressure=1e7), forms.Cone(pair, slope=0.01, load=10.0)
     made = [
-        hertz, line, ellipse, waves, cone, forms.CattaneoMindlin(hertz, 0.5, 20.0), forms.CattaneoMindlinLine(line, 0.5, 1e3),
-        forms.CattaneoMindlinEllipse(ellipse, 0.5, 20.0), forms.ConePartialSlip(cone, 0.5, 1.0), forms.FlatPunch(pair, 1e-3, 10.0),
-        forms.Carter(line, 0.3, 1e-4), forms.BentallJohnson(line, 0.01), forms.KalkerCoefficients(0.5, 0.3),
-        forms.VermeulenJohnson(ellipse, 0.3, (1e-3, 2e-3)),
-        forms.LubkinTorsion(hertz, 0.5, 1e-3), forms.Persson(pair, 0.1, 1e9),
-        forms.MindlinDeresiewicz(hertz, 0.5, [30.0, -30.0, 10.0]), forms.MindlinFullStick(pair, 1e-3, 1.0),
-        forms.NoSlipPunch(pair, 1e-3, 10.0), forms.NoSlipSphere(pair, 1e-2, 10.0), forms.SpencePressing.round(pair, 0.3),
-        forms.RoughSphere(hertz, 0.1), forms.RoundedPunch(pair, 1e-3, 1e-2, 1e4), forms.WestergaardPartialSlip(waves, 0.5, 1e6),
-        forms.PopovLimitingShape(pair, 3.5e-3, 1e-6, 1e-5), ss.surface.Statistics(scene.ball),
+        hertz, line, ellipse, waves, cone, forms.CattaneoMindlin(hertz, friction=0.5, force=20.0), forms.CattaneoMindlinLine(line, friction=0.5, force=1e3),
+        forms.CattaneoMindlinEllipse(ellipse, friction=0.5, force=20.0), forms.ConePartialSlip(cone, friction=0.5, force=1.0), forms.FlatPunch(pair, radius=1e-3, load=10.0),
+        forms.Carter(line, friction=0.3, creepage=1e-4), forms.BentallJohnson(line, friction=0.01), forms.KalkerCoefficients(0.5, poisson_ratio=0.3),
+        forms.VermeulenJohnson(ellipse, friction=0.3, creepage=(1e-3, 2e-3)),
+        forms.LubkinTorsion(hertz, friction=0.5, twist=1e-3), forms.Persson(pair, rms_slope=0.1, mean_pressure=1e9),
+        forms.MindlinDeresiewicz(hertz, friction=0.5, path=[30.0, -30.0, 10.0]), forms.MindlinFullStick(pair, contact_radius=1e-3, force=1.0),
+        forms.NoSlipPunch(pair, radius=1e-3, load=10.0), forms.NoSlipSphere(pair, radius=1e-2, load=10.0), forms.SpencePressing.round(pair, 0.3),
+        forms.RoughSphere(hertz, rms_slope=0.1), forms.RoundedPunch(pair, flat=1e-3, radius=1e-2, load=1e4), forms.WestergaardPartialSlip(waves, friction=0.5, mean_traction=1e6),
+        forms.PopovLimitingShape(pair, radius=3.5e-3, approach=1e-6, stick_radius=1e-5), ss.surface.Statistics(scene.ball),
         ss.surface.MaterialRatio(scene.ball), ss.surface.Autocorrelation(scene.ball), ss.NormalProblem(
             scene.bodies, scene.ball, force=FORCE).solve().spots,
     ]  # fmt: skip

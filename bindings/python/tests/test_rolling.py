@@ -20,7 +20,7 @@ class Ball:
         self.bodies = ss.HalfSpace(ss.Grid.square(cells, 3.0), (body, body))
         gap = ss.surface.sphere(self.bodies.grid, 1.0)
         self.normal = ss.NormalProblem(self.bodies, gap, force=1.0).solve()
-        self.radius = ss.analytical.HertzSphere(self.bodies.pair, 1.0, 1.0).contact_radius
+        self.radius = ss.analytical.HertzSphere(self.bodies.pair, radius=1.0, load=1.0).contact_radius
 
     def problem(self, **options):
         return RollingProblem(self.bodies, self.normal, FRICTION, **options)
@@ -39,13 +39,13 @@ def ball():
 
 def test_rolling_cylinder_matches_carter():
     steel = ss.Material(210e3, 0.3)
-    hertz = ss.analytical.HertzLine(ss.ElasticPair(steel, steel), 10.0, 100.0)
+    hertz = ss.analytical.HertzLine(ss.ElasticPair(steel, steel), radius=10.0, load=100.0)
     side = 2.5 * hertz.half_width
     grid = ss.Grid(128, 1, side / 128, 1.0)
     bodies = ss.HalfSpace(grid, (steel, steel), boundary=ss.Boundary.periodic_along_y(side))
     normal = ss.NormalProblem(bodies, ss.surface.cylinder(grid, 10.0), force=100.0).solve()
-    slides_at = ss.analytical.Carter(hertz, FRICTION, 0.0).sliding_creepage
-    exact = ss.analytical.Carter(hertz, FRICTION, 0.4 * slides_at)
+    slides_at = ss.analytical.Carter(hertz, friction=FRICTION, creepage=0.0).sliding_creepage
+    exact = ss.analytical.Carter(hertz, friction=FRICTION, creepage=0.4 * slides_at)
     assert exact.force == pytest.approx(0.64 * FRICTION * 100.0)
     assert exact.stick_half_width == pytest.approx(0.6 * hertz.half_width)
     rolling = RollingProblem(bodies, normal, FRICTION, creepage_x=0.4 * slides_at).solve()
@@ -69,18 +69,18 @@ def test_rolling_small_creepages_match_kalker(ball):
 
 
 def test_rolling_creep_forces_match_closed_forms(ball):
-    coefficients = ss.analytical.KalkerCoefficients(1.0, 0.25)
+    coefficients = ss.analytical.KalkerCoefficients(1.0, poisson_ratio=0.25)
     assert (coefficients.c11, coefficients.c22, coefficients.c23) == pytest.approx((4.12, 3.67, 1.47), rel=5e-3)
-    hertz = ss.analytical.HertzEllipse(ball.bodies.pair, 1.0, 1.0, 1.0)
-    curve = ss.analytical.VermeulenJohnson(hertz, FRICTION, (0.06, 0.03))
+    hertz = ss.analytical.HertzEllipse(ball.bodies.pair, radius_x=1.0, radius_y=1.0, load=1.0)
+    curve = ss.analytical.VermeulenJohnson(hertz, friction=FRICTION, creepage=(0.06, 0.03))
     assert curve.coefficients == coefficients
     linear = np.hypot(coefficients.c11 * 0.06, coefficients.c22 * 0.03) * ball.radius**2 / FRICTION
     assert curve.relative_creepage == pytest.approx(linear)
     assert curve.force == pytest.approx(ball.problem(creepage=(0.06, 0.03)).solve().force, rel=0.04)
     # Rollers of aluminium and steel roll freely.
     pair = ss.ElasticPair(ss.Material(70e3, 0.33), ss.Material(210e3, 0.3))
-    line = ss.analytical.HertzLine(pair, 10.0, 100.0)
-    free = ss.analytical.BentallJohnson(line, 0.01)
+    line = ss.analytical.HertzLine(pair, radius=10.0, load=100.0)
+    free = ss.analytical.BentallJohnson(line, friction=0.01)
     assert free.creepage == pytest.approx(0.9148 * pair.dundurs_beta * line.half_width / 10.0, rel=1e-4)
     x = np.linspace(-line.half_width, line.half_width, 2001)[1:-1]
     lost = -(free.traction(x) * free.slip(x)).sum() * (x[1] - x[0])
@@ -227,7 +227,7 @@ def test_rolling_invalid_contacts_are_rejected(ball):
     assert isinstance(caught.value.last_iterate, ss.rolling.RollingSolution)
     # The contact reaches the edge of the grid, where particles would enter.
     flat = ss.NormalProblem(ball.bodies, np.zeros((24, 24)), force=1.0).solve(warn=False)
-    with pytest.raises(ss.errors.GridTooShort, match="cells ahead of the contact, but the grid has 0: extend the grid there by at least 1 cells"):
+    with pytest.raises(ss.errors.GridTooShort, match="1 cell ahead of the contact, but the grid has 0: extend the grid there by at least 1 cell$"):
         RollingProblem(ball.bodies, flat, FRICTION)
 
 
@@ -322,13 +322,22 @@ def test_rolling_solutions_convert_to_datasets_and_images(ball):
     assert all(f'Name="{name}"'.encode() in image for name in ("pressure", "traction", "dissipation"))
 
 
+def test_coupled_rolling_solver_rejects_force_beyond_friction_before_solve(ball):
+    gap = ss.surface.sphere(ball.bodies.grid, 1.0)
+    solver = ss.rolling.CoupledRollingProblem(ball.bodies, gap, FRICTION, normal_force=1.0, force_x=0.5 * FRICTION).solver()
+    with pytest.raises(ss.errors.BeyondFrictionCapacity):
+        solver.set_normal_load(normal_force=0.4)
+    with pytest.raises(ss.errors.BeyondFrictionCapacity):
+        ss.rolling.CoupledRollingProblem(ball.bodies, gap, FRICTION, normal_force=1.0, force_x=1.1 * FRICTION)
+
+
 def test_rolling_solver_accepts_new_loads(ball):
     gap = ss.surface.sphere(ball.bodies.grid, 1.0)
     solver = ball.problem(creepage_x=0.02).solver()
     with pytest.raises(ss.errors.UnsupportedByModel, match="set_normal_solver"):
-        solver.set_load(force=0.8)
+        solver.set_normal_load(normal_force=0.8)
     solver.set_normal_solver(ss.NormalSolver(ball.bodies, gap, force=1.0))
-    solver.set_load(force=0.8)
+    solver.set_normal_load(normal_force=0.8)
     assert solver.friction_capacity == pytest.approx(0.8 * FRICTION)
     light = ss.NormalProblem(ball.bodies, gap, force=0.8).solve()
     expected = RollingProblem(ball.bodies, light, FRICTION, creepage_x=0.02).solve()
@@ -339,4 +348,4 @@ def test_rolling_solver_accepts_new_loads(ball):
     with pytest.raises(ss.errors.UnsupportedByModel, match="gap"):
         solver.set_pressure(ball.normal.pressure)
     with pytest.raises(ss.errors.EmptyContact):
-        solver.set_load(force=0.0)
+        solver.set_normal_load(normal_force=0.0)

@@ -137,6 +137,18 @@ def test_autocorrelation_of_waves_and_thresholds():
     assert everything["Sal"] == found.Sal and everything["Sq"] == pytest.approx(1.0) and "Smr1" in everything
 
 
+def test_smooth_surfaces_have_no_outliers_by_default():
+    grid = ss.Grid.square(40, 40.0)
+    x, y = np.meshgrid(grid.x, grid.y)
+    radius = np.hypot(x, y)
+    surfaces = (np.sqrt(np.maximum(300.0 - radius**2, 0.0)), np.maximum(x, 0.0), np.sin(0.7 * x) * np.sin(0.5 * y), 1.0 * (radius < 9.0))
+    for heights in surfaces:
+        assert ss.surface.remove_outliers(ss.Field(grid, heights)).outlier_cells == 0
+        heights[5, 7] += 30.0
+        found = ss.surface.remove_outliers(ss.Field(grid, heights)).outliers
+        assert list(zip(*np.nonzero(found))) == [(5, 7)]
+
+
 def test_outliers_are_removed_or_interpolated():
     grid = ss.Grid.square(64, 64.0)
     clean = wave(grid, 32.0, "um") + 0.01 * np.random.default_rng(7).normal(size=grid.shape)

@@ -107,7 +107,7 @@ pub(super) fn wave_numbers(thickness: f64) -> impl Iterator<Item = f64> {
 /// Iterates over half octaves from the longest wave of a grid to the shortest.
 pub(super) fn waves_of(grid: Grid) -> impl Iterator<Item = f64> {
     let pi = std::f64::consts::PI;
-    let longest = (grid.nx() as f64 * grid.dx()).max(grid.ny() as f64 * grid.dy());
+    let longest = grid.longest_side();
     let shortest = pi * (1.0 / grid.dx()).hypot(1.0 / grid.dy());
     let next =
         move |k: &f64| (*k < shortest).then_some((std::f64::consts::SQRT_2 * k).min(shortest));

@@ -17,7 +17,7 @@ use crate::parallel::ranks::WireFormat;
 use crate::report::Report;
 use crate::rolling::RollingShift;
 use crate::tangential::{RigidMotion, StepSolution, Zone, at, centre};
-use crate::warning::Resolution;
+use crate::warning::{Resolution, Warning};
 
 impl History {
     /// Commits a solved step that ended with this motion to the state, and writes its results.
@@ -105,6 +105,9 @@ impl History {
             state.normal.measure_scale(bodies, &state.pressed_gap);
         }
         step.remarks.scale = state.normal.scale();
+        if travel.is_none() && !step.remarks.is_apart {
+            step.remarks.shift_tenths = Warning::shift_beyond(state.grid(), moved);
+        }
         if load.holds_shift() && !step.remarks.is_apart {
             step.remarks.lost_per_cent = lost_per_cent(force_before, step);
         }

@@ -28,6 +28,8 @@ pub(in crate::history) struct StepDiagnostics {
     /// Largest loss of tangential force under a held shift in any step, in per cent.
     #[cfg_attr(feature = "serde", serde(default))]
     pub(in crate::history) lost_per_cent: usize,
+    /// Largest shift of a step that is larger than the grid, over the longest side of the grid, in tenths.
+    pub(in crate::history) shift_tenths: Option<usize>,
     /// Largest lift due to the tractions of a rolled step that the pressure ignores, in millionths of the normal
     /// displacement.
     pub(in crate::history) neglected_lift: Option<usize>,
@@ -49,6 +51,7 @@ impl StepDiagnostics {
             overloaded_cells: self.overloaded_cells.max(other.overloaded_cells),
             scale: self.scale.max(other.scale),
             lost_per_cent: self.lost_per_cent.max(other.lost_per_cent),
+            shift_tenths: self.shift_tenths.max(other.shift_tenths),
             neglected_lift: self.neglected_lift.max(other.neglected_lift),
             resolution: self.resolution.and(other.resolution),
         }
@@ -70,12 +73,15 @@ impl StepDiagnostics {
             .chain(resolution.zone_warnings());
         let per_cent = self.lost_per_cent;
         let lost = (per_cent > LARGEST_LOSS).then_some(Warning::HeldShiftLostForce { per_cent });
+        let shift = self.shift_tenths;
+        let shift = shift.map(|tenths| Warning::ShiftBeyondGrid { tenths });
         let lift = self.neglected_lift;
         let lift = lift.map(|per_million| Warning::NeglectedLift { per_million });
         all.chain(beyond)
             .chain(lift)
             .chain(zones)
             .chain(self.scale.warnings())
+            .chain(shift)
             .chain(lost)
             .chain(at_once)
             .collect()

@@ -11,7 +11,7 @@ use crate::normal::NormalLoad;
 use crate::rolling::RollingShift;
 use crate::rolling::coupled::{CoupledRollingSolution, CoupledRollingSolver};
 use crate::rolling::steady::options::{RollingOptions, rolling_methods};
-use crate::rolling::steady::problem::check_motion;
+use crate::rolling::steady::problem::{check_forces, check_motion};
 use crate::rolling::{LeadingEdge, RollingControl, SpinControl};
 use crate::support::debug::shown;
 use crate::tangential::EntryRule;
@@ -112,9 +112,11 @@ impl CoupledRollingProblem {
         CoupledRollingSolver::new(self)
     }
 
-    /// Returns an error if no pressure can carry the loads.
+    /// Returns an error if no pressure can carry the loads. A prescribed normal force times the largest coefficient of friction
+    /// bounds the friction capacity.
     pub(super) fn check(
         &self,
+        friction: &Friction,
         normal: NormalLoad,
         controls: [RollingControl; 2],
         spin: SpinControl,
@@ -122,7 +124,14 @@ impl CoupledRollingProblem {
         let length =
             RollingShift::new(self.bodies.grid(), self.options.edge, self.options.cells).length;
         check_motion(&self.bodies, length, controls, spin)?;
-        normal.check(&self.bodies, &self.gap, None)
+        normal.check(&self.bodies, &self.gap, None)?;
+        match normal {
+            NormalLoad::Force(force) if force > 0.0 => {
+                let coefficient = friction.largest_coefficient(&self.bodies);
+                check_forces(controls, coefficient * force)
+            }
+            _ => Ok(()),
+        }
     }
 }
 
@@ -138,6 +147,8 @@ impl CoupledRollingProblemBuilder {
     ///   for an invalid normal load.
     /// - [`Error::NotFinite`] if a creepage, a force, the spin or the moment is not finite, [`Error::NotPositive`] for a
     ///   step of zero cells.
+    /// - [`Error::BeyondFrictionCapacity`] if the forces reach or exceed the largest coefficient of friction times a prescribed
+    ///   normal force.
     /// - [`Error::UnsupportedByModel`] for rolling along an axis on which the grid is periodic, or for spin on such a
     ///   grid.
     /// - [`Error::UnsupportedForCoatings`] for user-defined operators.
@@ -158,7 +169,12 @@ impl CoupledRollingProblemBuilder {
         TangentialModel::Vector.check(&options.settings)?;
         RollingShift::new(grid, options.edge, options.cells).check(bodies)?;
         check_joint(bodies)?;
-        problem.check(problem.normal, options.controls, options.spin)?;
+        problem.check(
+            &problem.friction,
+            problem.normal,
+            options.controls,
+            options.spin,
+        )?;
         Ok(problem)
     }
 }

@@ -203,15 +203,19 @@ impl CoupledRollingSolver {
     /// Sets the loads or creepages along x and y, and the spin or moment, for the next solve.
     ///
     /// # Errors
-    /// - [`Error::NotFinite`] or [`Error::UnsupportedByModel`] if a load is not finite or not supported. All loads are
-    ///   then unchanged.
+    /// - [`Error::NotFinite`] or [`Error::UnsupportedByModel`] if a load is not finite or not supported.
+    /// - [`Error::BeyondFrictionCapacity`] if the forces reach or exceed the largest coefficient of friction times a prescribed
+    ///   normal force. For a prescribed approach, the solve returns this error.
+    ///
+    /// All loads are unchanged after an error.
     pub fn set_load(
         &mut self,
         controls: [RollingControl; 2],
         spin: impl Into<SpinControl>,
     ) -> Result<()> {
         let spin = spin.into();
-        self.problem.check(self.problem.normal, controls, spin)?;
+        let problem = &self.problem;
+        problem.check(&problem.friction, problem.normal, controls, spin)?;
         if self.problem.options.set_load(controls, spin) {
             self.engine.changed = Some("the load");
         }
@@ -222,10 +226,13 @@ impl CoupledRollingSolver {
     ///
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`] or [`Error::ApproachBeyondMeanGap`].
-    ///   The load is then unchanged.
+    /// - [`Error::BeyondFrictionCapacity`] as for [`set_load`](Self::set_load): set the new forces first.
+    ///
+    /// The load is unchanged after an error.
     pub fn set_normal_load(&mut self, normal: NormalLoad) -> Result<()> {
         let RollingOptions { controls, spin, .. } = self.problem.options;
-        self.problem.check(normal, controls, spin)?;
+        let problem = &self.problem;
+        problem.check(&problem.friction, normal, controls, spin)?;
         if std::mem::replace(&mut self.problem.normal, normal) != normal {
             self.engine.changed = Some("the normal load");
         }
@@ -251,10 +258,16 @@ impl CoupledRollingSolver {
     /// Sets the friction for the next solve.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`] or [`Error::Memory`]. The friction is then unchanged.
+    /// - [`Error::GridMismatch`] or [`Error::Memory`].
+    /// - [`Error::BeyondFrictionCapacity`] as for [`set_load`](Self::set_load).
+    ///
+    /// The friction is unchanged after an error.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         friction.check(self.problem.bodies.grid())?;
-        self.problem.friction.try_clone_from(friction)?;
+        let RollingOptions { controls, spin, .. } = self.problem.options;
+        let problem = &mut self.problem;
+        problem.check(friction, problem.normal, controls, spin)?;
+        problem.friction.try_clone_from(friction)?;
         self.engine.changed = Some("the friction");
         Ok(())
     }

@@ -96,16 +96,7 @@ impl RollingProblem {
         });
         let area = self.bodies.grid().cell_area();
         self.pressed.limits.check(force, area).map_err(of_rolling)?;
-        let (size, limit) = (force[0].hypot(force[1]), self.pressed.limits.sum * area);
-        let is_force = |control: &RollingControl| matches!(control, RollingControl::Force(_));
-        // The creepage is undetermined if the force makes the whole contact slide.
-        if controls.iter().any(is_force) && is_at_limit(size, limit) {
-            return Err(of_rolling(Error::BeyondFrictionCapacity {
-                force: size,
-                limit,
-                remedy: SLIDE,
-            }));
-        }
+        check_forces(controls, self.pressed.limits.sum * area)?;
         if let SpinControl::Moment(moment) = spin {
             self.check_moment(controls, moment)?;
         }
@@ -205,6 +196,25 @@ impl RollingProblemBuilder<'_> {
         problem.check(options.controls, options.spin)?;
         Ok(problem)
     }
+}
+
+/// Returns an error if prescribed forces reach the largest force that friction can carry. The creepage would be undetermined
+/// because the whole contact slides.
+pub(in crate::rolling) fn check_forces(controls: [RollingControl; 2], limit: f64) -> Result<()> {
+    let force = controls.map(|control| match control {
+        RollingControl::Force(force) => force,
+        RollingControl::Creepage(_) => 0.0,
+    });
+    let size = force[0].hypot(force[1]);
+    let is_force = |control: &RollingControl| matches!(control, RollingControl::Force(_));
+    if controls.iter().any(is_force) && is_at_limit(size, limit) {
+        return Err(of_rolling(Error::BeyondFrictionCapacity {
+            force: size,
+            limit,
+            remedy: SLIDE,
+        }));
+    }
+    Ok(())
 }
 
 /// Checks that the prescribed motion is valid for steps of this length, independently of the pressure.

@@ -236,7 +236,7 @@ impl RollingProblem {
             model: "the entry rule",
             quantity: "a pressure without a gap (value: the largest pressure)",
             value: pressure.max(),
-            remedy: "give a solved normal contact, or build the problem with EntryRule::WholeStep",
+            remedy: "give a solved normal contact, or select the entry rule of the whole step in the problem",
         })
     }
 

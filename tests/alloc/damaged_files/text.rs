@@ -28,19 +28,34 @@ fn damaged_csv_files_are_rejected() {
             "1 2\n3\n",
             "CSV, on line 2: the line must have 2 cells, as the previous lines, but it has 1",
         ),
-        ("x,y\n1,2\n", "CSV, on line 1: \"x\" is not a number"),
+        (
+            "x,y\n1,2\n",
+            "CSV, on line 1: \"x\" in column 1 is not a number",
+        ),
         (
             "1;2\n3;4,5,6\n",
-            "CSV, on line 2: \"4,5,6\" is not a number",
+            "CSV, on line 2: \"4,5,6\" in column 2 is not a number",
         ),
-        ("1;1.234,5\n", "CSV, on line 1: \"1.234,5\" is not a number"),
+        (
+            "1;1.234,5\n",
+            "CSV, on line 1: \"1.234,5\" in column 2 is not a number",
+        ),
         (
             "1,2\n3,1e999\n",
-            "CSV, on line 2: \"1e999\" exceeds the range of double precision",
+            "CSV, on line 2: \"1e999\" in column 2 exceeds the range of double precision",
         ),
-        ("1 2\n3 0x10\n", "CSV, on line 2: \"0x10\" is not a number"),
-        ("1 2\n3 4*\n", "CSV, on line 2: \"4*\" is not a number"),
-        ("1,2 3,4,5\n", "CSV, on line 1: \"2 3\" is not a number"),
+        (
+            "1 2\n3 0x10\n",
+            "CSV, on line 2: \"0x10\" in column 2 is not a number",
+        ),
+        (
+            "1 2\n3 4*\n",
+            "CSV, on line 2: \"4*\" in column 2 is not a number",
+        ),
+        (
+            "1,2 3,4,5\n",
+            "CSV, on line 1: \"2 3\" in column 2 is not a number",
+        ),
     ] {
         assert_rejected(file.as_bytes(), parse_csv, expected);
     }
@@ -54,7 +69,7 @@ fn damaged_csv_files_are_rejected() {
     assert_rejected(
         &endless,
         parse_csv,
-        "CSV, on line 1: \"77777777777777777777777777777777\" exceeds the range",
+        "CSV, on line 1: \"77777777777777777777777777777777\" in column 1 exceeds the range",
     );
     let wide = b"1,".repeat(50_000);
     assert_eq!(parse_csv(&wide).unwrap().grid().nx(), 50_000);

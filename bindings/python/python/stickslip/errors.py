@@ -39,7 +39,7 @@ class _Argument(StickslipError):
 
 
 class ArgumentType(_Argument, TypeError):
-    """An argument that must be a number is not a number."""
+    """An argument has a wrong type, such as text instead of a number, or a Field instead of a HalfSpace."""
 
     argument: str
     """Name of the argument."""

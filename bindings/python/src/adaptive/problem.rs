@@ -85,7 +85,7 @@ use crate::work::solve_in_stages;
 /// >>> ball = lambda x, y: (x**2 + y**2) / 7e-3
 /// >>> problem = ss.adaptive.AdaptiveProblem((steel, steel), ball, region, force=100.0, target={"approach": 1e-3})
 /// >>> contact = problem.solve()
-/// >>> hertz = ss.analytical.HertzSphere(ss.ElasticPair(steel, steel), 3.5e-3, 100.0)
+/// >>> hertz = ss.analytical.HertzSphere(ss.ElasticPair(steel, steel), radius=3.5e-3, load=100.0)
 /// >>> contact.is_reached, abs(contact.approach / hertz.approach - 1.0) < 1e-3
 /// (True, True)
 #[pyclass(frozen, module = "stickslip.adaptive")]

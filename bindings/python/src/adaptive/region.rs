@@ -4,6 +4,7 @@ use pyo3::prelude::*;
 use serde::{Deserialize, Serialize};
 use stickslip::adaptive::Region as Checked;
 
+use crate::argument::by_value;
 use crate::boundary::Boundary;
 use crate::conversion::{RegionX, RegionY};
 use crate::digits::{short, tuple};
@@ -30,7 +31,7 @@ pub(crate) enum Ends {
 /// >>> import stickslip as ss
 /// >>> ss.adaptive.Region.rectangle((-1e-3, 1e-3), (-1e-3, 1e-3))
 /// Region.rectangle((-0.001, 0.001), (-0.001, 0.001))
-#[pyclass(frozen, eq, module = "stickslip.adaptive", from_py_object)]
+#[pyclass(frozen, eq, module = "stickslip.adaptive")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Region(Ends);
 
@@ -49,6 +50,8 @@ impl Region {
         }
     }
 }
+
+by_value!(Region);
 
 #[pymethods]
 impl Region {

@@ -1,7 +1,7 @@
 //! Declaration of the classes of closed-form solutions from their arguments, numbers and functions.
 
 /// Declares the class of a closed-form solution. The parts of the declaration are, in order: the object from which the
-/// solution is constructed; further arguments, which are numbers unless a type is given; the objects, numbers and pairs
+/// solution is constructed; further keyword arguments, which are numbers unless a type is given; the objects, numbers and pairs
 /// of numbers of the solution; its functions of one and of two coordinates; and its additional methods.
 macro_rules! closed_form {
     (
@@ -19,7 +19,7 @@ macro_rules! closed_form {
         $(also { $($also:item)* })?
     ) => {
         $(#[$doc])*
-        #[pyo3::pyclass(frozen, eq, module = "stickslip.analytical", from_py_object)]
+        #[pyo3::pyclass(frozen, eq, module = "stickslip.analytical")]
         #[derive(Clone, PartialEq)]
         pub(crate) struct $class(pub(crate) stickslip::analytical::$class);
 
@@ -32,6 +32,7 @@ macro_rules! closed_form {
         #[pyo3::pymethods]
         impl $class {
             #[new]
+            #[pyo3(signature = ($subject, *, $($number_argument,)* $($other)?))]
             fn new(
                 py: pyo3::Python<'_>,
                 $subject: $subject_type,
@@ -102,6 +103,7 @@ macro_rules! closed_form {
             }
         }
 
+        crate::argument::by_value!($class);
         crate::pickle::picklable!($class: stickslip::analytical::$class);
 
         $(#[pyo3::pymethods] impl $class { $($also)* })?

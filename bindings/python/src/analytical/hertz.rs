@@ -4,6 +4,7 @@ use pyo3::prelude::*;
 
 use crate::analytical::closed_form::closed_form;
 use crate::analytical::coordinates::{Coordinates, PlaneStrain};
+use crate::argument::Object;
 use crate::material::ElasticPair;
 
 closed_form! {
@@ -24,7 +25,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive
-    HertzSphere(pair: &ElasticPair => &pair.0, radius, load)
+    HertzSphere(pair: Object<ElasticPair> => &pair.0, radius, load)
     objects {
         /// The bodies.
         pair: ElasticPair,
@@ -75,7 +76,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive
-    HertzEllipse(pair: &ElasticPair => &pair.0, radius_x, radius_y, load)
+    HertzEllipse(pair: Object<ElasticPair> => &pair.0, radius_x, radius_y, load)
     objects {
         /// The bodies.
         pair: ElasticPair,
@@ -120,7 +121,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive
-    HertzLine(pair: &ElasticPair => &pair.0, radius, load)
+    HertzLine(pair: Object<ElasticPair> => &pair.0, radius, load)
     objects {
         /// The bodies.
         pair: ElasticPair,

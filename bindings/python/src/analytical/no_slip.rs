@@ -3,6 +3,7 @@
 use pyo3::prelude::*;
 
 use crate::analytical::closed_form::closed_form;
+use crate::argument::Object;
 use crate::error::OrRaise;
 use crate::material::ElasticPair;
 use crate::pickle::picklable;
@@ -26,7 +27,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive
-    NoSlipPunch(pair: &ElasticPair => &pair.0, radius, load)
+    NoSlipPunch(pair: Object<ElasticPair> => &pair.0, radius, load)
     numbers {
         /// Radius a of the flat end, and of the contact circle (a length).
         contact_radius,
@@ -55,7 +56,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive
-    NoSlipSphere(pair: &ElasticPair => &pair.0, radius, load)
+    NoSlipSphere(pair: Object<ElasticPair> => &pair.0, radius, load)
     numbers {
         /// Radius R of the sphere (a length).
         radius,
@@ -84,7 +85,7 @@ picklable!(SpencePressing: stickslip::analytical::SpencePressing);
 impl SpencePressing {
     /// Returns the solution for a body of revolution with this coefficient of friction (dimensionless, not negative).
     #[staticmethod]
-    fn round(py: Python<'_>, pair: &ElasticPair, friction: Real) -> PyResult<Self> {
+    fn round(py: Python<'_>, pair: Object<ElasticPair>, friction: Real) -> PyResult<Self> {
         stickslip::analytical::SpencePressing::round(&pair.0, friction.0)
             .or_raise(py)
             .map(Self)
@@ -93,7 +94,7 @@ impl SpencePressing {
     /// Returns the solution for a cylinder or strip in plane strain with this coefficient of friction (dimensionless, not
     /// negative).
     #[staticmethod]
-    fn plane(py: Python<'_>, pair: &ElasticPair, friction: Real) -> PyResult<Self> {
+    fn plane(py: Python<'_>, pair: Object<ElasticPair>, friction: Real) -> PyResult<Self> {
         stickslip::analytical::SpencePressing::plane(&pair.0, friction.0)
             .or_raise(py)
             .map(Self)

@@ -4,6 +4,7 @@ use pyo3::prelude::*;
 
 use crate::analytical::MindlinFullStick;
 use crate::analytical::closed_form::closed_form;
+use crate::argument::Object;
 use crate::error::OrRaise;
 use crate::material::ElasticPair;
 use crate::real::Real;
@@ -27,7 +28,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive
-    Cone(pair: &ElasticPair => &pair.0, slope, load)
+    Cone(pair: Object<ElasticPair> => &pair.0, slope, load)
     objects {
         /// The bodies.
         pair: ElasticPair,
@@ -78,7 +79,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive
-    FlatPunch(pair: &ElasticPair => &pair.0, radius, load)
+    FlatPunch(pair: Object<ElasticPair> => &pair.0, radius, load)
     objects {
         /// The bodies.
         pair: ElasticPair,
@@ -146,7 +147,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive, BelowMinimum
-    RoundedPunch(pair: &ElasticPair => &pair.0, flat, radius, load)
+    RoundedPunch(pair: Object<ElasticPair> => &pair.0, flat, radius, load)
     numbers {
         /// Half-width of the contact (a length).
         half_width,

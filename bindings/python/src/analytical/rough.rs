@@ -4,6 +4,7 @@ use pyo3::prelude::*;
 
 use crate::analytical::HertzSphere;
 use crate::analytical::closed_form::closed_form;
+use crate::argument::Object;
 use crate::error::OrRaise;
 use crate::material::ElasticPair;
 use crate::real::Real;
@@ -29,7 +30,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive
-    Persson(pair: &ElasticPair => &pair.0, rms_slope, mean_pressure)
+    Persson(pair: Object<ElasticPair> => &pair.0, rms_slope, mean_pressure)
     objects {
         /// The bodies.
         pair: ElasticPair,
@@ -146,6 +147,7 @@ closed_form! {
 /// ------
 /// NotPositive, NegativeOrNotFinite, NotFinite, BeyondFrictionCapacity
 #[pyfunction]
+#[pyo3(signature = (*, load, friction, force))]
 pub(crate) fn linear_stick_ratio(
     py: Python<'_>,
     load: Real,

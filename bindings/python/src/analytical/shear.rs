@@ -2,6 +2,7 @@
 
 use crate::analytical::HertzSphere;
 use crate::analytical::closed_form::closed_form;
+use crate::argument::Object;
 use crate::material::ElasticPair;
 
 closed_form! {
@@ -24,7 +25,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive, NotFinite
-    MindlinFullStick(pair: &ElasticPair => &pair.0, contact_radius, force)
+    MindlinFullStick(pair: Object<ElasticPair> => &pair.0, contact_radius, force)
     objects {
         /// The bodies.
         pair: ElasticPair,

@@ -1,6 +1,7 @@
 //! Wavy surfaces pressed together and in partial slip.
 
 use crate::analytical::closed_form::closed_form;
+use crate::argument::Object;
 use crate::material::ElasticPair;
 
 closed_form! {
@@ -23,7 +24,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive
-    Westergaard(pair: &ElasticPair => &pair.0, amplitude, wavelength, mean_pressure)
+    Westergaard(pair: Object<ElasticPair> => &pair.0, amplitude, wavelength, mean_pressure)
     objects {
         /// The bodies.
         pair: ElasticPair,

@@ -1,6 +1,7 @@
 //! Surfaces worn by fretting.
 
 use crate::analytical::closed_form::closed_form;
+use crate::argument::Object;
 use crate::material::ElasticPair;
 
 closed_form! {
@@ -26,7 +27,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive, NegativeOrNotFinite, BelowMinimum
-    PopovLimitingShape(pair: &ElasticPair => &pair.0, radius, approach, stick_radius)
+    PopovLimitingShape(pair: Object<ElasticPair> => &pair.0, radius, approach, stick_radius)
     objects {
         /// The bodies.
         pair: ElasticPair,

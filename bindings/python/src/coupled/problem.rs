@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use stickslip::cgm;
 
+use crate::argument::Object;
 use crate::choice::Choice;
 use crate::conversion;
 use crate::coupled::{CoupledSolution, CoupledSolver};
@@ -77,7 +78,7 @@ impl CoupledProblem {
         time_limit=None))]
     fn new(
         py: Python<'_>,
-        bodies: &HalfSpace,
+        bodies: Object<HalfSpace>,
         gap: Samples<'_>,
         friction: AnyFriction<'_>,
         load: Option<TangentialArgument>,
@@ -114,7 +115,7 @@ impl CoupledProblem {
             keywords.load_or(load)?,
         );
         let grid = bodies.0.grid();
-        let gap = gap.on(py, "gap", grid)?;
+        let gap = gap.per_cell(py, "gap", grid)?;
         let friction = friction.on(py, grid)?;
         let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
         let bodies_and_surfaces = (

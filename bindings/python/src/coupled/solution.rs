@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 
+use crate::argument::Object;
 use crate::array::{Array, contact, view};
 use crate::coupled::CoupledReport;
 use crate::digits::{short, tuple};
@@ -76,7 +77,7 @@ impl CoupledSolution {
     fn stiffness(
         &self,
         py: Python<'_>,
-        bodies: &HalfSpace,
+        bodies: Object<HalfSpace>,
         friction: AnyFriction<'_>,
     ) -> PyResult<ContactStiffness> {
         let (solution, bodies) = (&self.0, &bodies.0);

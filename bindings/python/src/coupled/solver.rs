@@ -57,7 +57,7 @@ impl CoupledSolver {
 
     /// Sets the gap of the next solve (lengths).
     fn set_gap(&self, py: Python<'_>, gap: Samples<'_>) -> PyResult<()> {
-        let gap = gap.on(py, "gap", self.0.grid())?;
+        let gap = gap.per_cell(py, "gap", self.0.grid())?;
         self.0.change(py, |solver| solver.set_gap(&gap))
     }
 

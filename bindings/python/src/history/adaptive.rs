@@ -4,6 +4,7 @@ use std::sync::Mutex;
 
 use pyo3::prelude::*;
 
+use crate::argument::Object;
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::history::{Cycle, History, builder};
@@ -68,7 +69,7 @@ const NAME: &str = "object for adaptive steps";
 #[pymethods]
 impl AdaptiveSteps {
     #[new]
-    fn new(py: Python<'_>, history: &History, tolerance: Real) -> PyResult<Self> {
+    fn new(py: Python<'_>, history: Object<History>, tolerance: Real) -> PyResult<Self> {
         let steps =
             history.read(|history| stickslip::history::AdaptiveSteps::new(history, tolerance.0))?;
         steps.or_raise(py).map(|steps| Self(Mutex::new(steps)))
@@ -79,7 +80,7 @@ impl AdaptiveSteps {
     fn error(
         &self,
         py: Python<'_>,
-        history: &History,
+        history: Object<History>,
         load: StepArgument,
     ) -> PyResult<StepErrorEstimate> {
         let (mut steps, mut work) = (lock(&self.0, NAME)?, lock(&history.work, builder::NAME)?);
@@ -113,13 +114,13 @@ impl AdaptiveSteps {
     fn step(
         &self,
         py: Python<'_>,
-        history: &History,
+        history: Object<History>,
         load: StepArgument,
-        cycle: Option<&Cycle>,
+        cycle: Option<Object<Cycle>>,
         warn: bool,
     ) -> PyResult<usize> {
         let (mut steps, mut work) = (lock(&self.0, NAME)?, lock(&history.work, builder::NAME)?);
-        let mut cycle = cycle.map(Cycle::lock).transpose()?;
+        let mut cycle = cycle.as_deref().map(Cycle::lock).transpose()?;
         let (steps, work) = (&mut *steps, &mut *work);
         let mut cycle = cycle.as_deref_mut();
         let outcome = solve(py, history.cells(), Progress::none(), |observer| {

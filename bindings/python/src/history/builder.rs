@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use stickslip::history::{EntryRule, StepResult as Step};
 use stickslip::{Axis, Coupling, TangentialModel, cgm};
 
+use crate::argument::Object;
 use crate::choice::Choice;
 use crate::field::Samples;
 use crate::friction::AnyFriction;
@@ -150,7 +151,7 @@ impl History {
         max_iterations=None, time_limit=None))]
     fn new(
         py: Python<'_>,
-        bodies: &HalfSpace,
+        bodies: Object<HalfSpace>,
         gap: Samples<'_>,
         friction: AnyFriction<'_>,
         axis: Option<Choice<Axis>>,
@@ -168,7 +169,7 @@ impl History {
     ) -> PyResult<Self> {
         let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
         let grid = bodies.0.grid();
-        let gap = gap.on(py, "gap", grid)?;
+        let gap = gap.per_cell(py, "gap", grid)?;
         let friction = friction.on(py, grid)?;
         let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
         let history = unobserved_on(py, grid, || {
@@ -194,12 +195,12 @@ impl History {
             }
             builder.build()
         })?;
-        Ok(Self::of(history, bodies))
+        Ok(Self::of(history, &bodies))
     }
 
     /// Sets the gap of later steps (lengths), for example after wear.
     fn set_gap(&self, py: Python<'_>, gap: Samples<'_>) -> PyResult<()> {
-        let gap = gap.on(py, "gap", self.grid())?;
+        let gap = gap.per_cell(py, "gap", self.grid())?;
         self.change(py, |history| history.set_gap(&gap))
     }
 

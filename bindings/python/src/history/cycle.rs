@@ -4,6 +4,7 @@ use std::sync::{Mutex, MutexGuard};
 
 use pyo3::prelude::*;
 
+use crate::argument::Object;
 use crate::array::{Array, copy};
 use crate::choice::Choice;
 use crate::digits::{counted, rough, short, tuple};
@@ -142,13 +143,13 @@ impl Cycle {
 #[pymethods]
 impl Cycle {
     #[new]
-    fn new(history: &History) -> PyResult<Self> {
+    fn new(history: Object<History>) -> PyResult<Self> {
         let cycle = history.read(stickslip::history::Cycle::new)?;
         Ok(Self(Mutex::new(cycle)))
     }
 
     /// Discards all steps and restarts the cycle in the present state of the history.
-    fn begin(&self, py: Python<'_>, history: &History) -> PyResult<()> {
+    fn begin(&self, py: Python<'_>, history: Object<History>) -> PyResult<()> {
         let mut cycle = self.lock()?;
         history.read(|history| cycle.begin(history))?.or_raise(py)
     }
@@ -162,7 +163,7 @@ impl Cycle {
     /// StepAlreadyCounted
     ///     If the step has already been added, or is not later than the start of the cycle.
     /// GridMismatch
-    fn add(&self, py: Python<'_>, history: &History) -> PyResult<()> {
+    fn add(&self, py: Python<'_>, history: Object<History>) -> PyResult<()> {
         let mut cycle = self.lock()?;
         history.read(|history| cycle.add(history))?.or_raise(py)
     }

@@ -3,6 +3,7 @@
 use numpy::PyArray2;
 use pyo3::prelude::*;
 
+use crate::argument::by_value;
 use crate::array::Array;
 use crate::conversion;
 use crate::digits::{counted, tuple};
@@ -29,11 +30,13 @@ use crate::sequence::{entry, pair};
 /// >>> path = LoadPath.sine((20.0, 0.0), 40)
 /// >>> len(path), path[9], path.end
 /// (40, (20.0, 0.0), (0.0, 0.0))
-#[pyclass(frozen, eq, module = "stickslip.history", from_py_object, sequence)]
+#[pyclass(frozen, eq, module = "stickslip.history", sequence)]
 #[derive(Clone, PartialEq)]
 pub(crate) struct LoadPath(pub(crate) stickslip::history::LoadPath);
 
 type Path = stickslip::history::LoadPath;
+
+by_value!(LoadPath);
 
 #[pymethods]
 impl LoadPath {

@@ -4,6 +4,7 @@ use pyo3::prelude::*;
 use stickslip::Axis;
 use stickslip::history::{LeadingEdge, Rolling as Rolled};
 
+use crate::argument::by_value;
 use crate::choice::Choice;
 use crate::conversion;
 use crate::digits::{short, tuple};
@@ -45,9 +46,11 @@ use crate::real::{Count, Real};
 /// >>> forces = [history.step(roll=rolling).tangential_force[0] for _ in range(5)]
 /// >>> forces == sorted(forces), history.last_step.creepage  # the force grows towards that of steady rolling
 /// (True, (0.05, 0.0))
-#[pyclass(frozen, eq, module = "stickslip.history", from_py_object)]
+#[pyclass(frozen, eq, module = "stickslip.history")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Rolling(pub(crate) Rolled);
+
+by_value!(Rolling);
 
 #[pymethods]
 impl Rolling {

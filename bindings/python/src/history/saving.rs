@@ -6,6 +6,7 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyType};
 
+use crate::argument::Object;
 use crate::error::OrRaise;
 use crate::half_space::HalfSpace;
 use crate::history::{History, State};
@@ -26,17 +27,21 @@ impl History {
     ///
     /// The history then has no :attr:`last_step` until its next step. Until then, :meth:`Cycle.add` raises ``NoLastStep``. In a
     /// retry, restore the state, take a smaller step, and add this step to the cycle.
-    fn set_state(&self, py: Python<'_>, state: &State) -> PyResult<()> {
+    fn set_state(&self, py: Python<'_>, state: Object<State>) -> PyResult<()> {
         self.change(py, |history| history.set_state(&state.0))
     }
 
     /// Creates a history that continues from a state, on the bodies of that state.
     #[staticmethod]
-    fn from_state(py: Python<'_>, bodies: &HalfSpace, state: &State) -> PyResult<Self> {
+    fn from_state(
+        py: Python<'_>,
+        bodies: Object<HalfSpace>,
+        state: Object<State>,
+    ) -> PyResult<Self> {
         let history = unobserved_on(py, bodies.0.grid(), || {
             stickslip::History::from_state(&bodies.0, (*state.0).clone())
         })?;
-        Ok(Self::of(history, bodies))
+        Ok(Self::of(history, &bodies))
     }
 
     /// Returns the state as bytes, with all data that the next step needs except the bodies.
@@ -48,11 +53,11 @@ impl History {
     /// Restores a history from its bytes, on the same bodies. Continued steps give bitwise identical results on processors with
     /// the same vector instructions.
     #[staticmethod]
-    fn from_bytes(py: Python<'_>, bodies: &HalfSpace, bytes: &[u8]) -> PyResult<Self> {
+    fn from_bytes(py: Python<'_>, bodies: Object<HalfSpace>, bytes: &[u8]) -> PyResult<Self> {
         let history = unobserved_on(py, bodies.0.grid(), || {
             stickslip::History::from_bytes(&bodies.0, bytes)
         })?;
-        Ok(Self::of(history, bodies))
+        Ok(Self::of(history, &bodies))
     }
 
     /// Saves the state to a file. An existing file is replaced completely or not at all.
@@ -62,11 +67,11 @@ impl History {
 
     /// Loads a history from a file written by :meth:`save`, on the same bodies.
     #[staticmethod]
-    fn load(py: Python<'_>, bodies: &HalfSpace, path: PathBuf) -> PyResult<Self> {
+    fn load(py: Python<'_>, bodies: Object<HalfSpace>, path: PathBuf) -> PyResult<Self> {
         let history = unobserved_on(py, bodies.0.grid(), || {
             stickslip::History::load(&bodies.0, &path)
         })?;
-        Ok(Self::of(history, bodies))
+        Ok(Self::of(history, &bodies))
     }
 
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Standalone<'py, Saved<'py>>> {

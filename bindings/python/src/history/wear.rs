@@ -7,6 +7,7 @@ use pyo3::types::PyDict;
 use stickslip::Field;
 use stickslip::history::wear::{self, Coefficient};
 
+use crate::argument::Object;
 use crate::array::{Array, copy};
 use crate::digits::short;
 use crate::error::{OrRaise, named};
@@ -79,9 +80,13 @@ pub(crate) fn archard<'py>(
     pressure: Samples<'py>,
     slip_distance: Samples<'py>,
     depth: Option<Samples<'py>>,
-    grid: Option<&Grid>,
+    grid: Option<Object<Grid>>,
 ) -> PyResult<Array<'py>> {
-    let grid = of_any_cells(py, grid, &[&pressure, &slip_distance, &coefficient])?;
+    let grid = of_any_cells(
+        py,
+        grid.as_deref(),
+        &[&pressure, &slip_distance, &coefficient],
+    )?;
     let mut worn = before(py, depth.as_ref(), grid)?;
     let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;
     let pressure = pressure.on(py, "pressure", grid)?;
@@ -120,9 +125,9 @@ pub(crate) fn energy<'py>(
     coefficient: Samples<'py>,
     energy: Samples<'py>,
     depth: Option<Samples<'py>>,
-    grid: Option<&Grid>,
+    grid: Option<Object<Grid>>,
 ) -> PyResult<Array<'py>> {
-    let grid = grid_of(grid, &[&energy])?;
+    let grid = grid_of(grid.as_deref(), &[&energy])?;
     let mut worn = before(py, depth.as_ref(), grid)?;
     let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;
     let energy = energy.on(py, "energy", grid)?;
@@ -166,9 +171,9 @@ pub(crate) fn threshold_energy<'py>(
     accumulated: Samples<'py>,
     energy: Samples<'py>,
     depth: Option<Samples<'py>>,
-    grid: Option<&Grid>,
+    grid: Option<Object<Grid>>,
 ) -> PyResult<Array<'py>> {
-    let grid = grid_of(grid, &[&accumulated, &energy])?;
+    let grid = grid_of(grid.as_deref(), &[&accumulated, &energy])?;
     let mut worn = before(py, depth.as_ref(), grid)?;
     let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;
     let accumulated = accumulated.on(py, "accumulated energy", grid)?;
@@ -220,7 +225,7 @@ pub(crate) fn threshold_energy<'py>(
 #[pyfunction]
 pub(crate) fn max_stable_cycles(
     py: Python<'_>,
-    bodies: &HalfSpace,
+    bodies: Object<HalfSpace>,
     coefficient: Samples<'_>,
     slip_distance: Samples<'_>,
 ) -> PyResult<f64> {
@@ -265,8 +270,8 @@ impl CycleJump {
     #[pyo3(signature = (bodies, cycle, depth, *, largest_depth=None, max_residual=None, cycles_left=None))]
     fn new(
         py: Python<'_>,
-        bodies: &HalfSpace,
-        cycle: &Cycle,
+        bodies: Object<HalfSpace>,
+        cycle: Object<Cycle>,
         depth: Samples<'_>,
         largest_depth: Option<Real>,
         max_residual: Option<Real>,

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use stickslip::normal::Hardness as Limit;
 
-use crate::argument::argument;
+use crate::argument::{Object, argument};
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::field::{Field, Samples, Spread};
@@ -34,15 +34,8 @@ pub(crate) struct Hardness(pub(crate) Limit);
 impl Hardness {
     #[new]
     #[pyo3(signature = (limit, *, grid=None))]
-    fn new(py: Python<'_>, limit: Samples<'_>, grid: Option<&Grid>) -> PyResult<Self> {
-        let hardness = match limit.spread(py, "hardness", grid)? {
-            Spread::Uniform(limit) => Limit::uniform(limit).or_raise(py),
-            Spread::PerCell(field) => {
-                let grid = field.grid();
-                Limit::per_cell(Arc::unwrap_or_clone(field)).or_raise_on(py, grid)
-            }
-        };
-        hardness.map(Self)
+    fn new(py: Python<'_>, limit: Samples<'_>, grid: Option<Object<Grid>>) -> PyResult<Self> {
+        limit_of(py, &limit, grid.as_deref()).map(Self)
     }
 
     /// Returns the largest pressure of a cell (row-major index), or NaN if the index is out of range.
@@ -51,12 +44,12 @@ impl Hardness {
     }
 
     /// Returns the largest normal force that the cells of a grid can carry.
-    fn capacity(&self, grid: &Grid) -> f64 {
+    fn capacity(&self, grid: Object<Grid>) -> f64 {
         self.0.capacity(grid.0)
     }
 
     /// Returns the overlap of the surfaces of a solved contact in cells whose pressure is at the limit (lengths).
-    fn overlap(&self, py: Python<'_>, contact: &NormalSolution) -> PyResult<Field> {
+    fn overlap(&self, py: Python<'_>, contact: Object<NormalSolution>) -> PyResult<Field> {
         self.0.overlap(contact.get()).or_raise(py).map(Into::into)
     }
 
@@ -71,6 +64,17 @@ impl Hardness {
 
 picklable!(Hardness: Limit);
 
+/// Returns one largest pressure, or one per cell of a grid.
+fn limit_of(py: Python<'_>, limit: &Samples<'_>, grid: Option<&Grid>) -> PyResult<Limit> {
+    match limit.spread(py, "hardness", grid)? {
+        Spread::Uniform(limit) => Limit::uniform(limit).or_raise(py),
+        Spread::PerCell(field) => {
+            let grid = field.grid();
+            Limit::per_cell(Arc::unwrap_or_clone(field)).or_raise_on(py, grid)
+        }
+    }
+}
+
 argument! {
     /// Argument that is converted to a hardness: a Hardness, one pressure, or one pressure per cell.
     AnyHardness: Hardness; "float"
@@ -81,7 +85,6 @@ impl AnyHardness<'_> {
         if let Ok(hardness) = self.0.cast::<Hardness>() {
             return Ok(hardness.get().0.clone());
         }
-        let limit = self.0.extract()?;
-        Hardness::new(py, limit, Some(&Grid(grid))).map(|hardness| hardness.0)
+        limit_of(py, &self.0.extract()?, Some(&Grid(grid)))
     }
 }

@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use stickslip::{NormalLoad, cgm};
 
+use crate::argument::Object;
 use crate::choice::Choice;
 use crate::field::{Field, Samples};
 use crate::grid::size;
@@ -49,7 +50,7 @@ use crate::work::unobserved_on;
 /// >>> bodies = stickslip.HalfSpace(grid, (steel, steel))
 /// >>> ball = stickslip.surface.sphere(grid, 3.5e-3)
 /// >>> contact = stickslip.NormalProblem(bodies, ball, force=100.0).solve()
-/// >>> hertz = stickslip.analytical.HertzSphere(bodies.pair, 3.5e-3, 100.0)
+/// >>> hertz = stickslip.analytical.HertzSphere(bodies.pair, radius=3.5e-3, load=100.0)
 /// >>> bool(abs(contact.pressure.max() / hertz.max_pressure - 1.0) < 2e-3)
 /// True
 #[pyclass(frozen, module = "stickslip")]
@@ -69,7 +70,7 @@ impl NormalProblem {
             method=None, max_iterations=None, time_limit=None)")]
     pub(super) fn new(
         py: Python<'_>,
-        bodies: &HalfSpace,
+        bodies: Object<HalfSpace>,
         gap: Samples<'_>,
         positional: &Bound<'_, PyTuple>,
         force: Option<Real>,
@@ -84,7 +85,7 @@ impl NormalProblem {
         load::by_keyword("NormalProblem", positional, "force= or approach=")?;
         let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
         let grid = bodies.0.grid();
-        let gap = gap.on(py, "gap", grid)?;
+        let gap = gap.per_cell(py, "gap", grid)?;
         let load = load::needed(force, approach)?;
         let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
         let recipe = Recipe::new(py, (bodies.clone(), Field::from(Arc::clone(&gap))))?

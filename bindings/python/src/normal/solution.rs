@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 
+use crate::argument::Object;
 use crate::array::{Array, contact, copy, view};
 use crate::boundary::Boundary;
 use crate::choice::Choice;
@@ -163,21 +164,25 @@ impl NormalSolution {
 
     /// Computes the normal displacement of all cells due to the pressure, summed over both bodies (lengths, positive into
     /// each body), shape (ny, nx). The cost is one product.
-    fn displacement<'py>(&self, py: Python<'py>, bodies: &HalfSpace) -> PyResult<Array<'py>> {
+    fn displacement<'py>(
+        &self,
+        py: Python<'py>,
+        bodies: Object<HalfSpace>,
+    ) -> PyResult<Array<'py>> {
         let solution = self.get();
         let moved = unobserved_on(py, solution.grid(), || solution.displacement(&bodies.0))?;
         Ok(copy(py, &moved))
     }
 
     /// Computes the elastic energy of the normal contact (a force times a length). The cost is one product.
-    fn elastic_energy(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<f64> {
+    fn elastic_energy(&self, py: Python<'_>, bodies: Object<HalfSpace>) -> PyResult<f64> {
         let solution = self.get();
         unobserved_on(py, solution.grid(), || solution.elastic_energy(&bodies.0))
     }
 
     /// Computes the normal stiffness, the derivative of the force with respect to the approach (a force over a length).
     /// The cost is one solve on the contact cells.
-    fn stiffness(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<NormalStiffness> {
+    fn stiffness(&self, py: Python<'_>, bodies: Object<HalfSpace>) -> PyResult<NormalStiffness> {
         let solution = self.get();
         let found = observed_on(py, solution.grid(), |observer| {
             solution.stiffness_observed(&bodies.0, watch(observer))

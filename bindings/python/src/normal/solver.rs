@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use stickslip::{NormalLoad, cgm};
 
+use crate::argument::Object;
 use crate::choice::Choice;
 use crate::field::Samples;
 use crate::half_space::HalfSpace;
@@ -99,7 +100,8 @@ impl NormalSolver {
         py: Python<'_>,
         gap: Option<Samples<'_>>,
     ) -> PyResult<Option<Arc<stickslip::Field>>> {
-        gap.map(|gap| gap.on(py, "gap", self.0.grid())).transpose()
+        gap.map(|gap| gap.per_cell(py, "gap", self.0.grid()))
+            .transpose()
     }
 
     fn change(
@@ -126,7 +128,7 @@ impl NormalSolver {
             method=None, max_iterations=None, time_limit=None)")]
     fn new(
         py: Python<'_>,
-        bodies: &HalfSpace,
+        bodies: Object<HalfSpace>,
         gap: Samples<'_>,
         positional: &Bound<'_, PyTuple>,
         force: Option<Real>,

@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use stickslip::Operator;
 use stickslip::influence::Component;
 
+use crate::argument::Object;
 use crate::array::{Array, view_slice};
 use crate::choice::Choice;
 use crate::digits::{counted, short};
@@ -42,7 +43,7 @@ impl DenseOperator {
     #[staticmethod]
     fn of_half_space(
         py: Python<'_>,
-        bodies: &HalfSpace,
+        bodies: Object<HalfSpace>,
         component: Choice<Component>,
     ) -> PyResult<Py<Self>> {
         let matrix = unobserved_on(py, bodies.0.grid(), || {

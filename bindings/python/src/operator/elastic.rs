@@ -7,6 +7,7 @@ use pyo3::prelude::*;
 use stickslip::influence::{Component, Direction};
 use stickslip::{Operator, Scratch, fft};
 
+use crate::argument::Object;
 use crate::array::Array;
 use crate::choice::Choice;
 use crate::grid::Grid;
@@ -128,8 +129,8 @@ impl Convolution {
     #[pyo3(signature = (grid, pair, component, *, periodic=false))]
     fn new(
         py: Python<'_>,
-        grid: &Grid,
-        pair: &ElasticPair,
+        grid: Object<Grid>,
+        pair: Object<ElasticPair>,
         component: Choice<Component>,
         periodic: bool,
     ) -> PyResult<PyClassInitializer<Self>> {

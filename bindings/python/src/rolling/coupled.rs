@@ -8,6 +8,7 @@ use stickslip::cgm;
 use stickslip::history::EntryRule;
 use stickslip::rolling::{self, LeadingEdge};
 
+use crate::argument::Object;
 use crate::choice::Choice;
 use crate::conversion;
 use crate::digits::{in_python, rough, short, tuple};
@@ -83,7 +84,7 @@ impl CoupledRollingProblem {
             max_iterations=None, time_limit=None)")]
     fn new(
         py: Python<'_>,
-        bodies: &HalfSpace,
+        bodies: Object<HalfSpace>,
         gap: Samples<'_>,
         friction: AnyFriction<'_>,
         positional: &Bound<'_, PyTuple>,
@@ -121,7 +122,7 @@ impl CoupledRollingProblem {
         )?;
         let normal = load::needed_as("normal_force", normal_force, approach)?;
         let grid = bodies.0.grid();
-        let gap = gap.on(py, "gap", grid)?;
+        let gap = gap.per_cell(py, "gap", grid)?;
         let friction = friction.on(py, grid)?;
         let given = (
             bodies.clone(),
@@ -258,9 +259,11 @@ impl CoupledRollingSolver {
         self.0.solve(py, set, progress, warn)
     }
 
-    /// Sets the normal load of the next solve: a normal force (not negative) or an approach (a length).
+    /// Sets the normal load of the next solve: a normal force (not negative) or an approach (a length). If friction cannot
+    /// carry the prescribed forces under this normal force, the load is unchanged and
+    /// :class:`~stickslip.errors.BeyondFrictionCapacity` is raised.
     #[pyo3(signature = (*, normal_force=None, approach=None))]
-    fn set_load(
+    fn set_normal_load(
         &self,
         py: Python<'_>,
         normal_force: Option<Real>,
@@ -274,7 +277,7 @@ impl CoupledRollingSolver {
 
     /// Sets the gap of the next solve (lengths).
     fn set_gap(&self, py: Python<'_>, gap: Samples<'_>) -> PyResult<()> {
-        let gap = gap.on(py, "gap", self.0.grid())?;
+        let gap = gap.per_cell(py, "gap", self.0.grid())?;
         self.0.change(py, |solver| solver.set_gap(&gap))
     }
 

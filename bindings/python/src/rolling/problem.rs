@@ -6,6 +6,7 @@ use stickslip::cgm;
 use stickslip::history::EntryRule;
 use stickslip::rolling::{self, LeadingEdge};
 
+use crate::argument::Object;
 use crate::choice::Choice;
 use crate::conversion;
 use crate::friction::{AnyFriction, Friction};
@@ -76,7 +77,7 @@ use crate::work::unobserved_on;
 /// >>> ball = stickslip.surface.sphere(grid, 1.0)
 /// >>> normal = stickslip.NormalProblem(bodies, ball, force=1.0).solve()
 /// >>> rolling = stickslip.rolling.RollingProblem(bodies, normal, 0.3, creepage_x=1e-5).solve()
-/// >>> a = stickslip.analytical.HertzSphere(bodies.pair, 1.0, 1.0).contact_radius
+/// >>> a = stickslip.analytical.HertzSphere(bodies.pair, radius=1.0, load=1.0).contact_radius
 /// >>> abs(rolling.force[0] / (a * a * 1e-5) / 4.12 - 1.0) < 0.02  # Kalker's coefficient C11
 /// True
 #[pyclass(frozen, module = "stickslip.rolling")]
@@ -94,8 +95,8 @@ impl RollingProblem {
             time_limit=None)")]
     fn new(
         py: Python<'_>,
-        bodies: &HalfSpace,
-        normal: Bound<'_, NormalSolution>,
+        bodies: Object<HalfSpace>,
+        normal: Object<NormalSolution>,
         friction: AnyFriction<'_>,
         positional: &Bound<'_, PyTuple>,
         creepage: Option<conversion::Creepages>,
@@ -126,7 +127,11 @@ impl RollingProblem {
         )?;
         let grid = bodies.0.grid();
         let friction = friction.on(py, grid)?;
-        let given = (bodies.clone(), normal.clone(), Friction(friction.clone()));
+        let given = (
+            bodies.clone(),
+            normal.object(py),
+            Friction(friction.clone()),
+        );
         let recipe = Recipe::new(py, given)?
             .with(py, "leading_edge", leading_edge)?
             .with(py, "step", step.map(|Count(cells)| cells))?
@@ -138,7 +143,7 @@ impl RollingProblem {
             )?
             .with(py, "settings", Some(Settings(settings)))?;
         let recipe = keywords.recorded(py, recipe)?;
-        let normal = normal.get().get();
+        let normal = normal.get();
         let built = unobserved_on(py, grid, || {
             let [x, y] = keywords.controls();
             let mut builder = rolling::RollingProblem::builder(&bodies.0, normal, friction)

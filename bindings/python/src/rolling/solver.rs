@@ -3,6 +3,7 @@
 use pyo3::prelude::*;
 use stickslip::rolling;
 
+use crate::argument::Object;
 use crate::conversion;
 use crate::error::OrRaise;
 use crate::friction::AnyFriction;
@@ -111,14 +112,14 @@ impl RollingSolver {
     /// Sets the normal solver that computes the pressure for a new load. The solver is copied, with its gap, hardness and
     /// settings.
     ///
-    /// This call does not change the pressure. :meth:`set_load` solves for the pressure over the gap of ``solver``, which
+    /// This call does not change the pressure. :meth:`set_normal_load` solves for the pressure over the gap of ``solver``, which
     /// therefore need not have solved before. Its gap may differ from that of the present pressure, for example after wear.
     /// Grid, boundary, cell values and materials must be equal.
     ///
     /// Raises
     /// ------
     /// GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch
-    fn set_normal_solver(&self, py: Python<'_>, solver: &NormalSolver) -> PyResult<()> {
+    fn set_normal_solver(&self, py: Python<'_>, solver: Object<NormalSolver>) -> PyResult<()> {
         let normal = solver.copied()?;
         self.0.change(py, |solver| solver.set_normal_solver(normal))
     }
@@ -128,8 +129,8 @@ impl RollingSolver {
     ///
     /// Parameters
     /// ----------
-    /// force, approach : float, optional
-    ///     Exactly one of the two; see :class:`NormalProblem`.
+    /// normal_force, approach : float, optional
+    ///     Exactly one of the two; see ``force`` and ``approach`` of :class:`NormalProblem`.
     ///
     /// Raises
     /// ------
@@ -137,14 +138,14 @@ impl RollingSolver {
     ///     Without a normal solver.
     /// NegativeOrNotFinite, NotFinite, NotConverged, EmptyContact, GridTooShort, BeyondFrictionCapacity, BeyondFrictionMoment
     ///     The solver is unchanged after an exception.
-    #[pyo3(signature = (*, force=None, approach=None))]
-    fn set_load(
+    #[pyo3(signature = (*, normal_force=None, approach=None))]
+    fn set_normal_load(
         &self,
         py: Python<'_>,
-        force: Option<Real>,
+        normal_force: Option<Real>,
         approach: Option<Real>,
     ) -> PyResult<()> {
-        let load = load::needed(force, approach)?;
+        let load = load::needed_as("normal_force", normal_force, approach)?;
         self.0.change(py, |solver| solver.set_normal_load(load))
     }
 

@@ -132,7 +132,7 @@ impl Plane {
 /// >>> steel = stickslip.Material(210e3, 0.3)
 /// >>> bodies = stickslip.HalfSpace(grid, (steel, steel))
 /// >>> contact = stickslip.NormalProblem(bodies, stickslip.surface.sphere(grid, 5.0), force=100.0).solve()
-/// >>> hertz = stickslip.analytical.HertzSphere(bodies.pair, 5.0, 100.0)
+/// >>> hertz = stickslip.analytical.HertzSphere(bodies.pair, radius=5.0, load=100.0)
 /// >>> planes = stickslip.subsurface.Planes(bodies, [0.481 * hertz.contact_radius])
 /// >>> plane = planes.solve(0, "one", contact)
 /// >>> round(float(plane.max_shear.max()) / hertz.max_pressure, 3)

@@ -4,6 +4,7 @@ use pyo3::prelude::*;
 use stickslip::Error;
 use stickslip::subsurface::{self, Body};
 
+use crate::argument::Object;
 use crate::array::Array;
 use crate::choice::Choice;
 use crate::conversion;
@@ -174,7 +175,7 @@ frame!(PointResults, record: displacement, normal_stress, shear_stress, von_mise
 #[pyo3(signature = (bodies, body, tractions, points, *, uniform_stress=None))]
 pub(crate) fn at_points(
     py: Python<'_>,
-    bodies: &HalfSpace,
+    bodies: Object<HalfSpace>,
     body: Choice<Body>,
     tractions: Loaded<'_>,
     points: conversion::Points,

@@ -2,6 +2,7 @@
 
 use pyo3::prelude::*;
 
+use crate::argument::by_value;
 use crate::digits::{short, tuple};
 use crate::pickle::picklable;
 use crate::readers::readers;
@@ -11,6 +12,8 @@ use crate::real::Real;
 #[pyclass(frozen, eq, module = "stickslip.subsurface")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Principal(stickslip::subsurface::Principal);
+
+by_value!(Stress);
 
 #[pymethods]
 impl Principal {
@@ -48,7 +51,7 @@ picklable!(Principal: stickslip::subsurface::Principal);
 /// (2.0, 0.0, -2.0)
 /// >>> Stress(xx=1.0) + 2.0 * Stress(xx=3.0)
 /// Stress(xx=7, yy=0, zz=0, xy=0, xz=0, yz=0)
-#[pyclass(frozen, eq, module = "stickslip.subsurface", from_py_object)]
+#[pyclass(frozen, eq, module = "stickslip.subsurface")]
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) struct Stress(pub(crate) stickslip::subsurface::Stress);
 

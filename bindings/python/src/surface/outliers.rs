@@ -62,21 +62,22 @@ impl WithoutOutliers {
 /// instrument.
 ///
 /// The deviation of a point is its height minus the median of the means of pairs. A pair consists of two measured points on
-/// opposite sides of the point, so a tilt causes no deviation. The scale is 1.4826 times the median of the absolute
-/// deviations of all points, an estimate of the standard deviation that outliers hardly affect. A point is an outlier if its
-/// absolute deviation exceeds ``threshold`` times the scale (Hampel, 1974), also relative to the pairs without larger
-/// outliers. ISO 25178-2 defines outliers and leaves the method open.
+/// opposite sides of the point, so a tilt causes no deviation. A point is an outlier if its absolute deviation exceeds
+/// ``threshold`` times the larger of two scales, also relative to the pairs without larger outliers. The first scale is 1.4826
+/// times the median of the absolute deviations of all points (Hampel, 1974). The second scale follows from the deviations
+/// around the point, because all points along an edge, ridge or groove deviate, whereas an outlier deviates alone. ISO 25178-2
+/// defines outliers and leaves the method open.
 ///
 /// Parameters
 /// ----------
 /// heights : Field or topography
 ///     The heights (lengths); NaN marks missing heights.
 /// threshold : float, default 6
-///     Threshold in estimated standard deviations. For normally distributed deviations, 3 removes 0.3 % of the points, and 6
-///     removes 2 in 1e9.
+///     Threshold in estimated standard deviations. The value 3 removes about 0.3 % of normally distributed independent
+///     heights. The default removes no points of smooth surfaces such as spheres, waves, steps, ramps and cones.
 /// radius : int, default 2
-///     Largest distance of the points of a pair along each axis, in cells, at least 1. A group of outliers that affects half
-///     of the pairs is not detected.
+///     Largest distance of the points of a pair along each axis, in cells, at least 1. A group of more than ``2 * radius``
+///     outliers counts as an edge. An outlier next to an edge must exceed the deviation at the edge several times.
 ///
 /// Returns
 /// -------

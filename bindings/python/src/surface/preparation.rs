@@ -4,6 +4,7 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use stickslip::surface;
 
+use crate::argument::Object;
 use crate::conversion;
 use crate::digits::short;
 use crate::error::OrRaise;
@@ -89,7 +90,11 @@ pub(crate) fn crop(
 /// ------
 /// Sample, BeyondSamples, Memory
 #[pyfunction]
-pub(crate) fn resample(py: Python<'_>, heights: Samples<'_>, grid: &Grid) -> PyResult<Field> {
+pub(crate) fn resample(
+    py: Python<'_>,
+    heights: Samples<'_>,
+    grid: Object<Grid>,
+) -> PyResult<Field> {
     let (unit, heights) = (heights.unit()?, heights.alone("heights")?);
     // The work is done for the cells of the new grid; wrong samples are among the given cells.
     let outcome = solve(py, grid.0.cells(), Progress::none(), |_| {

@@ -4,6 +4,7 @@ use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use stickslip::surface;
 
+use crate::argument::Object;
 use crate::array::{Array, view};
 use crate::choice::Choice;
 use crate::digits::short;
@@ -110,17 +111,14 @@ impl SelfAffine {
     /// Raises
     /// ------
     /// NotPositive, NotFinite, Hurst, BelowMinimum, NoWaveInBand, HeightMomentsNotReached, Memory
-    fn generate(&self, py: Python<'_>, grid: &Grid) -> PyResult<RoughSurface> {
-        let made = observed_on(py, grid.0, |observer| {
-            self.0.generate_observed(grid.0, watch(observer))
-        });
-        made.map(RoughSurface)
+    fn generate(&self, py: Python<'_>, grid: Object<Grid>) -> PyResult<RoughSurface> {
+        self.generated(py, grid.0).map(RoughSurface)
     }
 
     /// Generates the heights on the grid of bodies (lengths).
-    fn generate_on(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<Field> {
-        let surface = self.generate(py, &Grid(bodies.0.grid()))?;
-        Ok(surface.0.into_heights().into())
+    fn generate_on(&self, py: Python<'_>, bodies: Object<HalfSpace>) -> PyResult<Field> {
+        let surface = self.generated(py, bodies.0.grid())?;
+        Ok(surface.into_heights().into())
     }
 
     fn __repr__(&self) -> PyResult<String> {
@@ -166,6 +164,14 @@ impl SelfAffine {
         }
         shown.push(format!("seed={}", parts.seed));
         Ok(format!("SelfAffine({})", shown.join(", ")))
+    }
+}
+
+impl SelfAffine {
+    fn generated(&self, py: Python<'_>, grid: stickslip::Grid) -> PyResult<surface::RoughSurface> {
+        observed_on(py, grid, |observer| {
+            self.0.generate_observed(grid, watch(observer))
+        })
     }
 }
 

@@ -3,6 +3,7 @@
 use pyo3::prelude::*;
 use stickslip::surface;
 
+use crate::argument::Object;
 use crate::conversion;
 use crate::field::Field;
 use crate::grid::Grid;
@@ -14,7 +15,7 @@ macro_rules! shapes {
     ($($(#[$doc:meta])* $shape:ident($($parameter:ident $(. $part:tt)?: $type:ty),+);)+) => {$(
         $(#[$doc])*
         #[pyfunction]
-        pub(crate) fn $shape(py: Python<'_>, grid: &Grid, $($parameter: $type),+) -> PyResult<Field> {
+        pub(crate) fn $shape(py: Python<'_>, grid: Object<Grid>, $($parameter: $type),+) -> PyResult<Field> {
             let made = unobserved_on(py, grid.0, || surface::$shape(grid.0, $($parameter $(. $part)?),+));
             made.map(Into::into)
         }

@@ -55,7 +55,7 @@ impl Pressure<'_> {
         }
         let samples: Samples<'_> = self.0.extract()?;
         samples
-            .on(py, "pressure", grid)
+            .per_cell(py, "pressure", grid)
             .map(PressureArgument::Field)
     }
 }

@@ -4,6 +4,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
 use stickslip::{Coupling, TangentialModel, cgm};
 
+use crate::argument::Object;
 use crate::choice::Choice;
 use crate::conversion;
 use crate::digits::short;
@@ -60,8 +61,8 @@ use crate::work::unobserved_on;
 /// >>> ball = stickslip.surface.sphere(grid, 3.5e-3)
 /// >>> normal = stickslip.NormalProblem(bodies, ball, force=100.0).solve()
 /// >>> shear = stickslip.TangentialProblem(bodies, normal, 0.5, force_x=20.0).solve()
-/// >>> hertz = stickslip.analytical.HertzSphere(bodies.pair, 3.5e-3, 100.0)
-/// >>> exact = stickslip.analytical.CattaneoMindlin(hertz, 0.5, 20.0)
+/// >>> hertz = stickslip.analytical.HertzSphere(bodies.pair, radius=3.5e-3, load=100.0)
+/// >>> exact = stickslip.analytical.CattaneoMindlin(hertz, friction=0.5, force=20.0)
 /// >>> abs(shear.stick_ratio - exact.stick_ratio) < 0.02
 /// True
 #[pyclass(frozen, module = "stickslip")]
@@ -75,7 +76,7 @@ impl TangentialProblem {
         relative_displacement=None, settings=None, tolerance=None, method=None, max_iterations=None, time_limit=None))]
     fn new(
         py: Python<'_>,
-        bodies: &HalfSpace,
+        bodies: Object<HalfSpace>,
         pressure: Pressure<'_>,
         friction: AnyFriction<'_>,
         load: Option<TangentialArgument>,

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use stickslip::tangential::RelativeDisplacement as Relative;
 
+use crate::argument::{Object, by_value};
 use crate::array::{Array, view};
 use crate::conversion;
 use crate::error::OrRaise;
@@ -25,9 +26,11 @@ use crate::pickle::picklable;
 /// Raises
 /// ------
 /// GridMismatch, Sample
-#[pyclass(frozen, eq, module = "stickslip.tangential", from_py_object)]
+#[pyclass(frozen, eq, module = "stickslip.tangential")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct RelativeDisplacement(pub(crate) Relative);
+
+by_value!(RelativeDisplacement);
 
 #[pymethods]
 impl RelativeDisplacement {
@@ -37,9 +40,9 @@ impl RelativeDisplacement {
         py: Python<'_>,
         along_x: Samples<'_>,
         along_y: Samples<'_>,
-        grid: Option<&Grid>,
+        grid: Option<Object<Grid>>,
     ) -> PyResult<Self> {
-        let grid = grid_of(grid, &[&along_x, &along_y])?;
+        let grid = grid_of(grid.as_deref(), &[&along_x, &along_y])?;
         let fields = [
             along_x.on(py, "along_x", grid)?,
             along_y.on(py, "along_y", grid)?,
@@ -52,7 +55,11 @@ impl RelativeDisplacement {
     /// Returns the displacement due to a uniform strain ``[[xx, xy], [yx, yy]]``, the strain of body 1 minus the strain
     /// of body 2 (dimensionless, positive in tension). It is zero at the origin of the grid.
     #[staticmethod]
-    fn bulk_strain(py: Python<'_>, grid: &Grid, strain: conversion::Strain) -> PyResult<Self> {
+    fn bulk_strain(
+        py: Python<'_>,
+        grid: Object<Grid>,
+        strain: conversion::Strain,
+    ) -> PyResult<Self> {
         Relative::bulk_strain(grid.0, strain.0)
             .or_raise(py)
             .map(Self)

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use pyo3::prelude::*;
 
+use crate::argument::Object;
 use crate::array::{Array, copy, view, zones};
 use crate::boundary::Boundary;
 use crate::choice::Choice;
@@ -135,7 +136,7 @@ impl TangentialSolution {
     fn edges(
         &self,
         py: Python<'_>,
-        normal: &NormalSolution,
+        normal: Object<NormalSolution>,
         friction: AnyFriction<'_>,
     ) -> PyResult<TangentialEdges> {
         let (solution, normal) = (self.get(), normal.get());
@@ -145,7 +146,7 @@ impl TangentialSolution {
     }
 
     /// Returns the contact spots of the underlying normal contact, with their stick ratios.
-    fn spots(&self, py: Python<'_>, normal: &NormalSolution) -> PyResult<ContactSpots> {
+    fn spots(&self, py: Python<'_>, normal: Object<NormalSolution>) -> PyResult<ContactSpots> {
         let (solution, normal) = (self.get(), normal.get());
         unobserved_on(py, solution.grid(), || solution.spots(normal)).map(ContactSpots::of)
     }
@@ -155,7 +156,7 @@ impl TangentialSolution {
     fn displacement<'py>(
         &self,
         py: Python<'py>,
-        bodies: &HalfSpace,
+        bodies: Object<HalfSpace>,
     ) -> PyResult<(Array<'py>, Array<'py>)> {
         let solution = self.get();
         let moved = unobserved_on(py, solution.grid(), || solution.displacement(&bodies.0))?;
@@ -163,13 +164,17 @@ impl TangentialSolution {
     }
 
     /// Computes the elastic energy of shear (a force times a length). The cost is one product.
-    fn elastic_energy(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<f64> {
+    fn elastic_energy(&self, py: Python<'_>, bodies: Object<HalfSpace>) -> PyResult<f64> {
         let solution = self.get();
         unobserved_on(py, solution.grid(), || solution.elastic_energy(&bodies.0))
     }
 
     /// Computes the tangential stiffness, for continued loading and at reversal.
-    fn stiffness(&self, py: Python<'_>, bodies: &HalfSpace) -> PyResult<TangentialStiffness> {
+    fn stiffness(
+        &self,
+        py: Python<'_>,
+        bodies: Object<HalfSpace>,
+    ) -> PyResult<TangentialStiffness> {
         let solution = self.get();
         let found = observed_on(py, solution.grid(), |observer| {
             solution.stiffness_observed(&bodies.0, watch(observer))

@@ -2,6 +2,7 @@
 
 use pyo3::prelude::*;
 
+use crate::argument::Object;
 use crate::array::{Array, view, zones};
 use crate::digits::short;
 use crate::error::OrRaise;
@@ -40,9 +41,9 @@ impl JaegerSuperposition {
     #[new]
     fn new(
         py: Python<'_>,
-        full: &NormalSolution,
-        stick: &NormalSolution,
-        pair: &ElasticPair,
+        full: Object<NormalSolution>,
+        stick: Object<NormalSolution>,
+        pair: Object<ElasticPair>,
         friction: Real,
     ) -> PyResult<Self> {
         let (full, stick) = (full.get(), stick.get());
