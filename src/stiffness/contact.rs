@@ -64,7 +64,7 @@ impl<'a> SolvedContact<'a> {
 
     /// Returns the window of the contact solution, whose operators exist already. If this window is unknown or does not cover
     /// the contact, returns the smallest window around the contact. Returns `None` without contact.
-    pub(super) fn region(
+    pub(crate) fn region(
         &self,
         found: Option<Window>,
         touches: impl Fn(usize) -> bool + Sync,
@@ -97,7 +97,7 @@ pub(super) fn check_open(bodies: &HalfSpace, is_open: impl FnOnce() -> bool) -> 
 
 /// Values of the contact in the cells of a window.
 #[derive(Debug, Default)]
-pub(super) struct ContactCells {
+pub(crate) struct ContactCells {
     /// Change of the pressures of the local cells of the grid per unit of approach.
     pub(super) growth_on_grid: Vec<f64>,
     /// One in cells whose pressure follows the approach, else zero.
@@ -116,7 +116,7 @@ pub(super) struct ContactCells {
 }
 
 /// Copies the values of `of` for the local cells of the grid to the cells of the region.
-pub(super) fn collect(
+pub(crate) fn collect(
     region: &Region,
     of: impl Fn(usize) -> f64,
     part: &mut Vec<f64>,

@@ -76,5 +76,8 @@ mod system;
 mod tangential;
 mod workspace;
 
+pub(crate) use contact::SolvedContact;
 pub use contact_stiffness::{ContactStiffness, NormalStiffness, TangentialStiffness};
+pub(crate) use system::System;
 pub use workspace::StiffnessWorkspace;
+pub(crate) use workspace::SystemBuffers;

@@ -53,11 +53,11 @@ pub(super) type Vector<const N: usize> = [Vec<f64>; N];
 
 /// Operator on a window, admissible motions of its cells, and buffers of the linear problem.
 #[derive(Debug)]
-pub(super) struct System<R, const N: usize> {
-    pub(super) compliance: Compliance<N>,
+pub(crate) struct System<R, const N: usize> {
+    pub(crate) compliance: Compliance<N>,
     /// Displacement of a cell under a unit traction on it.
     pub(super) self_compliance: f64,
-    pub(super) response: LinearResponse<R, N>,
+    pub(crate) response: LinearResponse<R, N>,
     /// Entry compliance of the cells. Empty if no cell has an entry compliance.
     own: Vec<f64>,
     /// Number of moving cells on all ranks.
@@ -133,6 +133,20 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         let moves = |cell: usize| f64::from(u8::from(row(cell).moves()));
         self.moving = reduce::sum(layout, moves);
         self.response.linear.hold(row)
+    }
+
+    /// Returns the tractions that cause the given displacements of the cells.
+    ///
+    /// # Errors
+    /// The errors of [`LinearResponse::tractions`].
+    pub(crate) fn tractions(
+        &mut self,
+        displacement: impl Fn(usize) -> [f64; N] + Sync,
+        context: &mut ResponseContext<'_>,
+    ) -> Result<[&[f64]; N]> {
+        let own = CellCompliance::isotropic(&self.own);
+        let elasticity = self.compliance.with_cells(own);
+        self.response.tractions(elasticity, displacement, context)
     }
 
     /// Computes the stiffness against these motions of the cells.

@@ -15,7 +15,7 @@ use crate::stiffness::contact::ContactCells;
 use crate::stiffness::system::System;
 
 /// System for one type of constraint set.
-pub(super) type SystemOf<S, const N: usize> = System<<S as LinearisedSet<N>>::CellMotion, N>;
+pub(crate) type SystemOf<S, const N: usize> = System<<S as LinearisedSet<N>>::CellMotion, N>;
 
 /// Buffers, tolerance and report of stiffnesses that are computed repeatedly.
 ///
@@ -53,15 +53,15 @@ pub struct StiffnessWorkspace {
 
 /// Linear systems of each type of contact, created with the first stiffness of this type.
 #[derive(Debug)]
-pub(super) struct SystemBuffers {
+pub(crate) struct SystemBuffers {
     /// Whether to compute the stiffness at reversal.
     pub(super) has_reversal: bool,
-    pub(super) normal: Option<SystemOf<Interval, 1>>,
-    pub(super) along: Option<SystemOf<Interval, 1>>,
-    pub(super) plane: Option<SystemOf<Disc, 2>>,
+    pub(crate) normal: Option<SystemOf<Interval, 1>>,
+    pub(crate) along: Option<SystemOf<Interval, 1>>,
+    pub(crate) plane: Option<SystemOf<Disc, 2>>,
     #[cfg(feature = "history")]
-    pub(super) joint: Option<System<ConeCellState, 3>>,
-    pub(super) cells: ContactCells,
+    pub(crate) joint: Option<System<ConeCellState, 3>>,
+    pub(crate) cells: ContactCells,
 }
 
 impl Default for StiffnessWorkspace {
@@ -157,7 +157,7 @@ impl StiffnessWorkspace {
     }
 
     /// Checks that all ranks use the same settings.
-    pub(super) fn check_alike(&self, bodies: &HalfSpace) -> Result<()> {
+    pub(crate) fn check_alike(&self, bodies: &HalfSpace) -> Result<()> {
         let settings = (
             self.tolerance,
             self.buffers.has_reversal,
@@ -167,7 +167,7 @@ impl StiffnessWorkspace {
     }
 
     /// Starts a new stiffness.
-    pub(super) fn begin<'a>(
+    pub(crate) fn begin<'a>(
         &'a mut self,
         observer: Observer<'a>,
     ) -> (ResponseContext<'a>, &'a mut SystemBuffers) {
@@ -202,13 +202,13 @@ impl ResponseContext<'_> {
     }
 
     /// Marks the report as converged without a solve.
-    pub(super) fn finish_at_once(&mut self) {
+    pub(crate) fn finish_at_once(&mut self) {
         self.report.status = Status::Converged;
         self.report.residual = 0.0;
     }
 
     /// Calls the observer, with the same decision on all ranks, before a product outside the solves, and counts the product.
-    pub(super) fn notify_observer(&mut self, layout: &Layout) -> Result<()> {
+    pub(crate) fn notify_observer(&mut self, layout: &Layout) -> Result<()> {
         let report = &mut *self.report;
         let shown = Iteration {
             iteration: report.iterations,

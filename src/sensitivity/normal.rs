@@ -1,0 +1,130 @@
+//! Sensitivities of a normal contact.
+
+use crate::cgm::reduce;
+use crate::contact::{ResponseContext, Solver};
+use crate::error::{Error, Result};
+use crate::grid::field::Field;
+use crate::half_space::HalfSpace;
+use crate::memory::fallible;
+use crate::normal::{NormalLoad, NormalProblem, NormalSolution};
+use crate::observer::Observer;
+use crate::parallel;
+use crate::report::Report;
+use crate::sensitivity::adjoint::Adjoint;
+use crate::sensitivity::functional::{ContactView, Gradient, ShearView, entry};
+use crate::sensitivity::solver::{Linearised, check_converged, check_functionals, with_own_report};
+use crate::sensitivity::{Functional, Sensitivity};
+use crate::stiffness::{SolvedContact, StiffnessWorkspace, SystemBuffers};
+
+impl Linearised for NormalProblem {
+    fn sensitivities(
+        solver: &Solver<Self>,
+        contact: &NormalSolution,
+        functionals: &[Functional],
+        workspace: &mut StiffnessWorkspace,
+        observer: Observer<'_>,
+    ) -> Result<Vec<Sensitivity>> {
+        let NormalProblem { bodies, gap, .. } = &solver.problem;
+        let converged = check_converged(contact.report());
+        let checked = contact.check_bodies(bodies).and(converged);
+        check_functionals(bodies, (true, false), functionals, checked)?;
+        workspace.check_alike(bodies)?;
+        let (mut context, buffers) = workspace.begin(observer);
+        bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
+            let (gap, approach) = (gap.as_slice(), contact.approach());
+            let opened = contact.gap().as_slice().iter().zip(gap);
+            let lift = opened.map(|(opened, gap)| opened - gap + approach);
+            let lift = &fallible::collected(gap.len(), lift)?;
+            let view = ContactView {
+                bodies,
+                pressure: contact.pressure().as_slice(),
+                approach: Some(approach),
+                lift,
+                shear: ShearView::default(),
+            };
+            let gradients = functionals.iter().map(|one| one.gradient(&view));
+            let gradients = gradients.collect::<Result<Vec<_>>>()?;
+            solver.propagate(contact, lift, gradients, buffers, &mut context)
+        }))
+    }
+}
+
+impl Solver<NormalProblem> {
+    /// Computes the sensitivities of functionals with these derivatives with respect to pressures and approach. `lift` is the
+    /// displacement along z under the pressure.
+    pub(super) fn propagate(
+        &self,
+        contact: &NormalSolution,
+        lift: &[f64],
+        gradients: Vec<Gradient>,
+        buffers: &mut SystemBuffers,
+        context: &mut ResponseContext<'_>,
+    ) -> Result<Vec<Sensitivity>> {
+        let NormalProblem {
+            bodies,
+            gap,
+            load,
+            hardness,
+            ..
+        } = &self.problem;
+        let solved = SolvedContact {
+            hardness: hardness.as_ref(),
+            windows: [self.window(), None],
+            ..SolvedContact::of(bodies)
+        };
+        let SystemBuffers { normal, cells, .. } = buffers;
+        let held = solved.hold_pressure(contact, "a sensitivity", normal, cells)?;
+        let (_, total) = load.to_datum_and_total(bodies, gap);
+        let mut adjoint = match (held, load) {
+            (Some((region, system)), _) => Some((region, Adjoint::new(system, [total], context)?)),
+            (None, NormalLoad::Approach(_)) => None,
+            (None, NormalLoad::Force(_)) => return Err(Error::EmptyContact),
+        };
+        let per_load = match load {
+            NormalLoad::Force(_) => bodies.grid().cell_area().recip(),
+            NormalLoad::Approach(_) => 1.0,
+        };
+        let pressure = contact.pressure().as_slice();
+        let mut all = fallible::with_room(gradients.len())?;
+        for of in gradients {
+            let mut report = Report::unsolved();
+            let mut by_gap = Field::try_zeros(bodies.grid())?;
+            let mut by_load = of.approach;
+            if let Some((region, adjoint)) = &mut adjoint {
+                let mut weights = fallible::zeros(region.cells())?;
+                region.collect(|i| entry(&of.pressure, i), &mut weights);
+                let found = with_own_report(context, &mut report, |context| {
+                    adjoint.multipliers(|i| [weights[i]], [of.approach], context)
+                })?;
+                [by_load] = adjoint.by_load(&found, [of.approach]);
+                region.scatter(&found.cells[0], by_gap.as_mut_slice());
+            }
+            // The compliance times the pressure changes by minus the displacement times the relative change of the modulus.
+            let multipliers = by_gap.as_slice();
+            let by_scale = reduce::sum(&bodies.grid_layout(), |i| {
+                (multipliers[i] - of.energy * pressure[i]) * lift[i]
+            });
+            let by_gap = by_gap.scaled(-1.0);
+            all.push(Sensitivity {
+                value: of.value,
+                gap: Some(by_gap),
+                normal_load: Some(by_load * per_load),
+                contact_modulus: by_scale / bodies.pair().contact_modulus(),
+                poisson_ratio: poisson_ratio(bodies, by_scale),
+                report,
+            });
+        }
+        Ok(all)
+    }
+}
+
+/// Returns the derivatives with respect to Poisson's ratios of a functional that depends on them only through the contact modulus.
+/// `by_scale` is the derivative with respect to the logarithm of the modulus.
+fn poisson_ratio(bodies: &HalfSpace, by_scale: f64) -> Option<[f64; 2]> {
+    let pair = bodies.pair();
+    pair.is_homogeneous().then(|| {
+        pair.bodies().map(|body| {
+            2.0 * body.poisson_ratio() / body.youngs_modulus() * pair.contact_modulus() * by_scale
+        })
+    })
+}
