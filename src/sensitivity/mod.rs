@@ -8,6 +8,7 @@ mod adjoint;
 mod functional;
 mod normal;
 mod solver;
+mod tangential;
 
 pub use functional::{Functional, Weights};
 pub use solver::Sensitivity;

@@ -94,9 +94,9 @@ impl Solver<NormalProblem> {
                 let mut weights = fallible::zeros(region.cells())?;
                 region.collect(|i| entry(&of.pressure, i), &mut weights);
                 let found = with_own_report(context, &mut report, |context| {
-                    adjoint.multipliers(|i| [weights[i]], [of.approach], context)
+                    adjoint.multipliers(|i| [weights[i]], |_| [0.0], [of.approach], context)
                 })?;
-                [by_load] = adjoint.by_load(&found, [of.approach]);
+                [by_load] = found.loads;
                 region.scatter(&found.cells[0], by_gap.as_mut_slice());
             }
             // The compliance times the pressure changes by minus the displacement times the relative change of the modulus.
@@ -106,12 +106,12 @@ impl Solver<NormalProblem> {
             });
             let by_gap = by_gap.scaled(-1.0);
             all.push(Sensitivity {
-                value: of.value,
                 gap: Some(by_gap),
                 normal_load: Some(by_load * per_load),
-                contact_modulus: by_scale / bodies.pair().contact_modulus(),
+                contact_modulus: Some(by_scale / bodies.pair().contact_modulus()),
                 poisson_ratio: poisson_ratio(bodies, by_scale),
                 report,
+                ..Sensitivity::of(of.value)
             });
         }
         Ok(all)

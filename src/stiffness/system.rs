@@ -64,8 +64,8 @@ pub(crate) struct System<R, const N: usize> {
     moving: f64,
     restricted: Vec<[f64; N]>,
     /// Tractions imposed on cells, and their displacement. Empty before the first [`Self::hold`].
-    pub(super) forced: Vector<N>,
-    pub(super) displacement: Vector<N>,
+    pub(crate) forced: Vector<N>,
+    pub(crate) displacement: Vector<N>,
     /// Tangential displacement due to the pressure, created on first use.
     drawing: Option<CouplingDisplacement>,
 }
@@ -246,7 +246,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
     }
 
     /// Computes the displacement caused by the imposed tractions.
-    pub(super) fn displace(&mut self, context: &mut ResponseContext<'_>) -> Result<()> {
+    pub(crate) fn displace(&mut self, context: &mut ResponseContext<'_>) -> Result<()> {
         context.notify_observer(&self.response.layout)?;
         let (forced, out) = (slices(&self.forced), slices_mut(&mut self.displacement));
         self.response
@@ -256,7 +256,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
     }
 
     /// Adds the displacement caused by pressures on the window.
-    pub(super) fn draw(
+    pub(crate) fn draw(
         &mut self,
         make: impl FnOnce() -> Result<CouplingDisplacement>,
         pressures: impl Iterator<Item = f64>,
