@@ -5,8 +5,11 @@
 //! derivatives with one linear solve for each functional. [`Solver::sensitivity`](crate::Solver::sensitivity) computes them.
 
 mod adjoint;
+#[cfg(feature = "history")]
+mod coupled;
 mod functional;
 mod normal;
+mod shear;
 mod solver;
 mod tangential;
 

@@ -1,10 +1,10 @@
 //! Sensitivities of a tangential contact.
 
-use crate::cgm::{Ball, NormBound, Row, Total, reduce};
+use crate::cgm::{Ball, NormBound, Row, reduce};
 use crate::contact::{ResponseContext, Solver};
 use crate::error::Result;
 use crate::grid::field::Field;
-use crate::half_space::{HalfSpace, Region};
+use crate::half_space::HalfSpace;
 use crate::memory::fallible;
 use crate::numerics::cell_vector::{at, dot, minus, slices};
 use crate::observer::Observer;
@@ -12,6 +12,7 @@ use crate::parallel;
 use crate::report::Report;
 use crate::sensitivity::adjoint::Adjoint;
 use crate::sensitivity::functional::{ContactView, Gradient, ShearView, pair_at};
+use crate::sensitivity::shear::{by_control, by_twist, on_grid, on_region, total_of};
 use crate::sensitivity::solver::{Linearised, check_converged, check_functionals, with_own_report};
 use crate::sensitivity::{Functional, Sensitivity};
 use crate::stiffness::{BallOf, ContactCells, SolvedContact, StiffnessWorkspace, SystemOf};
@@ -113,19 +114,6 @@ impl Linearised for TangentialProblem {
 }
 
 impl Sheared<'_> {
-    /// Returns the totals of the tractions along these axes, whose prescribed values have no effect on the linear problem.
-    fn totals<const N: usize>(&self, axes: [Axis; N]) -> [Total; N] {
-        let area = self.bodies.grid().cell_area();
-        axes.map(|axis| match self.controls[axis.index()] {
-            TangentialControl::Force(_) => Total::Sum(0.0),
-            TangentialControl::Spring { stiffness, .. } => Total::Spring {
-                far_end: 0.0,
-                compliance: area / stiffness,
-            },
-            TangentialControl::Shift(_) | TangentialControl::Hold => Total::Free,
-        })
-    }
-
     /// Computes the sensitivities of functionals for the states in `cells`. `moved` returns the displacement of a local cell of
     /// the grid by pressure and tractions.
     fn sensitivities<const N: usize>(
@@ -142,13 +130,14 @@ impl Sheared<'_> {
     {
         let (bodies, region) = (self.bodies, &self.pressed.region);
         let system = cells.slipping_system((bodies, region), axes, slot)?;
-        let mut adjoint = Adjoint::new(system, self.totals(axes), context)?;
+        let totals = axes.map(|axis| total_of(bodies, self.controls[axis.index()]));
+        let mut adjoint = Adjoint::new(system, totals, context)?;
         let mut stored: [Vec<f64>; 2] = Default::default();
         if functionals.contains(&Functional::ElasticEnergy) {
             let traction = |cell: usize| axes.map(|axis| cells.traction[axis.index()][cell]);
             let displacement = adjoint.displacement(traction, context)?;
             for (axis, part) in axes.iter().zip(&displacement) {
-                stored[axis.index()] = self.on_grid(part)?.into_vec();
+                stored[axis.index()] = on_grid(bodies, region, part)?.into_vec();
             }
         }
         let shear = ShearView {
@@ -178,8 +167,8 @@ impl Sheared<'_> {
         moved: &(impl Fn(usize) -> [f64; 2] + Sync),
         context: &mut ResponseContext<'_>,
     ) -> Result<Sensitivity> {
-        let (grid, region) = (self.bodies.grid(), &self.pressed.region);
-        let layout = &self.bodies.grid_layout();
+        let (bodies, region) = (self.bodies, &self.pressed.region);
+        let grid = bodies.grid();
         let along = |parts: &[Vec<f64>; 2]| -> Result<[Vec<f64>; N]> {
             fallible::try_each(|n| on_region(region, &parts[axes[n].index()]))
         };
@@ -205,7 +194,7 @@ impl Sheared<'_> {
                 parts[axis.index()] = part;
             }
             // The displacement by pressure is the transpose of the lift by tractions.
-            Lifting::new(self.bodies, region.window().size)?.lift(parts, &mut lift);
+            Lifting::new(bodies, region.window().size)?.lift(parts, &mut lift);
             for (weight, lift) in pressure.iter_mut().zip(lift) {
                 *weight -= lift;
             }
@@ -216,58 +205,32 @@ impl Sheared<'_> {
             by_friction[cell] = friction.slope_by_coefficient(cell, own[cell]) * by_limit;
         }
 
-        let mut multipliers: [Vec<f64>; 2] = Default::default();
+        let mut multipliers = fallible::try_each(|_| Field::try_zeros(grid))?;
         for (axis, part) in axes.iter().zip(&found.cells) {
-            multipliers[axis.index()] = self.on_grid(part)?.into_vec();
+            region.scatter(part, multipliers[axis.index()].as_mut_slice());
         }
-        let by_scale = reduce::sum(layout, |i| {
-            let stored = dot(
-                pair_at(&view.shear.traction, i),
-                pair_at(&view.shear.displacement, i),
-            );
+        let may_turn = N == 2 && bodies.boundary().may_turn();
+        let twist = may_turn.then(|| by_twist(bodies, &multipliers));
+        let multipliers = multipliers.each_ref().map(Field::as_slice);
+        let by_scale = reduce::sum(&bodies.grid_layout(), |i| {
+            let [q, stored] = [view.shear.traction, view.shear.displacement];
+            let stored = dot(pair_at(&q, i), pair_at(&stored, i));
             dot(pair_at(&multipliers, i), moved(i)) - of.energy * stored
         });
-        let by_twist = reduce::sum(layout, |i| {
-            let turn = RigidMotion {
-                twist: 1.0,
-                ..RigidMotion::default()
-            };
-            dot(pair_at(&multipliers, i), turn.at(centre(grid, i)))
-        });
-        let may_turn = N == 2 && self.bodies.boundary().may_turn();
         let mut tangential_load = [None; 2];
-        for (axis, load) in axes.into_iter().zip(found.loads) {
-            let per_load = match self.controls[axis.index()] {
-                TangentialControl::Force(_) => grid.cell_area().recip(),
-                TangentialControl::Hold => continue,
-                TangentialControl::Shift(_) | TangentialControl::Spring { .. } => 1.0,
-            };
-            tangential_load[axis.index()] = Some(per_load * load);
+        for (axis, load) in axes.iter().zip(found.loads) {
+            let control = self.controls[axis.index()];
+            tangential_load[axis.index()] = by_control(bodies, control, load);
         }
         let friction_coefficient = Some(reduce::total(region.layout(), &by_friction));
         Ok(Sensitivity {
-            pressure: Some(self.on_grid(&pressure)?),
+            pressure: Some(on_grid(bodies, region, &pressure)?),
             tangential_load,
-            twist: may_turn.then_some(by_twist),
-            friction: Some(self.on_grid(&by_friction)?),
+            twist,
+            friction: Some(on_grid(bodies, region, &by_friction)?),
             friction_coefficient,
-            contact_modulus: Some(by_scale / self.bodies.pair().contact_modulus()),
+            contact_modulus: Some(by_scale / bodies.pair().contact_modulus()),
             ..Sensitivity::of(of.value)
         })
     }
-
-    fn on_grid(&self, part: &[f64]) -> Result<Field> {
-        let mut whole = Field::try_zeros(self.bodies.grid())?;
-        self.pressed.region.scatter(part, whole.as_mut_slice());
-        Ok(whole)
-    }
-}
-
-/// Returns the values of a region from the local cells of the grid. An empty slice contains zeros.
-fn on_region(region: &Region, whole: &[f64]) -> Result<Vec<f64>> {
-    let mut part = fallible::zeros(region.cells())?;
-    if !whole.is_empty() {
-        region.collect(|i| whole[i], &mut part);
-    }
-    Ok(part)
 }

@@ -85,7 +85,7 @@ impl<'a> SolvedContact<'a> {
 }
 
 /// Returns an error for a periodic contact that is closed everywhere, because it resists a common motion without limit.
-pub(super) fn check_open(bodies: &HalfSpace, is_open: impl FnOnce() -> bool) -> Result<()> {
+pub(crate) fn check_open(bodies: &HalfSpace, is_open: impl FnOnce() -> bool) -> Result<()> {
     if bodies.boundary() == Boundary::Periodic && !is_open() {
         finite(
             "stiffness of a contact that is closed everywhere",

@@ -56,7 +56,7 @@ pub(super) type Vector<const N: usize> = [Vec<f64>; N];
 pub(crate) struct System<R, const N: usize> {
     pub(crate) compliance: Compliance<N>,
     /// Displacement of a cell under a unit traction on it.
-    pub(super) self_compliance: f64,
+    pub(crate) self_compliance: f64,
     pub(crate) response: LinearResponse<R, N>,
     /// Entry compliance of the cells. Empty if no cell has an entry compliance.
     own: Vec<f64>,
@@ -116,7 +116,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
 
     /// Sets the admissible motions of the cells and their entry compliance. The entry compliance is empty if no cell has one.
     /// Rejects a periodic contact whose cells are all free.
-    pub(super) fn hold(
+    pub(crate) fn hold(
         &mut self,
         bodies: &HalfSpace,
         row: impl Fn(usize) -> R + Sync,

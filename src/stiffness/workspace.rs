@@ -4,6 +4,8 @@ use std::ops::ControlFlow;
 
 #[cfg(feature = "history")]
 use crate::cgm::cone::ConeCellState;
+#[cfg(all(feature = "history", feature = "sensitivity"))]
+use crate::cgm::cone::TransposedState;
 use crate::cgm::{Disc, Interval, LinearisedSet};
 use crate::contact::ResponseContext;
 use crate::error::{Error, Result, positive};
@@ -61,6 +63,9 @@ pub(crate) struct SystemBuffers {
     pub(crate) plane: Option<SystemOf<Disc, 2>>,
     #[cfg(feature = "history")]
     pub(crate) joint: Option<System<ConeCellState, 3>>,
+    /// Transposed system, for sensitivities.
+    #[cfg(all(feature = "history", feature = "sensitivity"))]
+    pub(crate) transposed: Option<System<TransposedState, 3>>,
     pub(crate) cells: ContactCells,
 }
 
@@ -77,6 +82,8 @@ impl Default for StiffnessWorkspace {
                 plane: None,
                 #[cfg(feature = "history")]
                 joint: None,
+                #[cfg(all(feature = "history", feature = "sensitivity"))]
+                transposed: None,
                 cells: ContactCells::default(),
             },
         }

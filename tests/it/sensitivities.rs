@@ -1,6 +1,8 @@
 //! Sensitivities agree with central differences of solves whose cells keep their sets.
 
+mod coupled;
 mod normal;
+mod tangential;
 
 use stickslip::layers::Layer;
 use stickslip::sensitivity::Sensitivity;

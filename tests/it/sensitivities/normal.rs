@@ -145,7 +145,7 @@ impl NormalCase {
             found.normal_load.unwrap()
         });
         check("modulus", Input::Scale, 1.0, &|found| {
-            modulus * found.contact_modulus
+            modulus * found.contact_modulus.unwrap()
         });
         if matches!(self.surface.bodies, Bodies::Homogeneous | Bodies::Equal) {
             for body in [0, 1] {
