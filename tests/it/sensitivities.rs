@@ -1,5 +1,6 @@
 //! Sensitivities agree with central differences of solves whose cells keep their sets.
 
+mod cost;
 mod coupled;
 mod normal;
 mod tangential;
