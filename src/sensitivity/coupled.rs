@@ -1,5 +1,6 @@
 //! Sensitivities of a coupled contact.
 
+use crate::bodies::component::Direction;
 use crate::cgm::cone::TransposedState;
 use crate::cgm::reduce;
 use crate::contact::{ResponseContext, Solver};
@@ -15,6 +16,7 @@ use crate::parallel;
 use crate::report::Report;
 use crate::sensitivity::adjoint::Adjoint;
 use crate::sensitivity::functional::{ContactView, Gradient, ShearView};
+use crate::sensitivity::poisson::{Loading, UnitDisplacements};
 use crate::sensitivity::shear::{by_control, by_twist, on_grid, on_region, total_of};
 use crate::sensitivity::solver::{Linearised, check_converged, check_functionals, with_own_report};
 use crate::sensitivity::{Functional, Sensitivity};
@@ -45,6 +47,7 @@ impl Linearised for CoupledProblem {
         });
         check_functionals(bodies, (true, true), functionals, checked)?;
         workspace.check_alike(bodies)?;
+        let has_poisson_ratio = workspace.has_poisson_ratio();
         let (mut context, buffers) = workspace.begin(observer);
         bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
             let [x, y, z] = contact.displacement().map(Field::as_slice);
@@ -66,7 +69,8 @@ impl Linearised for CoupledProblem {
                 windows: [solver.engine.window(), None],
                 ..SolvedContact::sheared(bodies, shear)
             };
-            problem.linearised(&solved, &view, functionals, buffers, &mut context)
+            let of = (functionals, has_poisson_ratio);
+            problem.linearised(&solved, &view, of, buffers, &mut context)
         }))
     }
 }
@@ -76,7 +80,7 @@ impl CoupledProblem {
         &self,
         solved: &SolvedContact<'_>,
         view: &ContactView<'_>,
-        functionals: &[Functional],
+        (functionals, has_poisson_ratio): (&[Functional], bool),
         buffers: &mut SystemBuffers,
         context: &mut ResponseContext<'_>,
     ) -> Result<Vec<Sensitivity>> {
@@ -102,6 +106,16 @@ impl CoupledProblem {
         let [x, y] = controls.map(|control| total_of(bodies, control));
         let (_, z) = self.normal.to_datum_and_total(bodies, &self.gap);
         let mut adjoint = Adjoint::new(system, [z, x, y], context)?;
+        let [qx, qy] = slices(&cells.traction);
+        let loading = Loading {
+            directions: [Direction::Z, Direction::X, Direction::Y],
+            tractions: [&*cells.pressure, qx, qy],
+            pressure: None,
+        };
+        let unit = match has_poisson_ratio {
+            true => UnitDisplacements::new(bodies, &region, &loading, context)?,
+            false => None,
+        };
         let mut all = fallible::with_room(functionals.len())?;
         for functional in functionals {
             let of = functional.gradient(view)?;
@@ -109,19 +123,27 @@ impl CoupledProblem {
             let found = with_own_report(context, &mut report, |context| {
                 self.sensitivity((&region, cells), (view, &of), &mut adjoint, context)
             })?;
-            all.push(Sensitivity { report, ..found });
+            let (found, multipliers) = found;
+            let poisson_ratio = unit.as_ref().map(|unit| {
+                unit.by_poisson_ratio(bodies, &region, &loading, &multipliers, of.energy)
+            });
+            all.push(Sensitivity {
+                poisson_ratio,
+                report,
+                ..found
+            });
         }
         Ok(all)
     }
 
-    /// Computes the sensitivity of one functional with these derivatives.
+    /// Computes the sensitivity of one functional with these derivatives, and the multipliers of the displacements.
     fn sensitivity(
         &self,
         (region, cells): (&Region, &ContactCells),
         (view, of): (&ContactView<'_>, &Gradient),
         adjoint: &mut Adjoint<'_, TransposedState, N>,
         context: &mut ResponseContext<'_>,
-    ) -> Result<Sensitivity> {
+    ) -> Result<(Sensitivity, [Vec<f64>; N])> {
         let bodies = &self.bodies;
         let [x, y] = &of.traction;
         let weights = fallible::try_each(|c| on_region(region, [&of.pressure, x, y][c]))?;
@@ -163,7 +185,7 @@ impl CoupledProblem {
             NormalLoad::Force(_) => press / bodies.grid().cell_area(),
             NormalLoad::Approach(_) => press,
         };
-        Ok(Sensitivity {
+        let sensitivity = Sensitivity {
             gap: Some(by_gap.scaled(-1.0)),
             normal_load: Some(normal_load),
             tangential_load: [Axis::X, Axis::Y]
@@ -173,6 +195,7 @@ impl CoupledProblem {
             friction_coefficient,
             contact_modulus: Some(by_scale / bodies.pair().contact_modulus()),
             ..Sensitivity::of(of.value)
-        })
+        };
+        Ok((sensitivity, found.cells))
     }
 }

@@ -35,6 +35,7 @@ mod adjoint;
 mod coupled;
 mod functional;
 mod normal;
+mod poisson;
 mod shear;
 mod solver;
 mod tangential;

@@ -187,13 +187,15 @@ impl Sensitivity {
     /// Adds the derivatives of the normal contact that supplies the pressure.
     fn after(self, press: Self) -> Self {
         let both = |a: Option<f64>, b: Option<f64>| Some(a? + b?);
+        let ratios = self.poisson_ratio.zip(press.poisson_ratio);
+        let poisson_ratio = ratios.map(|([a, b], [c, d])| [a + c, b + d]);
         let mut report = self.report;
         report.add_pass(&press.report);
         Self {
             gap: press.gap,
             normal_load: press.normal_load,
             contact_modulus: both(self.contact_modulus, press.contact_modulus),
-            poisson_ratio: None,
+            poisson_ratio,
             report,
             ..self
         }

@@ -38,7 +38,9 @@ pub struct Sensitivity {
     /// Derivative with respect to the contact modulus E*, if all moduli of both bodies change in proportion at constant Poisson's
     /// ratios.
     pub contact_modulus: Option<f64>,
-    /// Derivatives with respect to Poisson's ratio of each body at constant Young's moduli. `None` for coatings and kernels.
+    /// Derivatives with respect to Poisson's ratio of each body at constant Young's moduli. `None` for coatings and kernels. For
+    /// tangential and coupled contacts also `None` on ranks and without the
+    /// [option](StiffnessWorkspace::poisson_ratio).
     pub poisson_ratio: Option<[f64; 2]>,
     /// Report of the linear problem of this functional. The report excludes the responses to the prescribed forces, which all
     /// functionals share. [`StiffnessWorkspace::report`] includes them. The time is not measured.

@@ -1,5 +1,6 @@
 //! Sensitivities of a tangential contact.
 
+use crate::bodies::coupling::Coupling;
 use crate::cgm::{Ball, NormBound, Row, reduce};
 use crate::contact::{ResponseContext, Solver};
 use crate::error::Result;
@@ -12,6 +13,7 @@ use crate::parallel;
 use crate::report::Report;
 use crate::sensitivity::adjoint::Adjoint;
 use crate::sensitivity::functional::{ContactView, Gradient, ShearView, pair_at};
+use crate::sensitivity::poisson::{Loading, UnitDisplacements};
 use crate::sensitivity::shear::{by_control, by_twist, on_grid, on_region, total_of};
 use crate::sensitivity::solver::{Linearised, check_converged, check_functionals, with_own_report};
 use crate::sensitivity::{Functional, Sensitivity};
@@ -29,6 +31,9 @@ pub(super) struct Sheared<'a> {
     pub(super) controls: [TangentialControl; 2],
     /// Whether the pressure moves the surfaces tangentially.
     pub(super) is_drawn: bool,
+    /// Whether to compute the derivatives with respect to Poisson's ratios. If so, whether a coupling of the bodies would move
+    /// the surfaces.
+    pub(super) poisson_ratio: Option<bool>,
 }
 
 impl Linearised for TangentialProblem {
@@ -46,6 +51,7 @@ impl Linearised for TangentialProblem {
         let checked = checked.and_then(|()| check_converged(shear.report()));
         check_functionals(bodies, (false, true), functionals, checked)?;
         workspace.check_alike(bodies)?;
+        let has_poisson_ratio = workspace.has_poisson_ratio();
         let (mut context, buffers) = workspace.begin(observer);
         bodies.joint(parallel::enter_with(grid.cells(), || {
             let mut pressure = fallible::zeros(grid.cells())?;
@@ -56,6 +62,7 @@ impl Linearised for TangentialProblem {
                 friction: &problem.friction,
                 controls: [Axis::X, Axis::Y].map(|axis| problem.load.control(axis)),
                 is_drawn: problem.coupling.is_one_way(bodies.pair()),
+                poisson_ratio: has_poisson_ratio.then_some(problem.coupling == Coupling::OneWay),
             };
             let view = ContactView {
                 bodies,
@@ -145,6 +152,15 @@ impl Sheared<'_> {
             ..view.shear
         };
         let view = &ContactView { shear, ..*view };
+        let loading = Loading {
+            directions: axes.map(Axis::direction),
+            tractions: axes.map(|axis| &*cells.traction[axis.index()]),
+            pressure: (self.poisson_ratio == Some(true)).then_some(&*self.pressed.pressure),
+        };
+        let unit = match self.poisson_ratio {
+            Some(_) => UnitDisplacements::new(bodies, region, &loading, context)?,
+            None => None,
+        };
         let mut all = fallible::with_room(functionals.len())?;
         for functional in functionals {
             let of = functional.gradient(view)?;
@@ -152,12 +168,20 @@ impl Sheared<'_> {
             let found = with_own_report(context, &mut report, |context| {
                 self.sensitivity(axes, cells, (view, &of), &mut adjoint, moved, context)
             })?;
-            all.push(Sensitivity { report, ..found });
+            let (found, multipliers) = found;
+            let poisson_ratio = unit.as_ref().map(|unit| {
+                unit.by_poisson_ratio(bodies, region, &loading, &multipliers, of.energy)
+            });
+            all.push(Sensitivity {
+                poisson_ratio,
+                report,
+                ..found
+            });
         }
         Ok(all)
     }
 
-    /// Computes the sensitivity of one functional with these derivatives.
+    /// Computes the sensitivity of one functional with these derivatives, and the multipliers of the displacements.
     fn sensitivity<R: Row<N>, const N: usize>(
         &self,
         axes: [Axis; N],
@@ -166,7 +190,7 @@ impl Sheared<'_> {
         adjoint: &mut Adjoint<'_, R, N>,
         moved: &(impl Fn(usize) -> [f64; 2] + Sync),
         context: &mut ResponseContext<'_>,
-    ) -> Result<Sensitivity> {
+    ) -> Result<(Sensitivity, [Vec<f64>; N])> {
         let (bodies, region) = (self.bodies, &self.pressed.region);
         let grid = bodies.grid();
         let along = |parts: &[Vec<f64>; 2]| -> Result<[Vec<f64>; N]> {
@@ -223,7 +247,7 @@ impl Sheared<'_> {
             tangential_load[axis.index()] = by_control(bodies, control, load);
         }
         let friction_coefficient = Some(reduce::total(region.layout(), &by_friction));
-        Ok(Sensitivity {
+        let sensitivity = Sensitivity {
             pressure: Some(on_grid(bodies, region, &pressure)?),
             tangential_load,
             twist,
@@ -231,6 +255,7 @@ impl Sheared<'_> {
             friction_coefficient,
             contact_modulus: Some(by_scale / bodies.pair().contact_modulus()),
             ..Sensitivity::of(of.value)
-        })
+        };
+        Ok((sensitivity, found.cells))
     }
 }

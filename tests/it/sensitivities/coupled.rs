@@ -1,9 +1,12 @@
 //! Coupled contacts.
 
+use std::ops::ControlFlow;
+
 use stickslip::normal::Hardness;
 use stickslip::sensitivity::Functional;
+use stickslip::stiffness::StiffnessWorkspace;
 use stickslip::{
-    CellValue, CoupledProblem, CoupledSolution, Grid, NormalLoad, TangentialLoad, Zone,
+    CellValue, CoupledProblem, CoupledSolution, Grid, Iteration, NormalLoad, TangentialLoad, Zone,
 };
 
 use super::tangential::ShearCase;
@@ -36,7 +39,10 @@ impl ShearCase {
         };
         let (solver, contact) = self.coupled(hardness);
         assert_eq!(contact.normal().yielded_cells() > 0, hardness.is_some());
-        let found = solver.sensitivities(&contact, &self.functionals()).unwrap();
+        let workspace = &mut StiffnessWorkspace::new().poisson_ratio(true);
+        let go_on = |_: &Iteration| ControlFlow::Continue(());
+        let found = solver.sensitivities_with(&contact, &self.functionals(), workspace, go_on);
+        let found = found.unwrap();
         self.compare(name, &found, contact.normal().approach(), &values);
     }
 }

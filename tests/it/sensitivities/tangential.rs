@@ -1,9 +1,12 @@
 //! Tangential contacts, chained to the normal contacts that supply their pressure.
 
+use std::ops::ControlFlow;
+
 use stickslip::sensitivity::{Functional, Sensitivity, Weights};
+use stickslip::stiffness::StiffnessWorkspace;
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
-    Axis, CellValue, Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem,
+    Axis, CellValue, Error, Field, Friction, Grid, HalfSpace, Iteration, NormalLoad, NormalProblem,
     NormalSolution, NormalSolver, TangentialControl, TangentialLoad, TangentialModel,
     TangentialProblem, TangentialSolution, TangentialSolver,
 };
@@ -35,6 +38,7 @@ pub(super) enum Input<'a> {
     Friction(&'a Field),
     Coefficient,
     Scale,
+    PoissonRatio(usize),
 }
 
 impl ShearCase {
@@ -126,6 +130,7 @@ impl ShearCase {
                 }
             }
             Input::Scale => moved.surface.scale *= 1.0 + by,
+            Input::PoissonRatio(body) => moved.surface.poisson_ratios[body] += by,
         }
         moved
     }
@@ -260,14 +265,26 @@ impl ShearCase {
         check("modulus", Input::Scale, 1.0, &|found| {
             modulus * found.contact_modulus.unwrap()
         });
+        let is_homogeneous = self.surface.bodies != Bodies::Coated;
+        assert_eq!(found[0].poisson_ratio.is_some(), is_homogeneous);
+        for body in [0, 1].into_iter().filter(|_| is_homogeneous) {
+            check(
+                "Poisson's ratio",
+                Input::PoissonRatio(body),
+                1.0,
+                &|found| found.poisson_ratio.unwrap()[body],
+            );
+        }
     }
 
     fn assert_differences(&self, name: &str) {
         let bodies = self.surface.bodies();
         let (press, contact) = self.pressed(&bodies);
         let (solver, shear) = self.sheared(&bodies, &contact);
-        let found = solver.sensitivities(&shear, &self.functionals()).unwrap();
-        let found = press.chain(&contact, found).unwrap();
+        let workspace = &mut StiffnessWorkspace::new().poisson_ratio(true);
+        let go_on = |_: &Iteration| ControlFlow::Continue(());
+        let found = solver.sensitivities_with(&shear, &self.functionals(), workspace, go_on);
+        let found = press.chain(&contact, found.unwrap()).unwrap();
         self.compare(name, &found, contact.approach(), &Self::values);
     }
 }
