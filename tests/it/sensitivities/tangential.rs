@@ -356,7 +356,7 @@ fn derivatives_of_vector_model_match_differences() {
         case.assert_differences(&format!("vector, {name}"));
         case.twist = 0.01;
         case.strain = 0.005;
-        case.cap = Some(0.1);
+        case.cap = Some(0.02);
         case.assert_differences(&format!("vector with twist, strain and cap, {name}"));
     }
 }
