@@ -28,6 +28,9 @@ pub(super) struct ShearCase {
     pub(super) strain: f64,
 }
 
+/// Zone of each cell, and whether its friction limit is at the cap.
+pub(super) type Sets = Vec<(Zone, bool)>;
+
 /// Results from which values are computed.
 pub(super) struct Shown<'a> {
     /// Elastic and dissipated energy.
@@ -192,7 +195,7 @@ impl ShearCase {
         energy: f64,
         normal: &NormalSolution,
         shear: &TangentialSolution,
-    ) -> (Vec<f64>, Vec<Zone>) {
+    ) -> (Vec<f64>, Sets) {
         let shown = Shown {
             energies: [energy, shear.dissipated_energy()],
             traction: shear.traction(),
@@ -208,7 +211,7 @@ impl ShearCase {
         &self,
         normal: &NormalSolution,
         shear: &Shown<'_>,
-    ) -> (Vec<f64>, Vec<Zone>) {
+    ) -> (Vec<f64>, Sets) {
         let grid = normal.grid();
         let sum = |seed: u64, field: &Field| along(Some(&random_field(grid, seed)), field);
         let [qx, qy] = shear.traction;
@@ -231,10 +234,13 @@ impl ShearCase {
                 _ => shear.force,
             },
         ];
-        (values, shear.zones.to_vec())
+        let cap = self.cap.unwrap_or(f64::INFINITY);
+        let cells = self.coefficients.iter().zip(normal.pressure());
+        let capped = cells.map(|(coefficient, pressure)| coefficient * pressure >= cap);
+        (values, shear.zones.iter().copied().zip(capped).collect())
     }
 
-    fn values(&self) -> (Vec<f64>, Vec<Zone>) {
+    fn values(&self) -> (Vec<f64>, Sets) {
         let bodies = self.surface.bodies();
         let (_, contact) = self.pressed(&bodies);
         let (_, shear) = self.sheared(&bodies, &contact);
@@ -248,11 +254,12 @@ impl ShearCase {
         name: &str,
         found: &[Sensitivity],
         depth: f64,
-        solved: &dyn Fn(&Self) -> (Vec<f64>, Vec<Zone>),
+        solved: &dyn Fn(&Self) -> (Vec<f64>, Sets),
     ) {
         let (values, zones) = solved(self);
-        for zone in [Zone::Stick, Zone::Slip] {
-            assert!(zones.contains(&zone), "{name}: no {zone:?}");
+        for expected in [Zone::Stick, Zone::Slip] {
+            let is_found = zones.iter().any(|(zone, _)| *zone == expected);
+            assert!(is_found, "{name}: no {expected:?}");
         }
         for (n, (found, value)) in found.iter().zip(values).enumerate() {
             let error = (found.value / value - 1.0).abs();
@@ -265,7 +272,7 @@ impl ShearCase {
         let check = |what: &str, input: Input<'_>, size: f64, of: &dyn Fn(&Sensitivity) -> f64| {
             let what = format!("{name}: {what}");
             let solved = |by: f64| solved(&self.moved(input, by));
-            assert_differences(&what, 1e-5 * size, found, of, solved);
+            assert_differences(&what, 5e-6 * size, found, of, solved);
         };
         if depth > 0.0 {
             check("gap", Input::Gap(&direction), depth, &|found| {
@@ -338,7 +345,7 @@ fn spring(position: f64, stiffness: f64) -> TangentialControl {
 fn derivatives_of_scalar_model_match_differences() {
     let force = TangentialLoad::force([0.6, 0.0]);
     let shift = TangentialLoad::shift([0.06, 0.0]);
-    let pulled = force.along(Axis::X, spring(0.2, 8.0));
+    let pulled = force.along(Axis::X, spring(0.21, 8.0));
     for (name, load) in [("force", force), ("shift", shift), ("spring", pulled)] {
         let mut case = ShearCase::of(sphere(Bodies::Equal), 4.0, load);
         case.model = TangentialModel::Scalar;
@@ -350,7 +357,7 @@ fn derivatives_of_scalar_model_match_differences() {
 fn derivatives_of_vector_model_match_differences() {
     let force = TangentialLoad::force([0.6, 0.3]);
     let shift = TangentialLoad::shift([0.06, 0.02]);
-    let mixed = shift.along(Axis::Y, spring(0.2, 8.0));
+    let mixed = shift.along(Axis::Y, spring(0.21, 8.0));
     for (name, load) in [("force", force), ("shift", shift), ("mixed", mixed)] {
         let mut case = ShearCase::of(sphere(Bodies::Equal), 4.0, load);
         case.assert_differences(&format!("vector, {name}"));
