@@ -26,7 +26,7 @@ LAYERS = [
     "rolling",
     "history",
     "spots stiffness subsurface",
-    "edges",
+    "edges sensitivity",
     "adaptive",
     "guide lib",
 ]

@@ -73,6 +73,7 @@
 //! | press rough or measured surfaces | [`surface`], [`io`] | [rough surfaces](guide::rough_surfaces) |
 //! | compute stresses below the surface | [`subsurface`] | [subsurface stress](guide::subsurface_stress) |
 //! | roll bodies | [`rolling`], [`LoadStep::roll`] | [rolling](guide::rolling) |
+//! | optimise surfaces, calibrate models | [`sensitivity`] | [sensitivities](guide::sensitivities) |
 //! | coat bodies | [`Material::coated`], [`layers`] | [coatings](guide::coatings) |
 //! | study many surfaces and loads | [`NormalSolver`], [`TangentialSolver`] | [studies](guide::studies) |
 //! | save, continue and embed histories | [`History::save`], [`History::load`], [`stiffness`] | [embedding](guide::embedding), [memory](guide::memory_and_errors) |
@@ -96,7 +97,7 @@
 //!
 //! # Features
 //!
-//! The default features are `parallel` and `full`, which enables the first five rows.
+//! The default features are `parallel` and `full`, which enables the first six rows.
 //!
 //! | feature | adds |
 //! |---|---|
@@ -105,6 +106,7 @@
 //! | `adaptive` | contacts solved to a required accuracy on a grid that the solve chooses ([`adaptive`]) |
 //! | `edges`, `spots` | [`edges`] inside the cells, connected parts of the contact ([`ContactSpots`]) |
 //! | `stiffness`, `subsurface` | tangent [`stiffness`], stresses below the surface ([`subsurface`]) |
+//! | `sensitivity` | derivatives of functionals of a solution ([`sensitivity`]) |
 //! | `roughness`, `io` | rough and measured surfaces, files of surfaces and fields ([`io`]) |
 //! | `parallel` | threads, in the caller's rayon pool; results are bitwise identical for any number of threads |
 //! | `dense` | explicit matrices and direct solutions of small problems, through faer |
@@ -122,6 +124,7 @@
         feature = "io",
         feature = "rolling",
         feature = "roughness",
+        feature = "sensitivity",
         feature = "spots",
         feature = "stiffness",
         feature = "subsurface"
@@ -176,6 +179,9 @@ mod report;
 #[cfg(any(feature = "rolling", feature = "history"))]
 #[cfg_attr(docsrs, doc(cfg(any(feature = "rolling", feature = "history"))))]
 pub mod rolling;
+#[cfg(feature = "sensitivity")]
+#[cfg_attr(docsrs, doc(cfg(feature = "sensitivity")))]
+pub mod sensitivity;
 #[cfg(feature = "spots")]
 mod spots;
 #[cfg(feature = "stiffness")]

@@ -30,10 +30,10 @@ use crate::normal::{Hardness, NormalLoad, NormalSolution, NormalSolver};
 /// ```
 #[derive(Debug, Clone)]
 pub struct NormalProblem {
-    pub(super) bodies: HalfSpace,
-    pub(super) gap: Arc<Field>,
-    pub(super) load: NormalLoad,
-    pub(super) hardness: Option<Hardness>,
+    pub(crate) bodies: HalfSpace,
+    pub(crate) gap: Arc<Field>,
+    pub(crate) load: NormalLoad,
+    pub(crate) hardness: Option<Hardness>,
     pub(super) settings: Settings,
 }
 

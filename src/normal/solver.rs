@@ -7,6 +7,7 @@ use crate::cgm::Settings;
 use crate::contact::{Contact, Model, Solver, has_iterate};
 use crate::error::Result;
 use crate::grid::field::{self, Field};
+use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible;
 use crate::normal::pressure_solver::PressureSolver;
@@ -68,6 +69,11 @@ impl NormalSolver {
         load.check(bodies, gap, hardness.as_ref())?;
         self.problem.load = load;
         Ok(())
+    }
+
+    /// Returns the window of the last solve, or `None` before the first solve.
+    pub(crate) fn window(&self) -> Option<Window> {
+        self.engine.press.window()
     }
 
     /// Restores a load that was set earlier.

@@ -64,7 +64,7 @@ impl<'a> SolvedContact<'a> {
 
     /// Returns the window of the contact solution, whose operators exist already. If this window is unknown or does not cover
     /// the contact, returns the smallest window around the contact. Returns `None` without contact.
-    pub(super) fn region(
+    pub(crate) fn region(
         &self,
         found: Option<Window>,
         touches: impl Fn(usize) -> bool + Sync,
@@ -85,7 +85,7 @@ impl<'a> SolvedContact<'a> {
 }
 
 /// Returns an error for a periodic contact that is closed everywhere, because it resists a common motion without limit.
-pub(super) fn check_open(bodies: &HalfSpace, is_open: impl FnOnce() -> bool) -> Result<()> {
+pub(crate) fn check_open(bodies: &HalfSpace, is_open: impl FnOnce() -> bool) -> Result<()> {
     if bodies.boundary() == Boundary::Periodic && !is_open() {
         finite(
             "stiffness of a contact that is closed everywhere",
@@ -97,18 +97,18 @@ pub(super) fn check_open(bodies: &HalfSpace, is_open: impl FnOnce() -> bool) -> 
 
 /// Values of the contact in the cells of a window.
 #[derive(Debug, Default)]
-pub(super) struct ContactCells {
+pub(crate) struct ContactCells {
     /// Change of the pressures of the local cells of the grid per unit of approach.
     pub(super) growth_on_grid: Vec<f64>,
     /// One in cells whose pressure follows the approach, else zero.
     pub(super) follows: Vec<f64>,
     /// Zone of each cell: zero for separated cells, one for sticking cells, two for slipping cells.
-    pub(super) zone: Vec<f64>,
-    pub(super) pressure: Vec<f64>,
-    pub(super) hardness: Vec<f64>,
-    pub(super) traction: [Vec<f64>; 2],
-    pub(super) slip: [Vec<f64>; 2],
-    pub(super) entered: Vec<f64>,
+    pub(crate) zone: Vec<f64>,
+    pub(crate) pressure: Vec<f64>,
+    pub(crate) hardness: Vec<f64>,
+    pub(crate) traction: [Vec<f64>; 2],
+    pub(crate) slip: [Vec<f64>; 2],
+    pub(crate) entered: Vec<f64>,
     /// Change of the friction limit, relative change of the pressure, and change of the pressure per unit of approach.
     pub(super) limit: Vec<f64>,
     pub(super) relative: Vec<f64>,
@@ -116,7 +116,7 @@ pub(super) struct ContactCells {
 }
 
 /// Copies the values of `of` for the local cells of the grid to the cells of the region.
-pub(super) fn collect(
+pub(crate) fn collect(
     region: &Region,
     of: impl Fn(usize) -> f64,
     part: &mut Vec<f64>,
@@ -128,7 +128,7 @@ pub(super) fn collect(
 
 impl ContactCells {
     /// Copies tractions, slip and entry compliance to the cells of the region.
-    pub(super) fn take(&mut self, region: &Region, contact: &SolvedContact<'_>) -> Result<()> {
+    pub(crate) fn take(&mut self, region: &Region, contact: &SolvedContact<'_>) -> Result<()> {
         for axis in [0, 1] {
             let (q, slip) = (contact.traction[axis], contact.slip[axis]);
             collect(region, |i| q[i], &mut self.traction[axis])?;

@@ -37,7 +37,7 @@ use crate::contact::{LinearResponse, ResponseColumn, ResponseContext};
 use crate::error::Result;
 use crate::half_space::{Compliance, ElasticOperator, HalfSpace};
 use crate::memory::fallible;
-use crate::numerics::cell_vector::{at, dot, slices, slices_mut};
+use crate::numerics::cell_vector::{at, dot, plus, slices, slices_mut};
 use crate::numerics::small_matrix::Small;
 use crate::operator::Operator;
 use crate::report::Status;
@@ -53,19 +53,19 @@ pub(super) type Vector<const N: usize> = [Vec<f64>; N];
 
 /// Operator on a window, admissible motions of its cells, and buffers of the linear problem.
 #[derive(Debug)]
-pub(super) struct System<R, const N: usize> {
-    pub(super) compliance: Compliance<N>,
+pub(crate) struct System<R, const N: usize> {
+    pub(crate) compliance: Compliance<N>,
     /// Displacement of a cell under a unit traction on it.
-    pub(super) self_compliance: f64,
-    pub(super) response: LinearResponse<R, N>,
+    pub(crate) self_compliance: f64,
+    pub(crate) response: LinearResponse<R, N>,
     /// Entry compliance of the cells. Empty if no cell has an entry compliance.
     own: Vec<f64>,
     /// Number of moving cells on all ranks.
     moving: f64,
     restricted: Vec<[f64; N]>,
     /// Tractions imposed on cells, and their displacement. Empty before the first [`Self::hold`].
-    pub(super) forced: Vector<N>,
-    pub(super) displacement: Vector<N>,
+    pub(crate) forced: Vector<N>,
+    pub(crate) displacement: Vector<N>,
     /// Tangential displacement due to the pressure, created on first use.
     drawing: Option<CouplingDisplacement>,
 }
@@ -116,7 +116,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
 
     /// Sets the admissible motions of the cells and their entry compliance. The entry compliance is empty if no cell has one.
     /// Rejects a periodic contact whose cells are all free.
-    pub(super) fn hold(
+    pub(crate) fn hold(
         &mut self,
         bodies: &HalfSpace,
         row: impl Fn(usize) -> R + Sync,
@@ -133,6 +133,20 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         let moves = |cell: usize| f64::from(u8::from(row(cell).moves()));
         self.moving = reduce::sum(layout, moves);
         self.response.linear.hold(row)
+    }
+
+    /// Returns the tractions that cause the given displacements of the cells.
+    ///
+    /// # Errors
+    /// The errors of [`LinearResponse::tractions`].
+    pub(crate) fn tractions(
+        &mut self,
+        displacement: impl Fn(usize) -> [f64; N] + Sync,
+        context: &mut ResponseContext<'_>,
+    ) -> Result<[&[f64]; N]> {
+        let own = CellCompliance::isotropic(&self.own);
+        let elasticity = self.compliance.with_cells(own);
+        self.response.tractions(elasticity, displacement, context)
     }
 
     /// Computes the stiffness against these motions of the cells.
@@ -231,8 +245,20 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         slices(&self.forced)
     }
 
+    /// Returns a displacement of a cell plus the displacement by its own compliance under these tractions.
+    pub(crate) fn with_own_displacement(
+        &self,
+        displacement: [f64; N],
+        cell: usize,
+        tractions: [f64; N],
+    ) -> [f64; N] {
+        let own = CellCompliance::isotropic(&self.own);
+        let displacement = own.added(displacement, 1.0, cell, tractions);
+        plus(displacement, 1.0, self.response.linear.lag(cell, tractions))
+    }
+
     /// Computes the displacement caused by the imposed tractions.
-    pub(super) fn displace(&mut self, context: &mut ResponseContext<'_>) -> Result<()> {
+    pub(crate) fn displace(&mut self, context: &mut ResponseContext<'_>) -> Result<()> {
         context.notify_observer(&self.response.layout)?;
         let (forced, out) = (slices(&self.forced), slices_mut(&mut self.displacement));
         self.response
@@ -242,7 +268,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
     }
 
     /// Adds the displacement caused by pressures on the window.
-    pub(super) fn draw(
+    pub(crate) fn draw(
         &mut self,
         make: impl FnOnce() -> Result<CouplingDisplacement>,
         pressures: impl Iterator<Item = f64>,

@@ -4,6 +4,8 @@ use std::ops::ControlFlow;
 
 #[cfg(feature = "history")]
 use crate::cgm::cone::ConeCellState;
+#[cfg(all(feature = "history", feature = "sensitivity"))]
+use crate::cgm::cone::TransposedState;
 use crate::cgm::{Disc, Interval, LinearisedSet};
 use crate::contact::ResponseContext;
 use crate::error::{Error, Result, positive};
@@ -15,7 +17,7 @@ use crate::stiffness::contact::ContactCells;
 use crate::stiffness::system::System;
 
 /// System for one type of constraint set.
-pub(super) type SystemOf<S, const N: usize> = System<<S as LinearisedSet<N>>::CellMotion, N>;
+pub(crate) type SystemOf<S, const N: usize> = System<<S as LinearisedSet<N>>::CellMotion, N>;
 
 /// Buffers, tolerance and report of stiffnesses that are computed repeatedly.
 ///
@@ -47,21 +49,25 @@ pub(super) type SystemOf<S, const N: usize> = System<<S as LinearisedSet<N>>::Ce
 pub struct StiffnessWorkspace {
     tolerance: f64,
     is_of_next_step: bool,
+    has_poisson_ratio: bool,
     report: Report,
     buffers: SystemBuffers,
 }
 
 /// Linear systems of each type of contact, created with the first stiffness of this type.
 #[derive(Debug)]
-pub(super) struct SystemBuffers {
+pub(crate) struct SystemBuffers {
     /// Whether to compute the stiffness at reversal.
     pub(super) has_reversal: bool,
-    pub(super) normal: Option<SystemOf<Interval, 1>>,
-    pub(super) along: Option<SystemOf<Interval, 1>>,
-    pub(super) plane: Option<SystemOf<Disc, 2>>,
+    pub(crate) normal: Option<SystemOf<Interval, 1>>,
+    pub(crate) along: Option<SystemOf<Interval, 1>>,
+    pub(crate) plane: Option<SystemOf<Disc, 2>>,
     #[cfg(feature = "history")]
-    pub(super) joint: Option<System<ConeCellState, 3>>,
-    pub(super) cells: ContactCells,
+    pub(crate) joint: Option<System<ConeCellState, 3>>,
+    /// Transposed system, for sensitivities.
+    #[cfg(all(feature = "history", feature = "sensitivity"))]
+    pub(crate) transposed: Option<System<TransposedState, 3>>,
+    pub(crate) cells: ContactCells,
 }
 
 impl Default for StiffnessWorkspace {
@@ -69,6 +75,7 @@ impl Default for StiffnessWorkspace {
         Self {
             tolerance: 1e-11,
             is_of_next_step: false,
+            has_poisson_ratio: false,
             report: Report::unsolved(),
             buffers: SystemBuffers {
                 has_reversal: true,
@@ -77,6 +84,8 @@ impl Default for StiffnessWorkspace {
                 plane: None,
                 #[cfg(feature = "history")]
                 joint: None,
+                #[cfg(all(feature = "history", feature = "sensitivity"))]
+                transposed: None,
                 cells: ContactCells::default(),
             },
         }
@@ -144,6 +153,22 @@ impl StiffnessWorkspace {
         self
     }
 
+    /// Sets whether the [sensitivities](crate::sensitivity) of tangential and coupled contacts contain the derivatives with respect
+    /// to Poisson's ratios (default: no). The derivatives require further operators, whose creation takes longer than a linear
+    /// solve. They have no effect on stiffnesses. Normal contacts always have these derivatives.
+    #[cfg(feature = "sensitivity")]
+    #[must_use]
+    pub fn poisson_ratio(mut self, has_poisson_ratio: bool) -> Self {
+        self.has_poisson_ratio = has_poisson_ratio;
+        self
+    }
+
+    /// Returns whether sensitivities contain the derivatives with respect to Poisson's ratios.
+    #[cfg(feature = "sensitivity")]
+    pub(crate) fn has_poisson_ratio(&self) -> bool {
+        self.has_poisson_ratio
+    }
+
     /// Returns whether the workspace computes the stiffness of the next step.
     pub(crate) fn is_of_next_step(&self) -> bool {
         self.is_of_next_step
@@ -157,17 +182,18 @@ impl StiffnessWorkspace {
     }
 
     /// Checks that all ranks use the same settings.
-    pub(super) fn check_alike(&self, bodies: &HalfSpace) -> Result<()> {
+    pub(crate) fn check_alike(&self, bodies: &HalfSpace) -> Result<()> {
         let settings = (
             self.tolerance,
             self.buffers.has_reversal,
             self.is_of_next_step,
+            self.has_poisson_ratio,
         );
         bodies.collective_result_checked(Ok(()), &[("settings of the stiffness", &settings)])
     }
 
     /// Starts a new stiffness.
-    pub(super) fn begin<'a>(
+    pub(crate) fn begin<'a>(
         &'a mut self,
         observer: Observer<'a>,
     ) -> (ResponseContext<'a>, &'a mut SystemBuffers) {
@@ -202,13 +228,13 @@ impl ResponseContext<'_> {
     }
 
     /// Marks the report as converged without a solve.
-    pub(super) fn finish_at_once(&mut self) {
+    pub(crate) fn finish_at_once(&mut self) {
         self.report.status = Status::Converged;
         self.report.residual = 0.0;
     }
 
     /// Calls the observer, with the same decision on all ranks, before a product outside the solves, and counts the product.
-    pub(super) fn notify_observer(&mut self, layout: &Layout) -> Result<()> {
+    pub(crate) fn notify_observer(&mut self, layout: &Layout) -> Result<()> {
         let report = &mut *self.report;
         let shown = Iteration {
             iteration: report.iterations,

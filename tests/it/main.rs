@@ -115,6 +115,7 @@ mod rough_surfaces;
 mod saved_files;
 mod scene_laws;
 #[cfg(feature = "serde")]
+mod sensitivities;
 mod serialisation;
 mod sheared_history_stiffness;
 mod sign_conventions;
