@@ -73,6 +73,7 @@
 //! | press rough or measured surfaces | [`surface`], [`io`] | [rough surfaces](guide::rough_surfaces) |
 //! | compute stresses below the surface | [`subsurface`] | [subsurface stress](guide::subsurface_stress) |
 //! | roll bodies | [`rolling`], [`LoadStep::roll`] | [rolling](guide::rolling) |
+//! | optimise surfaces, calibrate models | [`sensitivity`] | [sensitivities](guide::sensitivities) |
 //! | coat bodies | [`Material::coated`], [`layers`] | [coatings](guide::coatings) |
 //! | study many surfaces and loads | [`NormalSolver`], [`TangentialSolver`] | [studies](guide::studies) |
 //! | save, continue and embed histories | [`History::save`], [`History::load`], [`stiffness`] | [embedding](guide::embedding), [memory](guide::memory_and_errors) |

@@ -35,6 +35,7 @@ GUIDE = {
     "fretting_and_wear": "Fretting and wear",
     "rolling": "Rolling",
     "coatings": "Coatings",
+    "sensitivities": "Sensitivities",
     "subsurface_stress": "Stresses below the surface",
     "embedding": "Contacts in a simulator",
     "memory_and_errors": "Memory, time and errors",

@@ -104,6 +104,7 @@ pub(crate) trait Model<S>: Sized + Send {
 /// | `set_hardness` | yes | | yes | | |
 /// | `set_relative_displacement` | | yes | yes | | |
 /// | `friction_capacity` | | yes | | yes | |
+/// | `sensitivity` | yes | yes | yes | | |
 /// | `stiffness` | of the solution | of the solution | of the solution | yes | yes |
 #[derive(Clone)]
 pub struct Solver<P: Contact> {

@@ -43,12 +43,12 @@ use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, Ta
 /// ```
 #[derive(Debug, Clone)]
 pub struct CoupledProblem {
-    pub(super) bodies: HalfSpace,
-    pub(super) gap: Arc<Field>,
-    pub(super) friction: Friction,
-    pub(super) hardness: Option<Hardness>,
-    pub(super) normal: NormalLoad,
-    pub(super) tangential: TangentialLoad,
+    pub(crate) bodies: HalfSpace,
+    pub(crate) gap: Arc<Field>,
+    pub(crate) friction: Friction,
+    pub(crate) hardness: Option<Hardness>,
+    pub(crate) normal: NormalLoad,
+    pub(crate) tangential: TangentialLoad,
     pub(super) relative: Option<RelativeDisplacement>,
     pub(super) settings: Settings,
 }

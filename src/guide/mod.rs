@@ -29,6 +29,7 @@
 //! | [`fretting_and_wear`] | cyclic loads, wear and cycle jumps |
 //! | [`rolling`] | creepage, spin and steady rolling |
 //! | [`coatings`] | layers on a body: their effect and the grids that support them |
+//! | [`sensitivities`] | derivatives of a result with respect to gap, loads, friction and moduli |
 //! | [`subsurface_stress`] | stress below the surface, bulk stress, stress histories for fatigue criteria |
 //!
 //! # Programs
@@ -96,6 +97,9 @@ pub mod rolling {}
 
 #[doc = include_str!("coatings.md")]
 pub mod coatings {}
+
+#[doc = include_str!("sensitivities.md")]
+pub mod sensitivities {}
 
 #[doc = include_str!("subsurface_stress.md")]
 pub mod subsurface_stress {}

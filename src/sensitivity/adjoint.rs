@@ -22,7 +22,7 @@ use crate::cgm::{Row, Total, reduce};
 use crate::contact::ResponseContext;
 use crate::error::{Result, finite};
 use crate::memory::fallible;
-use crate::numerics::cell_vector::{at, slices};
+use crate::numerics::cell_vector::{at, dot, minus, plus, slices, update_cells};
 use crate::numerics::small_matrix::Small;
 use crate::stiffness::System;
 
@@ -30,6 +30,8 @@ use crate::stiffness::System;
 pub(super) struct Multipliers<const N: usize> {
     pub(super) cells: [Vec<f64>; N],
     pub(super) sums: [f64; N],
+    /// Derivatives with respect to the prescribed sums, the prescribed motions or the far ends of springs.
+    pub(super) loads: [f64; N],
 }
 
 /// System of the transposed problem, whose rows have been set, with its unit responses.
@@ -73,7 +75,8 @@ impl<'s, R: Row<N>, const N: usize> Adjoint<'s, R, N> {
         Ok(adjoint)
     }
 
-    /// Computes the multipliers of a functional with these derivatives with respect to the tractions and the motions.
+    /// Computes the multipliers of a functional with these derivatives with respect to the tractions, the slips and the motions.
+    /// The slip of a cell is its displacement minus its motion.
     ///
     /// # Errors
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if the sums do not determine the motions.
@@ -81,15 +84,26 @@ impl<'s, R: Row<N>, const N: usize> Adjoint<'s, R, N> {
     pub(super) fn multipliers(
         &mut self,
         weights: impl Fn(usize) -> [f64; N] + Sync,
+        slip: impl Fn(usize) -> [f64; N] + Sync,
         motion: [f64; N],
         context: &mut ResponseContext<'_>,
     ) -> Result<Multipliers<N>> {
-        let mut cells = self.response(weights, context)?;
-        let sums = self.sums(&cells);
-        let right = std::array::from_fn(|c| motion[c] + sums[c]);
-        let sums = self
-            .matrix
-            .solve(right, self.totals.map(|total| total != Total::Free));
+        let layout = self.system.response.layout.clone();
+        let mut by_slip = [const { Vec::new() }; N];
+        if reduce::any(&layout, |cell| slip(cell) != [0.0; N]) {
+            by_slip = self.displacement(&slip, context)?;
+        }
+        let slipped: [f64; N] = reduce::sum(&layout, &slip);
+        let motion = minus(motion, slipped);
+        let total = |cell: usize| match by_slip[0].is_empty() {
+            true => weights(cell),
+            false => plus(weights(cell), 1.0, at(&slices(&by_slip), cell)),
+        };
+        let mut cells = self.response(total, context)?;
+        let sums = plus(motion, 1.0, self.sums(&cells));
+        let is_free = self.totals.map(|total| total != Total::Free);
+        let sums = self.matrix.solve(sums, is_free);
+        let mut loads = motion;
         for (sum, unit) in sums.iter().zip(&self.unit).filter(|(sum, _)| **sum != 0.0) {
             finite(
                 "derivative with respect to a force that the contact cannot resist",
@@ -101,7 +115,47 @@ impl<'s, R: Row<N>, const N: usize> Adjoint<'s, R, N> {
                 }
             }
         }
-        Ok(Multipliers { cells, sums })
+        for (c, multiplier) in self.sums(&cells).into_iter().enumerate() {
+            match self.totals[c] {
+                Total::Free => loads[c] += multiplier,
+                Total::Sum(_) => loads[c] = sums[c],
+                Total::Spring { compliance, .. } => loads[c] = sums[c] / compliance,
+            }
+        }
+        update_cells(&mut cells, |cell, multiplier| minus(multiplier, slip(cell)));
+        Ok(Multipliers { cells, sums, loads })
+    }
+
+    /// Computes the displacement of the cells under these tractions.
+    pub(super) fn displacement(
+        &mut self,
+        tractions: impl Fn(usize) -> [f64; N] + Sync,
+        context: &mut ResponseContext<'_>,
+    ) -> Result<[Vec<f64>; N]> {
+        let system = &mut *self.system;
+        update_cells(&mut system.forced, |cell, _| tractions(cell));
+        system.displace(context)?;
+        fallible::try_each(|c| fallible::copied(&system.displacement[c]))
+    }
+
+    /// Computes the derivative with respect to the friction limit of each cell. A limit imposes a traction along `direction`,
+    /// which is zero in cells that do not slip. `weights` are the derivatives with respect to the tractions.
+    pub(super) fn by_limit(
+        &mut self,
+        found: &Multipliers<N>,
+        weights: impl Fn(usize) -> [f64; N] + Sync,
+        direction: impl Fn(usize) -> [f64; N] + Sync,
+        context: &mut ResponseContext<'_>,
+    ) -> Result<Vec<f64>> {
+        let multipliers = slices(&found.cells);
+        let imposed = self.displacement(|cell| at(&multipliers, cell), context)?;
+        let imposed = slices(&imposed);
+        let by_limit = |cell: usize| {
+            let resisted = plus(at(&imposed, cell), 1.0, found.sums);
+            dot(direction(cell), minus(weights(cell), resisted))
+        };
+        let cells = self.system.response.layout.cells();
+        fallible::collected(cells, (0..cells).map(by_limit))
     }
 
     /// Solves the transposed problem. Zero weights need no solve.
@@ -122,15 +176,5 @@ impl<'s, R: Row<N>, const N: usize> Adjoint<'s, R, N> {
     fn sums(&self, cells: &[Vec<f64>; N]) -> [f64; N] {
         let cells = slices(cells);
         reduce::sum(&self.system.response.layout, |cell| at(&cells, cell))
-    }
-
-    /// Returns the derivative with respect to each prescribed sum (of tractions), motion or far end of a spring.
-    pub(super) fn by_load(&self, found: &Multipliers<N>, motion: [f64; N]) -> [f64; N] {
-        let sums = self.sums(&found.cells);
-        std::array::from_fn(|c| match self.totals[c] {
-            Total::Free => motion[c] + sums[c],
-            Total::Sum(_) => found.sums[c],
-            Total::Spring { compliance, .. } => found.sums[c] / compliance,
-        })
     }
 }

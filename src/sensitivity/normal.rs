@@ -1,17 +1,20 @@
 //! Sensitivities of a normal contact.
 
+use std::ops::ControlFlow;
+
 use crate::cgm::reduce;
 use crate::contact::{ResponseContext, Solver};
 use crate::error::{Error, Result};
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible;
-use crate::normal::{NormalLoad, NormalProblem, NormalSolution};
-use crate::observer::Observer;
+use crate::normal::{NormalLoad, NormalProblem, NormalSolution, NormalSolver};
+use crate::observer::{Observer, unwatched};
 use crate::parallel;
-use crate::report::Report;
+use crate::report::{Iteration, Report};
 use crate::sensitivity::adjoint::Adjoint;
-use crate::sensitivity::functional::{ContactView, Gradient, ShearView, entry};
+use crate::sensitivity::functional::{ContactView, Gradient, ShearView};
+use crate::sensitivity::shear::on_region;
 use crate::sensitivity::solver::{Linearised, check_converged, check_functionals, with_own_report};
 use crate::sensitivity::{Functional, Sensitivity};
 use crate::stiffness::{SolvedContact, StiffnessWorkspace, SystemBuffers};
@@ -31,14 +34,11 @@ impl Linearised for NormalProblem {
         workspace.check_alike(bodies)?;
         let (mut context, buffers) = workspace.begin(observer);
         bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
-            let (gap, approach) = (gap.as_slice(), contact.approach());
-            let opened = contact.gap().as_slice().iter().zip(gap);
-            let lift = opened.map(|(opened, gap)| opened - gap + approach);
-            let lift = &fallible::collected(gap.len(), lift)?;
+            let lift = &displacement(gap, contact)?;
             let view = ContactView {
                 bodies,
                 pressure: contact.pressure().as_slice(),
-                approach: Some(approach),
+                approach: Some(contact.approach()),
                 lift,
                 shear: ShearView::default(),
             };
@@ -91,12 +91,11 @@ impl Solver<NormalProblem> {
             let mut by_gap = Field::try_zeros(bodies.grid())?;
             let mut by_load = of.approach;
             if let Some((region, adjoint)) = &mut adjoint {
-                let mut weights = fallible::zeros(region.cells())?;
-                region.collect(|i| entry(&of.pressure, i), &mut weights);
+                let weights = on_region(region, &of.pressure)?;
                 let found = with_own_report(context, &mut report, |context| {
-                    adjoint.multipliers(|i| [weights[i]], [of.approach], context)
+                    adjoint.multipliers(|i| [weights[i]], |_| [0.0], [of.approach], context)
                 })?;
-                [by_load] = adjoint.by_load(&found, [of.approach]);
+                [by_load] = found.loads;
                 region.scatter(&found.cells[0], by_gap.as_mut_slice());
             }
             // The compliance times the pressure changes by minus the displacement times the relative change of the modulus.
@@ -106,16 +105,108 @@ impl Solver<NormalProblem> {
             });
             let by_gap = by_gap.scaled(-1.0);
             all.push(Sensitivity {
-                value: of.value,
                 gap: Some(by_gap),
                 normal_load: Some(by_load * per_load),
-                contact_modulus: by_scale / bodies.pair().contact_modulus(),
+                contact_modulus: Some(by_scale / bodies.pair().contact_modulus()),
                 poisson_ratio: poisson_ratio(bodies, by_scale),
                 report,
+                ..Sensitivity::of(of.value)
             });
         }
         Ok(all)
     }
+}
+
+impl NormalSolver {
+    /// Continues sensitivities of a tangential contact through the normal contact that supplies its pressure. The results also
+    /// contain the derivatives with respect to the gap and the normal load. The derivatives with respect to the modulus include
+    /// the change of the pressure. `contact` must be the solution of the present problem.
+    ///
+    /// # Errors
+    /// - [`Error::UnsupportedByModel`] if a sensitivity has no derivative with respect to the pressure.
+    /// - The errors of [`sensitivity`](Self::sensitivity).
+    pub fn chain(
+        &self,
+        contact: &NormalSolution,
+        sensitivities: Vec<Sensitivity>,
+    ) -> Result<Vec<Sensitivity>> {
+        let workspace = &mut StiffnessWorkspace::new();
+        self.chain_with(contact, sensitivities, workspace, unwatched)
+    }
+
+    /// Continues sensitivities like [`chain`](Self::chain), with the tolerance and the buffers of a workspace, and with an
+    /// observer.
+    ///
+    /// # Errors
+    /// The errors of [`chain`](Self::chain).
+    pub fn chain_with(
+        &self,
+        contact: &NormalSolution,
+        sensitivities: Vec<Sensitivity>,
+        workspace: &mut StiffnessWorkspace,
+        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+    ) -> Result<Vec<Sensitivity>> {
+        let NormalProblem { bodies, gap, .. } = &self.problem;
+        let converged = check_converged(contact.report());
+        let mut checked = contact.check_bodies(bodies).and(converged);
+        let mut gradients = fallible::with_room(sensitivities.len())?;
+        for found in &sensitivities {
+            let mut of = Gradient::default();
+            match &found.pressure {
+                Some(pressure) => {
+                    checked = checked.and_then(|()| pressure.check("pressure", bodies.grid()));
+                    of.pressure = fallible::copied(pressure.as_slice())?;
+                }
+                None => {
+                    checked = checked.and(Err(Error::UnsupportedByModel {
+                        model: "the chain to the gap",
+                        quantity: "a sensitivity without a derivative with respect to the pressure",
+                        value: found.value,
+                        remedy: "chain the sensitivities of a tangential contact",
+                    }))
+                }
+            }
+            gradients.push(of);
+        }
+        bodies.collective_result_checked(
+            checked,
+            &[("number of sensitivities", &sensitivities.len())],
+        )?;
+        workspace.check_alike(bodies)?;
+        let (mut context, buffers) = workspace.begin(&mut observer);
+        let pressing = bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
+            let lift = displacement(gap, contact)?;
+            self.propagate(contact, &lift, gradients, buffers, &mut context)
+        }))?;
+        let chained = sensitivities.into_iter().zip(pressing);
+        Ok(chained.map(|(shear, press)| shear.after(press)).collect())
+    }
+}
+
+impl Sensitivity {
+    /// Adds the derivatives of the normal contact that supplies the pressure.
+    fn after(self, press: Self) -> Self {
+        let both = |a: Option<f64>, b: Option<f64>| Some(a? + b?);
+        let ratios = self.poisson_ratio.zip(press.poisson_ratio);
+        let poisson_ratio = ratios.map(|([a, b], [c, d])| [a + c, b + d]);
+        let mut report = self.report;
+        report.add_pass(&press.report);
+        Self {
+            gap: press.gap,
+            normal_load: press.normal_load,
+            contact_modulus: both(self.contact_modulus, press.contact_modulus),
+            poisson_ratio,
+            report,
+            ..self
+        }
+    }
+}
+
+/// Returns the normal displacement of all cells.
+fn displacement(gap: &Field, contact: &NormalSolution) -> Result<Vec<f64>> {
+    let opened = contact.gap().as_slice().iter().zip(gap.as_slice());
+    let lift = opened.map(|(opened, gap)| opened - gap + contact.approach());
+    fallible::collected(gap.as_slice().len(), lift)
 }
 
 /// Returns the derivatives with respect to Poisson's ratios of a functional that depends on them only through the contact modulus.

@@ -22,16 +22,48 @@ pub struct Sensitivity {
     pub value: f64,
     /// Derivative with respect to the gap of each cell.
     pub gap: Option<Field>,
+    /// Derivative with respect to the pressure of each cell, for a tangential contact.
+    pub pressure: Option<Field>,
     /// Derivative with respect to the prescribed normal force or approach.
     pub normal_load: Option<f64>,
+    /// Derivatives with respect to the prescribed loads along x and y: forces, shifts, or positions of the far ends of springs.
+    pub tangential_load: [Option<f64>; 2],
+    /// Derivative with respect to the prescribed twist (per radian).
+    pub twist: Option<f64>,
+    /// Derivative with respect to the coefficient of friction of each cell. It is zero in cells that do not slip, and in cells
+    /// at a [cap](crate::Friction::max_shear_stress).
+    pub friction: Option<Field>,
+    /// Derivative with respect to a uniform coefficient of friction, the sum over all cells.
+    pub friction_coefficient: Option<f64>,
     /// Derivative with respect to the contact modulus E*, if all moduli of both bodies change in proportion at constant Poisson's
     /// ratios.
-    pub contact_modulus: f64,
-    /// Derivatives with respect to Poisson's ratio of each body at constant Young's moduli. `None` for coatings and kernels.
+    pub contact_modulus: Option<f64>,
+    /// Derivatives with respect to Poisson's ratio of each body at constant Young's moduli. `None` for coatings and kernels. For
+    /// tangential and coupled contacts also `None` on ranks and without the
+    /// [option](StiffnessWorkspace::poisson_ratio).
     pub poisson_ratio: Option<[f64; 2]>,
     /// Report of the linear problem of this functional. The report excludes the responses to the prescribed forces, which all
     /// functionals share. [`StiffnessWorkspace::report`] includes them. The time is not measured.
     pub report: Report,
+}
+
+impl Sensitivity {
+    /// Creates the sensitivity of a functional with this value, without derivatives.
+    pub(super) fn of(value: f64) -> Self {
+        Self {
+            value,
+            gap: None,
+            pressure: None,
+            normal_load: None,
+            tangential_load: [None; 2],
+            twist: None,
+            friction: None,
+            friction_coefficient: None,
+            contact_modulus: None,
+            poisson_ratio: None,
+            report: Report::unsolved(),
+        }
+    }
 }
 
 /// Problem whose linearisation at fixed sets gives sensitivities.

@@ -85,7 +85,7 @@ impl<'a> SolvedContact<'a> {
 }
 
 /// Returns an error for a periodic contact that is closed everywhere, because it resists a common motion without limit.
-pub(super) fn check_open(bodies: &HalfSpace, is_open: impl FnOnce() -> bool) -> Result<()> {
+pub(crate) fn check_open(bodies: &HalfSpace, is_open: impl FnOnce() -> bool) -> Result<()> {
     if bodies.boundary() == Boundary::Periodic && !is_open() {
         finite(
             "stiffness of a contact that is closed everywhere",
@@ -103,12 +103,12 @@ pub(crate) struct ContactCells {
     /// One in cells whose pressure follows the approach, else zero.
     pub(super) follows: Vec<f64>,
     /// Zone of each cell: zero for separated cells, one for sticking cells, two for slipping cells.
-    pub(super) zone: Vec<f64>,
-    pub(super) pressure: Vec<f64>,
-    pub(super) hardness: Vec<f64>,
-    pub(super) traction: [Vec<f64>; 2],
-    pub(super) slip: [Vec<f64>; 2],
-    pub(super) entered: Vec<f64>,
+    pub(crate) zone: Vec<f64>,
+    pub(crate) pressure: Vec<f64>,
+    pub(crate) hardness: Vec<f64>,
+    pub(crate) traction: [Vec<f64>; 2],
+    pub(crate) slip: [Vec<f64>; 2],
+    pub(crate) entered: Vec<f64>,
     /// Change of the friction limit, relative change of the pressure, and change of the pressure per unit of approach.
     pub(super) limit: Vec<f64>,
     pub(super) relative: Vec<f64>,
@@ -128,7 +128,7 @@ pub(crate) fn collect(
 
 impl ContactCells {
     /// Copies tractions, slip and entry compliance to the cells of the region.
-    pub(super) fn take(&mut self, region: &Region, contact: &SolvedContact<'_>) -> Result<()> {
+    pub(crate) fn take(&mut self, region: &Region, contact: &SolvedContact<'_>) -> Result<()> {
         for axis in [0, 1] {
             let (q, slip) = (contact.traction[axis], contact.slip[axis]);
             collect(region, |i| q[i], &mut self.traction[axis])?;

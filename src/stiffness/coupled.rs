@@ -2,19 +2,19 @@
 
 use crate::bodies::component::Direction;
 use crate::cgm::cone::FrozenState;
-use crate::cgm::{CellCompliance, UNLIMITED, reduce};
+use crate::cgm::{CellCompliance, Row, UNLIMITED, reduce};
 use crate::coupled::CoupledSolution;
 use crate::error::Result;
 use crate::grid::boundary::Boundary;
 use crate::grid::per_cell::PerCell;
-use crate::half_space::HalfSpace;
+use crate::half_space::{HalfSpace, Region};
 use crate::normal::Hardness;
 use crate::numerics::cell_vector::slices;
 use crate::observer::{Observer, unwatched};
 use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Iteration;
-use crate::stiffness::contact::{Pressing, SolvedContact, check_open, collect};
+use crate::stiffness::contact::{ContactCells, Pressing, SolvedContact, check_open, collect};
 use crate::stiffness::motions::kinds;
 use crate::stiffness::system::System;
 use crate::stiffness::workspace::SystemBuffers;
@@ -34,7 +34,52 @@ const UNKNOWN: f64 = f64::INFINITY;
 /// and the twist. The first index is the motion.
 type LoadMatrix = [[f64; 4]; 4];
 
+/// Returns the system of pressure and tractions on a region.
+pub(crate) fn joint_system<'s, R: Row<N>>(
+    bodies: &HalfSpace,
+    region: &Region,
+    slot: &'s mut Option<System<R, N>>,
+) -> Result<&'s mut System<R, N>> {
+    let [x, y, z] = [Direction::X, Direction::Y, Direction::Z];
+    let compliance = bodies.compliance([z, x, y], region.window().size)?;
+    System::get_or_create(slot, bodies, compliance, |_| {
+        let plane = bodies.compliance([x, y], bodies.grid().whole().size())?;
+        Ok(plane.operator.self_compliance())
+    })
+}
+
 impl SolvedContact<'_> {
+    /// Copies the values that determine the states of a coupled contact to the cells of the region.
+    pub(crate) fn take_coupled(
+        &self,
+        region: &Region,
+        pressure: &[f64],
+        cells: &mut ContactCells,
+    ) -> Result<()> {
+        cells.take(region, self)?;
+        collect(region, |i| pressure[i], &mut cells.pressure)?;
+        if let PerCell::Cells(limits) = self.limits() {
+            collect(region, |i| limits[i], &mut cells.hardness)?;
+        }
+        Ok(())
+    }
+
+    fn limits(&self) -> PerCell<&[f64]> {
+        self.hardness.map_or(UNLIMITED, Hardness::limits)
+    }
+
+    /// Returns the states of the cells, in which cells at their limits continue to slip or stick.
+    pub(crate) fn frozen<'c>(&self, cells: &'c ContactCells, slips: bool) -> FrozenState<'c> {
+        let [qx, qy] = slices(&cells.traction);
+        FrozenState {
+            x: [&cells.pressure, qx, qy],
+            slip: slices(&cells.slip),
+            own: if slips { &cells.entered } else { &[] },
+            hardness: self.limits().map(|_| &*cells.hardness),
+            slips,
+        }
+    }
+
     /// Returns the derivatives of the loads with respect to the approach, the shifts along x and y and the twist while slip
     /// continues. It also returns the derivatives with respect to the shifts and the twist while all cells stick.
     pub(crate) fn coupled_stiffness(
@@ -65,29 +110,12 @@ impl SolvedContact<'_> {
             };
             let layout = bodies.grid_layout();
             check_open(bodies, || reduce::any(&layout, |i| pressure[i] <= 0.0))?;
-            let [x, y, z] = [Direction::X, Direction::Y, Direction::Z];
-            let compliance = bodies.compliance([z, x, y], region.window().size)?;
-            let system = System::get_or_create(joint, bodies, compliance, |_| {
-                let plane = bodies.compliance([x, y], grid.whole().size())?;
-                Ok(plane.operator.self_compliance())
-            })?;
-            cells.take(&region, self)?;
-            collect(&region, |i| pressure[i], &mut cells.pressure)?;
-            let limits = self.hardness.map_or(UNLIMITED, Hardness::limits);
-            if let PerCell::Cells(limits) = limits {
-                collect(&region, |i| limits[i], &mut cells.hardness)?;
-            }
-            let [qx, qy] = slices(&cells.traction);
+            let system = joint_system(bodies, &region, joint)?;
+            self.take_coupled(&region, pressure, cells)?;
             let within = &friction.within(&region);
             let place = |cell: usize| centre(grid.whole(), region.own().index(cell));
             let mut loads = |slips: bool| {
-                let state = FrozenState {
-                    x: [&cells.pressure, qx, qy],
-                    slip: slices(&cells.slip),
-                    own: if slips { &cells.entered } else { &[] },
-                    hardness: limits.map(|_| &*cells.hardness),
-                    slips,
-                };
+                let state = self.frozen(cells, slips);
                 let response = &mut system.response;
                 let rows = state.rows(&response.layout, &within, system.self_compliance);
                 response.linear.hold(rows)?;

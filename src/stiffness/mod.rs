@@ -76,8 +76,11 @@ mod system;
 mod tangential;
 mod workspace;
 
-pub(crate) use contact::SolvedContact;
+pub(crate) use contact::{ContactCells, SolvedContact, check_open};
 pub use contact_stiffness::{ContactStiffness, NormalStiffness, TangentialStiffness};
+#[cfg(feature = "history")]
+pub(crate) use coupled::joint_system;
 pub(crate) use system::System;
+pub(crate) use tangential::BallOf;
 pub use workspace::StiffnessWorkspace;
-pub(crate) use workspace::SystemBuffers;
+pub(crate) use workspace::{SystemBuffers, SystemOf};

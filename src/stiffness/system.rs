@@ -56,7 +56,7 @@ pub(super) type Vector<const N: usize> = [Vec<f64>; N];
 pub(crate) struct System<R, const N: usize> {
     pub(crate) compliance: Compliance<N>,
     /// Displacement of a cell under a unit traction on it.
-    pub(super) self_compliance: f64,
+    pub(crate) self_compliance: f64,
     pub(crate) response: LinearResponse<R, N>,
     /// Entry compliance of the cells. Empty if no cell has an entry compliance.
     own: Vec<f64>,
@@ -64,8 +64,8 @@ pub(crate) struct System<R, const N: usize> {
     moving: f64,
     restricted: Vec<[f64; N]>,
     /// Tractions imposed on cells, and their displacement. Empty before the first [`Self::hold`].
-    pub(super) forced: Vector<N>,
-    pub(super) displacement: Vector<N>,
+    pub(crate) forced: Vector<N>,
+    pub(crate) displacement: Vector<N>,
     /// Tangential displacement due to the pressure, created on first use.
     drawing: Option<CouplingDisplacement>,
 }
@@ -116,7 +116,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
 
     /// Sets the admissible motions of the cells and their entry compliance. The entry compliance is empty if no cell has one.
     /// Rejects a periodic contact whose cells are all free.
-    pub(super) fn hold(
+    pub(crate) fn hold(
         &mut self,
         bodies: &HalfSpace,
         row: impl Fn(usize) -> R + Sync,
@@ -246,7 +246,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
     }
 
     /// Computes the displacement caused by the imposed tractions.
-    pub(super) fn displace(&mut self, context: &mut ResponseContext<'_>) -> Result<()> {
+    pub(crate) fn displace(&mut self, context: &mut ResponseContext<'_>) -> Result<()> {
         context.notify_observer(&self.response.layout)?;
         let (forced, out) = (slices(&self.forced), slices_mut(&mut self.displacement));
         self.response
@@ -256,7 +256,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
     }
 
     /// Adds the displacement caused by pressures on the window.
-    pub(super) fn draw(
+    pub(crate) fn draw(
         &mut self,
         make: impl FnOnce() -> Result<CouplingDisplacement>,
         pressures: impl Iterator<Item = f64>,

@@ -3,7 +3,7 @@
 use crate::cgm::{Ball, LinearisedSet, NormBound, Row, reduce};
 use crate::contact::ResponseContext;
 use crate::error::Result;
-use crate::half_space::{ElasticOperator, Region};
+use crate::half_space::{ElasticOperator, HalfSpace, Region};
 use crate::numerics::cell_vector::{dot, norm};
 use crate::operator::Operator;
 use crate::stiffness::TangentialStiffness;
@@ -14,14 +14,14 @@ use crate::stiffness::workspace::{SystemBuffers, SystemOf};
 use crate::tangential::{Axis, CouplingDisplacement, Zone, centre};
 
 /// Friction set of `N` traction components.
-type BallOf<const N: usize> = <NormBound as Ball<N>>::Set;
+pub(crate) type BallOf<const N: usize> = <NormBound as Ball<N>>::Set;
 
 /// Tangential stiffness, and derivatives of the loads with respect to the approach.
 type FoundStiffness = (TangentialStiffness, [Option<f64>; 3]);
 
 impl ContactCells {
     /// Copies the zones to the cells of the region.
-    fn take_zones(&mut self, region: &Region, zones: &[Zone]) -> Result<()> {
+    pub(crate) fn take_zones(&mut self, region: &Region, zones: &[Zone]) -> Result<()> {
         let zone = |i: usize| match zones[i] {
             Zone::Separated => 0.0,
             Zone::Stick => 1.0,
@@ -45,12 +45,29 @@ impl ContactCells {
         self.zone[cell] > 0.0
     }
 
-    fn slips(&self, cell: usize) -> bool {
+    pub(crate) fn slips(&self, cell: usize) -> bool {
         self.zone[cell] > 1.0
     }
 
     fn traction<const N: usize>(&self, axes: [Axis; N], cell: usize) -> [f64; N] {
         axes.map(|axis| self.traction[axis.index()][cell])
+    }
+
+    /// Returns the unit direction of the traction that the friction limit of a slipping cell imposes, or zero in other cells.
+    pub(crate) fn slip_direction<const N: usize>(&self, axes: [Axis; N], cell: usize) -> [f64; N] {
+        let q = self.traction(axes, cell);
+        let opposite = if norm(q) > 0.0 {
+            q
+        } else {
+            // A limit of zero would impose a traction opposite to the slip.
+            axes.map(|axis| -self.slip[axis.index()][cell])
+        };
+        let size = norm(opposite);
+        if self.slips(cell) && size > 0.0 {
+            opposite.map(|part| part / size)
+        } else {
+            [0.0; N]
+        }
     }
 
     /// Returns the motion of a cell while the contact sticks. A cell at a zero limit never sticks.
@@ -117,6 +134,53 @@ impl ContactCells {
         }
     }
 
+    /// Returns the system of tractions along these axes.
+    fn system<'s, const N: usize>(
+        bodies: &HalfSpace,
+        region: &Region,
+        axes: [Axis; N],
+        slot: &'s mut Option<SystemOf<BallOf<N>, N>>,
+    ) -> Result<&'s mut SystemOf<BallOf<N>, N>>
+    where
+        NormBound: Ball<N>,
+    {
+        let compliance = bodies.compliance(axes.map(Axis::direction), region.window().size)?;
+        let alone = |operator: &ElasticOperator<N>| Ok(operator.self_compliance());
+        System::get_or_create(slot, bodies, compliance, alone)
+    }
+
+    /// Sets the motions of the cells while slip continues.
+    fn hold_slip<const N: usize>(
+        &self,
+        (bodies, region): (&HalfSpace, &Region),
+        axes: [Axis; N],
+        system: &mut SystemOf<BallOf<N>, N>,
+    ) -> Result<()>
+    where
+        NormBound: Ball<N>,
+    {
+        let alone = system.self_compliance;
+        // If no rank has cells that came into contact, no cell has an entry compliance.
+        let has_own = reduce::any(region.layout(), |cell| self.entered[cell] > 0.0);
+        let own = if has_own { &*self.entered } else { &[] };
+        system.hold(bodies, |cell| self.slipping(axes, cell, alone), own)
+    }
+
+    /// Creates the system of tractions along these axes while slip continues.
+    pub(crate) fn slipping_system<'s, const N: usize>(
+        &self,
+        (bodies, region): (&HalfSpace, &Region),
+        axes: [Axis; N],
+        slot: &'s mut Option<SystemOf<BallOf<N>, N>>,
+    ) -> Result<&'s mut SystemOf<BallOf<N>, N>>
+    where
+        NormBound: Ball<N>,
+    {
+        let system = Self::system(bodies, region, axes, slot)?;
+        self.hold_slip((bodies, region), axes, system)?;
+        Ok(system)
+    }
+
     /// Computes the stiffness for tractions along these axes.
     fn along<const N: usize>(
         &self,
@@ -131,9 +195,7 @@ impl ContactCells {
     {
         let (bodies, size) = (contact.bodies, region.window().size);
         let (grid, boundary) = (bodies.grid(), bodies.boundary());
-        let compliance = bodies.compliance(axes.map(Axis::direction), size)?;
-        let alone = |operator: &ElasticOperator<N>| Ok(operator.self_compliance());
-        let system = System::get_or_create(slot, bodies, compliance, alone)?;
+        let system = Self::system(bodies, region, axes, slot)?;
         let place = |cell: usize| centre(grid.whole(), region.own().index(cell));
         let motions = Motions::new(axes, boundary, region.layout(), |cell| {
             self.touches(cell).then(|| place(cell))
@@ -147,11 +209,7 @@ impl ContactCells {
             system.hold(bodies, |cell| self.sticking(cell), &[])?;
             reversal = Some(system.stiffness(&of_cells, context)?);
         }
-        let alone = system.self_compliance;
-        // If no rank has cells that came into contact, no cell has an entry compliance.
-        let has_own = reduce::any(region.layout(), |cell| self.entered[cell] > 0.0);
-        let own = if has_own { &*self.entered } else { &[] };
-        system.hold(bodies, |cell| self.slipping(axes, cell, alone), own)?;
+        self.hold_slip((bodies, region), axes, system)?;
         let found = system.stiffness(&of_cells, context)?;
         let area = grid.cell_area();
         let mut by_approach = [None; 3];

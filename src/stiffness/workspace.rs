@@ -4,6 +4,8 @@ use std::ops::ControlFlow;
 
 #[cfg(feature = "history")]
 use crate::cgm::cone::ConeCellState;
+#[cfg(all(feature = "history", feature = "sensitivity"))]
+use crate::cgm::cone::TransposedState;
 use crate::cgm::{Disc, Interval, LinearisedSet};
 use crate::contact::ResponseContext;
 use crate::error::{Error, Result, positive};
@@ -47,6 +49,7 @@ pub(crate) type SystemOf<S, const N: usize> = System<<S as LinearisedSet<N>>::Ce
 pub struct StiffnessWorkspace {
     tolerance: f64,
     is_of_next_step: bool,
+    has_poisson_ratio: bool,
     report: Report,
     buffers: SystemBuffers,
 }
@@ -61,6 +64,9 @@ pub(crate) struct SystemBuffers {
     pub(crate) plane: Option<SystemOf<Disc, 2>>,
     #[cfg(feature = "history")]
     pub(crate) joint: Option<System<ConeCellState, 3>>,
+    /// Transposed system, for sensitivities.
+    #[cfg(all(feature = "history", feature = "sensitivity"))]
+    pub(crate) transposed: Option<System<TransposedState, 3>>,
     pub(crate) cells: ContactCells,
 }
 
@@ -69,6 +75,7 @@ impl Default for StiffnessWorkspace {
         Self {
             tolerance: 1e-11,
             is_of_next_step: false,
+            has_poisson_ratio: false,
             report: Report::unsolved(),
             buffers: SystemBuffers {
                 has_reversal: true,
@@ -77,6 +84,8 @@ impl Default for StiffnessWorkspace {
                 plane: None,
                 #[cfg(feature = "history")]
                 joint: None,
+                #[cfg(all(feature = "history", feature = "sensitivity"))]
+                transposed: None,
                 cells: ContactCells::default(),
             },
         }
@@ -144,6 +153,22 @@ impl StiffnessWorkspace {
         self
     }
 
+    /// Sets whether the [sensitivities](crate::sensitivity) of tangential and coupled contacts contain the derivatives with respect
+    /// to Poisson's ratios (default: no). The derivatives require further operators, whose creation takes longer than a linear
+    /// solve. They have no effect on stiffnesses. Normal contacts always have these derivatives.
+    #[cfg(feature = "sensitivity")]
+    #[must_use]
+    pub fn poisson_ratio(mut self, has_poisson_ratio: bool) -> Self {
+        self.has_poisson_ratio = has_poisson_ratio;
+        self
+    }
+
+    /// Returns whether sensitivities contain the derivatives with respect to Poisson's ratios.
+    #[cfg(feature = "sensitivity")]
+    pub(crate) fn has_poisson_ratio(&self) -> bool {
+        self.has_poisson_ratio
+    }
+
     /// Returns whether the workspace computes the stiffness of the next step.
     pub(crate) fn is_of_next_step(&self) -> bool {
         self.is_of_next_step
@@ -162,6 +187,7 @@ impl StiffnessWorkspace {
             self.tolerance,
             self.buffers.has_reversal,
             self.is_of_next_step,
+            self.has_poisson_ratio,
         );
         bodies.collective_result_checked(Ok(()), &[("settings of the stiffness", &settings)])
     }

@@ -187,11 +187,24 @@ impl Friction {
     /// Returns the derivative of the friction limit of a cell with respect to its pressure.
     pub(crate) fn slope(&self, index: usize, pressure: f64) -> f64 {
         let coefficient = self.coefficient_at(index);
-        if coefficient * pressure < self.cap() {
-            coefficient
-        } else {
+        if self.is_capped(index, pressure) {
             0.0
+        } else {
+            coefficient
         }
+    }
+
+    /// Returns the derivative of the friction limit of a cell with respect to its coefficient.
+    fn slope_by_coefficient(&self, index: usize, pressure: f64) -> f64 {
+        if self.is_capped(index, pressure) {
+            0.0
+        } else {
+            pressure
+        }
+    }
+
+    fn is_capped(&self, index: usize, pressure: f64) -> bool {
+        self.coefficient_at(index) * pressure >= self.cap()
     }
 
     /// Returns the coefficient and the cap (`None` without a cap) for restoring a saved state. A change must satisfy
@@ -246,5 +259,11 @@ impl<'a> FrictionWithin<'a> {
     /// Returns the derivative of the limit with respect to the pressure.
     pub(crate) fn slope(&self, cell: usize, pressure: f64) -> f64 {
         self.friction.slope(self.place(cell), pressure)
+    }
+
+    /// Returns the derivative of the limit with respect to the coefficient.
+    pub(crate) fn slope_by_coefficient(&self, cell: usize, pressure: f64) -> f64 {
+        self.friction
+            .slope_by_coefficient(self.place(cell), pressure)
     }
 }

@@ -39,13 +39,13 @@ use crate::tangential::{
 /// ```
 #[derive(Clone)]
 pub struct TangentialProblem {
-    pub(super) bodies: HalfSpace,
+    pub(crate) bodies: HalfSpace,
     pub(super) pressed: PressureOnWindow,
-    pub(super) friction: Friction,
-    pub(super) load: TangentialLoad,
+    pub(crate) friction: Friction,
+    pub(crate) load: TangentialLoad,
     pub(super) model: TangentialModel,
-    pub(super) coupling: Coupling,
-    pub(super) relative: Option<RelativeDisplacement>,
+    pub(crate) coupling: Coupling,
+    pub(crate) relative: Option<RelativeDisplacement>,
     pub(super) settings: Settings,
 }
 

@@ -170,6 +170,11 @@ impl TangentialSolver {
         Ok(())
     }
 
+    /// Returns the pressure and the limits of the next solve.
+    pub(crate) fn pressed(&self) -> &PressureOnWindow {
+        &self.engine.increment.pressed
+    }
+
     /// Makes the candidate pressure and limits current.
     fn take_candidate(&mut self) {
         std::mem::swap(

@@ -1,6 +1,9 @@
 //! Sensitivities agree with central differences of solves whose cells keep their sets.
 
+mod cost;
+mod coupled;
 mod normal;
+mod tangential;
 
 use stickslip::layers::Layer;
 use stickslip::sensitivity::Sensitivity;
@@ -101,8 +104,8 @@ fn along(derivative: Option<&Field>, direction: &Field) -> f64 {
         .sum()
 }
 
-/// Asserts that a derivative equals the central difference with this step. `solved` returns the values of all functionals and a
-/// description of the sets for a change of the input.
+/// Asserts that a derivative equals the extrapolated central difference with this step. `solved` returns the values of all
+/// functionals and a description of the sets for a change of the input.
 #[track_caller]
 fn assert_differences<S: PartialEq>(
     what: &str,
@@ -111,14 +114,19 @@ fn assert_differences<S: PartialEq>(
     derivative: impl Fn(&Sensitivity) -> f64,
     solved: impl Fn(f64) -> (Vec<f64>, S),
 ) {
-    let [(more, sets_of_more), (less, sets_of_less), (_, sets)] =
-        [step, -step, 0.0].map(|step| solved(step));
-    assert!(
-        sets_of_more == sets && sets_of_less == sets,
-        "{what}: the sets differ"
-    );
-    for (n, found) in found.iter().enumerate() {
-        let expected = (more[n] - less[n]) / (2.0 * step);
+    let (_, sets) = solved(0.0);
+    let slopes = |step: f64| {
+        let [more, less] = [step, -step].map(|step| {
+            let (values, moved) = solved(step);
+            assert!(moved == sets, "{what}: the sets differ");
+            values
+        });
+        let pairs = more.into_iter().zip(less);
+        pairs.map(move |(more, less)| (more - less) / (2.0 * step))
+    };
+    let slopes = slopes(step).zip(slopes(2.0 * step));
+    for (n, (found, (narrow, wide))) in found.iter().zip(slopes).enumerate() {
+        let expected = (4.0 * narrow - wide) / 3.0;
         let derivative = derivative(found);
         // A derivative that vanishes is compared with the round-off of the difference.
         let round_off = 1e-12 * found.value.abs() / step;

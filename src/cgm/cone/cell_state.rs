@@ -61,7 +61,7 @@ pub(super) struct Slip {
     /// Friction limit.
     limit: f64,
     /// Derivative of the friction limit with respect to the pressure.
-    slope: f64,
+    pub(super) slope: f64,
     /// Stiffness added by the curvature of the circle: the slip divided by the limit.
     stiffness: f64,
 }
@@ -77,7 +77,7 @@ impl Slip {
         })
     }
 
-    fn tangent(self) -> [f64; 2] {
+    pub(super) fn tangent(self) -> [f64; 2] {
         [-self.normal[1], self.normal[0]]
     }
 }
@@ -146,7 +146,7 @@ impl ConeCellState {
     }
 
     /// Returns `value`, a change of the pressure or an equation of the gap, or zero if the pressure is fixed.
-    fn pressed(self, value: f64) -> f64 {
+    pub(super) fn pressed(self, value: f64) -> f64 {
         if self.is_held { 0.0 } else { value }
     }
 

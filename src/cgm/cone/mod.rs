@@ -26,6 +26,8 @@ mod cell_state;
 mod lag;
 mod newton;
 mod response;
+#[cfg(feature = "sensitivity")]
+mod transposed;
 mod workspace;
 
 use crate::cgm::cone::newton::NewtonProgress;
@@ -42,6 +44,8 @@ use crate::report::Status;
 
 pub(crate) use cell_state::ConeCellState;
 pub(crate) use response::FrozenState;
+#[cfg(feature = "sensitivity")]
+pub(crate) use transposed::TransposedState;
 pub(crate) use workspace::ConeWorkspace;
 
 /// Number of components of a vector (z, x and y).

@@ -1,0 +1,261 @@
+//! Sensitivities of a tangential contact.
+
+use crate::bodies::coupling::Coupling;
+use crate::cgm::{Ball, NormBound, Row, reduce};
+use crate::contact::{ResponseContext, Solver};
+use crate::error::Result;
+use crate::grid::field::Field;
+use crate::half_space::HalfSpace;
+use crate::memory::fallible;
+use crate::numerics::cell_vector::{at, dot, minus, slices};
+use crate::observer::Observer;
+use crate::parallel;
+use crate::report::Report;
+use crate::sensitivity::adjoint::Adjoint;
+use crate::sensitivity::functional::{ContactView, Gradient, ShearView, pair_at};
+use crate::sensitivity::poisson::{Loading, UnitDisplacements};
+use crate::sensitivity::shear::{by_control, by_twist, on_grid, on_region, total_of};
+use crate::sensitivity::solver::{Linearised, check_converged, check_functionals, with_own_report};
+use crate::sensitivity::{Functional, Sensitivity};
+use crate::stiffness::{BallOf, ContactCells, SolvedContact, StiffnessWorkspace, SystemOf};
+use crate::tangential::{
+    Axis, Friction, Lifting, PressureOnWindow, RigidMotion, TangentialControl, TangentialProblem,
+    TangentialSolution, centre,
+};
+
+/// Sheared contact whose sensitivities are computed.
+pub(super) struct Sheared<'a> {
+    pub(super) bodies: &'a HalfSpace,
+    pub(super) pressed: &'a PressureOnWindow,
+    pub(super) friction: &'a Friction,
+    pub(super) controls: [TangentialControl; 2],
+    /// Whether the pressure moves the surfaces tangentially.
+    pub(super) is_drawn: bool,
+    /// Whether to compute the derivatives with respect to Poisson's ratios. If so, whether a coupling of the bodies would move
+    /// the surfaces.
+    pub(super) poisson_ratio: Option<bool>,
+}
+
+impl Linearised for TangentialProblem {
+    fn sensitivities(
+        solver: &Solver<Self>,
+        shear: &TangentialSolution,
+        functionals: &[Functional],
+        workspace: &mut StiffnessWorkspace,
+        observer: Observer<'_>,
+    ) -> Result<Vec<Sensitivity>> {
+        let (problem, pressed) = (&solver.problem, solver.pressed());
+        let (bodies, grid) = (&problem.bodies, problem.bodies.grid());
+        let checked = shear.check_bodies(bodies);
+        let checked = checked.and_then(|()| shear.check_uncoupled());
+        let checked = checked.and_then(|()| check_converged(shear.report()));
+        check_functionals(bodies, (false, true), functionals, checked)?;
+        workspace.check_alike(bodies)?;
+        let has_poisson_ratio = workspace.has_poisson_ratio();
+        let (mut context, buffers) = workspace.begin(observer);
+        bodies.joint(parallel::enter_with(grid.cells(), || {
+            let mut pressure = fallible::zeros(grid.cells())?;
+            pressed.region.scatter(&pressed.pressure, &mut pressure);
+            let sheared = Sheared {
+                bodies,
+                pressed,
+                friction: &problem.friction,
+                controls: [Axis::X, Axis::Y].map(|axis| problem.load.control(axis)),
+                is_drawn: problem.coupling.is_one_way(bodies.pair()),
+                poisson_ratio: has_poisson_ratio.then_some(problem.coupling == Coupling::OneWay),
+            };
+            let view = ContactView {
+                bodies,
+                pressure: &pressure,
+                approach: None,
+                lift: &[],
+                shear: ShearView {
+                    traction: shear.traction().map(Field::as_slice),
+                    slip: shear.slip().map(Field::as_slice),
+                    zones: shear.zones(),
+                    shift: shear.shift(),
+                    displacement: [&[]; 2],
+                },
+            };
+            let cells = &mut buffers.cells;
+            cells.take_zones(&pressed.region, shear.zones())?;
+            cells.take(&pressed.region, &SolvedContact::sheared(bodies, shear))?;
+            // The displacement by pressure and tractions follows from the motion and the slip.
+            let motion = RigidMotion {
+                shift: shear.shift(),
+                twist: shear.twist(),
+            };
+            let moved = |i: usize| {
+                let relative = problem.relative.as_ref();
+                let relative = [0, 1].map(|axis| relative.map_or(0.0, |of| of.at(axis, i)));
+                let slip = minus(pair_at(&view.shear.slip, i), relative);
+                let moved = motion.at(centre(grid, i));
+                [0, 1].map(|axis| moved[axis] + slip[axis])
+            };
+            match shear.axis() {
+                Some(axis) => {
+                    let slot = &mut buffers.along;
+                    sheared.sensitivities(
+                        [axis],
+                        (cells, slot),
+                        &view,
+                        functionals,
+                        &moved,
+                        &mut context,
+                    )
+                }
+                None => {
+                    let (axes, slot) = ([Axis::X, Axis::Y], &mut buffers.plane);
+                    sheared.sensitivities(
+                        axes,
+                        (cells, slot),
+                        &view,
+                        functionals,
+                        &moved,
+                        &mut context,
+                    )
+                }
+            }
+        }))
+    }
+}
+
+impl Sheared<'_> {
+    /// Computes the sensitivities of functionals for the states in `cells`. `moved` returns the displacement of a local cell of
+    /// the grid by pressure and tractions.
+    fn sensitivities<const N: usize>(
+        &self,
+        axes: [Axis; N],
+        (cells, slot): (&ContactCells, &mut Option<SystemOf<BallOf<N>, N>>),
+        view: &ContactView<'_>,
+        functionals: &[Functional],
+        moved: &(impl Fn(usize) -> [f64; 2] + Sync),
+        context: &mut ResponseContext<'_>,
+    ) -> Result<Vec<Sensitivity>>
+    where
+        NormBound: Ball<N>,
+    {
+        let (bodies, region) = (self.bodies, &self.pressed.region);
+        let system = cells.slipping_system((bodies, region), axes, slot)?;
+        let totals = axes.map(|axis| total_of(bodies, self.controls[axis.index()]));
+        let mut adjoint = Adjoint::new(system, totals, context)?;
+        let mut stored: [Vec<f64>; 2] = Default::default();
+        if functionals.contains(&Functional::ElasticEnergy) {
+            let traction = |cell: usize| axes.map(|axis| cells.traction[axis.index()][cell]);
+            let displacement = adjoint.displacement(traction, context)?;
+            for (axis, part) in axes.iter().zip(&displacement) {
+                stored[axis.index()] = on_grid(bodies, region, part)?.into_vec();
+            }
+        }
+        let shear = ShearView {
+            displacement: slices(&stored),
+            ..view.shear
+        };
+        let view = &ContactView { shear, ..*view };
+        let loading = Loading {
+            directions: axes.map(Axis::direction),
+            tractions: axes.map(|axis| &*cells.traction[axis.index()]),
+            pressure: (self.poisson_ratio == Some(true)).then_some(&*self.pressed.pressure),
+        };
+        let unit = match self.poisson_ratio {
+            Some(_) => UnitDisplacements::new(bodies, region, &loading, context)?,
+            None => None,
+        };
+        let mut all = fallible::with_room(functionals.len())?;
+        for functional in functionals {
+            let of = functional.gradient(view)?;
+            let mut report = Report::unsolved();
+            let found = with_own_report(context, &mut report, |context| {
+                self.sensitivity(axes, cells, (view, &of), &mut adjoint, moved, context)
+            })?;
+            let (found, multipliers) = found;
+            let poisson_ratio = unit.as_ref().map(|unit| {
+                unit.by_poisson_ratio(bodies, region, &loading, &multipliers, of.energy)
+            });
+            all.push(Sensitivity {
+                poisson_ratio,
+                report,
+                ..found
+            });
+        }
+        Ok(all)
+    }
+
+    /// Computes the sensitivity of one functional with these derivatives, and the multipliers of the displacements.
+    fn sensitivity<R: Row<N>, const N: usize>(
+        &self,
+        axes: [Axis; N],
+        cells: &ContactCells,
+        (view, of): (&ContactView<'_>, &Gradient),
+        adjoint: &mut Adjoint<'_, R, N>,
+        moved: &(impl Fn(usize) -> [f64; 2] + Sync),
+        context: &mut ResponseContext<'_>,
+    ) -> Result<(Sensitivity, [Vec<f64>; N])> {
+        let (bodies, region) = (self.bodies, &self.pressed.region);
+        let grid = bodies.grid();
+        let along = |parts: &[Vec<f64>; 2]| -> Result<[Vec<f64>; N]> {
+            fallible::try_each(|n| on_region(region, &parts[axes[n].index()]))
+        };
+        let (weights, slip) = (along(&of.traction)?, along(&of.slip)?);
+        let weight = |cell: usize| at(&slices(&weights), cell);
+        // The slip of other cells is constant.
+        let slip = |cell: usize| {
+            let is_slipping = f64::from(u8::from(cells.slips(cell)));
+            at(&slices(&slip), cell).map(|weight| weight * is_slipping)
+        };
+        let motion = axes.map(|axis| of.shift[axis.index()]);
+        let found = adjoint.multipliers(weight, slip, motion, context)?;
+        let direction = |cell: usize| cells.slip_direction(axes, cell);
+        let by_limit = adjoint.by_limit(&found, weight, direction, context)?;
+
+        let (friction, own) = (&self.friction.within(region), &self.pressed.pressure);
+        let mut pressure = on_region(region, &of.pressure)?;
+        if self.is_drawn {
+            let mut lift = fallible::zeros(region.cells())?;
+            let mut parts: [&[f64]; 2] = [&[]; 2];
+            for (axis, part) in axes.iter().zip(&found.cells) {
+                context.notify_observer(region.layout())?;
+                parts[axis.index()] = part;
+            }
+            // The displacement by pressure is the transpose of the lift by tractions.
+            Lifting::new(bodies, region.window().size)?.lift(parts, &mut lift);
+            for (weight, lift) in pressure.iter_mut().zip(lift) {
+                *weight -= lift;
+            }
+        }
+        let mut by_friction = fallible::zeros(region.cells())?;
+        for (cell, by_limit) in by_limit.iter().enumerate() {
+            pressure[cell] += friction.slope(cell, own[cell]) * by_limit;
+            by_friction[cell] = friction.slope_by_coefficient(cell, own[cell]) * by_limit;
+        }
+
+        let mut multipliers = fallible::try_each(|_| Field::try_zeros(grid))?;
+        for (axis, part) in axes.iter().zip(&found.cells) {
+            region.scatter(part, multipliers[axis.index()].as_mut_slice());
+        }
+        let may_turn = N == 2 && bodies.boundary().may_turn();
+        let twist = may_turn.then(|| by_twist(bodies, &multipliers));
+        let multipliers = multipliers.each_ref().map(Field::as_slice);
+        let by_scale = reduce::sum(&bodies.grid_layout(), |i| {
+            let [q, stored] = [view.shear.traction, view.shear.displacement];
+            let stored = dot(pair_at(&q, i), pair_at(&stored, i));
+            dot(pair_at(&multipliers, i), moved(i)) - of.energy * stored
+        });
+        let mut tangential_load = [None; 2];
+        for (axis, load) in axes.iter().zip(found.loads) {
+            let control = self.controls[axis.index()];
+            tangential_load[axis.index()] = by_control(bodies, control, load);
+        }
+        let friction_coefficient = Some(reduce::total(region.layout(), &by_friction));
+        let sensitivity = Sensitivity {
+            pressure: Some(on_grid(bodies, region, &pressure)?),
+            tangential_load,
+            twist,
+            friction: Some(on_grid(bodies, region, &by_friction)?),
+            friction_coefficient,
+            contact_modulus: Some(by_scale / bodies.pair().contact_modulus()),
+            ..Sensitivity::of(of.value)
+        };
+        Ok((sensitivity, found.cells))
+    }
+}

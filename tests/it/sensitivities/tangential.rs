@@ -1,0 +1,398 @@
+//! Tangential contacts, chained to the normal contacts that supply their pressure.
+
+use std::ops::ControlFlow;
+
+use stickslip::sensitivity::{Functional, Sensitivity, Weights};
+use stickslip::stiffness::StiffnessWorkspace;
+use stickslip::tangential::RelativeDisplacement;
+use stickslip::{
+    Axis, CellValue, Error, Field, Friction, Grid, HalfSpace, Iteration, NormalLoad, NormalProblem,
+    NormalSolution, NormalSolver, TangentialControl, TangentialLoad, TangentialModel,
+    TangentialProblem, TangentialSolution, TangentialSolver,
+};
+
+use super::{Bodies, Surface, along, assert_differences, random_field};
+
+const SOLVE: f64 = 1e-12;
+
+/// Contact that is pressed and sheared.
+#[derive(Debug, Clone)]
+pub(super) struct ShearCase {
+    pub(super) surface: Surface,
+    pub(super) force: f64,
+    pub(super) coefficients: Field,
+    pub(super) cap: Option<f64>,
+    pub(super) load: TangentialLoad,
+    pub(super) twist: f64,
+    pub(super) model: TangentialModel,
+    pub(super) strain: f64,
+}
+
+/// Input that a test changes.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Input<'a> {
+    Gap(&'a Field),
+    NormalLoad,
+    Load(Axis),
+    Twist,
+    Friction(&'a Field),
+    Coefficient,
+    Scale,
+    PoissonRatio(usize),
+}
+
+impl ShearCase {
+    pub(super) fn of(surface: Surface, force: f64, load: TangentialLoad) -> Self {
+        let grid = surface.gap.grid();
+        Self {
+            surface,
+            force,
+            coefficients: Field::constant(grid, 0.3),
+            cap: None,
+            load,
+            twist: 0.0,
+            model: TangentialModel::Vector,
+            strain: 0.0,
+        }
+    }
+
+    pub(super) fn friction(&self) -> Friction {
+        let friction = Friction::per_cell(self.coefficients.clone()).unwrap();
+        match self.cap {
+            Some(cap) => friction.max_shear_stress(cap).unwrap(),
+            None => friction,
+        }
+    }
+
+    pub(super) fn relative(&self) -> RelativeDisplacement {
+        let strain = [[self.strain, 0.0], [0.0, 0.0]];
+        RelativeDisplacement::bulk_strain(self.surface.gap.grid(), strain).unwrap()
+    }
+
+    pub(super) fn tangential_load(&self) -> TangentialLoad {
+        self.load.twist(self.twist)
+    }
+
+    fn pressed(&self, bodies: &HalfSpace) -> (NormalSolver, NormalSolution) {
+        let load = NormalLoad::Force(self.force);
+        let problem = NormalProblem::builder(bodies, &self.surface.gap, load);
+        let mut solver = kit::solver(problem.tolerance(super::SOLVE));
+        let mut contact = solver.new_solution();
+        solver.solve_into(&mut contact).unwrap();
+        (solver, contact)
+    }
+
+    fn sheared(
+        &self,
+        bodies: &HalfSpace,
+        contact: &NormalSolution,
+    ) -> (TangentialSolver, TangentialSolution) {
+        let (friction, load) = (self.friction(), self.tangential_load());
+        let mut problem = TangentialProblem::builder(bodies, contact, friction, load)
+            .model(self.model)
+            .tolerance(SOLVE);
+        if self.strain != 0.0 {
+            problem = problem.relative_displacement(self.relative());
+        }
+        let mut solver = kit::solver(problem);
+        let mut shear = solver.new_solution();
+        solver.solve_into(&mut shear).unwrap();
+        (solver, shear)
+    }
+
+    pub(super) fn moved(&self, input: Input<'_>, by: f64) -> Self {
+        let mut moved = self.clone();
+        match input {
+            Input::Gap(direction) => moved.surface.gap.add_scaled(by, direction).unwrap(),
+            Input::NormalLoad => moved.force += by,
+            Input::Load(axis) => {
+                let control = match self.load.control(axis) {
+                    TangentialControl::Force(force) => TangentialControl::Force(force + by),
+                    TangentialControl::Shift(shift) => TangentialControl::Shift(shift + by),
+                    TangentialControl::Spring {
+                        position,
+                        stiffness,
+                    } => TangentialControl::Spring {
+                        position: position + by,
+                        stiffness,
+                    },
+                    _ => unreachable!(),
+                };
+                moved.load = self.load.along(axis, control);
+            }
+            Input::Twist => moved.twist += by,
+            Input::Friction(direction) => {
+                moved.coefficients.add_scaled(by, direction).unwrap();
+            }
+            Input::Coefficient => {
+                for value in moved.coefficients.as_mut_slice() {
+                    *value += by;
+                }
+            }
+            Input::Scale => moved.surface.scale *= 1.0 + by,
+            Input::PoissonRatio(body) => moved.surface.poisson_ratios[body] += by,
+        }
+        moved
+    }
+
+    pub(super) fn value(&self, axis: Axis) -> f64 {
+        match self.load.control(axis) {
+            TangentialControl::Force(value)
+            | TangentialControl::Shift(value)
+            | TangentialControl::Spring {
+                position: value, ..
+            } => value,
+            _ => 0.0,
+        }
+    }
+
+    pub(super) fn weights(&self) -> Weights {
+        let fields = |seed: u64| [seed, seed + 1].map(|n| random_field(self.surface.gap.grid(), n));
+        let [along_x, along_y] = fields(20);
+        let traction = match self.model {
+            TangentialModel::Vector => [along_x, along_y],
+            _ => [along_x, Field::zeros(self.surface.gap.grid())],
+        };
+        Weights::new()
+            .pressure(random_field(self.surface.gap.grid(), 9))
+            .traction(traction)
+            .slip(fields(30))
+            .shift([0.7, -0.4])
+    }
+
+    pub(super) fn functionals(&self) -> Vec<Functional> {
+        vec![
+            Functional::ElasticEnergy,
+            Functional::StickForce(Axis::X),
+            Functional::DissipatedEnergy,
+            Functional::Weighted(self.weights()),
+            Functional::PressureNorm { exponent: 4.0 },
+            match self.load.control(Axis::X) {
+                TangentialControl::Force(_) => Functional::Shift(Axis::X),
+                _ => Functional::TangentialForce(Axis::X),
+            },
+        ]
+    }
+
+    /// Computes the values of [`Self::functionals`] and the sets from solutions.
+    pub(super) fn values_of(
+        &self,
+        energy: f64,
+        normal: &NormalSolution,
+        shear: &TangentialSolution,
+    ) -> (Vec<f64>, Vec<stickslip::Zone>) {
+        let grid = shear.grid();
+        let sum = |seed: u64, field: &Field| along(Some(&random_field(grid, seed)), field);
+        let [qx, qy] = shear.traction();
+        let [sx, sy] = shear.slip();
+        let [dx, dy] = shear.shift();
+        let weighted = sum(9, normal.pressure()) + sum(20, qx) + sum(21, qy) + sum(30, sx);
+        let weighted = weighted + sum(31, sy) + 0.7 * dx - 0.4 * dy;
+        let zones = shear.zones().iter().zip(qx.as_slice());
+        let sticking = zones.filter(|(zone, _)| **zone == stickslip::Zone::Stick);
+        let pressure = normal.pressure().as_slice().iter();
+        let powers: f64 = pressure.map(|p| p.powi(4)).sum();
+        let values = vec![
+            energy,
+            sticking.map(|(_, q)| q * grid.cell_area()).sum(),
+            shear.dissipated_energy(),
+            weighted,
+            (powers / normal.contact_cells() as f64).powf(0.25),
+            match self.load.control(Axis::X) {
+                TangentialControl::Force(_) => dx,
+                _ => shear.force()[0],
+            },
+        ];
+        (values, shear.zones().to_vec())
+    }
+
+    fn values(&self) -> (Vec<f64>, Vec<stickslip::Zone>) {
+        let bodies = self.surface.bodies();
+        let (_, contact) = self.pressed(&bodies);
+        let (_, shear) = self.sheared(&bodies, &contact);
+        self.values_of(shear.elastic_energy(&bodies).unwrap(), &contact, &shear)
+    }
+
+    /// Compares all derivatives with differences of the values that `solved` returns.
+    pub(super) fn compare(
+        &self,
+        name: &str,
+        found: &[Sensitivity],
+        depth: f64,
+        solved: &dyn Fn(&Self) -> (Vec<f64>, Vec<stickslip::Zone>),
+    ) {
+        let (values, zones) = solved(self);
+        for zone in [stickslip::Zone::Stick, stickslip::Zone::Slip] {
+            assert!(zones.contains(&zone), "{name}: no {zone:?}");
+        }
+        for (n, (found, value)) in found.iter().zip(values).enumerate() {
+            let error = (found.value / value - 1.0).abs();
+            assert!(error < 1e-9, "{name} {n}: {} {value}", found.value);
+            assert!(found.report.is_converged());
+        }
+        let grid = self.surface.gap.grid();
+        let (direction, friction) = (random_field(grid, 5), random_field(grid, 6));
+        let modulus = self.surface.bodies().pair().contact_modulus();
+        let check = |what: &str, input: Input<'_>, size: f64, of: &dyn Fn(&Sensitivity) -> f64| {
+            let what = format!("{name}: {what}");
+            let solved = |by: f64| solved(&self.moved(input, by));
+            assert_differences(&what, 1e-5 * size, found, of, solved);
+        };
+        check("gap", Input::Gap(&direction), depth, &|found| {
+            along(found.gap.as_ref(), &direction)
+        });
+        check("normal load", Input::NormalLoad, self.force, &|found| {
+            found.normal_load.unwrap()
+        });
+        for axis in [Axis::X, Axis::Y] {
+            if self.value(axis) != 0.0 {
+                let size = self.value(axis).abs();
+                check("load", Input::Load(axis), size, &|found| {
+                    found.tangential_load[axis.index()].unwrap()
+                });
+            }
+        }
+        if self.twist != 0.0 {
+            let twist = |found: &Sensitivity| found.twist.unwrap();
+            check("twist", Input::Twist, self.twist, &twist);
+        }
+        check("friction", Input::Friction(&friction), 0.3, &|found| {
+            along(found.friction.as_ref(), &friction)
+        });
+        check("coefficient", Input::Coefficient, 0.3, &|found| {
+            found.friction_coefficient.unwrap()
+        });
+        check("modulus", Input::Scale, 1.0, &|found| {
+            modulus * found.contact_modulus.unwrap()
+        });
+        let is_homogeneous = self.surface.bodies != Bodies::Coated;
+        assert_eq!(found[0].poisson_ratio.is_some(), is_homogeneous);
+        for body in [0, 1].into_iter().filter(|_| is_homogeneous) {
+            check(
+                "Poisson's ratio",
+                Input::PoissonRatio(body),
+                1.0,
+                &|found| found.poisson_ratio.unwrap()[body],
+            );
+        }
+    }
+
+    fn assert_differences(&self, name: &str) {
+        let bodies = self.surface.bodies();
+        let (press, contact) = self.pressed(&bodies);
+        let (solver, shear) = self.sheared(&bodies, &contact);
+        let workspace = &mut StiffnessWorkspace::new().poisson_ratio(true);
+        let go_on = |_: &Iteration| ControlFlow::Continue(());
+        let found = solver.sensitivities_with(&shear, &self.functionals(), workspace, go_on);
+        let found = press.chain(&contact, found.unwrap()).unwrap();
+        self.compare(name, &found, contact.approach(), &Self::values);
+    }
+}
+
+fn sphere(bodies: Bodies) -> Surface {
+    Surface::sphere(bodies, CellValue::Uniform)
+}
+
+fn spring(position: f64, stiffness: f64) -> TangentialControl {
+    TangentialControl::Spring {
+        position,
+        stiffness,
+    }
+}
+
+#[test]
+fn derivatives_of_scalar_model_match_differences() {
+    let force = TangentialLoad::force([0.6, 0.0]);
+    let shift = TangentialLoad::shift([0.06, 0.0]);
+    let pulled = force.along(Axis::X, spring(0.2, 8.0));
+    for (name, load) in [("force", force), ("shift", shift), ("spring", pulled)] {
+        let mut case = ShearCase::of(sphere(Bodies::Equal), 4.0, load);
+        case.model = TangentialModel::Scalar;
+        case.assert_differences(&format!("scalar, {name}"));
+    }
+}
+
+#[test]
+fn derivatives_of_vector_model_match_differences() {
+    let force = TangentialLoad::force([0.6, 0.3]);
+    let shift = TangentialLoad::shift([0.06, 0.02]);
+    let mixed = shift.along(Axis::Y, spring(0.2, 8.0));
+    for (name, load) in [("force", force), ("shift", shift), ("mixed", mixed)] {
+        let mut case = ShearCase::of(sphere(Bodies::Equal), 4.0, load);
+        case.assert_differences(&format!("vector, {name}"));
+        case.twist = 0.01;
+        case.strain = 0.005;
+        case.cap = Some(0.1);
+        case.assert_differences(&format!("vector with twist, strain and cap, {name}"));
+    }
+}
+
+/// Without friction on some cells, and on grids with other boundaries.
+#[test]
+fn derivatives_of_rough_contacts_match_differences() {
+    for boundary in kit::boundaries(Grid::square(32, 64.0).unwrap()) {
+        let surface = Surface::rough(Bodies::Equal, boundary);
+        let load = TangentialLoad::force([20.0, 8.0]);
+        let case = ShearCase::of(surface, 150.0, load);
+        case.assert_differences(&format!("rough, {boundary:?}"));
+    }
+}
+
+/// The pressure also moves the surfaces tangentially.
+#[test]
+fn derivatives_with_one_way_coupling_match_differences() {
+    for bodies in [Bodies::Homogeneous, Bodies::Coated] {
+        let load = TangentialLoad::force([0.4, 0.2]);
+        let mut case = ShearCase::of(sphere(bodies), 4.0, load);
+        case.assert_differences(&format!("one-way, vector, {bodies:?}"));
+        case.model = TangentialModel::Scalar;
+        case.load = TangentialLoad::shift([0.05, 0.0]);
+        case.assert_differences(&format!("one-way, scalar, {bodies:?}"));
+    }
+}
+
+/// A force at the friction capacity slides the contact, so that the shift has no derivative.
+#[test]
+fn sliding_contact_has_no_derivative() {
+    let mut case = ShearCase::of(
+        sphere(Bodies::Equal),
+        4.0,
+        TangentialLoad::force([1.2, 0.0]),
+    );
+    case.model = TangentialModel::Scalar;
+    let bodies = case.surface.bodies();
+    let (_, contact) = case.pressed(&bodies);
+    let (solver, shear) = case.sheared(&bodies, &contact);
+    assert!(shear.is_gross_slip());
+    let found = solver.sensitivity(&shear, &Functional::DissipatedEnergy);
+    assert!(matches!(found, Err(Error::NotFinite { .. })));
+}
+
+/// The derivative of the force with respect to the shift is the stiffness. Springs and forces are consistent with it.
+#[test]
+fn derivative_of_force_is_loading_stiffness() {
+    let load = TangentialLoad::shift([0.06, 0.02]);
+    let case = ShearCase::of(sphere(Bodies::Equal), 4.0, load);
+    let bodies = case.surface.bodies();
+    let (press, contact) = case.pressed(&bodies);
+    let (solver, shear) = case.sheared(&bodies, &contact);
+    let stiffness = shear.stiffness(&bodies).unwrap().loading;
+    let functionals = [Axis::X, Axis::Y].map(Functional::TangentialForce);
+    let found = solver.sensitivities(&shear, &functionals).unwrap();
+    for (row, found) in found.iter().enumerate() {
+        for column in [0, 1] {
+            let expected = stiffness[row][column].unwrap();
+            let error = found.tangential_load[column].unwrap() - expected;
+            assert!(error.abs() < 1e-9 * stiffness[0][0].unwrap(), "{error:e}");
+        }
+    }
+    let unsupported = press.chain(
+        &contact,
+        press
+            .sensitivities(&contact, &[Functional::Approach])
+            .unwrap(),
+    );
+    assert!(matches!(unsupported, Err(Error::UnsupportedByModel { .. })));
+    let unsupported = solver.sensitivity(&shear, &Functional::Approach);
+    assert!(matches!(unsupported, Err(Error::UnsupportedByModel { .. })));
+}
