@@ -15,9 +15,8 @@ use crate::tangential::{Axis, Zone};
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
 pub enum Functional {
-    /// Generalised mean of the pressure over the n contact cells, $`(\sum p^k / n)^{1/k}`$, with the exponent k >= 1. The mean
-    /// tends to the largest pressure P for large k, and lies between $`P\,n^{-1/k}`$ and P. The number n is constant in the
-    /// derivative.
+    /// Generalised mean of the pressure, weighted by the load: $`(\sum p^{k+1} / \sum p)^{1/k}`$ with the exponent k >= 1. The
+    /// mean tends to the largest pressure for large k. Cells that come into contact at pressure zero do not change it.
     PressureNorm {
         /// Exponent k, at least 1.
         exponent: f64,
@@ -42,7 +41,7 @@ pub enum Functional {
 }
 
 impl Functional {
-    /// Root mean square of the pressure over the contact.
+    /// Root mean square of the pressure, weighted by the load.
     pub const RMS_PRESSURE: Self = Self::PressureNorm { exponent: 2.0 };
 }
 
@@ -310,20 +309,14 @@ impl Functional {
                 if largest <= 0.0 {
                     return Ok(found);
                 }
-                let (sum, count): (f64, f64) = reduce::sum(layout, |i| {
-                    if pressure[i] > 0.0 {
-                        ((pressure[i] / largest).powf(*exponent), 1.0)
-                    } else {
-                        (0.0, 0.0)
-                    }
-                });
-                found.value = largest * (sum / count).powf(exponent.recip());
+                let ratio = |i: usize| (pressure[i] / largest).max(0.0);
+                let (powers, total): (f64, f64) =
+                    reduce::sum(layout, |i| (ratio(i).powf(exponent + 1.0), ratio(i)));
+                found.value = largest * (powers / total).powf(exponent.recip());
+                let factor = found.value / (exponent * largest);
                 found.pressure = filled(&|i| {
-                    if pressure[i] > 0.0 {
-                        (pressure[i] / found.value).powf(exponent - 1.0) / count
-                    } else {
-                        0.0
-                    }
+                    let power = (exponent + 1.0) * ratio(i).powf(*exponent) / powers;
+                    factor * (power - total.recip())
                 })?;
             }
             Self::NormalForce => {
