@@ -65,7 +65,8 @@ impl History {
         workspace: &mut StiffnessWorkspace,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<ContactStiffness> {
-        self.bodies.collective_result(self.state.check_current("stiffness"))?;
+        self.bodies
+            .collective_result(self.state.check_current("stiffness"))?;
         let contact = self.solved_contact(workspace.is_of_next_step());
         let pressing = (self.normal(), self.friction());
         if self.state.is_joint() {

@@ -6,7 +6,7 @@ use stickslip::history::Rolling;
 use stickslip::sensitivity::{Functional, Sensitivity};
 use stickslip::stiffness::StiffnessWorkspace;
 use stickslip::{
-    Axis, CellValue, Coupling, Error, History, Iteration, LoadStep, NormalControl,
+    Axis, CellValue, Coupling, Error, Friction, History, Iteration, LoadStep, NormalControl,
     TangentialControl, TangentialLoad, TangentialModel,
 };
 
@@ -168,7 +168,9 @@ fn steps_without_derivatives_return_errors() {
     let found = restored.sensitivity(&now.load(), &functional);
     assert!(matches!(found, Err(Error::NoLastStep)));
     let mut changed = history.clone();
-    changed.set_friction(&Friction::coulomb(0.7).unwrap()).unwrap();
+    changed
+        .set_friction(&Friction::coulomb(0.7).unwrap())
+        .unwrap();
     let found = changed.sensitivity(&now.load(), &functional);
     assert!(matches!(found, Err(Error::OutdatedSolution { .. })));
     let full = case(Bodies::Homogeneous, 4.0, load, TangentialModel::Vector);
