@@ -325,39 +325,6 @@ fn loop_of_force_and_shift_encloses_work_of_force() {
     assert!((energy.work / energy.dissipated_energy_midpoint - 1.0).abs() < 1e-4);
 }
 
-/// One step of a history from rest has the same result as the single problem. Several steps also have this result if
-/// the load does not reverse.
-#[test]
-fn step_from_rest_matches_the_single_problem() {
-    let found = shear_roller(256, 0.6 * FRICTION * LOAD, 150.0);
-    let grid = found.grid();
-    let boundary = Boundary::PeriodicAlongY { datum: 50.0 };
-    let bodies = HalfSpace::with_boundary(grid, *hertz().pair(), boundary).unwrap();
-    let gap = surface::cylinder(grid, RADIUS).unwrap();
-    let strain = [[steel().plane_strain_under(1.0), 0.0], [0.0; 2]];
-    let bulk = RelativeDisplacement::bulk_strain(grid, strain).unwrap();
-    for parts in [1, 5] {
-        let builder = History::builder(&bodies, &gap, friction()).tolerance(1e-11);
-        let mut history = builder.relative_displacement(bulk.clone()).build().unwrap();
-        let press = LoadStep::hold().normal(NormalLoad::Force(LOAD));
-        history.step(&press).unwrap();
-        for part in 1..=parts {
-            let part = f64::from(part) / f64::from(parts);
-            let force = part * 0.6 * FRICTION * LOAD;
-            let load = LoadStep::force([force, 0.0]).relative_displacement(part * 150.0);
-            history.step(&load).unwrap();
-        }
-        let [a, b] = [history.traction()[0], found.traction()[0]].map(Field::as_slice);
-        let scale = FRICTION * hertz().max_pressure();
-        assert!(
-            max_difference(a, b) < 1e-6 * scale,
-            "{:e}",
-            max_difference(a, b) / scale
-        );
-        assert!((history.shift()[0] / found.shift()[0] - 1.0).abs() < 1e-7);
-    }
-}
-
 #[test]
 fn relative_displacement_on_wrong_grid_or_axis_is_rejected() {
     let grid = Grid::square(8, 4.0).unwrap();

@@ -7,12 +7,9 @@ use kit::{Random, rough, thorough, unit_bodies};
 use stickslip::Iteration;
 use stickslip::cgm::{self, AbsBound, Method, NonNegative, Problem};
 use stickslip::influence::Component;
-use stickslip::normal::Hardness;
-use stickslip::rolling::{RollingControl, RollingProblem};
 use stickslip::{
-    Axis, Boundary, CoupledProblem, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace,
-    History, LoadStep, Material, NormalLoad, NormalProblem, Status, TangentialControl,
-    TangentialLoad, TangentialModel, TangentialProblem, surface,
+    Axis, Boundary, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
+    LoadStep, Material, NormalLoad, Status, TangentialControl, TangentialModel, surface,
 };
 
 type Observer<'a> = &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send);
@@ -164,89 +161,6 @@ fn history_cancelled_step_of_random_loads_is_not_taken() {
                 assert_steps_cancelled(&mut history, &[step]);
             }
         }
-    }
-}
-
-/// A solution also reports how its solve ended.
-#[test]
-fn solver_cancelled_reports_cancellation() {
-    let (grid, gap) = sphere_gap(thorough(16, 48));
-    let stride = thorough(2, 1);
-    let bodies = unit_bodies(grid, 0.3);
-    for (load, method) in [
-        (NormalLoad::Force(0.2), Method::ActiveSet),
-        (NormalLoad::Force(0.2), Method::PolonskyKeer),
-        (NormalLoad::Approach(0.05), Method::ActiveSet),
-    ] {
-        let problem = NormalProblem::builder(&bodies, &gap, load).method(method);
-        let problem = problem
-            .hardness(Hardness::uniform(0.3).unwrap())
-            .build()
-            .unwrap();
-        let solve = |observer: Observer<'_>| {
-            let mut solver = problem.clone().into_solver().unwrap();
-            let mut solution = solver.new_solution();
-            let outcome = solver.solve_observed(&mut solution, observer);
-            assert_eq!(solution.report().is_converged(), outcome.is_ok());
-            outcome
-        };
-        assert_cancelled(stride, solve);
-    }
-    let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(0.2));
-    let normal = kit::solve(problem);
-    for (load, model) in [
-        (TangentialLoad::force([0.03, 0.0]), TangentialModel::Scalar),
-        (TangentialLoad::force([0.06, 0.0]), TangentialModel::Vector),
-        (TangentialLoad::force([0.02, 0.03]), TangentialModel::Vector),
-        (TangentialLoad::shift([10.0, 0.0]), TangentialModel::Scalar),
-    ] {
-        let problem =
-            TangentialProblem::builder(&bodies, &normal, coulomb_friction(), load).model(model);
-        let problem = problem.build().unwrap();
-        let solve = |observer: Observer<'_>| {
-            let mut solver = problem.clone().into_solver().unwrap();
-            let mut solution = solver.new_solution();
-            let outcome = solver.solve_observed(&mut solution, observer);
-            assert_eq!(solution.report().is_converged(), outcome.is_ok());
-            outcome
-        };
-        assert_cancelled(stride, solve);
-    }
-    for spin in [0.0, 0.05] {
-        let builder = RollingProblem::builder(&bodies, &normal, coulomb_friction());
-        let problem = builder.creepage([0.05, 0.0]).build().unwrap();
-        let solve = |observer: Observer<'_>| {
-            let mut solver = problem.clone().into_solver().unwrap();
-            let controls = [RollingControl::Creepage(0.02), RollingControl::Force(0.01)];
-            solver.set_load(controls, spin).unwrap();
-            let mut solution = solver.new_solution();
-            let outcome = solver.solve_observed(&mut solution, observer);
-            assert_eq!(solution.report().is_converged(), outcome.is_ok());
-            outcome
-        };
-        assert_cancelled(stride, solve);
-    }
-}
-
-#[test]
-fn coupled_solver_cancelled_reports_cancellation() {
-    let (grid, gap) = sphere_gap(thorough(10, 44));
-    let bodies = coupled_bodies(grid);
-    for load in [
-        TangentialLoad::force([0.03, 0.0]),
-        TangentialLoad::shift([0.02, 0.0]),
-    ] {
-        let control = NormalLoad::Force(0.2);
-        let problem = CoupledProblem::builder(&bodies, &gap, coulomb_friction(), control, load);
-        let problem = problem.build().unwrap();
-        let solve = |observer: Observer<'_>| {
-            let mut solver = problem.clone().into_solver().unwrap();
-            let mut solution = solver.new_solution();
-            let outcome = solver.solve_observed(&mut solution, observer);
-            assert_eq!(solution.report().is_converged(), outcome.is_ok());
-            outcome
-        };
-        assert_cancelled(thorough(2, 1), solve);
     }
 }
 

@@ -2,13 +2,13 @@
 //! code, and error bounds.
 
 use kit::contact::Case;
-use kit::{Random, l2_difference, max_difference, rough, unit_bodies};
+use kit::{Random, max_difference, rough};
 use stickslip::influence::Component;
 use stickslip::influence::Direction::{X, Y, Z};
 use stickslip::{
     Axis, Boundary, CoupledProblem, CoupledSolution, ElasticPair, Error, Field, Friction, Grid,
     HalfSpace, Material, NormalLoad, NormalProblem, Operator, Status, TangentialControl,
-    TangentialLoad, TangentialModel, TangentialProblem, cgm, surface,
+    TangentialLoad, cgm, surface,
 };
 
 /// Stick ratios (ratios of the radii) to which the coefficients of [`FRICTION`] lead.
@@ -164,96 +164,6 @@ fn flat_punch_matches_contact_code() {
     assert!((found.normal().approach() / step.approach - 1.0).abs() < 1e-9);
     let energy = step.elastic_energy.unwrap();
     assert!((found.elastic_energy() / energy - 1.0).abs() < 1e-8);
-}
-
-/// Without coupling, the coupled problem reduces to the normal problem followed by the tangential problem. This applies
-/// to equal bodies, and to different moduli whose coupling cancels.
-#[test]
-fn uncoupled_bodies_match_separate_solves() {
-    let grid = Grid::square(32, 2.6).unwrap();
-    let other = Material::from_shear_modulus(3.0, 0.2).unwrap();
-    let cancelling = {
-        // The ratio (1 - 2 nu) / G equals the ratio of the other body.
-        let nu = 0.35;
-        let modulus = 3.0 * (1.0 - 2.0 * nu) / (1.0 - 0.4);
-        ElasticPair::new(Material::from_shear_modulus(modulus, nu).unwrap(), other).unwrap()
-    };
-    for (bodies, gap) in [
-        (unit_bodies(grid, 0.3), surface::sphere(grid, 8.0).unwrap()),
-        (
-            HalfSpace::new(grid, cancelling).unwrap(),
-            surface::sphere(grid, 8.0).unwrap(),
-        ),
-        (unit_bodies(grid, 0.3), rough(grid, 3)),
-    ] {
-        assert!(bodies.pair().dundurs_beta().abs() < 1e-15);
-        let press = NormalLoad::Force(0.15 * bodies.pair().contact_modulus());
-        let (tolerance, coefficient) = (1e-11, 0.3);
-        let force = 0.6 * coefficient * 0.15 * bodies.pair().contact_modulus();
-        let load = TangentialLoad::force([0.8 * force, 0.6 * force]);
-        let found = solve(&bodies, &gap, coefficient, press, load, tolerance);
-        let normal = NormalProblem::builder(&bodies, &gap, press).tolerance(tolerance);
-        let normal = kit::solve(normal);
-        let friction = Friction::coulomb(coefficient).unwrap();
-        let shear = TangentialProblem::builder(&bodies, &normal, friction, load)
-            .model(TangentialModel::Vector)
-            .tolerance(tolerance);
-        let shear = kit::solve(shear);
-        assert!(
-            l2_difference(
-                found.normal().pressure().as_slice(),
-                normal.pressure().as_slice()
-            ) < 1e-8
-        );
-        for axis in 0..2 {
-            let [a, b] =
-                [found.tangential().traction()[axis], shear.traction()[axis]].map(Field::as_slice);
-            assert!(max_difference(a, b) < 1e-8 * normal.pressure().max());
-        }
-        assert_eq!(found.tangential().zones(), shear.zones());
-        assert!((found.tangential().shift()[0] / shear.shift()[0] - 1.0).abs() < 1e-8);
-        assert!((found.normal().approach() / normal.approach() - 1.0).abs() < 1e-9);
-    }
-}
-
-/// Shift, force and spring controls that describe the same state lead to this state, and so do approach and force
-/// controls.
-#[test]
-fn controls_of_the_same_state_are_equivalent() {
-    let grid = Grid::square(28, 2.6).unwrap();
-    let bodies = HalfSpace::new(grid, against_rigid(0.35)).unwrap();
-    let gap = surface::ellipsoid(grid, 8.0, 5.0).unwrap();
-    let load = TangentialLoad::force([0.02, -0.01]).twist(0.01);
-    let found = solve(&bodies, &gap, 0.5, NormalLoad::Force(0.1), load, 1e-12);
-    let (stiffness, [x, y]) = (0.4, found.tangential().shift());
-    let spring = |shift: f64, force: f64| TangentialControl::Spring {
-        position: shift + force / stiffness,
-        stiffness,
-    };
-    let sheared = TangentialLoad::shift([x, y]).twist(0.01);
-    for (normal, load) in [
-        (NormalLoad::Approach(found.normal().approach()), load),
-        (NormalLoad::Force(0.1), sheared),
-        (NormalLoad::Approach(found.normal().approach()), sheared),
-        (
-            NormalLoad::Force(0.1),
-            load.along(Axis::X, spring(x, 0.02))
-                .along(Axis::Y, spring(y, -0.01)),
-        ),
-    ] {
-        let again = solve(&bodies, &gap, 0.5, normal, load, 1e-12);
-        assert!((again.normal().force() / 0.1 - 1.0).abs() < 1e-10);
-        assert!(
-            (again.tangential().force()[0] - 0.02).abs() < 1e-11
-                && (again.tangential().force()[1] + 0.01).abs() < 1e-11
-        );
-        assert!((again.tangential().shift()[0] / x - 1.0).abs() < 1e-9);
-        let error = l2_difference(
-            again.tangential().traction()[0].as_slice(),
-            found.tangential().traction()[0].as_slice(),
-        );
-        assert!(error < 1e-9, "{error:e}");
-    }
 }
 
 /// If one half is solved again accurately with the other half fixed, the change of this half is within its bound.

@@ -5,15 +5,14 @@
 use proptest::prelude::*;
 use stickslip::analytical::{BentallJohnson, HertzLine};
 use stickslip::history::{EntryRule, Rolling};
-use stickslip::influence::Direction;
 use stickslip::rolling::{
     CoupledRollingProblem, CoupledRollingProblemBuilder, CoupledRollingSolution, LeadingEdge,
     RollingControl, RollingProblem,
 };
 use stickslip::{
     Axis, Boundary, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
-    LoadStep, Material, NormalLoad, NormalProblem, Operator, Status, TangentialModel, Warning,
-    Zone, surface,
+    LoadStep, Material, NormalLoad, NormalProblem, Operator, TangentialModel, Warning, Zone,
+    surface,
 };
 
 fn against_rigid(grid: Grid, poisson_ratio: f64) -> HalfSpace {
@@ -92,76 +91,6 @@ fn coupled_rollers_match_printed_digits_of_contact() {
     }
 }
 
-/// Computes two residuals with the operator of all three directions. The residual of the gap is relative to the largest
-/// normal displacement. The residual of the slip is relative to the friction limit times the largest motion.
-fn residuals(
-    bodies: &HalfSpace,
-    initial: &Field,
-    coefficient: f64,
-    solution: &CoupledRollingSolution,
-) -> [f64; 2] {
-    let (grid, normal, rolling) = (bodies.grid(), solution.normal(), solution.rolling());
-    let operator = bodies
-        .tensor_operator([Direction::X, Direction::Y, Direction::Z])
-        .unwrap();
-    let ([x, y], p) = (
-        rolling.traction().map(Field::as_slice),
-        normal.pressure().as_slice(),
-    );
-    let mut moved = [(); 3].map(|()| vec![0.0; grid.cells()]);
-    operator.apply(
-        [x, y, p],
-        moved.each_mut().map(|part| &mut part[..]),
-        &mut operator.scratch().unwrap(),
-    );
-    let largest = |part: &[f64]| part.iter().fold(0.0, |a: f64, u| a.max(u.abs()));
-    let (dx, [xi, eta]) = (grid.dx(), rolling.creepage());
-    let most = xi.hypot(eta) * dx + 0.1 * largest(&moved[0]).max(largest(&moved[1]));
-    let [mut of_gap, mut of_slip] = [0.0_f64; 2];
-    for cell in 0..grid.cells() {
-        let gap = initial.as_slice()[cell] + moved[2][cell] - normal.approach();
-        of_gap = of_gap.max(if p[cell] > 0.0 { gap.abs() } else { -gap });
-        let (q, limit) = ([x[cell], y[cell]], coefficient * p[cell]);
-        if p[cell] == 0.0 {
-            assert_eq!(q, [0.0; 2]);
-            continue;
-        }
-        let (at_x, at_y) = (
-            grid.x(cell % grid.nx()) + 0.5 * dx,
-            grid.y(cell / grid.nx()),
-        );
-        let creep = [xi - rolling.spin() * at_y, eta + rolling.spin() * at_x];
-        let slip = [0, 1].map(|axis| moved[axis][cell] - moved[axis][cell + 1] - dx * creep[axis]);
-        let size = slip[0].hypot(slip[1]);
-        assert!(q[0].hypot(q[1]) <= limit * (1.0 + 1e-12));
-        of_slip = of_slip.max(if rolling.zones()[cell] == Zone::Stick {
-            size / most
-        } else {
-            (q[0] * slip[0] + q[1] * slip[1] + limit * size).abs() / (most * limit)
-        });
-    }
-    [of_gap / largest(&moved[2]), of_slip]
-}
-
-#[test]
-fn coupled_rolling_satisfies_its_equations() {
-    for (poisson_ratio, coefficient) in [(0.0, 0.3), (0.0, 1.0), (0.25, 1.0), (0.45, 0.1)] {
-        let pressed = ball_problem(24, poisson_ratio);
-        let creepages = kit::thorough(&[[0.05, 0.0]][..], &[[0.0; 2], [0.05, 0.0], [0.3, 0.1]][..]);
-        for creepage in creepages {
-            let rolling = solve(
-                coupled_builder(&pressed, coefficient)
-                    .creepage(*creepage)
-                    .spin(0.1)
-                    .entry_rule(EntryRule::WholeStep)
-                    .tolerance(1e-9),
-            );
-            let found = residuals(&pressed.0, &pressed.1, coefficient, &rolling);
-            assert!(found[0] < 1e-9 && found[1] < 1e-6, "{found:?}");
-        }
-    }
-}
-
 /// Returns the energy norm of the difference of two pressures, relative to the energy norm of the second.
 fn pressure_error(bodies: &HalfSpace, found: &Field, exact: &Field) -> f64 {
     let operator = bodies
@@ -214,33 +143,6 @@ proptest! {
         let estimate = rough.report().error_estimate.unwrap();
         prop_assert!(error <= estimate + 1e-9, "{error:e} {estimate:e}");
     }
-}
-
-#[test]
-fn uncoupled_bodies_match_separate_solves_bitwise() {
-    let grid = Grid::square(24, 2.6).unwrap();
-    let body = Material::from_shear_modulus(1.0, 0.3).unwrap();
-    let bodies = HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap();
-    let (gap, load) = (surface::sphere(grid, 1.0).unwrap(), NormalLoad::Force(0.9));
-    let friction = Friction::coulomb(0.3).unwrap();
-    let normal = kit::solve(NormalProblem::builder(&bodies, &gap, load));
-    let alone = kit::solve(
-        RollingProblem::builder(&bodies, &normal, friction)
-            .creepage([0.1, 0.03])
-            .spin(0.05),
-    );
-    let both = solve(
-        coupled_builder(&(bodies, gap, load), 0.3)
-            .creepage([0.1, 0.03])
-            .spin(0.05),
-    );
-    assert_eq!(both.normal(), &normal);
-    assert_eq!(both.rolling().traction(), alone.traction());
-    assert_eq!(both.rolling().slip(), alone.slip());
-    assert_eq!(
-        (both.report().passes, both.report().coupling_residual),
-        (1, 0.0)
-    );
 }
 
 /// The derivatives include the changes of the pressure and of the friction limits, and the entry rule.
@@ -391,38 +293,6 @@ fn coupled_rolling_solver_starts_from_last_solution() {
     solver.solve_into(&mut again).unwrap();
     let [found, expected] = [&rolling, &again].map(|rolling| rolling.rolling().force()[0]);
     assert!((found - expected).abs() < 1e-8, "{found} {expected}");
-}
-
-#[test]
-fn coupled_rolling_not_converged_is_error_with_last_iterate() {
-    let pressed = ball_problem(20, 0.0);
-    let problem = coupled_builder(&pressed, 0.3)
-        .max_iterations(40)
-        .build()
-        .unwrap();
-    let mut solver = problem.into_solver().unwrap();
-    let mut rolling = solver.new_solution();
-    let outcome = solver.solve_into(&mut rolling);
-    let Err(Error::NotConverged(report)) = outcome else {
-        panic!("{outcome:?}");
-    };
-    assert_eq!(report.status, Status::IterationLimit);
-    assert!(!rolling.report().is_converged() && !rolling.normal().report().is_converged());
-    assert!(!rolling.rolling().report().is_converged());
-    assert!(
-        (rolling.normal().force() / 4.0 * 3.0 / pressed.0.pair().contact_modulus() - 1.0).abs()
-            < 1e-2
-    );
-    let mut calls = 0;
-    let outcome = solver.solve_observed(&mut rolling, |_| {
-        calls += 1;
-        if calls > 30 {
-            std::ops::ControlFlow::Break(())
-        } else {
-            std::ops::ControlFlow::Continue(())
-        }
-    });
-    kit::assert_refused! { outcome => Error::NotConverged(report) if report.status == Status::Cancelled }
 }
 
 #[test]

@@ -182,7 +182,7 @@ fn history_after_failed_steps_is_bitwise_identical() {
             let load = scene.load(step, &POSE);
             let mut last = 1;
             loop {
-                let (mut calls, panics) = (0, last % 2 == 0);
+                let (mut calls, panics) = (0, stopped % 2 == 1);
                 let observer = |_: &Iteration| {
                     calls += 1;
                     match calls == last {
@@ -203,7 +203,7 @@ fn history_after_failed_steps_is_bitwise_identical() {
                 check_equal(&history.to_bytes(), &before, || {
                     format!("step {number}, stopped at call {last}")
                 })?;
-                last += kit::thorough(3, 1);
+                last += kit::thorough(8, 1);
             }
             scene.wear(&mut history, &POSE);
             scene.take(&mut twin, step, &POSE);
@@ -345,7 +345,7 @@ fn history_on_any_number_of_threads_is_bitwise_identical() {
 
 /// Returns scenes that together cover every boundary, model, coupling and type of memory. In the campaign it returns
 /// all scenes.
-fn some_scenes() -> Vec<Scene> {
+pub(crate) fn some_scenes() -> Vec<Scene> {
     let chosen = [
         "rows",
         "strained line",

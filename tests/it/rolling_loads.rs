@@ -3,7 +3,6 @@
 
 use std::ops::ControlFlow;
 
-use stickslip::cgm::Settings;
 use stickslip::rolling::{
     LeadingEdge, RollingControl, RollingProblem, RollingProblemBuilder, SpinControl,
 };
@@ -254,28 +253,6 @@ fn rolling_solves_take_few_products() {
     }
 }
 
-#[test]
-fn interrupted_solve_can_be_continued() {
-    let scene = RollingSphere::across(20);
-    let point = [0.8, 0.2, 0.3];
-    let problem = scene.at(point).max_iterations(12).build().unwrap();
-    let mut solver = problem.into_solver().unwrap();
-    let mut rolling = solver.new_solution();
-    let cut = solver.solve_into(&mut rolling);
-    assert!(matches!(cut, Err(Error::NotConverged(_))) && !rolling.report().is_converged());
-    solver
-        .set_settings(Settings::default().tolerance(1e-11))
-        .unwrap();
-    solver.solve_into(&mut rolling).unwrap();
-    let [x, y, moment] = scene.loads(point);
-    let found = [
-        rolling.force()[0] - x,
-        rolling.force()[1] - y,
-        rolling.moment() - moment,
-    ];
-    assert!(found.iter().all(|error| error.abs() < 1e-9 * scene.limit));
-}
-
 /// The result equals the result of a solver built with the new friction, and loads beyond the new friction limit are
 /// rejected.
 #[test]
@@ -338,23 +315,6 @@ fn friction_can_change_by_any_factor() {
         }
         assert!(*rolling.zones() == *zones, "{coefficient:e}");
     }
-}
-
-#[test]
-fn reset_solver_matches_new_solver() {
-    let scene = RollingSphere::across(16);
-    let make = || kit::solver(scene.at([0.7, 0.1, 0.2]));
-    let (mut used, mut new) = (make(), make());
-    let (mut again, mut first) = (used.new_solution(), new.new_solution());
-    let sticking = new.stiffness().unwrap();
-    used.solve_into(&mut again).unwrap();
-    assert_ne!(used.stiffness().unwrap(), sticking);
-    used.reset();
-    assert_eq!(used.stiffness().unwrap(), sticking);
-    used.solve_into(&mut again).unwrap();
-    new.solve_into(&mut first).unwrap();
-    assert_eq!(again.traction(), first.traction());
-    assert_eq!(again.report().products(), first.report().products());
 }
 
 /// Far beyond sliding, a larger creepage does not increase the force along this creepage. A creepage across the force

@@ -2,11 +2,10 @@
 
 use kit::unit_bodies;
 use stickslip::normal::Hardness;
-use stickslip::rolling::{CoupledRollingProblem, RollingControl, RollingProblem};
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
-    Axis, Contact, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material,
-    NormalLoad, NormalProblem, Solver, Status, TangentialLoad, TangentialProblem, surface,
+    CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalLoad,
+    NormalProblem, TangentialLoad, surface,
 };
 
 fn friction() -> Friction {
@@ -19,52 +18,6 @@ fn dissimilar(grid: Grid) -> (HalfSpace, Field) {
         HalfSpace::new(grid, pair).unwrap(),
         surface::sphere(grid, 10.0).unwrap(),
     )
-}
-
-/// Solves with a new tolerance, and returns the report of the solver.
-fn solve_to<P: Contact>(solver: &mut Solver<P>, tolerance: f64) -> (P::Solution, P::Report) {
-    let settings = solver.settings().tolerance(tolerance);
-    solver.set_settings(settings).unwrap();
-    let mut solution = solver.new_solution();
-    solver.solve_into(&mut solution).unwrap();
-    let report = solver.report().clone();
-    solver.reset();
-    let mut again = solver.try_new_solution().unwrap();
-    solver.solve_into(&mut again).unwrap();
-    assert_eq!(solution, again, "the solution after a reset");
-    (solution, report)
-}
-
-#[test]
-fn solvers_of_all_kinds_return_report_of_their_solution() {
-    let (bodies, gap) = dissimilar(Grid::square(24, 3.0).unwrap());
-    let (press, drag) = (NormalLoad::Force(0.1), TangentialLoad::force([0.01, 0.0]));
-    let normal = NormalProblem::builder(&bodies, &gap, press);
-    let mut solver = normal.build().unwrap().into_solver().unwrap();
-    assert_eq!(solver.report().status, Status::Unsolved);
-    let (contact, report) = solve_to(&mut solver, 1e-7);
-    assert_eq!(&report, contact.report());
-
-    let tangential = TangentialProblem::builder(&bodies, &contact, friction(), drag);
-    let mut solver = tangential.build().unwrap().into_solver().unwrap();
-    let (sheared, report) = solve_to(&mut solver, 1e-7);
-    assert_eq!(&report, sheared.report());
-
-    let coupled = CoupledProblem::builder(&bodies, &gap, friction(), press, drag);
-    let mut solver = coupled.build().unwrap().into_solver().unwrap();
-    let (both, report) = solve_to(&mut solver, 1e-7);
-    assert_eq!(&report, both.report());
-
-    let force = RollingControl::Force(0.01);
-    let rolling = RollingProblem::builder(&bodies, &contact, friction()).control(Axis::X, force);
-    let mut solver = rolling.build().unwrap().into_solver().unwrap();
-    let (rolled, report) = solve_to(&mut solver, 1e-7);
-    assert_eq!(&report, rolled.report());
-
-    let rolling = CoupledRollingProblem::builder(&bodies, &gap, friction(), press);
-    let rolling = rolling.control(Axis::X, force).build().unwrap();
-    let (rolled, report) = solve_to(&mut rolling.into_solver().unwrap(), 1e-7);
-    assert_eq!(&report, rolled.report());
 }
 
 #[test]

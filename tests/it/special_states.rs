@@ -1,16 +1,13 @@
 //! Special states of a contact, and the outcomes of a solve.
 
-use std::ops::ControlFlow;
-use std::time::Duration;
-
-use kit::{Table2, max_abs, rough, unit_bodies};
+use kit::{Table2, max_abs, unit_bodies};
+use stickslip::Status;
 use stickslip::cgm::{self, AbsBound, Method, Problem, Settings};
 use stickslip::influence::Component;
 use stickslip::{
     Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
-    NormalSolver, TangentialLoad, TangentialModel, TangentialProblem, Warning, Zone, surface,
+    NormalSolver, TangentialLoad, TangentialProblem, Warning, Zone, surface,
 };
-use stickslip::{Iteration, Status};
 
 fn table_2(n: usize) -> (HalfSpace, NormalSolution) {
     let grid = Grid::square(n, 2.6 * Table2::CONTACT_RADIUS).unwrap();
@@ -257,66 +254,6 @@ fn single_contact_cell_is_solved() {
 }
 
 #[test]
-fn limits_and_cancellation_leave_feasible_iterate_with_status() {
-    let grid = Grid::square(64, 100.0).unwrap();
-    let bodies = unit_bodies(grid, 0.3);
-    let gap = rough(grid, 9);
-    for method in [Method::ActiveSet, Method::PolonskyKeer] {
-        let builder = || {
-            NormalProblem::builder(&bodies, &gap, NormalLoad::Force(15.0))
-                .method(method)
-                .tolerance(1e-10)
-        };
-        let mut limited = kit::solver(builder().max_iterations(3));
-        let mut timed = kit::solver(builder().time_limit(Duration::ZERO));
-        let mut cancelled = kit::solver(builder());
-        let mut solution = limited.new_solution();
-        let mut seen = 0;
-        let outcomes = [
-            (
-                limited.solve_into(&mut solution),
-                Status::IterationLimit,
-                solution.clone(),
-            ),
-            (
-                timed.solve_into(&mut solution),
-                Status::TimeLimit,
-                solution.clone(),
-            ),
-            {
-                let outcome = cancelled.solve_observed(&mut solution, |iteration| {
-                    seen += 1;
-                    assert!(iteration.double_precision_products <= 2 * seen + 2);
-                    if seen < 5 {
-                        ControlFlow::Continue(())
-                    } else {
-                        ControlFlow::Break(())
-                    }
-                });
-                (outcome, Status::Cancelled, solution.clone())
-            },
-        ];
-        for (outcome, status, iterate) in outcomes {
-            let Err(Error::NotConverged(report)) = outcome else {
-                panic!("{method:?} must not converge here");
-            };
-            assert_eq!(report.status, status);
-            assert_eq!(iterate.report(), &*report);
-            assert!(report.residual > 1e-10 && report.energy_error_bound() > 1e-10);
-            assert!(iterate.pressure().min() >= 0.0);
-            assert!(
-                (iterate.force() / 15.0 - 1.0).abs() < 1e-12,
-                "{method:?} {status:?}"
-            );
-        }
-        assert_eq!(seen, 5);
-        // Without the observer the same solver continues from the iterate at which it was stopped.
-        cancelled.solve_into(&mut solution).unwrap();
-        assert!(solution.report().is_converged());
-    }
-}
-
-#[test]
 fn tolerance_below_round_off_stalls() {
     let (bodies, _) = table_2(32);
     let ball = surface::sphere(bodies.grid(), Table2::RADIUS).unwrap();
@@ -332,85 +269,6 @@ fn tolerance_below_round_off_stalls() {
             report.residual < 1e-13 && report.energy_error_bound() < 1e-12,
             "{report}"
         );
-    }
-}
-
-#[test]
-fn warm_start_changes_cost_only() {
-    let grid = Grid::square(64, 100.0).unwrap();
-    let bodies = unit_bodies(grid, 0.3);
-    let gap = rough(grid, 10);
-    let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(15.0))
-        .build()
-        .unwrap();
-    let cold = problem.solve().unwrap();
-    let mut solver = problem.into_solver().unwrap();
-    let mut solution = solver.new_solution();
-    for force in [1.0, 40.0, 15.3, 15.0] {
-        solver.set_load(NormalLoad::Force(force)).unwrap();
-        solver.solve_into(&mut solution).unwrap();
-    }
-    assert!(kit::l2_difference(solution.pressure().as_slice(), cold.pressure().as_slice()) < 1e-7);
-    assert!(solution.report().iterations < cold.report().iterations);
-    solver.reset();
-    solver.solve_into(&mut solution).unwrap();
-    assert_eq!(solution.pressure(), cold.pressure());
-}
-
-/// Returns an observer that stores the first iteration it receives.
-fn keep_first(
-    kept: &mut Option<Iteration>,
-) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send + '_ {
-    |step| {
-        kept.get_or_insert(*step);
-        ControlFlow::Continue(())
-    }
-}
-
-/// Before its first product a solve has no values to report. It must not report the values of the previous solve.
-#[test]
-fn observer_receives_nothing_of_previous_solve() {
-    let grid = Grid::square(48, 100.0).unwrap();
-    let bodies = unit_bodies(grid, 0.3);
-    let gap = rough(grid, 10);
-    let assert_blank = |first: Option<Iteration>| {
-        let first = first.unwrap();
-        assert_eq!(
-            (first.iteration, first.double_precision_products, first.free),
-            (0, 0, 0)
-        );
-        assert!(first.residual.is_infinite());
-    };
-    for method in [Method::ActiveSet, Method::PolonskyKeer] {
-        let builder = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(15.0));
-        let mut press = kit::solver(builder.method(method));
-        let mut normal = press.new_solution();
-        press.solve_into(&mut normal).unwrap();
-        let mut first = None;
-        press.set_load(NormalLoad::Force(16.0)).unwrap();
-        press
-            .solve_observed(&mut normal, keep_first(&mut first))
-            .unwrap();
-        assert_blank(first);
-        for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
-            let friction = Friction::coulomb(0.5).unwrap();
-            let load = |force| TangentialLoad::force([force, 0.0]);
-            let builder = TangentialProblem::builder(&bodies, &normal, friction, load(3.0));
-            let builder = builder.model(lateral);
-            let builder = match lateral {
-                TangentialModel::Scalar => builder.method(method),
-                _ => builder,
-            };
-            let mut shear = kit::solver(builder);
-            let mut solution = shear.new_solution();
-            shear.solve_into(&mut solution).unwrap();
-            let mut first = None;
-            shear.set_load(load(4.0)).unwrap();
-            shear
-                .solve_observed(&mut solution, keep_first(&mut first))
-                .unwrap();
-            assert_blank(first);
-        }
     }
 }
 

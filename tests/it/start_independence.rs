@@ -1,14 +1,10 @@
 //! A nested start and a window around the contact save work without changing the solution. The solution equals the
 //! solution of a single loop over the whole grid that starts without coarser grids.
 
-use std::ops::ControlFlow;
-use std::time::Duration;
-
 use kit::{Random, l2_difference, press, rough, shear, unit_bodies};
-use stickslip::Status;
 use stickslip::cgm::Method;
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, TangentialLoad,
+    Axis, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, TangentialLoad,
     TangentialProblem, Zone, surface,
 };
 
@@ -164,59 +160,6 @@ fn rough_gaps_and_load_beyond_window_match_plain_loop() {
         let error = l2_difference(solution.pressure().as_slice(), plain.pressure().as_slice());
         assert!(error < 1e-6, "{force}: {error:e}");
     }
-}
-
-/// If the solve is stopped, during the coarse start or later, the iterate is feasible and has its status.
-#[test]
-fn stopped_nested_start_leaves_feasible_iterate() {
-    let grid = Grid::square(120, 100.0).unwrap();
-    let bodies = unit_bodies(grid, 0.3);
-    let gap = rough(grid, 9);
-    let normal = press(&bodies, &gap, NormalLoad::Force(20.0), TOLERANCE);
-    let friction = Friction::coulomb(0.4).unwrap();
-    let load = TangentialLoad::force([4.0, 0.0]);
-    for calls in [0, 1, 5, 12, 30] {
-        let press = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(20.0));
-        let mut press = kit::solver(press);
-        let mut pressed = press.new_solution();
-        let mut left = calls;
-        let outcome = press.solve_observed(&mut pressed, |_| stop_after(&mut left));
-        let Err(Error::NotConverged(report)) = outcome else {
-            panic!("stopped after {calls} calls: {outcome:?}");
-        };
-        assert_eq!(report.status, Status::Cancelled);
-        assert!((pressed.force() / 20.0 - 1.0).abs() < 1e-11 && pressed.pressure().min() >= 0.0);
-
-        let shear = TangentialProblem::builder(&bodies, &normal, friction.clone(), load);
-        let mut shear = kit::solver(shear);
-        let mut sheared = shear.new_solution();
-        let mut left = calls;
-        let outcome = shear.solve_observed(&mut sheared, |_| stop_after(&mut left));
-        let Err(Error::NotConverged(report)) = outcome else {
-            panic!("stopped after {calls} calls: {outcome:?}");
-        };
-        assert_eq!(report.status, Status::Cancelled);
-        assert!((sheared.force()[0] / 4.0 - 1.0).abs() < 1e-11);
-        let limits = normal.pressure().as_slice().iter().map(|p| 0.4 * p);
-        let tractions = sheared.traction()[0].as_slice().iter();
-        assert!(tractions.zip(limits).all(|(q, limit)| q.abs() <= limit));
-        // Without the observer the same solver continues and converges.
-        shear.solve_into(&mut sheared).unwrap();
-    }
-    let limited =
-        NormalProblem::builder(&bodies, &gap, NormalLoad::Force(20.0)).time_limit(Duration::ZERO);
-    let Err(Error::NotConverged(report)) = limited.build().unwrap().solve() else {
-        panic!("a solve without any time must not converge");
-    };
-    assert_eq!(report.status, Status::TimeLimit);
-}
-
-fn stop_after(left: &mut usize) -> ControlFlow<()> {
-    if *left == 0 {
-        return ControlFlow::Break(());
-    }
-    *left -= 1;
-    ControlFlow::Continue(())
 }
 
 /// Between two loads along y the solver solves a zero load under a different pressure. The axis must not change.
