@@ -4,13 +4,13 @@
 use kit::refusal::Rule::{Finite, NonNegative, Positive};
 use kit::refusal::assert_checked;
 use kit::unit_pair;
+use stickslip::Error;
 use stickslip::analytical::{
     BentallJohnson, Carter, CattaneoMindlin, CattaneoMindlinEllipse, CattaneoMindlinLine, Cone,
     ConePartialSlip, FlatPunch, HertzEllipse, HertzLine, HertzSphere, KalkerCoefficients,
     LubkinTorsion, MindlinDeresiewicz, MindlinFullStick, Persson, PopovLimitingShape, RoughSphere,
     RoundedPunch, VermeulenJohnson, Westergaard, WestergaardPartialSlip, linear_stick_ratio,
 };
-use stickslip::{ElasticPair, Error, Material};
 
 #[test]
 fn normal_contacts_reject_invalid_parameters() {
@@ -95,7 +95,7 @@ fn rolling_contacts_reject_invalid_parameters() {
         carter(value, 1e-3)
     });
     assert_checked("creepage", Finite, |value| carter(0.3, value));
-    let soft = ElasticPair::new(Material::new(1.0, 0.1).unwrap(), Material::rigid()).unwrap();
+    let soft = kit::on_rigid(1.0, 0.1);
     let hertz = HertzLine::new(&soft, 2.0, 1e-3).unwrap();
     assert_checked("coefficient of friction", NonNegative, |value| {
         let free = BentallJohnson::new(hertz, value)?;

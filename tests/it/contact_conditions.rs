@@ -3,8 +3,7 @@
 use kit::{Random, l2_difference};
 use proptest::prelude::*;
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalSolution,
-    TangentialLoad, TangentialSolution, Zone,
+    Field, Grid, HalfSpace, NormalLoad, NormalSolution, TangentialLoad, TangentialSolution, Zone,
 };
 
 /// A random contact on an odd, even or slender grid, with a smooth or noisy gap.
@@ -23,8 +22,7 @@ fn random_contact(poisson_ratio: f64) -> impl Strategy<Value = RandomContact> {
     (grid, 0.0..0.5_f64, any::<u64>(), -4.0..-1.0_f64, load).prop_map(
         move |((nx, ny, dy), part, seed, roughness, load)| {
             let grid = Grid::new(nx, ny, 1.0, dy).unwrap();
-            let body = Material::new(2.0, poisson_ratio * part / 0.5).unwrap();
-            let bodies = HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap();
+            let bodies = HalfSpace::new(grid, kit::alike(2.0, poisson_ratio * part / 0.5)).unwrap();
             let (mut random, extent) = (Random(seed), nx.max(ny) as f64);
             let gap = Field::from_fn(grid, |x, y| {
                 let noise = 10_f64.powf(roughness) * extent * random.uniform(0.0, 1.0);
@@ -68,7 +66,7 @@ proptest! {
     /// larger one.
     #[test]
     fn stick_zone_shrinks_with_force(case in random_contact(0.0)) {
-        let (normal, friction) = (case.press(), Friction::coulomb(FRICTION).unwrap());
+        let (normal, friction) = (case.press(), kit::coulomb(FRICTION));
         let mut wider: Option<TangentialSolution> = None;
         for f in [0.0, 0.3, 0.6, 0.9, 1.0] {
             let load = TangentialLoad::force([f * FRICTION * normal.force(), 0.0]);

@@ -10,9 +10,8 @@ use stickslip::rolling::{
     RollingControl, RollingProblem,
 };
 use stickslip::{
-    Axis, Boundary, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
-    LoadStep, Material, NormalLoad, NormalProblem, Operator, TangentialModel, Warning, Zone,
-    surface,
+    Axis, Boundary, Coupling, ElasticPair, Error, Field, Grid, HalfSpace, History, LoadStep,
+    Material, NormalLoad, NormalProblem, Operator, TangentialModel, Warning, Zone, surface,
 };
 
 fn against_rigid(grid: Grid, poisson_ratio: f64) -> HalfSpace {
@@ -23,19 +22,17 @@ fn against_rigid(grid: Grid, poisson_ratio: f64) -> HalfSpace {
 /// Returns a ball of radius one on a square grid with the given number of cells along a side. Without friction, the
 /// load gives a contact radius of one.
 fn ball_problem(cells: usize, poisson_ratio: f64) -> (HalfSpace, Field, NormalLoad) {
-    let grid = Grid::square(cells, 2.6).unwrap();
+    let grid = kit::square(cells, 2.6);
     let bodies = against_rigid(grid, poisson_ratio);
-    let gap = surface::sphere(grid, 1.0).unwrap();
     let load = NormalLoad::Force(4.0 / 3.0 * bodies.pair().contact_modulus());
-    (bodies, gap, load)
+    (bodies, kit::sphere(grid, 1.0), load)
 }
 
 fn coupled_builder(
     (bodies, gap, load): &(HalfSpace, Field, NormalLoad),
     coefficient: f64,
 ) -> CoupledRollingProblemBuilder {
-    let friction = Friction::coulomb(coefficient).unwrap();
-    CoupledRollingProblem::builder(bodies, gap, friction, *load)
+    CoupledRollingProblem::builder(bodies, gap, kit::coulomb(coefficient), *load)
 }
 
 fn solve(builder: CoupledRollingProblemBuilder) -> CoupledRollingSolution {
@@ -165,8 +162,7 @@ fn coupled_stiffness_matches_finite_differences() {
         };
         let mut solver = at(motion).into_solver().unwrap();
         assert!(matches!(solver.stiffness(), Err(Error::NotConverged(_))));
-        let mut rolling = solver.new_solution();
-        solver.solve_into(&mut rolling).unwrap();
+        let rolling = kit::solved(&mut solver);
         let stiffness = solver.stiffness().unwrap();
         let most = stiffness[0][0].abs();
         let one_way = stiffness_at_fixed_pressure(&pressed, &rolling, motion, entry_rule);
@@ -202,15 +198,13 @@ fn stiffness_at_fixed_pressure(
     motion: [f64; 3],
     entry_rule: EntryRule,
 ) -> [[f64; 3]; 3] {
-    let friction = Friction::coulomb(0.4).unwrap();
     let mut solver = kit::solver(
-        RollingProblem::builder(bodies, rolling.normal(), friction)
+        RollingProblem::builder(bodies, rolling.normal(), kit::coulomb(0.4))
             .creepage([motion[0], motion[1]])
             .spin(motion[2])
             .entry_rule(entry_rule),
     );
-    let mut solution = solver.new_solution();
-    solver.solve_into(&mut solution).unwrap();
+    let _solution = kit::solved(&mut solver);
     solver.stiffness().unwrap()
 }
 
@@ -265,8 +259,7 @@ fn coupled_free_rollers_match_bentall_johnson() {
 fn coupled_rolling_solver_starts_from_last_solution() {
     let pressed = ball_problem(20, 0.2);
     let mut solver = kit::solver(coupled_builder(&pressed, 0.3));
-    let mut rolling = solver.new_solution();
-    solver.solve_into(&mut rolling).unwrap();
+    let mut rolling = kit::solved(&mut solver);
     let cold = rolling.report().work.products();
     let moved = [
         RollingControl::Creepage(0.002),
@@ -280,17 +273,12 @@ fn coupled_rolling_solver_starts_from_last_solution() {
     assert!((found - expected).abs() < 1e-8, "{found} {expected}");
     // Solve for a different load, gap and friction, then reset to a cold start.
     solver.set_normal_load(NormalLoad::Force(0.5)).unwrap();
-    solver
-        .set_friction(&Friction::coulomb(0.2).unwrap())
-        .unwrap();
-    solver
-        .set_gap(&surface::sphere(pressed.0.grid(), 1.1).unwrap())
-        .unwrap();
+    solver.set_friction(&kit::coulomb(0.2)).unwrap();
+    solver.set_gap(&kit::sphere(pressed.0.grid(), 1.1)).unwrap();
     solver.solve_into(&mut rolling).unwrap();
     assert!((rolling.normal().force() - 0.5).abs() < 1e-9);
     solver.reset();
-    let mut again = solver.new_solution();
-    solver.solve_into(&mut again).unwrap();
+    let again = kit::solved(&mut solver);
     let [found, expected] = [&rolling, &again].map(|rolling| rolling.rolling().force()[0]);
     assert!((found - expected).abs() < 1e-8, "{found} {expected}");
 }
@@ -325,7 +313,7 @@ fn one_way_rolling_of_dissimilar_bodies_warns_of_neglected_lift() {
     let normal = kit::solve(NormalProblem::builder(&bodies, &gap, load));
     let one_way = |coefficient: f64, tolerance: f64| {
         kit::solve(
-            RollingProblem::builder(&bodies, &normal, Friction::coulomb(coefficient).unwrap())
+            RollingProblem::builder(&bodies, &normal, kit::coulomb(coefficient))
                 .creepage([0.05, 0.0])
                 .tolerance(tolerance),
         )
@@ -348,7 +336,7 @@ fn one_way_rolling_of_dissimilar_bodies_warns_of_neglected_lift() {
     assert_eq!(one_way(1e-5, 1e-2).warnings(), []);
 
     let history = |coupling: Coupling| {
-        let builder = History::builder(&bodies, &gap, Friction::coulomb(0.3).unwrap());
+        let builder = History::builder(&bodies, &gap, kit::coulomb(0.3));
         let builder = builder.model(TangentialModel::Vector).coupling(coupling);
         let mut history = builder.build().unwrap();
         let rolled = Rolling::new(1).creepage([0.05, 0.0]);
@@ -369,7 +357,7 @@ fn coupled_history_converges_to_coupled_steady_rolling() {
     let (bodies, gap, load) = &pressed;
     for entry_rule in [EntryRule::SinceTouch, EntryRule::WholeStep] {
         let (creepage, spin) = ([0.12, 0.06], 0.1);
-        let mut history = History::builder(bodies, gap, Friction::coulomb(0.3).unwrap())
+        let mut history = History::builder(bodies, gap, kit::coulomb(0.3))
             .entry_rule(entry_rule)
             .tolerance(1e-9)
             .build()

@@ -5,24 +5,19 @@ use std::f64::consts::TAU;
 
 use stickslip::{
     Axis, Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
-    LoadStep, Material, NormalLoad, TangentialControl, TangentialLoad, surface,
+    LoadStep, NormalLoad, TangentialControl, TangentialLoad,
 };
 
 const FRICTION: f64 = 0.3;
 
 fn against_rigid(modulus: f64, poisson_ratio: f64) -> ElasticPair {
-    let body = Material::new(modulus, poisson_ratio).unwrap();
-    ElasticPair::new(body, Material::rigid()).unwrap()
+    kit::on_rigid(modulus, poisson_ratio)
 }
 
 fn ball_problem(cells: usize, poisson_ratio: f64) -> (HalfSpace, Field) {
-    let grid = Grid::square(cells, 2.6).unwrap();
+    let grid = kit::square(cells, 2.6);
     let bodies = HalfSpace::new(grid, against_rigid(1.0, poisson_ratio)).unwrap();
-    (bodies, surface::sphere(grid, 10.0).unwrap())
-}
-
-fn coulomb_friction() -> Friction {
-    Friction::coulomb(FRICTION).unwrap()
+    (bodies, kit::sphere(grid, 10.0))
 }
 
 /// Flat bodies on a periodic grid touch everywhere under a uniform pressure. This pressure causes no displacement to
@@ -44,7 +39,7 @@ fn flat_periodic_bodies_touch_everywhere() {
             for load in loads {
                 let press = NormalLoad::Force(grid.area());
                 let problem =
-                    CoupledProblem::builder(&bodies, &gap, coulomb_friction(), press, load);
+                    CoupledProblem::builder(&bodies, &gap, kit::coulomb(FRICTION), press, load);
                 let contact = kit::solve(problem);
                 let pressure = contact.normal().pressure();
                 let part = 4.0 * TAU * height / side;
@@ -66,11 +61,12 @@ fn flat_periodic_bodies_touch_everywhere() {
 #[test]
 fn single_cell_sheared_in_a_new_direction_converges() {
     for (cells, poisson_ratio) in [(1, -0.17), (1, 0.0), (5, -0.17), (5, 0.0)] {
-        let grid = Grid::square(cells, cells as f64).unwrap();
+        let grid = kit::square(cells, cells as f64);
         let bodies = HalfSpace::new(grid, against_rigid(1.0 / 3.06, poisson_ratio)).unwrap();
         let gap = Field::from_fn(grid, |x, y| if x.hypot(y) < 0.5 { 0.0 } else { 1e3 });
-        let friction = Friction::coulomb(0.111).unwrap();
-        let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+        let mut history = History::builder(&bodies, &gap, kit::coulomb(0.111))
+            .build()
+            .unwrap();
         let press = LoadStep::hold().normal(NormalLoad::Force(1.0));
         history.step(&press).unwrap();
         history.step(&LoadStep::shift([1.88, 2.48])).unwrap();
@@ -93,7 +89,8 @@ fn forces_close_to_sliding_converge() {
         for missing in [1e-5, 1e-6, 1e-7, 1e-8] {
             let force = (1.0 - missing) * FRICTION * 0.1;
             let load = TangentialLoad::force([0.8 * force, 0.6 * force]);
-            let problem = CoupledProblem::builder(&bodies, &gap, coulomb_friction(), press, load);
+            let problem =
+                CoupledProblem::builder(&bodies, &gap, kit::coulomb(FRICTION), press, load);
             // The error of the force must be at most a tenth of its distance to the sliding force.
             let problem = problem.tolerance(1e-9).build().unwrap();
             let contact = problem.solve().unwrap();
@@ -118,10 +115,10 @@ fn forces_beyond_sliding_are_rejected() {
     let (bodies, gap) = ball_problem(12, 0.0);
     let halves = Field::from_fn(bodies.grid(), |x, _| if x < 0.0 { 0.1 } else { FRICTION });
     let rough = Friction::per_cell(halves).unwrap();
-    let capped = coulomb_friction().max_shear_stress(0.01).unwrap();
+    let capped = kit::coulomb(FRICTION).max_shear_stress(0.01).unwrap();
     let (approach, force) = (NormalLoad::Approach(0.09), NormalLoad::Force(0.1));
     for (friction, press) in [
-        (coulomb_friction(), approach),
+        (kit::coulomb(FRICTION), approach),
         (rough.clone(), approach),
         (rough, force),
         (capped.clone(), approach),

@@ -12,7 +12,7 @@ use stickslip::Iteration;
 use stickslip::history::{Rolling, State};
 use stickslip::ranks::Threads;
 use stickslip::{
-    Axis, Error, Friction, HalfSpace, History, LoadStep, NormalLoad, Status, TangentialControl,
+    Axis, Error, HalfSpace, History, LoadStep, NormalLoad, Status, TangentialControl,
     TangentialModel, TryClone,
 };
 
@@ -53,9 +53,7 @@ fn check_equal<T: PartialEq + ?Sized>(
 fn disturb(history: &mut History, scene: &Scene) {
     let other = history.gap().map(|gap| 0.5 * gap + 0.01);
     history.set_gap(&other).unwrap();
-    history
-        .set_friction(&Friction::coulomb(0.2).unwrap())
-        .unwrap();
+    history.set_friction(&kit::coulomb(0.2)).unwrap();
     let settings = history.settings().tolerance(1e-4);
     history.set_settings(settings).unwrap();
     let heavy = LoadStep::hold().normal(NormalLoad::Force(0.15));

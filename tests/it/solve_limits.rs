@@ -10,8 +10,8 @@ use stickslip::Iteration;
 use stickslip::cgm::{self, AbsBound, Method, NonNegative, Problem, Settings};
 use stickslip::influence::Component;
 use stickslip::{
-    Axis, ElasticOperator, Error, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad,
-    NormalProblem, Operator, Report, Scratch, Status, TangentialControl, TangentialModel, surface,
+    Axis, ElasticOperator, Error, HalfSpace, History, LoadStep, NormalLoad, NormalProblem,
+    Operator, Report, Scratch, Status, TangentialControl, TangentialModel,
 };
 
 /// Operator that counts its products.
@@ -75,7 +75,7 @@ fn products(report: &Report) -> usize {
 
 #[test]
 fn observer_is_called_before_every_product() {
-    let bodies = unit_bodies(Grid::square(kit::thorough(32, 48), 100.0).unwrap(), 0.3);
+    let bodies = unit_bodies(kit::square(kit::thorough(32, 48), 100.0), 0.3);
     let gap = rough(bodies.grid(), 3);
     let limits: Vec<f64> = gap.as_slice().iter().map(|h| (1.5 - h).max(0.0)).collect();
     let shifted = vec![-1.0; limits.len()];
@@ -221,17 +221,16 @@ fn assert_limited(least: usize, solve: impl Fn(usize) -> PassLog) {
 /// If the contact outgrows its window, the load is solved again in a larger window.
 #[test]
 fn enlarged_window_has_remaining_iterations() {
-    let grid = Grid::square(64, 100.0).unwrap();
+    let grid = kit::square(64, 100.0);
     let bodies = unit_bodies(grid, 0.3);
-    let ball = surface::sphere(grid, 300.0).unwrap();
     let light = NormalLoad::Force(0.02);
-    let builder = || NormalProblem::builder(&bodies, &ball, light).tolerance(1e-10);
+    let builder =
+        || NormalProblem::builder(&bodies, kit::sphere(grid, 300.0), light).tolerance(1e-10);
     let alone = kit::solve(builder());
     assert_limited(alone.report().iterations.max(1), |limit| {
         let problem = builder().max_iterations(limit).build().unwrap();
         let mut solver = problem.into_solver().unwrap();
-        let mut solution = solver.new_solution();
-        solver.solve_into(&mut solution).unwrap();
+        let mut solution = kit::solved(&mut solver);
         solver.set_load(NormalLoad::Force(50.0)).unwrap();
         let mut seen = Vec::new();
         let outcome = solver.solve_observed(&mut solution, |step| {
@@ -246,9 +245,8 @@ fn enlarged_window_has_remaining_iterations() {
 /// If a spring is much softer than the contact, a step is solved again with a smaller tolerance.
 #[test]
 fn finer_pass_with_soft_spring_has_remaining_iterations() {
-    let grid = Grid::square(48, 8.0).unwrap();
+    let grid = kit::square(48, 8.0);
     let bodies = unit_bodies(grid, 0.3);
-    let ball = surface::sphere(grid, 10.0).unwrap();
     let press = LoadStep::hold().normal(NormalLoad::Force(0.5));
     let stiffness = 1e-4;
     let drag = LoadStep::hold().tangential(
@@ -262,8 +260,8 @@ fn finer_pass_with_soft_spring_has_remaining_iterations() {
         // The limit applies to the second step only. The first step would otherwise start from coarser cells with fewer
         // iterations.
         let pressed = || {
-            let friction = Friction::coulomb(0.3).unwrap();
-            let builder = History::builder(&bodies, &ball, friction).model(lateral);
+            let builder = History::builder(&bodies, kit::sphere(grid, 10.0), kit::coulomb(0.3))
+                .model(lateral);
             let mut history = builder.tolerance(1e-6).build().unwrap();
             history.step(&press).unwrap();
             history

@@ -5,7 +5,7 @@ use kit::{Random, l2_difference, press, rough, shear, unit_bodies};
 use stickslip::cgm::Method;
 use stickslip::{
     Axis, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, TangentialLoad,
-    TangentialProblem, Zone, surface,
+    TangentialProblem, Zone,
 };
 
 const TOLERANCE: f64 = 1e-9;
@@ -73,13 +73,12 @@ fn tip_missed_by_coarse_cells_is_found() {
     let grid = Grid::new(90, 101, 0.25, 0.25).unwrap();
     let bodies = unit_bodies(grid, 0.3);
     let gap = sphere_and_tip(grid);
-    let friction = Friction::coulomb(0.3).unwrap();
     for load in [
         NormalLoad::Force(2.0),
         NormalLoad::Approach(0.3),
         NormalLoad::Approach(-0.1),
     ] {
-        assert_same(&bodies, &gap, load, &friction, 0.5);
+        assert_same(&bodies, &gap, load, &kit::coulomb(0.3), 0.5);
         let solution = press(&bodies, &gap, load, TOLERANCE);
         let tip = grid.nx() * (grid.ny() - 4) + 3;
         assert!(solution.pressure().as_slice()[tip] > 0.0);
@@ -134,12 +133,17 @@ fn odd_slender_and_tilted_grids_match_plain_loop() {
 
 #[test]
 fn rough_gaps_and_load_beyond_window_match_plain_loop() {
-    let grid = Grid::square(96, 100.0).unwrap();
+    let grid = kit::square(96, 100.0);
     let bodies = unit_bodies(grid, 0.25);
-    let friction = Friction::coulomb(0.4).unwrap();
     for seed in 0..kit::thorough(2, 4) {
         let gap = rough(grid, 100 + seed);
-        assert_same(&bodies, &gap, NormalLoad::Force(10.0), &friction, 0.9);
+        assert_same(
+            &bodies,
+            &gap,
+            NormalLoad::Force(10.0),
+            &kit::coulomb(0.4),
+            0.9,
+        );
     }
     // The window of the first, light contact is much too small for the last contact.
     let gap = sphere_and_tip(grid);
@@ -165,19 +169,17 @@ fn rough_gaps_and_load_beyond_window_match_plain_loop() {
 /// Between two loads along y the solver solves a zero load under a different pressure. The axis must not change.
 #[test]
 fn solver_under_zero_load_keeps_axis() {
-    let grid = Grid::square(64, 8.0).unwrap();
+    let grid = kit::square(64, 8.0);
     let bodies = unit_bodies(grid, 0.3);
-    let ball = surface::sphere(grid, 10.0).unwrap();
+    let ball = kit::sphere(grid, 10.0);
     let [light, heavy] = [0.05, 0.5].map(|force| {
         let load = NormalLoad::Force(force);
         press(&bodies, &ball, load, TOLERANCE)
     });
-    let friction = Friction::coulomb(0.5).unwrap();
     let along_y = |force| TangentialLoad::force([0.0, force]);
-    let problem = TangentialProblem::builder(&bodies, &light, friction, along_y(0.01));
+    let problem = TangentialProblem::builder(&bodies, &light, kit::coulomb(0.5), along_y(0.01));
     let mut solver = kit::solver(problem);
-    let mut shear = solver.new_solution();
-    solver.solve_into(&mut shear).unwrap();
+    let mut shear = kit::solved(&mut solver);
     solver.set_load(along_y(0.0)).unwrap();
     solver.set_pressure(&heavy).unwrap();
     solver.solve_into(&mut shear).unwrap();

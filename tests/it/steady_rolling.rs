@@ -8,7 +8,7 @@ use stickslip::influence::Direction;
 use stickslip::rolling::{LeadingEdge, RollingControl, RollingProblem, RollingSolution};
 use stickslip::{
     Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalLoad,
-    NormalProblem, NormalSolution, Operator, Zone, surface,
+    NormalProblem, NormalSolution, Operator, Zone,
 };
 
 fn pressed(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
@@ -16,8 +16,7 @@ fn pressed(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
 }
 
 fn similar_bodies(grid: Grid, shear_modulus: f64, poisson: f64) -> HalfSpace {
-    let body = Material::from_shear_modulus(shear_modulus, poisson).unwrap();
-    HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap()
+    HalfSpace::new(grid, kit::alike_in_shear(shear_modulus, poisson)).unwrap()
 }
 
 /// Returns the forces along x and y, the moment, and the number of sticking cells.
@@ -37,7 +36,7 @@ fn steady_rolling_without_entry_law_matches_contact() {
     let normal = pressed(&bodies, &gap, 100.0);
     let of = |creepage: [f64; 2], spin: f64| {
         kit::solve(
-            RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap())
+            RollingProblem::builder(&bodies, &normal, kit::coulomb(0.3))
                 .creepage(creepage)
                 .spin(spin)
                 .entry_rule(EntryRule::WholeStep)
@@ -87,7 +86,7 @@ fn steady_rolling_without_entry_law_matches_contact() {
     let gap = Field::from_fn(grid, |x, y| 0.0008 * x * x + 0.00028141731461784 * y * y);
     let normal = pressed(&bodies, &gap, 106_700.0);
     let rolling = kit::solve(
-        RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.33).unwrap())
+        RollingProblem::builder(&bodies, &normal, kit::coulomb(0.33))
             .creepage([0.0012, 0.0])
             .entry_rule(EntryRule::WholeStep)
             .tolerance(1e-9),
@@ -99,8 +98,7 @@ fn steady_rolling_without_entry_law_matches_contact() {
 /// Returns the error of the force relative to the friction limit and the error of the traction (L1). They are means
 /// over three positions, for the given number of cells across the contact.
 fn errors_of_carter(cells: usize, ratio: f64, entry_rule: EntryRule) -> [f64; 2] {
-    let body = Material::new(1.0, 0.0).unwrap();
-    let pair = ElasticPair::new(body, body).unwrap();
+    let pair = kit::alike(1.0, 0.0);
     let mut errors = [0.0; 2];
     for offset in [0.1, 0.37, 0.77] {
         let modulus = pair.contact_modulus();
@@ -116,7 +114,7 @@ fn errors_of_carter(cells: usize, ratio: f64, entry_rule: EntryRule) -> [f64; 2]
         let creepage = (1.0 - ratio) * slides_at;
         let carter = Carter::new(hertz, 0.3, creepage).unwrap();
         let rolling = kit::solve(
-            RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap())
+            RollingProblem::builder(&bodies, &normal, kit::coulomb(0.3))
                 .creepage([creepage, 0.0])
                 .entry_rule(entry_rule),
         );
@@ -159,15 +157,14 @@ fn small_creepages_match_kalker_coefficients() {
         (0.25, 4.12, 3.67, 1.47),
         (0.5, 5.20, 3.98, 1.63),
     ] {
-        let grid = Grid::square(48, 2.25).unwrap();
+        let grid = kit::square(48, 2.25);
         let bodies = similar_bodies(grid, 1.0, poisson);
         let modulus = bodies.pair().contact_modulus();
-        let ball = surface::sphere(grid, 1.0).unwrap();
+        let ball = kit::sphere(grid, 1.0);
         let normal = pressed(&bodies, &ball, 4.0 / 3.0 * modulus);
         // The friction is so large that hardly any cell slips.
         let of = |creepage: [f64; 2], spin: f64| {
-            let friction = Friction::coulomb(1e4).unwrap();
-            let problem = RollingProblem::builder(&bodies, &normal, friction);
+            let problem = RollingProblem::builder(&bodies, &normal, kit::coulomb(1e4));
             let rolling = kit::solve(problem.creepage(creepage).spin(spin));
             (rolling.force(), rolling.moment())
         };
@@ -283,9 +280,9 @@ proptest! {
 fn result_is_independent_of_margin() {
     let [narrow, wide] = [22, 30].map(|cells| {
         let bodies = similar_bodies(Grid::new(cells, cells, 0.1, 0.1).unwrap(), 1.0, 0.3);
-        let ball = surface::sphere(bodies.grid(), 1.0).unwrap();
+        let ball = kit::sphere(bodies.grid(), 1.0);
         let normal = pressed(&bodies, &ball, 1.0);
-        let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap());
+        let problem = RollingProblem::builder(&bodies, &normal, kit::coulomb(0.3));
         results(&kit::solve(
             problem.creepage([0.1, 0.05]).spin(0.08).tolerance(1e-11),
         ))
@@ -299,11 +296,11 @@ fn result_is_independent_of_margin() {
 
 #[test]
 fn invalid_rolling_is_rejected() {
-    let grid = Grid::square(20, 2.4).unwrap();
+    let grid = kit::square(20, 2.4);
     let bodies = similar_bodies(grid, 1.0, 0.25);
-    let ball = surface::sphere(grid, 1.0).unwrap();
+    let ball = kit::sphere(grid, 1.0);
     let normal = pressed(&bodies, &ball, 1.0);
-    let builder = || RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap());
+    let builder = || RollingProblem::builder(&bodies, &normal, kit::coulomb(0.3));
     kit::assert_refused! {
         builder().creepage([f64::NAN, 0.0]).build() => Error::NotFinite { .. },
         builder().spin(f64::INFINITY).build() => Error::NotFinite { .. },
@@ -318,22 +315,21 @@ fn invalid_rolling_is_rejected() {
         builder().control(Axis::X, RollingControl::Force(f64::NAN)).build() => Error::NotFinite { .. },
     }
     let mut solver = kit::solver(builder());
-    let elsewhere = HalfSpace::new(Grid::square(8, 2.4).unwrap(), *bodies.pair()).unwrap();
-    let small = surface::sphere(elsewhere.grid(), 1.0).unwrap();
+    let elsewhere = HalfSpace::new(kit::square(8, 2.4), *bodies.pair()).unwrap();
+    let small = kit::sphere(elsewhere.grid(), 1.0);
     let other = pressed(&elsewhere, &small, 1.0);
-    let refused = RollingProblem::builder(&bodies, &other, Friction::coulomb(0.3).unwrap()).build();
+    let refused = RollingProblem::builder(&bodies, &other, kit::coulomb(0.3)).build();
     assert!(matches!(refused, Err(Error::GridMismatch { .. })));
     let force = RollingControl::Force(1.0);
     kit::assert_refused! { solver.set_load([force; 2], 0.0) => Error::BeyondFrictionCapacity { .. } }
-    let mut rolling = solver.new_solution();
-    solver.solve_into(&mut rolling).unwrap();
+    let rolling = kit::solved(&mut solver);
     assert_eq!(rolling.force(), [0.0; 2]);
 
     let boundary = Boundary::Periodic;
     let waves = HalfSpace::with_boundary(grid, *bodies.pair(), boundary).unwrap();
     let gap = Field::from_fn(grid, |x, y| 0.01 * (x.cos() + y.cos()));
     let flat = pressed(&waves, &gap, 0.01);
-    let refused = RollingProblem::builder(&waves, &flat, Friction::coulomb(0.3).unwrap()).build();
+    let refused = RollingProblem::builder(&waves, &flat, kit::coulomb(0.3)).build();
     assert!(matches!(refused, Err(Error::UnsupportedByModel { .. })));
 }
 
@@ -359,7 +355,7 @@ fn dissipation_never_exceeds_work() {
         ]);
         let entry_rule = random.pick(&[EntryRule::SinceTouch, EntryRule::WholeStep]);
         let creepage = [0, 1].map(|_| random.uniform(-0.3, 0.3));
-        let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap())
+        let problem = RollingProblem::builder(&bodies, &normal, kit::coulomb(0.3))
             .leading_edge(edge)
             .step(random.integer(1, 3))
             .creepage(creepage)
@@ -380,11 +376,11 @@ fn dissipation_never_exceeds_work() {
 #[test]
 fn work_and_dissipation_agree_as_cells_shrink() {
     let deficits = [12, 24, 48].map(|cells| {
-        let grid = Grid::square(cells, 2.4).unwrap();
+        let grid = kit::square(cells, 2.4);
         let bodies = similar_bodies(grid, 1.0, 0.25);
-        let ball = surface::sphere(grid, 1.0).unwrap();
+        let ball = kit::sphere(grid, 1.0);
         let normal = pressed(&bodies, &ball, 1.0);
-        let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap());
+        let problem = RollingProblem::builder(&bodies, &normal, kit::coulomb(0.3));
         let rolling = kit::solve(problem.spin(2.0));
         let lost = rolling.dissipation().unwrap().integral();
         1.0 - lost / rolling.work()

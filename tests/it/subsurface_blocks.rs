@@ -103,7 +103,7 @@ fn blocks_equal_sum_over_cells() {
 /// The error of one cell in a block does not cancel against others, so it is the bound of the method.
 #[test]
 fn error_of_single_cell_is_bounded() {
-    let grid = Grid::square(64, 64.0).unwrap();
+    let grid = kit::square(64, 64.0);
     let bodies = bodies(grid);
     let mut random = Random(3);
     let mut worst: f64 = 0.0;
@@ -129,7 +129,7 @@ fn error_of_single_cell_is_bounded() {
 
 #[test]
 fn blocks_are_bitwise_identical_for_any_number_of_threads() {
-    let grid = Grid::square(80, 80.0).unwrap();
+    let grid = kit::square(80, 80.0);
     let bodies = bodies(grid);
     let mut random = Random(5);
     let field = random_field(grid, &mut random);

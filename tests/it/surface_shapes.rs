@@ -147,7 +147,7 @@ fn invalid_input_is_rejected() {
     assert_eq!(paraboloid(grid, [0.0; 3]).unwrap(), Field::zeros(grid));
 
     // A punch between four cell centres may contain no cell centre.
-    let even = Grid::square(4, 4.0).unwrap();
+    let even = kit::square(4, 4.0);
     kit::assert_refused! { flat_punch(even, 0.7, 1.0) => Error::NotPositive { value: 0.0, .. } }
     assert!(flat_punch(even, 0.71, 1.0).is_ok());
 

@@ -3,8 +3,8 @@
 
 use kit::{Table2, max_abs, rough, unit_pair};
 use stickslip::{
-    Boundary, Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalSolution, TangentialLoad,
-    TangentialModel, TangentialProblem, TangentialSolution, surface,
+    Boundary, Error, Field, HalfSpace, NormalLoad, NormalSolution, TangentialLoad, TangentialModel,
+    TangentialProblem, TangentialSolution,
 };
 
 const FRICTION: f64 = 0.5;
@@ -20,9 +20,8 @@ fn shear(
     load: TangentialLoad,
     tolerance: f64,
 ) -> TangentialSolution {
-    let friction = Friction::coulomb(FRICTION).unwrap();
     kit::solve(
-        TangentialProblem::builder(bodies, normal, friction, load)
+        TangentialProblem::builder(bodies, normal, kit::coulomb(FRICTION), load)
             .model(lateral)
             .tolerance(tolerance),
     )
@@ -31,10 +30,10 @@ fn shear(
 /// Creates the ball of the paper on `cells` x `cells` cells, a square of three contact radii, with the given Poisson's
 /// ratio.
 fn ball(cells: usize, poisson_ratio: f64) -> (HalfSpace, NormalSolution) {
-    let grid = Grid::square(cells, 3.0 * Table2::CONTACT_RADIUS).unwrap();
+    let grid = kit::square(cells, 3.0 * Table2::CONTACT_RADIUS);
     let pair = unit_pair(poisson_ratio);
     let bodies = HalfSpace::new(grid, pair).unwrap();
-    let gap = surface::sphere(grid, Table2::RADIUS).unwrap();
+    let gap = kit::sphere(grid, Table2::RADIUS);
     let radius = Table2::CONTACT_RADIUS;
     let force = 4.0 * radius.powi(3) / (3.0 * Table2::RADIUS);
     let normal = press(&bodies, &gap, force);
@@ -46,7 +45,7 @@ fn rough_contact(
     poisson_ratio: f64,
     boundary: Boundary,
 ) -> (HalfSpace, NormalSolution) {
-    let grid = Grid::square(cells, 64.0).unwrap();
+    let grid = kit::square(cells, 64.0);
     let bodies = HalfSpace::with_boundary(grid, unit_pair(poisson_ratio), boundary).unwrap();
     let normal = press(&bodies, &rough(grid, 5), 0.02 * grid.area());
     (bodies, normal)
@@ -132,7 +131,7 @@ fn force_at_limit_slides_and_beyond_limit_is_rejected() {
     let shift = plane.shift();
     assert!((shift[0] / shift[1] + 0.75).abs() < 0.05, "{shift:?}");
 
-    let friction = Friction::coulomb(FRICTION).unwrap();
+    let friction = kit::coulomb(FRICTION);
     let beyond = TangentialLoad::force([0.61 * limit, -0.8 * limit]);
     let refused = TangentialProblem::builder(&bodies, &normal, friction.clone(), beyond)
         .model(TangentialModel::Vector)
