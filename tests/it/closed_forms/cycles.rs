@@ -123,20 +123,13 @@ fn closed_loops_leave_only_their_dissipation() -> Result<()> {
     let a = ball()?.contact_radius();
     let loop_energy = |half_range: f64| after_path(&[half_range]).unwrap().energy_per_cycle();
     // A path, the same path without its closed loops, and the half ranges of these loops.
+    #[rustfmt::skip] // one row per line
     let cases = [
         (&[0.5, 0.1, 0.5][..], &[0.5][..], &[0.2][..]),
         (&[0.5, 0.1, 0.7], &[0.7], &[0.2]),
         (&[0.8, -0.4, 0.2, -0.4], &[0.8, -0.4], &[0.3]),
-        (
-            &[0.8, -0.4, 0.2, -0.1, 0.2, -0.6],
-            &[0.8, -0.6],
-            &[0.15, 0.3],
-        ),
-        (
-            &[0.8, -0.4, 0.2, -0.1, 0.1],
-            &[0.8, -0.4, 0.2, -0.1, 0.1],
-            &[],
-        ),
+        (&[0.8, -0.4, 0.2, -0.1, 0.2, -0.6], &[0.8, -0.6], &[0.15, 0.3]),
+        (&[0.8, -0.4, 0.2, -0.1, 0.1], &[0.8, -0.4, 0.2, -0.1, 0.1], &[]),
     ];
     for (path, rest, half_ranges) in cases {
         let (long, short) = (after_path(path)?, after_path(rest)?);
