@@ -177,7 +177,7 @@ fn unattainable_moments_are_rejected() {
 #[test]
 fn small_grids_keep_the_rms_height() {
     let sides = kit::thorough(
-        &[1, 4, 7, 16, 32][..],
+        &[1, 4, 7, 16][..],
         &[1, 2, 3, 4, 5, 7, 8, 12, 15, 16, 17, 24, 31, 32],
     );
     let moments_asked = [[-0.5, 2.1], [0.0, 3.0], [0.5, 2.5], [-1.0, 4.0]];

@@ -82,7 +82,7 @@ fn blocks_equal_sum_over_cells() {
         let spots = p.map(|value| if value > 0.9 { value } else { 0.0 });
         let spread = Field::constant(grid, 1.0);
         let none = Field::zeros(grid);
-        let points = places(grid, kit::thorough(20, 300), &mut random);
+        let points = places(grid, kit::thorough(10, 300), &mut random);
         for (p, q, tolerance) in [
             (&p, Some([&qx, &qy]), 1e-12),
             (&cap, None, 1e-13),
@@ -121,7 +121,7 @@ fn error_of_single_cell_is_bounded() {
         };
         let (p, qx, qy) = (load(1.0), load(random.uniform(-1.0, 1.0)), load(0.5));
         let tractions = Tractions::new(&p).with_traction([&qx, &qy]);
-        let points = places(grid, 24, &mut random);
+        let points = places(grid, kit::thorough(12, 24), &mut random);
         worst = worst.max(errors(&bodies, Body::One, tractions, &points)[0]);
     }
     assert!(worst < 5e-12, "{worst:e}");

@@ -610,7 +610,7 @@ fn sliding_ball_has_largest_stress_at_trailing_edge() {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(kit::thorough(8, 48)))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(4, 48)))]
 
     /// On a grid that is periodic along both axes, every plane carries the load. For any tractions, the sums of the
     /// stresses of a plane equal the sums of the tractions.

@@ -123,7 +123,7 @@ fn stiff_coating_on_long_grid_has_an_eigenvalue_bound() {
         (100.0, 0.45, [3.0, 1.0]),
     ] {
         let body = base.coated(&[layer(m, nu, 1.0)]).unwrap();
-        let [nx, ny] = kit::thorough([10, 9], [24, 20]);
+        let [nx, ny] = kit::thorough([8, 7], [24, 20]);
         let grid = Grid::new(nx, ny, sides[0], sides[1]).unwrap();
         for cell_value in [CellValue::Uniform, CellValue::Centre] {
             let bodies = HalfSpace::new(grid, against_rigid(body)).unwrap();
