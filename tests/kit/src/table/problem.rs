@@ -305,7 +305,7 @@ impl Problem {
         found
     }
 
-    /// Returns the problem with the motion of a solution in place of its loads.
+    /// Returns the problem that prescribes the motion of a solution.
     pub fn moved_as(&self, found: &Found) -> Self {
         let [x, y, turn] = found.motion;
         let mut moved = self.clone();
@@ -317,7 +317,7 @@ impl Problem {
         moved
     }
 
-    /// Returns the problem with the forces of a solution in place of its loads.
+    /// Returns the problem that prescribes the forces of a solution.
     pub fn forced_as(&self, found: &Found) -> Self {
         let [x, y, _] = found.force;
         let mut forced = self.clone();
