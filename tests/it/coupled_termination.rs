@@ -1,5 +1,4 @@
-//! The solve of a coupled contact converges, or ends with an error that states the cause. In both cases the tractions
-//! are within their limits.
+//! The solve of a coupled contact converges, or ends with an error that states the cause.
 
 use std::f64::consts::TAU;
 

@@ -1,4 +1,4 @@
-//! A solver with a changed input has the solution of a new problem with this input. All solvers share their methods.
+//! A solver with a changed input has the solution of a new problem with this input.
 
 use kit::unit_bodies;
 use stickslip::normal::Hardness;

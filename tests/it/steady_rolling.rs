@@ -1,5 +1,5 @@
 //! The force of steady rolling converges to Carter's closed form with second order. Steady rolling also agrees with the
-//! numbers of CONTACT without the entry rule, and satisfies its own equations.
+//! numbers of CONTACT without the entry rule. Its errors are within the certificate.
 
 use proptest::prelude::*;
 use stickslip::analytical::{Carter, HertzLine};
