@@ -121,7 +121,7 @@ fn subsurface_stress_stops_when_cancelled() {
         let outcome = whole.through_observed(Body::One, &pressed, visit, observer);
         outcome.map(|()| found)
     });
-    let points: Vec<_> = (0..kit::thorough(400_u32, 1000))
+    let points: Vec<_> = (0..1000_u32)
         .map(|i| [0.0, 0.0, 1e-3 * f64::from(i)])
         .collect();
     let tractions = Tractions::new(pressed.pressure());
