@@ -220,9 +220,10 @@ proptest! {
         creepage in prop::array::uniform2(-0.3..0.3_f64), spin in -0.3..0.3_f64, enters: bool, digits in 1..6_i32,
         fraction in prop::option::of(-0.99..0.99_f64), friction in prop::array::uniform2(0.05..0.6_f64),
     ) {
-        let (entry_rule, [poisson, other]) = match enters {
-            true => (EntryRule::SinceTouch, [0.0; 2]),
-            false => (EntryRule::WholeStep, [poisson, other]),
+        let (entry_rule, [poisson, other]) = if enters {
+            (EntryRule::SinceTouch, [0.0; 2])
+        } else {
+            (EntryRule::WholeStep, [poisson, other])
         };
         let grid = Grid::new(22, 18, 0.14, 0.16).unwrap();
         let one = Material::from_shear_modulus(1.0, poisson).unwrap();

@@ -34,6 +34,7 @@ pub struct Problem {
 
 /// Solver of a problem. A separate problem is stored with its pressure.
 #[derive(Debug, Clone)]
+#[allow(clippy::large_enum_variant, reason = "a test has few solvers")]
 pub enum ProblemSolver {
     Normal(NormalSolver),
     Tangential(NormalSolution, TangentialSolver),
@@ -208,9 +209,10 @@ impl Problem {
             step.normal != NormalControl::Hold
                 && (step.roll.is_some() || !step.shear.iter().all(is_hold))
         };
-        let kinds: &[Kind] = match scene.is_fully_coupled() {
-            true => &[Kind::Coupled],
-            false => &[Kind::Normal, Kind::Separate],
+        let kinds: &[Kind] = if scene.is_fully_coupled() {
+            &[Kind::Coupled]
+        } else {
+            &[Kind::Normal, Kind::Separate]
         };
         let steps = scene.path.iter().filter(is_load).take(count);
         let problems = steps.flat_map(|step| {
