@@ -25,6 +25,6 @@ pub(crate) use nested_start::{
 };
 pub(crate) use responses::{Elasticity, LinearResponse, ResponseColumn, ResponseContext};
 pub(crate) use size_cache::{HasSize, SizeCache};
-pub(crate) use solver::Model;
 pub use solver::{Contact, Solver};
+pub(crate) use solver::{Model, model_fields};
 pub(crate) use windows::{PassOutcome, WindowEngine, Windows, overlap_outside};

@@ -62,6 +62,25 @@ pub(crate) trait Model<S>: Sized + Send {
         Self: Contact<Solution = S>;
 }
 
+/// Accessors of a [`Model`], which are identical for all problems. The problem stores its settings in `$($path).+`.
+macro_rules! model_fields {
+    ($($path:ident).+) => {
+        fn bodies(&self) -> &crate::half_space::HalfSpace {
+            &self.bodies
+        }
+
+        fn settings(&self) -> &crate::cgm::Settings {
+            &self.$($path).+
+        }
+
+        fn settings_mut(&mut self) -> &mut crate::cgm::Settings {
+            &mut self.$($path).+
+        }
+    };
+}
+
+pub(crate) use model_fields;
+
 /// Solver of a sequence of problems of one kind. Each solve starts from the last solution.
 ///
 /// Each kind of contact has an alias: [`NormalSolver`](crate::NormalSolver),

@@ -1,12 +1,13 @@
 //! Reusable solver of a coupled contact.
 
 use crate::cgm::Settings;
-use crate::contact::{Cancellation, Contact, Model, SolveContext, Solver, has_iterate};
+use crate::contact::{
+    Cancellation, Contact, Model, SolveContext, Solver, has_iterate, model_fields,
+};
 use crate::coupled::increment::{CoupledIncrement, CoupledTarget};
 use crate::coupled::{CoupledProblem, CoupledReport, CoupledSolution};
 use crate::error::{Error, Result};
 use crate::grid::field::{self, Field};
-use crate::half_space::HalfSpace;
 use crate::memory::fallible::{self, TryClone};
 use crate::normal::{Hardness, NormalLoad};
 use crate::observer::Observer;
@@ -136,17 +137,7 @@ impl Contact for CoupledProblem {
 impl Model<CoupledSolution> for CoupledProblem {
     type Engine = CoupledIncrement;
 
-    fn bodies(&self) -> &HalfSpace {
-        &self.bodies
-    }
-
-    fn settings(&self) -> &Settings {
-        &self.settings
-    }
-
-    fn settings_mut(&mut self) -> &mut Settings {
-        &mut self.settings
-    }
+    model_fields!(settings);
 
     fn check_settings(&self, settings: &Settings) -> Result<()> {
         TangentialModel::Vector.check(settings)

@@ -130,58 +130,41 @@ use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::grid::cell_value::CellValue;
 use crate::grid::field::Field;
+use crate::grid::record::checked_struct;
 use crate::normal::NormalSolution;
 use crate::support::debug::shown;
-#[cfg(feature = "serde")]
-use crate::support::serialise::checked;
 
 use search::{LARGEST_MISS, Search};
 pub use tangential::TangentialEdges;
 
-/// Edge of a set of cells (the contact or its stick zone), located inside the cells. The functions [`NormalSolution::edges`],
-/// [`TangentialSolution::edges`](crate::TangentialSolution::edges) and [`History::edges`](crate::History::edges) return this
-/// type.
-#[derive(Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Edges {
-    cells: Vec<EdgeCell>,
-    centres: Field,
-    means: Field,
-    outline: Vec<[[f64; 2]; 2]>,
-    repeats: [bool; 2],
-    area: f64,
-}
-
-#[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(remote = "Edges", deny_unknown_fields)]
-struct RawEdges {
-    cells: Vec<EdgeCell>,
-    centres: Field,
-    means: Field,
-    outline: Vec<[[f64; 2]; 2]>,
-    repeats: [bool; 2],
-    area: f64,
-}
-
-#[cfg(feature = "serde")]
-impl<'de> serde::Deserialize<'de> for Edges {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        checked(RawEdges::deserialize(deserializer)?, |read| {
-            let grid = read.grid();
-            read.centres.check("centres", grid)?;
-            read.means.check("means", grid)?;
-            let count = grid.cells();
-            match read.cells.iter().find(|cell| cell.index >= count) {
-                None => Ok(()),
-                Some(cell) => Err(Error::Range {
-                    quantity: "cells",
-                    start: cell.index,
-                    end: cell.index.saturating_add(1),
-                    count,
-                }),
-            }
-        })
+checked_struct! {
+    /// Edge of a set of cells (the contact or its stick zone), located inside the cells. The functions [`NormalSolution::edges`],
+    /// [`TangentialSolution::edges`](crate::TangentialSolution::edges) and [`History::edges`](crate::History::edges) return this
+    /// type.
+    #[derive(Clone, PartialEq)]
+    pub struct Edges {
+        cells: Vec<EdgeCell>,
+        centres: Field,
+        means: Field,
+        outline: Vec<[[f64; 2]; 2]>,
+        repeats: [bool; 2],
+        area: f64,
+    }
+    #[serde(remote = "Edges", deny_unknown_fields)]
+    check(read) {
+        let grid = read.grid();
+        read.centres.check("centres", grid)?;
+        read.means.check("means", grid)?;
+        let count = grid.cells();
+        match read.cells.iter().find(|cell| cell.index >= count) {
+            None => Ok(()),
+            Some(cell) => Err(Error::Range {
+                quantity: "cells",
+                start: cell.index,
+                end: cell.index.saturating_add(1),
+                count,
+            }),
+        }
     }
 }
 

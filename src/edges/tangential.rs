@@ -6,45 +6,29 @@ use crate::error::{Error, Result};
 use crate::grid::Grid;
 use crate::grid::field::Field;
 use crate::grid::neighbours::neighbours;
+use crate::grid::record::checked_struct;
 use crate::normal::NormalSolution;
 use crate::support::debug::shown;
-#[cfg(feature = "serde")]
-use crate::support::serialise::checked;
 use crate::tangential::{Friction, TangentialSolution, Zone};
 
-/// Edges of the contact and of the stick zone inside the cells, and the traction at these edges. The functions
-/// [`TangentialSolution::edges`] and [`History::edges`](crate::History::edges) return this type.
-#[derive(Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct TangentialEdges {
-    contact: Edges,
-    stick: Edges,
-    traction: Field,
-    mean_traction: Field,
-    stick_area: f64,
-}
-
-#[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(remote = "TangentialEdges", deny_unknown_fields)]
-struct RawTangentialEdges {
-    contact: Edges,
-    stick: Edges,
-    traction: Field,
-    mean_traction: Field,
-    stick_area: f64,
-}
-
-#[cfg(feature = "serde")]
-impl<'de> serde::Deserialize<'de> for TangentialEdges {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        checked(RawTangentialEdges::deserialize(deserializer)?, |read| {
-            let grid = read.grid();
-            grid.check_equal("edge of the contact", read.contact.grid())?;
-            grid.check_equal("edge of the stick zone", read.stick.grid())?;
-            read.traction.check("traction", grid)?;
-            read.mean_traction.check("mean traction", grid)
-        })
+checked_struct! {
+    /// Edges of the contact and of the stick zone inside the cells, and the traction at these edges. The functions
+    /// [`TangentialSolution::edges`] and [`History::edges`](crate::History::edges) return this type.
+    #[derive(Clone, PartialEq)]
+    pub struct TangentialEdges {
+        contact: Edges,
+        stick: Edges,
+        traction: Field,
+        mean_traction: Field,
+        stick_area: f64,
+    }
+    #[serde(remote = "TangentialEdges", deny_unknown_fields)]
+    check(read) {
+        let grid = read.grid();
+        grid.check_equal("edge of the contact", read.contact.grid())?;
+        grid.check_equal("edge of the stick zone", read.stick.grid())?;
+        read.traction.check("traction", grid)?;
+        read.mean_traction.check("mean traction", grid)
     }
 }
 

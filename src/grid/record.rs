@@ -20,13 +20,16 @@ macro_rules! record {
         #[$options:meta]
         check($read:ident) $check:block
     ) => {
-        $(#[$of_type])*
-        #[cfg_attr(feature = "serde", derive(serde::Serialize))]
-        pub struct $Type {
-            $($(#[$of_buffer])* $buffer_vis $buffer: $Buffer,)*
-            $($(#[$of_value])* $value_vis $value: $Value,)*
-            $($(#[$of_ignored])* $ignored_vis $ignored: $Ignored,)*
-            $($(#[$of_local])* #[cfg_attr(feature = "serde", serde(skip))] $local_vis $local: $Local,)*
+        $crate::grid::record::checked_struct! {
+            $(#[$of_type])*
+            pub struct $Type {
+                $($(#[$of_buffer])* $buffer_vis $buffer: $Buffer,)*
+                $($(#[$of_value])* $value_vis $value: $Value,)*
+                $($(#[$of_ignored])* $ignored_vis $ignored: $Ignored,)*
+                $($(#[$of_local])* #[cfg_attr(feature = "serde", serde(skip))] $local_vis $local: $Local,)*
+            }
+            #[$options]
+            check($read) $check
         }
 
         $crate::grid::field::clone_in_place!($Type {
@@ -44,16 +47,32 @@ macro_rules! record {
                     $(&& self.$local == other.$local)*
             }
         }
+    };
+}
+
+/// Declares a struct whose deserialised value must pass the given check. The macro implements the serialisation. The
+/// attribute at the end contains the options of its deserialisation.
+macro_rules! checked_struct {
+    (
+        $(#[$of_type:meta])*
+        pub struct $Type:ident {
+            $($(#[$of_field:meta])* $vis:vis $field:ident: $Field:ty,)*
+        }
+        #[$options:meta]
+        check($read:ident) $check:block
+    ) => {
+        $(#[$of_type])*
+        #[cfg_attr(feature = "serde", derive(serde::Serialize))]
+        pub struct $Type {
+            $($(#[$of_field])* $vis $field: $Field,)*
+        }
 
         #[cfg(feature = "serde")]
         const _: () = {
             #[derive(serde::Deserialize)]
             #[$options]
             struct Raw {
-                $($(#[$of_buffer])* $buffer: $Buffer,)*
-                $($(#[$of_value])* $value: $Value,)*
-                $($(#[$of_ignored])* $ignored: $Ignored,)*
-                $($(#[$of_local])* #[serde(skip)] $local: $Local,)*
+                $($(#[$of_field])* $field: $Field,)*
             }
 
             impl<'de> serde::Deserialize<'de> for $Type {
@@ -65,4 +84,4 @@ macro_rules! record {
     };
 }
 
-pub(crate) use record;
+pub(crate) use {checked_struct, record};

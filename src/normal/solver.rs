@@ -4,11 +4,10 @@ use std::ops::ControlFlow;
 
 use crate::bodies::component::Direction;
 use crate::cgm::Settings;
-use crate::contact::{Contact, Model, Solver, has_iterate};
+use crate::contact::{Contact, Model, Solver, has_iterate, model_fields};
 use crate::error::Result;
 use crate::grid::field::{self, Field};
 use crate::grid::window::Window;
-use crate::half_space::HalfSpace;
 use crate::memory::fallible;
 use crate::normal::pressure_solver::PressureSolver;
 use crate::normal::problem::check_gap;
@@ -132,17 +131,7 @@ impl Contact for NormalProblem {
 impl Model<NormalSolution> for NormalProblem {
     type Engine = NormalBuffers;
 
-    fn bodies(&self) -> &HalfSpace {
-        &self.bodies
-    }
-
-    fn settings(&self) -> &Settings {
-        &self.settings
-    }
-
-    fn settings_mut(&mut self) -> &mut Settings {
-        &mut self.settings
-    }
+    model_fields!(settings);
 
     fn check_settings(&self, _: &Settings) -> Result<()> {
         Ok(())

@@ -9,75 +9,58 @@ use crate::error::Result;
 #[cfg(feature = "serde")]
 use crate::error::{at_least, length};
 use crate::grid::Grid;
+use crate::grid::record::checked_struct;
 #[cfg(feature = "history")]
 use crate::history::History;
 use crate::memory::fallible;
 use crate::normal::NormalSolution;
 use crate::parallel::ranks::RankGroup;
 use crate::support::debug::shown;
-#[cfg(feature = "serde")]
-use crate::support::serialise::checked;
 use crate::tangential::{TangentialSolution, Zone};
 
-/// Spots of a contact: sets of contact cells connected through their sides, also across the edges of a periodic grid. If
-/// [ranks](crate::ranks) share the contact, every rank has all spots, and the labels of its local cells.
-///
-/// ```
-/// use stickslip::*;
-/// let grid = Grid::new(64, 32, 0.25, 0.25)?;
-/// let rubber = Material::new(1.0, 0.5)?;
-/// let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
-/// // Two balls side by side, the second lower by 0.05.
-/// let ball = |x: f64, y: f64| (x * x + y * y) / 20.0;
-/// let gap = Field::from_fn(grid, |x, y| ball(x + 4.0, y).min(ball(x - 4.0, y) + 0.05));
-/// let contact = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(0.5)).build()?.solve()?;
-///
-/// let spots = contact.spots()?;
-/// let [first, second] = spots.as_slice() else { panic!("{} spots", spots.as_slice().len()) };
-/// assert!(first.load > second.load && (first.load + second.load - 0.5).abs() < 1e-9);
-/// assert!((first.centroid[0] + 4.0).abs() < 0.1 && (second.centroid[0] - 4.0).abs() < 0.1);
-/// assert_eq!(spots.label(16 * 64 + 16), Some(0));
-/// # Ok::<(), Error>(())
-/// ```
-#[derive(Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct ContactSpots {
-    grid: Grid,
-    /// Number of the spot of every cell, counted from one, or zero outside the contact.
-    labels: Vec<u32>,
-    spots: Vec<Spot>,
+checked_struct! {
+    /// Spots of a contact: sets of contact cells connected through their sides, also across the edges of a periodic grid. If
+    /// [ranks](crate::ranks) share the contact, every rank has all spots, and the labels of its local cells.
+    ///
+    /// ```
+    /// use stickslip::*;
+    /// let grid = Grid::new(64, 32, 0.25, 0.25)?;
+    /// let rubber = Material::new(1.0, 0.5)?;
+    /// let bodies = HalfSpace::new(grid, ElasticPair::new(rubber, Material::rigid())?)?;
+    /// // Two balls side by side, the second lower by 0.05.
+    /// let ball = |x: f64, y: f64| (x * x + y * y) / 20.0;
+    /// let gap = Field::from_fn(grid, |x, y| ball(x + 4.0, y).min(ball(x - 4.0, y) + 0.05));
+    /// let contact = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(0.5)).build()?.solve()?;
+    ///
+    /// let spots = contact.spots()?;
+    /// let [first, second] = spots.as_slice() else { panic!("{} spots", spots.as_slice().len()) };
+    /// assert!(first.load > second.load && (first.load + second.load - 0.5).abs() < 1e-9);
+    /// assert!((first.centroid[0] + 4.0).abs() < 0.1 && (second.centroid[0] - 4.0).abs() < 0.1);
+    /// assert_eq!(spots.label(16 * 64 + 16), Some(0));
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[derive(Clone, PartialEq)]
+    pub struct ContactSpots {
+        grid: Grid,
+        /// Number of the spot of every cell, counted from one, or zero outside the contact.
+        labels: Vec<u32>,
+        spots: Vec<Spot>,
+    }
+    #[serde(remote = "ContactSpots")]
+    check(read) {
+        length("labels", read.grid.cells(), read.labels.len())?;
+        let largest = read.labels.iter().copied().max().unwrap_or(0);
+        at_least(
+            "the largest label of a cell",
+            f64::from(largest),
+            "number of contact spots",
+            read.spots.len() as f64,
+        )
+        .map(|_| ())
+    }
 }
 
 shown!(ContactSpots: grid, largest());
-
-/// Deserialised spots before validation.
-#[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(remote = "ContactSpots")]
-struct RawContactSpots {
-    grid: Grid,
-    labels: Vec<u32>,
-    spots: Vec<Spot>,
-}
-
-#[cfg(feature = "serde")]
-impl<'de> serde::Deserialize<'de> for ContactSpots {
-    fn deserialize<D: serde::Deserializer<'de>>(
-        deserializer: D,
-    ) -> std::result::Result<Self, D::Error> {
-        checked(RawContactSpots::deserialize(deserializer)?, |read| {
-            length("labels", read.grid.cells(), read.labels.len())?;
-            let largest = read.labels.iter().copied().max().unwrap_or(0);
-            at_least(
-                "the largest label of a cell",
-                f64::from(largest),
-                "number of contact spots",
-                read.spots.len() as f64,
-            )
-            .map(|_| ())
-        })
-    }
-}
 
 /// A contact spot.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -10,9 +10,8 @@ use crate::error::{Error, Result, at_least, finite, memory, positive};
 use crate::fft::smooth_length;
 use crate::grid::Grid;
 use crate::grid::field::Field;
+use crate::grid::record::checked_struct;
 use crate::parallel;
-#[cfg(feature = "serde")]
-use crate::support::serialise::checked;
 
 /// Memory in bytes per cell of the torus, for a field, its waves, their transform, and the weights of the points.
 const BYTES: usize = 32;
@@ -90,32 +89,19 @@ pub struct GaussianFilter {
     along: [bool; 2],
 }
 
-/// A filtered surface and the waves that the filter has removed. Their sum is the original surface, to round-off.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Filtered {
-    heights: Field,
-    short_waves: Option<Field>,
-    long_waves: Option<Field>,
-}
-
-#[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(remote = "Filtered", deny_unknown_fields)]
-struct RawFiltered {
-    heights: Field,
-    short_waves: Option<Field>,
-    long_waves: Option<Field>,
-}
-
-#[cfg(feature = "serde")]
-impl<'de> serde::Deserialize<'de> for Filtered {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        checked(RawFiltered::deserialize(deserializer)?, |read| {
-            let grid = read.heights.grid();
-            let mut waves = read.short_waves.iter().chain(&read.long_waves);
-            waves.try_for_each(|waves| grid.check_equal("waves", waves.grid()))
-        })
+checked_struct! {
+    /// A filtered surface and the waves that the filter has removed. Their sum is the original surface, to round-off.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Filtered {
+        heights: Field,
+        short_waves: Option<Field>,
+        long_waves: Option<Field>,
+    }
+    #[serde(remote = "Filtered", deny_unknown_fields)]
+    check(read) {
+        let grid = read.heights.grid();
+        let mut waves = read.short_waves.iter().chain(&read.long_waves);
+        waves.try_for_each(|waves| grid.check_equal("waves", waves.grid()))
     }
 }
 

@@ -10,91 +10,75 @@ use crate::error::length;
 use crate::error::{Result, all_finite};
 use crate::grid::Grid;
 use crate::grid::field::Field;
+use crate::grid::record::checked_struct;
 use crate::parallel;
-#[cfg(feature = "serde")]
-use crate::support::serialise::checked;
 
-/// Radial power spectrum of a periodic surface, with its spectral moments.
-///
-/// The heights relative to their mean are a sum of waves $`a_q e^{\mathrm{i} q \cdot x}`$ over the wave vectors $`q`$
-/// of the grid. Let $`A`$ be the area of the grid. Each wave then occupies the area $`4\pi^2/A`$ of the plane of wave
-/// vectors, and
-///
-/// ```math
-/// C(q) = \frac{A}{4\pi^2}\,\langle |a_q|^2 \rangle_\text{ring}, \qquad
-/// \sum |a_q|^2 = \sum_\text{rings} \frac{4\pi^2}{A}\, n\, C(q) = S_q^2 ,
-/// ```
-///
-/// where the average is over the $`n`$ waves of a ring $`(k - \tfrac12)\Delta q \le |q| < (k + \tfrac12)\Delta q`$. The
-/// width $`\Delta q`$ is $`2\pi`$ divided by the longer side of the grid. In the limit of an infinite grid,
-/// $`\int C\,\mathrm{d}^2q = 2\pi \int C\, q\,\mathrm{d}q = S_q^2`$. Jacobs, Junge and Pastewka (2017) use the
-/// convention $`S_q^2 = \frac{1}{2\pi}\int C\,q\,\mathrm{d}q`$. Their values are $`4\pi^2`$ times the values of this
-/// type.
-///
-/// # Spectral moments
-/// The spectral moments are the moments of a profile, averaged over all directions $`\theta`$ of the profile:
-///
-/// ```math
-/// m_n = \langle \cos^n\theta \rangle \sum |a_q|^2\, |q|^n, \qquad
-/// m_0 = \langle z^2 \rangle, \quad m_2 = \tfrac12 \langle |\nabla z|^2 \rangle, \quad
-/// m_4 = \tfrac38 \langle (\nabla^2 z)^2 \rangle .
-/// ```
-///
-/// On an isotropic surface the averages are the moments of any profile, as in Longuet-Higgins (1957) and Nayak (1971).
-/// The sums include all waves of the grid without tapering. Waves of two cells per period contribute their full mean
-/// square. If the heights are not periodic, the step at the edge of the grid increases $`m_2`$ and $`m_4`$.
-///
-/// # References
-/// - T. D. B. Jacobs, T. Junge, L. Pastewka, *Surf. Topogr.: Metrol. Prop.* 5 (2017) 013001,
-///   [doi:10.1088/2051-672X/aa51f8](https://doi.org/10.1088/2051-672X/aa51f8).
-/// - M. S. Longuet-Higgins, *Phil. Trans. R. Soc. A* 249 (1957) 321-387,
-///   [doi:10.1098/rsta.1957.0002](https://doi.org/10.1098/rsta.1957.0002).
-/// - P. R. Nayak, *J. Lubr. Technol.* 93 (1971) 398-407,
-///   [doi:10.1115/1.3451608](https://doi.org/10.1115/1.3451608).
-///
-/// ```
-/// use std::f64::consts::TAU;
-/// use stickslip::{Field, Grid, surface::PowerSpectrum};
-/// // One wave of amplitude 2 and wavelength 8: mean square 2, wave number 2 pi/8.
-/// let grid = Grid::square(32, 32.0)?;
-/// let wave = Field::from_fn(grid, |x, _| 2.0 * (TAU * x / 8.0).cos());
-/// let spectrum = PowerSpectrum::of(&wave)?;
-/// let [m0, m2, _] = spectrum.moments();
-/// assert!((m0 - 2.0).abs() < 1e-12);
-/// assert!((2.0 * m2 - 2.0 * (TAU / 8.0).powi(2)).abs() < 1e-12);
-/// let largest = spectrum.values().iter().copied().fold(0.0, f64::max);
-/// let ring = spectrum.values().iter().position(|&c| c == largest);
-/// assert_eq!(ring, Some(3), "four periods: the fourth ring");
-/// # Ok::<(), stickslip::Error>(())
-/// ```
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct PowerSpectrum {
-    wave_numbers: Vec<f64>,
-    values: Vec<f64>,
-    modes: Vec<usize>,
-    moments: [f64; 3],
-}
-
-/// Deserialised values before validation.
-#[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(remote = "PowerSpectrum")]
-struct RawPowerSpectrum {
-    wave_numbers: Vec<f64>,
-    values: Vec<f64>,
-    modes: Vec<usize>,
-    moments: [f64; 3],
-}
-
-#[cfg(feature = "serde")]
-impl<'de> serde::Deserialize<'de> for PowerSpectrum {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        checked(RawPowerSpectrum::deserialize(deserializer)?, |read| {
-            let rings = read.wave_numbers.len();
-            length("values", rings, read.values.len())?;
-            length("modes", rings, read.modes.len())
-        })
+checked_struct! {
+    /// Radial power spectrum of a periodic surface, with its spectral moments.
+    ///
+    /// The heights relative to their mean are a sum of waves $`a_q e^{\mathrm{i} q \cdot x}`$ over the wave vectors $`q`$
+    /// of the grid. Let $`A`$ be the area of the grid. Each wave then occupies the area $`4\pi^2/A`$ of the plane of wave
+    /// vectors, and
+    ///
+    /// ```math
+    /// C(q) = \frac{A}{4\pi^2}\,\langle |a_q|^2 \rangle_\text{ring}, \qquad
+    /// \sum |a_q|^2 = \sum_\text{rings} \frac{4\pi^2}{A}\, n\, C(q) = S_q^2 ,
+    /// ```
+    ///
+    /// where the average is over the $`n`$ waves of a ring $`(k - \tfrac12)\Delta q \le |q| < (k + \tfrac12)\Delta q`$. The
+    /// width $`\Delta q`$ is $`2\pi`$ divided by the longer side of the grid. In the limit of an infinite grid,
+    /// $`\int C\,\mathrm{d}^2q = 2\pi \int C\, q\,\mathrm{d}q = S_q^2`$. Jacobs, Junge and Pastewka (2017) use the
+    /// convention $`S_q^2 = \frac{1}{2\pi}\int C\,q\,\mathrm{d}q`$. Their values are $`4\pi^2`$ times the values of this
+    /// type.
+    ///
+    /// # Spectral moments
+    /// The spectral moments are the moments of a profile, averaged over all directions $`\theta`$ of the profile:
+    ///
+    /// ```math
+    /// m_n = \langle \cos^n\theta \rangle \sum |a_q|^2\, |q|^n, \qquad
+    /// m_0 = \langle z^2 \rangle, \quad m_2 = \tfrac12 \langle |\nabla z|^2 \rangle, \quad
+    /// m_4 = \tfrac38 \langle (\nabla^2 z)^2 \rangle .
+    /// ```
+    ///
+    /// On an isotropic surface the averages are the moments of any profile, as in Longuet-Higgins (1957) and Nayak (1971).
+    /// The sums include all waves of the grid without tapering. Waves of two cells per period contribute their full mean
+    /// square. If the heights are not periodic, the step at the edge of the grid increases $`m_2`$ and $`m_4`$.
+    ///
+    /// # References
+    /// - T. D. B. Jacobs, T. Junge, L. Pastewka, *Surf. Topogr.: Metrol. Prop.* 5 (2017) 013001,
+    ///   [doi:10.1088/2051-672X/aa51f8](https://doi.org/10.1088/2051-672X/aa51f8).
+    /// - M. S. Longuet-Higgins, *Phil. Trans. R. Soc. A* 249 (1957) 321-387,
+    ///   [doi:10.1098/rsta.1957.0002](https://doi.org/10.1098/rsta.1957.0002).
+    /// - P. R. Nayak, *J. Lubr. Technol.* 93 (1971) 398-407,
+    ///   [doi:10.1115/1.3451608](https://doi.org/10.1115/1.3451608).
+    ///
+    /// ```
+    /// use std::f64::consts::TAU;
+    /// use stickslip::{Field, Grid, surface::PowerSpectrum};
+    /// // One wave of amplitude 2 and wavelength 8: mean square 2, wave number 2 pi/8.
+    /// let grid = Grid::square(32, 32.0)?;
+    /// let wave = Field::from_fn(grid, |x, _| 2.0 * (TAU * x / 8.0).cos());
+    /// let spectrum = PowerSpectrum::of(&wave)?;
+    /// let [m0, m2, _] = spectrum.moments();
+    /// assert!((m0 - 2.0).abs() < 1e-12);
+    /// assert!((2.0 * m2 - 2.0 * (TAU / 8.0).powi(2)).abs() < 1e-12);
+    /// let largest = spectrum.values().iter().copied().fold(0.0, f64::max);
+    /// let ring = spectrum.values().iter().position(|&c| c == largest);
+    /// assert_eq!(ring, Some(3), "four periods: the fourth ring");
+    /// # Ok::<(), stickslip::Error>(())
+    /// ```
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct PowerSpectrum {
+        wave_numbers: Vec<f64>,
+        values: Vec<f64>,
+        modes: Vec<usize>,
+        moments: [f64; 3],
+    }
+    #[serde(remote = "PowerSpectrum")]
+    check(read) {
+        let rings = read.wave_numbers.len();
+        length("values", rings, read.values.len())?;
+        length("modes", rings, read.modes.len())
     }
 }
 

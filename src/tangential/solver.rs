@@ -1,9 +1,10 @@
 //! Reusable solver of a tangential contact.
 
 use crate::cgm::Settings;
-use crate::contact::{Cancellation, Contact, Model, SolveContext, Solver, has_iterate};
+use crate::contact::{
+    Cancellation, Contact, Model, SolveContext, Solver, has_iterate, model_fields,
+};
 use crate::error::{Error, Result};
-use crate::half_space::HalfSpace;
 use crate::memory::fallible::{self, TryClone};
 use crate::observer::Observer;
 use crate::report::Report;
@@ -205,17 +206,7 @@ impl Contact for TangentialProblem {
 impl Model<TangentialSolution> for TangentialProblem {
     type Engine = TangentialBuffers;
 
-    fn bodies(&self) -> &HalfSpace {
-        &self.bodies
-    }
-
-    fn settings(&self) -> &Settings {
-        &self.settings
-    }
-
-    fn settings_mut(&mut self) -> &mut Settings {
-        &mut self.settings
-    }
+    model_fields!(settings);
 
     fn check_settings(&self, settings: &Settings) -> Result<()> {
         self.model.check(settings)

@@ -92,11 +92,10 @@ fn cone_reaches_its_target_under_force_and_approach() {
 
 #[test]
 fn shear_slips_at_the_edge_and_a_proportional_first_step_sticks() {
-    let body = Material::new(213e9, 0.0).unwrap();
-    let pair = ElasticPair::new(body, body).unwrap();
+    let pair = kit::alike(213e9, 0.0);
     let hertz = HertzSphere::new(&pair, RADIUS, FORCE).unwrap();
     let exact = CattaneoMindlin::new(hertz, 0.5, 20.0).unwrap();
-    let friction = Friction::coulomb(0.5).unwrap();
+    let friction = kit::coulomb(0.5);
     let load = NormalLoad::Force(FORCE);
     let target = 3e-3;
     let problem =
@@ -243,7 +242,7 @@ fn limits_end_the_refinement_with_a_warning() {
 
 #[test]
 fn samples_limit_the_cells() {
-    let heights = Field::from_fn(Grid::square(64, 0.4e-3).unwrap(), ball);
+    let heights = Field::from_fn(kit::square(64, 0.4e-3), ball);
     for interpolation in [Interpolation::Cubic, Interpolation::Linear] {
         let gap = SampledGap::new(heights.clone(), interpolation).unwrap();
         let region = Region::rectangle([-0.2e-3, 0.2e-3], [-0.2e-3, 0.2e-3]).unwrap();
@@ -271,7 +270,7 @@ fn wrong_input_is_refused() {
             ..
         }
     ));
-    let cells = Field::constant(Grid::square(8, 1.0).unwrap(), 0.3);
+    let cells = Field::constant(kit::square(8, 1.0), 0.3);
     let friction = Friction::per_cell(cells).unwrap();
     let found = refused(builder(&ball, wide()).shear(friction, TangentialLoad::force([1.0, 0.0])));
     assert!(matches!(found, Error::UnsupportedByModel { .. }));

@@ -7,8 +7,8 @@ use stickslip::analytical::{CattaneoMindlinLine, HertzLine};
 use stickslip::history::Cycle;
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
-    Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
-    LoadStep, Material, NormalLoad, NormalProblem, NormalSolution, TangentialLoad, TangentialModel,
+    Boundary, CoupledProblem, ElasticPair, Error, Field, Grid, HalfSpace, History, LoadStep,
+    Material, NormalLoad, NormalProblem, NormalSolution, TangentialLoad, TangentialModel,
     TangentialProblem, TangentialSolution, Zone, surface,
 };
 #[cfg(feature = "dense")]
@@ -17,10 +17,6 @@ use stickslip::{cgm::AbsBound, dense::DenseOperator, influence::Component};
 const FRICTION: f64 = 0.5;
 const LOAD: f64 = 100.0;
 const RADIUS: f64 = 10.0;
-
-fn friction() -> Friction {
-    Friction::coulomb(FRICTION).unwrap()
-}
 
 fn steel() -> Material {
     Material::new(210e3, 0.3).unwrap()
@@ -47,7 +43,7 @@ fn shear_roller(n: usize, force: f64, bulk_stress: f64) -> TangentialSolution {
     let load = TangentialLoad::force([force, 0.0]);
     let strain = [[steel().plane_strain_under(bulk_stress), 0.0], [0.0; 2]];
     let bulk = RelativeDisplacement::bulk_strain(bodies.grid(), strain).unwrap();
-    let shear = TangentialProblem::builder(&bodies, &normal, friction(), load);
+    let shear = TangentialProblem::builder(&bodies, &normal, kit::coulomb(FRICTION), load);
     let shear = shear.relative_displacement(bulk).tolerance(1e-11);
     kit::solve(shear)
 }
@@ -189,15 +185,14 @@ fn uniform_displacement_is_equivalent_to_a_shift() {
     let gap = surface::ellipsoid(grid, 9.0, 7.0).unwrap();
     let uniform = [0.004, -0.002].map(|w| Field::constant(grid, w));
     let uniform = RelativeDisplacement::new(uniform).unwrap();
-    let soft = Material::new(1.0, 0.1).unwrap();
-    let unlike = ElasticPair::new(soft, Material::rigid()).unwrap();
     for boundary in boundaries(grid) {
         let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), boundary).unwrap();
         let press = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(0.08));
         let normal = kit::solve(press.tolerance(1e-12));
         let shear = |shift: [f64; 2], relative: Option<&RelativeDisplacement>| {
             let load = TangentialLoad::shift(shift);
-            let problem = TangentialProblem::builder(&bodies, &normal, friction(), load);
+            let problem =
+                TangentialProblem::builder(&bodies, &normal, kit::coulomb(FRICTION), load);
             let problem = problem.model(TangentialModel::Vector).tolerance(1e-11);
             let problem = match relative {
                 Some(relative) => problem.relative_displacement(relative.clone()),
@@ -214,11 +209,12 @@ fn uniform_displacement_is_equivalent_to_a_shift() {
             assert!(max_difference(a, b) < 1e-9);
         }
 
-        let bodies = HalfSpace::with_boundary(grid, unlike, boundary).unwrap();
+        let bodies = HalfSpace::with_boundary(grid, kit::on_rigid(1.0, 0.1), boundary).unwrap();
         let coupled = |shift: [f64; 2], relative: Option<&RelativeDisplacement>| {
             let load = TangentialLoad::shift(shift);
             let press = NormalLoad::Force(0.08);
-            let problem = CoupledProblem::builder(&bodies, &gap, friction(), press, load);
+            let problem =
+                CoupledProblem::builder(&bodies, &gap, kit::coulomb(FRICTION), press, load);
             let problem = problem.tolerance(1e-10);
             let problem = match relative {
                 Some(relative) => problem.relative_displacement(relative.clone()),
@@ -240,10 +236,9 @@ fn replaced_relative_displacement_survives_restart() {
     let gap = surface::ellipsoid(grid, 9.0, 7.0).unwrap();
     let bulk = RelativeDisplacement::bulk_strain(grid, [[1.0, 0.2], [0.2, -0.3]]).unwrap();
     let other = RelativeDisplacement::bulk_strain(grid, [[0.3, 0.0], [0.0, 1.0]]).unwrap();
-    let soft = ElasticPair::new(Material::new(1.0, 0.1).unwrap(), Material::rigid()).unwrap();
-    for pair in [unit_pair(0.3), soft] {
+    for pair in [unit_pair(0.3), kit::on_rigid(1.0, 0.1)] {
         let bodies = HalfSpace::new(grid, pair).unwrap();
-        let builder = History::builder(&bodies, &gap, friction()).tolerance(1e-8);
+        let builder = History::builder(&bodies, &gap, kit::coulomb(FRICTION)).tolerance(1e-8);
         let builder = builder.model(TangentialModel::Vector);
         let mut history = builder.relative_displacement(bulk.clone()).build().unwrap();
         let press = LoadStep::force([0.0, 0.0]).normal(NormalLoad::Force(0.08));
@@ -281,7 +276,7 @@ fn loop_of_force_and_shift_encloses_work_of_force() {
     let gap = surface::cylinder(bodies.grid(), RADIUS).unwrap();
     let strain = [[steel().plane_strain_under(1.0), 0.0], [0.0; 2]];
     let bulk = RelativeDisplacement::bulk_strain(bodies.grid(), strain).unwrap();
-    let builder = History::builder(&bodies, &gap, friction()).tolerance(1e-10);
+    let builder = History::builder(&bodies, &gap, kit::coulomb(FRICTION)).tolerance(1e-10);
     let mut history = builder.relative_displacement(bulk).build().unwrap();
     let press = LoadStep::hold().normal(NormalLoad::Force(LOAD));
     history.step(&press).unwrap();
@@ -325,50 +320,17 @@ fn loop_of_force_and_shift_encloses_work_of_force() {
     assert!((energy.work / energy.dissipated_energy_midpoint - 1.0).abs() < 1e-4);
 }
 
-/// One step of a history from rest has the same result as the single problem. Several steps also have this result if
-/// the load does not reverse.
-#[test]
-fn step_from_rest_matches_the_single_problem() {
-    let found = shear_roller(256, 0.6 * FRICTION * LOAD, 150.0);
-    let grid = found.grid();
-    let boundary = Boundary::PeriodicAlongY { datum: 50.0 };
-    let bodies = HalfSpace::with_boundary(grid, *hertz().pair(), boundary).unwrap();
-    let gap = surface::cylinder(grid, RADIUS).unwrap();
-    let strain = [[steel().plane_strain_under(1.0), 0.0], [0.0; 2]];
-    let bulk = RelativeDisplacement::bulk_strain(grid, strain).unwrap();
-    for parts in [1, 5] {
-        let builder = History::builder(&bodies, &gap, friction()).tolerance(1e-11);
-        let mut history = builder.relative_displacement(bulk.clone()).build().unwrap();
-        let press = LoadStep::hold().normal(NormalLoad::Force(LOAD));
-        history.step(&press).unwrap();
-        for part in 1..=parts {
-            let part = f64::from(part) / f64::from(parts);
-            let force = part * 0.6 * FRICTION * LOAD;
-            let load = LoadStep::force([force, 0.0]).relative_displacement(part * 150.0);
-            history.step(&load).unwrap();
-        }
-        let [a, b] = [history.traction()[0], found.traction()[0]].map(Field::as_slice);
-        let scale = FRICTION * hertz().max_pressure();
-        assert!(
-            max_difference(a, b) < 1e-6 * scale,
-            "{:e}",
-            max_difference(a, b) / scale
-        );
-        assert!((history.shift()[0] / found.shift()[0] - 1.0).abs() < 1e-7);
-    }
-}
-
 #[test]
 fn relative_displacement_on_wrong_grid_or_axis_is_rejected() {
-    let grid = Grid::square(8, 4.0).unwrap();
+    let grid = kit::square(8, 4.0);
     let bodies = unit_bodies(grid, 0.3);
-    let gap = surface::sphere(grid, 10.0).unwrap();
+    let gap = kit::sphere(grid, 10.0);
     let across = RelativeDisplacement::bulk_strain(grid, [[0.0, 0.0], [0.0, 0.25]]).unwrap();
-    let builder = || History::builder(&bodies, &gap, friction());
+    let builder = || History::builder(&bodies, &gap, kit::coulomb(FRICTION));
     kit::assert_refused! {
         builder().relative_displacement(across.clone()).build() => Error::UnsupportedByModel { value: -0.4375, .. },
     }
-    let other = Grid::square(9, 4.0).unwrap();
+    let other = kit::square(9, 4.0);
     let elsewhere = RelativeDisplacement::bulk_strain(other, [[0.0; 2]; 2]).unwrap();
     let mut history = builder().build().unwrap();
     for (wrong, is_grid) in [(across, false), (elsewhere, true)] {
@@ -397,8 +359,8 @@ fn relative_displacement_on_wrong_grid_or_axis_is_rejected() {
 /// On a periodic axis, a strain along the axis would make the displacement discontinuous between periods.
 #[test]
 fn strain_along_periodic_axis_is_rejected() {
-    let grid = Grid::square(8, 4.0).unwrap();
-    let gap = surface::sphere(grid, 10.0).unwrap();
+    let grid = kit::square(8, 4.0);
+    let gap = kit::sphere(grid, 10.0);
     let force = NormalLoad::Force(0.1);
     for boundary in boundaries(grid) {
         let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), boundary).unwrap();
@@ -415,18 +377,19 @@ fn strain_along_periodic_axis_is_rejected() {
             let mut strain = [[0.0; 2]; 2];
             strain.as_flattened_mut()[index] = 0.25;
             let bulk = RelativeDisplacement::bulk_strain(grid, strain).unwrap();
-            let history = History::builder(&bodies, &gap, friction())
+            let history = History::builder(&bodies, &gap, kit::coulomb(FRICTION))
                 .model(TangentialModel::Vector)
                 .relative_displacement(bulk.clone())
                 .build();
             let load = TangentialLoad::force([0.0; 2]);
-            let shear = TangentialProblem::builder(&bodies, &normal, friction(), load)
+            let shear = TangentialProblem::builder(&bodies, &normal, kit::coulomb(FRICTION), load)
                 .model(TangentialModel::Vector)
                 .relative_displacement(bulk.clone())
                 .build();
-            let coupled = CoupledProblem::builder(&bodies, &gap, friction(), force, load)
-                .relative_displacement(bulk)
-                .build();
+            let coupled =
+                CoupledProblem::builder(&bodies, &gap, kit::coulomb(FRICTION), force, load)
+                    .relative_displacement(bulk)
+                    .build();
             for error in [history.err(), shear.err(), coupled.err()] {
                 if repeats[index % 2] {
                     let Some(Error::Sample {

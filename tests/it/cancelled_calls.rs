@@ -10,9 +10,8 @@ use stickslip::stiffness::ContactStiffness;
 use stickslip::subsurface::{self, Body, Planes, Tractions};
 use stickslip::surface::SelfAffine;
 use stickslip::{
-    Axis, Coupling, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad,
+    Axis, Coupling, Error, Field, Friction, HalfSpace, History, LoadStep, NormalLoad,
     NormalProblem, NormalSolution, Status, TangentialLoad, TangentialModel, TangentialProblem,
-    surface,
 };
 
 type Observer<'a> = &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send);
@@ -51,14 +50,14 @@ fn assert_stops_when_cancelled<T: Debug + PartialEq>(
 }
 
 fn scene() -> (HalfSpace, Field, NormalSolution, Friction) {
-    let bodies = unit_bodies(Grid::square(kit::thorough(16, 24), 8.0).unwrap(), 0.3);
-    let ball = surface::sphere(bodies.grid(), 10.0).unwrap();
+    let bodies = unit_bodies(kit::square(kit::thorough(16, 24), 8.0), 0.3);
+    let ball = kit::sphere(bodies.grid(), 10.0);
     let load = NormalLoad::Force(0.5);
     let problem = NormalProblem::builder(&bodies, &ball, load)
         .build()
         .unwrap();
     let pressed = problem.solve().unwrap();
-    (bodies, ball, pressed, Friction::coulomb(0.3).unwrap())
+    (bodies, ball, pressed, kit::coulomb(0.3))
 }
 
 #[test]
@@ -86,10 +85,11 @@ fn stiffness_stops_when_cancelled() {
 
 #[test]
 fn rough_surface_stops_when_cancelled() {
-    let grid = Grid::square(32, 1.0).unwrap();
     let rough = SelfAffine::with_rms_height(0.1).seed(5);
     for surface in [rough, rough.skewness(0.4), rough.kurtosis(3.5).cropped()] {
-        assert_stops_when_cancelled(|observer| surface.generate_observed(grid, observer));
+        assert_stops_when_cancelled(|observer| {
+            surface.generate_observed(kit::square(32, 1.0), observer)
+        });
     }
 }
 

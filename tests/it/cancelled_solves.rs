@@ -7,12 +7,9 @@ use kit::{Random, rough, thorough, unit_bodies};
 use stickslip::Iteration;
 use stickslip::cgm::{self, AbsBound, Method, NonNegative, Problem};
 use stickslip::influence::Component;
-use stickslip::normal::Hardness;
-use stickslip::rolling::{RollingControl, RollingProblem};
 use stickslip::{
-    Axis, Boundary, CoupledProblem, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace,
-    History, LoadStep, Material, NormalLoad, NormalProblem, Status, TangentialControl,
-    TangentialLoad, TangentialModel, TangentialProblem, surface,
+    Axis, Boundary, Coupling, Error, Field, Grid, HalfSpace, History, LoadStep, NormalLoad, Status,
+    TangentialControl, TangentialModel,
 };
 
 type Observer<'a> = &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send);
@@ -81,18 +78,13 @@ fn with_tangential_force(load: LoadStep, force: f64) -> LoadStep {
 }
 
 fn coupled_bodies(grid: Grid) -> HalfSpace {
-    let soft = Material::new(1.0, 0.1).unwrap();
-    HalfSpace::new(grid, ElasticPair::new(soft, Material::rigid()).unwrap()).unwrap()
+    HalfSpace::new(grid, kit::on_rigid(1.0, 0.1)).unwrap()
 }
 
 /// Returns a sphere on a grid. The grid can be so large that the solve starts on coarser grids.
 fn sphere_gap(cells: usize) -> (Grid, Field) {
-    let grid = Grid::square(cells, 3.0).unwrap();
-    (grid, surface::sphere(grid, 2.0).unwrap())
-}
-
-fn coulomb_friction() -> Friction {
-    Friction::coulomb(0.3).unwrap()
+    let grid = kit::square(cells, 3.0);
+    (grid, kit::sphere(grid, 2.0))
 }
 
 /// Covers steps in which the starts from coarser grids take most of the calls, and steps on a line of cells.
@@ -100,18 +92,17 @@ fn coulomb_friction() -> Friction {
 fn history_cancelled_step_with_nested_start_is_not_taken() {
     let (grid, gap) = sphere_gap(48);
     let bodies = unit_bodies(grid, 0.3);
-    let mut history = History::builder(&bodies, &gap, coulomb_friction())
+    let mut history = History::builder(&bodies, &gap, kit::coulomb(0.3))
         .build()
         .unwrap();
     let first = with_tangential_force(press_step(0.2), 0.04);
     assert_steps_cancelled(&mut history, &[first]);
 
     let line = Grid::line(200, 0.02).unwrap();
-    let pair = ElasticPair::new(Material::new(1.0, 0.3).unwrap(), Material::rigid()).unwrap();
     let boundary = Boundary::PeriodicAlongY { datum: 10.0 };
-    let bodies = HalfSpace::with_boundary(line, pair, boundary).unwrap();
+    let bodies = HalfSpace::with_boundary(line, kit::on_rigid(1.0, 0.3), boundary).unwrap();
     let gap = rough(line, 3);
-    let builder = History::builder(&bodies, &gap, coulomb_friction()).coupling(Coupling::Neglected);
+    let builder = History::builder(&bodies, &gap, kit::coulomb(0.3)).coupling(Coupling::Neglected);
     let mut history = builder.build().unwrap();
     assert_steps_cancelled(
         &mut history,
@@ -139,7 +130,7 @@ fn history_cancelled_step_of_random_loads_is_not_taken() {
             ball
         };
         let model = random.pick(&[TangentialModel::Scalar, TangentialModel::Vector]);
-        let builder = History::builder(&bodies, &gap, coulomb_friction()).model(model);
+        let builder = History::builder(&bodies, &gap, kit::coulomb(0.3)).model(model);
         let tolerance = random.decade(-9.0, -0.3);
         let mut history = builder.tolerance(tolerance).build().unwrap();
         for _ in 0..4 {
@@ -164,89 +155,6 @@ fn history_cancelled_step_of_random_loads_is_not_taken() {
                 assert_steps_cancelled(&mut history, &[step]);
             }
         }
-    }
-}
-
-/// A solution also reports how its solve ended.
-#[test]
-fn solver_cancelled_reports_cancellation() {
-    let (grid, gap) = sphere_gap(thorough(16, 48));
-    let stride = thorough(2, 1);
-    let bodies = unit_bodies(grid, 0.3);
-    for (load, method) in [
-        (NormalLoad::Force(0.2), Method::ActiveSet),
-        (NormalLoad::Force(0.2), Method::PolonskyKeer),
-        (NormalLoad::Approach(0.05), Method::ActiveSet),
-    ] {
-        let problem = NormalProblem::builder(&bodies, &gap, load).method(method);
-        let problem = problem
-            .hardness(Hardness::uniform(0.3).unwrap())
-            .build()
-            .unwrap();
-        let solve = |observer: Observer<'_>| {
-            let mut solver = problem.clone().into_solver().unwrap();
-            let mut solution = solver.new_solution();
-            let outcome = solver.solve_observed(&mut solution, observer);
-            assert_eq!(solution.report().is_converged(), outcome.is_ok());
-            outcome
-        };
-        assert_cancelled(stride, solve);
-    }
-    let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(0.2));
-    let normal = kit::solve(problem);
-    for (load, model) in [
-        (TangentialLoad::force([0.03, 0.0]), TangentialModel::Scalar),
-        (TangentialLoad::force([0.06, 0.0]), TangentialModel::Vector),
-        (TangentialLoad::force([0.02, 0.03]), TangentialModel::Vector),
-        (TangentialLoad::shift([10.0, 0.0]), TangentialModel::Scalar),
-    ] {
-        let problem =
-            TangentialProblem::builder(&bodies, &normal, coulomb_friction(), load).model(model);
-        let problem = problem.build().unwrap();
-        let solve = |observer: Observer<'_>| {
-            let mut solver = problem.clone().into_solver().unwrap();
-            let mut solution = solver.new_solution();
-            let outcome = solver.solve_observed(&mut solution, observer);
-            assert_eq!(solution.report().is_converged(), outcome.is_ok());
-            outcome
-        };
-        assert_cancelled(stride, solve);
-    }
-    for spin in [0.0, 0.05] {
-        let builder = RollingProblem::builder(&bodies, &normal, coulomb_friction());
-        let problem = builder.creepage([0.05, 0.0]).build().unwrap();
-        let solve = |observer: Observer<'_>| {
-            let mut solver = problem.clone().into_solver().unwrap();
-            let controls = [RollingControl::Creepage(0.02), RollingControl::Force(0.01)];
-            solver.set_load(controls, spin).unwrap();
-            let mut solution = solver.new_solution();
-            let outcome = solver.solve_observed(&mut solution, observer);
-            assert_eq!(solution.report().is_converged(), outcome.is_ok());
-            outcome
-        };
-        assert_cancelled(stride, solve);
-    }
-}
-
-#[test]
-fn coupled_solver_cancelled_reports_cancellation() {
-    let (grid, gap) = sphere_gap(thorough(10, 44));
-    let bodies = coupled_bodies(grid);
-    for load in [
-        TangentialLoad::force([0.03, 0.0]),
-        TangentialLoad::shift([0.02, 0.0]),
-    ] {
-        let control = NormalLoad::Force(0.2);
-        let problem = CoupledProblem::builder(&bodies, &gap, coulomb_friction(), control, load);
-        let problem = problem.build().unwrap();
-        let solve = |observer: Observer<'_>| {
-            let mut solver = problem.clone().into_solver().unwrap();
-            let mut solution = solver.new_solution();
-            let outcome = solver.solve_observed(&mut solution, observer);
-            assert_eq!(solution.report().is_converged(), outcome.is_ok());
-            outcome
-        };
-        assert_cancelled(thorough(2, 1), solve);
     }
 }
 
@@ -275,7 +183,7 @@ fn minimiser_and_stiffness_cancelled_report_cancellation() {
         assert_cancelled(1, solve);
     }
     for model in [TangentialModel::Scalar, TangentialModel::Vector] {
-        let builder = History::builder(&bodies, &gap, coulomb_friction()).model(model);
+        let builder = History::builder(&bodies, &gap, kit::coulomb(0.3)).model(model);
         let mut history = builder.build().unwrap();
         history
             .step(&with_tangential_force(press_step(0.2), 0.03))

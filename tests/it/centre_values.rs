@@ -19,7 +19,7 @@ fn with_values(grid: Grid, boundary: Boundary, cell_value: CellValue) -> HalfSpa
 }
 
 fn coupled_pair() -> ElasticPair {
-    ElasticPair::new(Material::new(1.0, 0.2).unwrap(), Material::rigid()).unwrap()
+    kit::on_rigid(1.0, 0.2)
 }
 
 fn random_field(grid: Grid, seed: u64) -> Field {
@@ -234,7 +234,7 @@ fn holds_around(field: &Field, index: usize, is_so: impl Fn(f64) -> bool) -> boo
 /// is at least 15 % smaller than on uniform cells.
 #[test]
 fn centre_pressures_are_closer_to_closed_forms() {
-    let grid = Grid::square(64, 3.0).unwrap();
+    let grid = kit::square(64, 3.0);
     let bodies = HalfSpace::new(grid, unit_pair(0.0)).unwrap();
     let centres = bodies.clone().with_cell_value(CellValue::Centre).unwrap();
     for shape in Smooth::all() {
@@ -258,7 +258,7 @@ fn centre_pressures_are_closer_to_closed_forms() {
 /// The traction in partial slip is also closer to the closed form than on uniform cells.
 #[test]
 fn centre_tractions_are_closer_to_closed_forms() {
-    let grid = Grid::square(64, 3.0).unwrap();
+    let grid = kit::square(64, 3.0);
     let hertz = HertzSphere::new(&unit_pair(0.0), 1.0, 4.0 / 3.0).unwrap();
     let exact = CattaneoMindlin::new(hertz, 0.5, 0.4 * 0.5 * 4.0 / 3.0).unwrap();
     let shape = Smooth::sphere();
@@ -277,8 +277,7 @@ fn centre_tractions_are_closer_to_closed_forms() {
             let problem = NormalProblem::builder(&bodies, &gap, shape.load());
             let normal = kit::solve(problem.tolerance(1e-7));
             let load = TangentialLoad::force([exact.force(), 0.0]);
-            let friction = Friction::coulomb(0.5).unwrap();
-            let problem = TangentialProblem::builder(&bodies, &normal, friction, load);
+            let problem = TangentialProblem::builder(&bodies, &normal, kit::coulomb(0.5), load);
             let shear = kit::solve(problem.tolerance(1e-7));
             assert_eq!(shear.cell_value(), value);
             let is_inside = |i: usize| {
@@ -334,7 +333,7 @@ fn subsurface_stresses_match_uniform_cells_of_same_displacement() {
 /// A solution, a history and a saved history require bodies with values of the same type.
 #[test]
 fn mismatched_cell_values_are_rejected() {
-    let grid = Grid::square(24, 3.0).unwrap();
+    let grid = kit::square(24, 3.0);
     let of = |value| {
         let bodies = HalfSpace::new(grid, unit_pair(0.3)).unwrap();
         bodies.with_cell_value(value).unwrap()
@@ -347,7 +346,7 @@ fn mismatched_cell_values_are_rejected() {
     };
     let contact = press(&centres);
     assert_eq!(contact.cell_value(), CellValue::Centre);
-    let friction = || Friction::coulomb(0.5).unwrap();
+    let friction = || kit::coulomb(0.5);
     let load = || TangentialLoad::force([0.1, 0.0]);
     let shear =
         |bodies, contact| TangentialProblem::builder(bodies, contact, friction(), load()).build();

@@ -4,13 +4,13 @@
 use kit::refusal::Rule::{Finite, NonNegative, Positive};
 use kit::refusal::assert_checked;
 use kit::unit_pair;
+use stickslip::Error;
 use stickslip::analytical::{
     BentallJohnson, Carter, CattaneoMindlin, CattaneoMindlinEllipse, CattaneoMindlinLine, Cone,
     ConePartialSlip, FlatPunch, HertzEllipse, HertzLine, HertzSphere, KalkerCoefficients,
     LubkinTorsion, MindlinDeresiewicz, MindlinFullStick, Persson, PopovLimitingShape, RoughSphere,
     RoundedPunch, VermeulenJohnson, Westergaard, WestergaardPartialSlip, linear_stick_ratio,
 };
-use stickslip::{ElasticPair, Error, Material};
 
 #[test]
 fn normal_contacts_reject_invalid_parameters() {
@@ -95,7 +95,7 @@ fn rolling_contacts_reject_invalid_parameters() {
         carter(value, 1e-3)
     });
     assert_checked("creepage", Finite, |value| carter(0.3, value));
-    let soft = ElasticPair::new(Material::new(1.0, 0.1).unwrap(), Material::rigid()).unwrap();
+    let soft = kit::on_rigid(1.0, 0.1);
     let hertz = HertzLine::new(&soft, 2.0, 1e-3).unwrap();
     assert_checked("coefficient of friction", NonNegative, |value| {
         let free = BentallJohnson::new(hertz, value)?;
@@ -132,12 +132,9 @@ fn rough_and_worn_contacts_reject_invalid_parameters() {
     let persson = Persson::new(&pair, 0.1, 0.02).unwrap();
     kit::assert_all_checked! {
         Positive "area coefficient" => |value| Ok(persson.with_area_coefficient(value)?.contact_fraction()),
-        NonNegative "coefficient of friction" => |value| persson.stick_ratio(value, 0.0),
-        Finite "tangential force" => |value| persson.stick_ratio(0.5, value),
         NonNegative "reduced pressure" => |value| Persson::area_law(value, 1.0),
         Positive "area coefficient" => |value| Persson::area_law(0.1, value),
         Positive "load" => |value| linear_stick_ratio(value, 0.5, 0.0),
-        Finite "tangential force" => |value| linear_stick_ratio(1.0, 0.5, value),
     }
 
     let hertz = HertzSphere::new(&pair, 1.0, 1e-3).unwrap();
@@ -172,27 +169,72 @@ fn tangential_contacts_reject_invalid_parameters() {
     let cone = Cone::new(&pair, 0.1, 1.0).unwrap();
     let punch = FlatPunch::new(&pair, 2.0, 1.0).unwrap();
     let wavy = Westergaard::new(&pair, 0.01, 1.0, 1.0).unwrap();
-    let contacts: [ForceFunction<'_>; 6] = [
+    let persson = Persson::new(&pair, 0.1, 1.0).unwrap();
+    let contacts: [ForceFunction<'_>; 9] = [
         &|mu, force| Ok(CattaneoMindlin::new(hertz, mu, force)?.shift()),
         &|mu, force| Ok(CattaneoMindlinEllipse::new(ellipse, mu, force)?.shift()),
         &|mu, force| Ok(ConePartialSlip::new(cone, mu, force)?.shift()),
         &|mu, force| Ok(punch.full_stick(mu, force)?.shift()),
         &|mu, force| Ok(WestergaardPartialSlip::new(wavy, mu, force)?.traction(0.0)),
         &|mu, force| Ok(MindlinDeresiewicz::new(hertz, mu, &[0.1 * mu, force])?.shift()),
+        &|mu, force| Ok(MindlinDeresiewicz::new(hertz, mu, &[force, 0.0])?.shift()),
+        &|mu, force| persson.stick_ratio(mu, force),
+        &|mu, force| linear_stick_ratio(1.0, mu, force),
     ];
     for contact in contacts {
         assert_checked("coefficient of friction", NonNegative, |value| {
             contact(value, 0.0)
         });
         assert_checked("tangential force", Finite, |value| contact(0.5, value));
-        kit::assert_refused! {
-            contact(0.5, 0.6) => Error::BeyondFrictionCapacity { force, limit, .. } if force > limit,
+        let is = |found: f64, expected: f64| (found - expected).abs() < 1e-12;
+        for beyond in [0.5000005, -0.5000005] {
+            kit::assert_refused! {
+                contact(0.5, beyond) => Error::BeyondFrictionCapacity { force, limit, .. }
+                    if is(force, 0.5000005) && is(limit, 0.5),
+            }
         }
+        kit::assert_refused! { contact(0.0, 1e-300) => Error::BeyondFrictionCapacity { .. } }
+        let accepted = [(0.5, 0.5), (0.5, -0.5), (0.0, 0.0)];
+        assert!(
+            accepted
+                .iter()
+                .all(|(mu, force)| contact(*mu, *force).is_ok())
+        );
     }
+    // The product 0.29 * 100 rounds to slightly less than 29. A force that is meant to equal the limit is accepted
+    // nevertheless.
+    let heavy = HertzSphere::new(&pair, 2.0, 100.0).unwrap();
+    assert!(CattaneoMindlin::new(heavy, 0.29, 29.0).is_ok());
     kit::assert_all_checked! {
         Positive "contact radius" => |value| Ok(MindlinFullStick::new(&pair, value, 1.0)?.shift()),
         Finite "tangential force" => |value| Ok(MindlinFullStick::new(&pair, 1.0, value)?.shift()),
         Positive "coefficient of friction" => |value| Ok(LubkinTorsion::new(hertz, value, 0.0)?.moment()),
         Finite "twist" => |value| Ok(LubkinTorsion::new(hertz, 0.5, value)?.moment()),
+    }
+}
+
+#[test]
+fn results_beyond_the_range_of_a_double_are_rejected() {
+    let (steel, rubber) = (kit::alike(213e9, 0.29), kit::on_rigid(18.75e6, 0.5));
+    let ball = HertzSphere::new(&steel, 3.5e-3, 100.0).unwrap();
+    let unit = 0.5 * ball.max_pressure() / steel.equivalent_shear_modulus();
+    kit::assert_refused! {
+        HertzSphere::new(&steel, 1e300, 1e300) => _,
+        HertzSphere::new(&steel, 1e-300, 1e-300) => _,
+        HertzEllipse::new(&steel, 1e-200, 1e200, 1.0) => _,
+        CattaneoMindlin::new(ball, 1e307, 1.0) => Error::NotFinite { .. },
+        Cone::new(&steel, 1e308, 1e-300) => Error::NotPositive { .. },
+        Cone::new(&steel, 1e-320, 1e300) => Error::NotPositive { .. },
+        FlatPunch::new(&steel, 1e-200, 1.0) => Error::NotPositive { .. },
+        FlatPunch::new(&steel, 1e200, 1.0) => Error::NotPositive { .. },
+        MindlinFullStick::new(&steel, 1e-300, 1e300) => _,
+        Westergaard::new(&rubber, 1e200, 1e-200, 1.0) => Error::NotPositive { .. },
+        Westergaard::new(&rubber, 1e-200, 1e200, 1.0) => Error::NotPositive { .. },
+        Westergaard::new(&rubber, 1.0, 1.0, 1e308) => Error::NotPositive { .. },
+        RoughSphere::new(ball, 1e-320) => Error::NotPositive { .. },
+        Persson::new(&rubber, 1e300, 1e-300) => Error::NotPositive { .. },
+        // The stick radius is smaller than any double.
+        LubkinTorsion::new(ball, 0.5, 400.0 * unit) => Error::NotPositive { .. },
+        LubkinTorsion::new(ball, 1e-300, 1e9) => Error::NotPositive { .. },
     }
 }

@@ -10,8 +10,8 @@ use stickslip::analytical::{
     Cone, ConePartialSlip, FlatPunch, Westergaard, WestergaardPartialSlip,
 };
 use stickslip::{
-    Boundary, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
-    TangentialLoad, TangentialProblem, TangentialSolution,
+    Boundary, Field, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution, TangentialLoad,
+    TangentialProblem, TangentialSolution,
 };
 
 const FRICTION: f64 = 0.4;
@@ -25,9 +25,8 @@ fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
 }
 
 fn shear(bodies: &HalfSpace, normal: &NormalSolution, force: f64) -> TangentialSolution {
-    let friction = Friction::coulomb(FRICTION).unwrap();
     let load = TangentialLoad::force([force, 0.0]);
-    let problem = TangentialProblem::builder(bodies, normal, friction, load)
+    let problem = TangentialProblem::builder(bodies, normal, kit::coulomb(FRICTION), load)
         .tolerance(TOLERANCE)
         .build();
     problem.unwrap().solve().unwrap()
@@ -59,7 +58,7 @@ fn cone_converges_to_closed_form() {
     // The contact radius is one.
     let cone = Cone::new(&pair, 0.02, 0.01 * PI).unwrap();
     for &n in kit::thorough(&[24, 48, 96][..], &[24, 48, 96, 192]) {
-        let grid = Grid::square(n, 2.6).unwrap();
+        let grid = kit::square(n, 2.6);
         let bodies = HalfSpace::new(grid, pair).unwrap();
         for _ in 0..4 {
             let distance = off_centre(&mut random, grid);
@@ -111,7 +110,7 @@ fn flat_punch_converges_to_closed_form() {
     let force = 0.5 * FRICTION * punch.load();
     let stick = punch.full_stick(FRICTION, force).unwrap();
     for n in [26, 54, 110, 182] {
-        let grid = Grid::square(n, 2.6).unwrap();
+        let grid = kit::square(n, 2.6);
         let bodies = HalfSpace::new(grid, pair).unwrap();
         for _ in 0..3 {
             let distance = off_centre(&mut random, grid);

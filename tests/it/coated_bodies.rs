@@ -10,8 +10,8 @@ use stickslip::influence::{Component, Rectangle, Table};
 use stickslip::layers::{LIMIT, Layer};
 use stickslip::subsurface::{Body, Tractions, at_points};
 use stickslip::{
-    Boundary, CellValue, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material,
-    NormalLoad, TangentialLoad, analytical, surface,
+    Boundary, CellValue, ElasticPair, Error, Field, Grid, HalfSpace, Material, NormalLoad,
+    TangentialLoad, analytical,
 };
 
 /// Reference values from mpmath with 60 digits, computed from Papkovich-Neuber potentials. The factor of a cell and the
@@ -180,8 +180,8 @@ fn layer_of_substrate_material_has_no_effect() {
     let same = ElasticPair::new(coated, coated).unwrap();
     assert!(!same.is_coupled() && against_rigid(coated).is_coupled());
     let [plain, layered] = [against_rigid(body), against_rigid(coated)].map(|pair| {
-        let bodies = HalfSpace::new(Grid::square(48, 12.0).unwrap(), pair).unwrap();
-        let gap = surface::sphere(bodies.grid(), 20.0).unwrap();
+        let bodies = HalfSpace::new(kit::square(48, 12.0), pair).unwrap();
+        let gap = kit::sphere(bodies.grid(), 20.0);
         press(&bodies, &gap, NormalLoad::Force(4.0), 1e-10)
     });
     let [plain, layered] = [plain, layered].map(|of| of.pressure().clone());
@@ -212,11 +212,11 @@ fn thin_bed_on_rigid_base_matches_winkler() {
         .coated(&[layer(1.0, nu, thickness)])
         .unwrap();
     let oedometric = 2.0 * (1.0 - nu) / (1.0 - 2.0 * nu);
-    let grid = Grid::square(192, 2.4).unwrap();
+    let grid = kit::square(192, 2.4);
     let bodies = HalfSpace::new(grid, against_rigid(body)).unwrap();
     // The contact radius is fifty thicknesses.
     let (radius, approach) = (1000.0, 5e-4);
-    let gap = surface::sphere(grid, radius).unwrap();
+    let gap = kit::sphere(grid, radius);
     let contact = press(&bodies, &gap, NormalLoad::Approach(approach), 1e-8);
     let displacement = contact.displacement(&bodies).unwrap();
     let centre = 96 * 192 + 96;
@@ -244,9 +244,9 @@ fn sphere_on_coating_matches_axisymmetric_solution() {
         let coating = layer(m, 0.3, thickness * hertz.contact_radius());
         let pair = against_rigid(substrate.coated(&[coating]).unwrap());
         let errors = [32, 64, 128].map(|n| {
-            let grid = Grid::square(n, 3.1 * radius * hertz.contact_radius()).unwrap();
+            let grid = kit::square(n, 3.1 * radius * hertz.contact_radius());
             let bodies = HalfSpace::new(grid, pair).unwrap();
-            let gap = surface::sphere(grid, hertz.radius()).unwrap();
+            let gap = kit::sphere(grid, hertz.radius());
             let load = NormalLoad::Force(load);
             let contact = press(&bodies, &gap, load, 1e-8);
             [
@@ -277,7 +277,7 @@ fn paraboloid_on_bonded_layer_matches_published_series() {
         let body = Material::rigid().coated(&[layer(1.0, 0.5, thickness)]);
         let pair = against_rigid(body.unwrap());
         let contact_radius = (radius * approach).sqrt();
-        let grid = Grid::square(192, 2.6 * contact_radius).unwrap();
+        let grid = kit::square(192, 2.6 * contact_radius);
         let bodies = HalfSpace::new(grid, pair).unwrap();
         let bodies = bodies.with_cell_value(CellValue::Centre).unwrap();
         let gap = Field::from_fn(grid, |x, y| 0.5 * (x * x + y * y) / radius);
@@ -314,7 +314,7 @@ fn certificate_bounds_error_for_random_coatings() {
         let base = Material::from_shear_modulus(1.0, 0.3).unwrap();
         let nu = [0.0, 0.3, 0.49][case % 3];
         let body = base.coated(&[layer(m, nu, thickness)]).unwrap();
-        let grid = Grid::square(32, 3.2).unwrap();
+        let grid = kit::square(32, 3.2);
         let boundary = [Boundary::NonPeriodic, Boundary::Periodic][case % 2];
         let bodies = HalfSpace::with_boundary(grid, against_rigid(body), boundary).unwrap();
         let heights = rough(grid, 3 + case as u64);
@@ -334,7 +334,7 @@ fn certificate_bounds_error_for_random_coatings() {
 /// for the layer in the limit of thick layers.
 #[test]
 fn shear_stiffness_matches_mindlin_in_both_limits() {
-    let grid = Grid::square(48, 3.0).unwrap();
+    let grid = kit::square(48, 3.0);
     let base = Material::from_shear_modulus(1.0, 0.0).unwrap();
     let ratio = |thickness: f64| {
         let body = base.coated(&[layer(2.0, 0.0, thickness)]).unwrap();
@@ -342,13 +342,12 @@ fn shear_stiffness_matches_mindlin_in_both_limits() {
         let pair = ElasticPair::new(body, body).unwrap();
         assert!(!pair.is_coupled());
         let bodies = HalfSpace::new(grid, pair).unwrap();
-        let gap = surface::sphere(grid, 2.0).unwrap();
+        let gap = kit::sphere(grid, 2.0);
         let pressed = |load| press(&bodies, &gap, NormalLoad::Force(load), 1e-10);
         let (normal, more) = (pressed(0.5), pressed(0.501));
         let stiffness = 0.001 / (more.approach() - normal.approach());
-        let friction = Friction::coulomb(1.0).unwrap();
         let load = TangentialLoad::force([1e-4, 0.0]);
-        let dragged = shear(&bodies, &normal, &friction, load, 1e-10);
+        let dragged = shear(&bodies, &normal, &kit::coulomb(1.0), load, 1e-10);
         1e-4 / dragged.shift()[0] / stiffness
     };
     let (thin, middle, thick) = (ratio(1e-5), ratio(0.3), ratio(1e5));
@@ -388,8 +387,7 @@ fn layers_that_are_invalid_are_rejected() {
             .coated(&[layer(2.0, 0.3, 1e-307)])
             .unwrap(),
     );
-    let grid = Grid::square(8, 1.0).unwrap();
-    kit::assert_refused! { HalfSpace::new(grid, thin) => Error::BelowMinimum { .. } }
+    kit::assert_refused! { HalfSpace::new(kit::square(8, 1.0), thin) => Error::BelowMinimum { .. } }
     // A layer of nearly infinite thickness behaves like a half-space of its material.
     let thick = against_rigid(
         parse_material("1/0.3")
@@ -418,14 +416,14 @@ fn functions_of_a_single_modulus_reject_coated_bodies() {
     let body = parse_body("4/0.3/0.05", "1/0.2");
     let pair = against_rigid(body);
     kit::assert_refused! { analytical::HertzSphere::new(&pair, 1.0, 1.0) => Error::UnsupportedForCoatings { .. } }
-    let grid = Grid::square(24, 3.0).unwrap();
+    let grid = kit::square(24, 3.0);
     let bodies = HalfSpace::new(grid, pair).unwrap();
     let pressure = Field::constant(grid, 0.1);
     kit::assert_refused! {
         at_points(&bodies, Body::One, Tractions::new(&pressure), &[[0.0, 0.0, 0.1]])
             => Error::UnsupportedForCoatings { .. },
     }
-    let gap = surface::sphere(grid, 5.0).unwrap();
+    let gap = kit::sphere(grid, 5.0);
     let contact = press(&bodies, &gap, NormalLoad::Force(0.3), 1e-6);
     kit::assert_refused! { contact.edges() => Error::UnsupportedForCoatings { .. } }
 }

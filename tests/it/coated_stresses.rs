@@ -299,7 +299,7 @@ fn coated_stresses_are_in_equilibrium() {
 
 #[test]
 fn coated_stresses_match_independent_quadrature() {
-    let grid = Grid::square(65, 2.6).unwrap();
+    let grid = kit::square(65, 2.6);
     let coated = body(1.0, 0.25).coated(&[layer(3.0, 0.35, 0.4)]).unwrap();
     let pair = ElasticPair::new(coated, Material::rigid()).unwrap();
     let bodies = HalfSpace::new(grid, pair)

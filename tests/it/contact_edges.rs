@@ -50,7 +50,7 @@ fn mean_errors(shape: &Smooth, grid: Grid, cell_value: CellValue) -> [f64; 5] {
 /// Uses 64 cells over three contact radii. The contact has any position and orientation relative to the cells.
 #[test]
 fn edges_of_closed_form_contacts_match_area_and_pressure() {
-    let grid = Grid::square(64, 3.0).unwrap();
+    let grid = kit::square(64, 3.0);
     for shape in Smooth::all() {
         let [raw, found, raw_area, area, force] = mean_errors(&shape, grid, CellValue::Centre);
         let all = [raw, found, raw_area, area, force];
@@ -86,10 +86,10 @@ fn edges_on_rectangular_cells_are_accurate() {
 
 #[test]
 fn edges_of_closed_form_stick_zones_match_area_and_traction() {
-    let grid = Grid::square(64, 3.0).unwrap();
+    let grid = kit::square(64, 3.0);
     let hertz = HertzSphere::new(&unit_pair(0.0), 1.0, 4.0 / 3.0).unwrap();
     let exact = CattaneoMindlin::new(hertz, 0.5, 0.4 * 0.5 * 4.0 / 3.0).unwrap();
-    let (shape, friction) = (Smooth::sphere(), Friction::coulomb(0.5).unwrap());
+    let (shape, friction) = (Smooth::sphere(), kit::coulomb(0.5));
     let bodies = bodies_with(grid, 0.0, CellValue::Centre);
     let [mut traction, mut stick, mut peak] = [0.0; 3];
     for offset in OFFSETS {
@@ -117,9 +117,9 @@ fn edges_of_closed_form_stick_zones_match_area_and_traction() {
 /// antiplane crack.
 #[test]
 fn edges_of_stick_zones_depend_on_traction_direction() {
-    let friction = Friction::coulomb(0.5).unwrap();
+    let friction = kit::coulomb(0.5);
     let stick_area = |cells: usize| {
-        let grid = Grid::square(cells, 3.0).unwrap();
+        let grid = kit::square(cells, 3.0);
         let bodies = bodies_with(grid, 0.3, CellValue::Centre);
         let contact = press(
             &bodies,
@@ -141,7 +141,7 @@ fn edges_of_stick_zones_depend_on_traction_direction() {
 /// The outline is closed, lies on the circle and has the length of the circle.
 #[test]
 fn outline_of_sphere_contact_is_a_circle() {
-    let grid = Grid::square(64, 3.0).unwrap();
+    let grid = kit::square(64, 3.0);
     let contact = press(
         &bodies_with(grid, 0.0, CellValue::Centre),
         &Smooth::sphere().gap(grid, OFFSETS[1]),
@@ -174,7 +174,7 @@ fn outline_of_sphere_contact_is_a_circle() {
 /// The pressure of a flat punch is infinite at its edge, so the cells keep their values.
 #[test]
 fn edges_of_singular_pressure_are_not_fitted() {
-    let grid = Grid::square(48, 3.0).unwrap();
+    let grid = kit::square(48, 3.0);
     let punch = Field::from_fn(
         grid,
         |x, y| if (x - 0.01).hypot(y) < 1.0 { 0.0 } else { 1.0 },
@@ -204,7 +204,7 @@ fn edges_of_singular_pressure_are_not_fitted() {
 #[test]
 fn areas_of_rough_contacts_are_accurate_if_most_fits_fail() {
     let area = |cells: usize| -> (f64, f64, Edges) {
-        let grid = Grid::square(cells, 1.0).unwrap();
+        let grid = kit::square(cells, 1.0);
         let bodies = HalfSpace::with_boundary(grid, unit_pair(0.0), Boundary::Periodic).unwrap();
         // The shortest waves are a twelfth of the side long, which is eight of the coarse cells.
         let surface = Field::from_fn(grid, |x, y| {
@@ -265,10 +265,10 @@ fn edges_on_periodic_lines_and_without_contact_exist() {
 
 #[test]
 fn edges_for_mismatched_bodies_and_slabs_are_rejected() {
-    let grid = Grid::square(24, 3.0).unwrap();
+    let grid = kit::square(24, 3.0);
     let gap = Smooth::sphere().gap(grid, [0.0; 2]);
     let load = NormalLoad::Force(0.5);
-    let friction = Friction::coulomb(0.5).unwrap();
+    let friction = kit::coulomb(0.5);
     let [uniform, centres] = [CellValue::Uniform, CellValue::Centre].map(|cell_value| {
         let bodies = bodies_with(grid, 0.0, cell_value);
         let contact = press(&bodies, &gap, load);
@@ -278,8 +278,7 @@ fn edges_for_mismatched_bodies_and_slabs_are_rejected() {
     let problem = TangentialProblem::builder(&uniform.0, &uniform.1, friction.clone(), shear);
     let shear = kit::solve(problem);
     kit::assert_refused! { shear.edges(&centres.1, &friction) => Error::CellValueMismatch { .. } }
-    let other = Grid::square(20, 3.0).unwrap();
-    let friction = Friction::per_cell(Field::constant(other, 0.5)).unwrap();
+    let friction = Friction::per_cell(Field::constant(kit::square(20, 3.0), 0.5)).unwrap();
     kit::assert_refused! { shear.edges(&uniform.1, &friction) => Error::GridMismatch { .. } }
 
     let grid = Grid::new(64, 256, 0.05, 0.05).unwrap();
@@ -298,9 +297,9 @@ fn edges_for_mismatched_bodies_and_slabs_are_rejected() {
 /// offsets. The errors are given for the cells and for the fitted edges. The force is the given fraction of the
 /// sliding force.
 fn shear_errors(shape: &Smooth, cells: usize, part: f64) -> [[f64; 2]; 3] {
-    let grid = Grid::square(cells, 3.0).unwrap();
+    let grid = kit::square(cells, 3.0);
     let (bodies, coefficient) = (bodies_with(grid, 0.0, CellValue::Centre), 0.5);
-    let friction = Friction::coulomb(coefficient).unwrap();
+    let friction = kit::coulomb(coefficient);
     let ratio = shape.stick_radius(part).powi(2);
     let mut sums = [[0.0; 2]; 3];
     for [x0, y0] in OFFSETS {

@@ -2,7 +2,7 @@
 
 use kit::contact::{AGREED, Case, ReferenceStep};
 use stickslip::history::EntryRule;
-use stickslip::{Friction, HalfSpace, History, TangentialModel};
+use stickslip::{HalfSpace, History, TangentialModel};
 
 const TOLERANCE: f64 = 1e-10;
 
@@ -49,10 +49,13 @@ fn assert_scalars_agree(case: &Case, step: &ReferenceStep, shift: [f64; 2], hist
 fn assert_every_step_agrees(name: &str, steps: usize) {
     let case = Case::read(name, steps);
     let bodies = HalfSpace::new(case.grid, case.pair).unwrap();
-    let friction = Friction::coulomb(case.friction).unwrap();
-    let builder = History::builder(&bodies, case.gap(&case.steps[0]), friction)
-        .model(TangentialModel::Vector)
-        .entry_rule(EntryRule::WholeStep);
+    let builder = History::builder(
+        &bodies,
+        case.gap(&case.steps[0]),
+        kit::coulomb(case.friction),
+    )
+    .model(TangentialModel::Vector)
+    .entry_rule(EntryRule::WholeStep);
     let mut history = builder.tolerance(TOLERANCE).build().unwrap();
     let mut shift = [0.0; 2];
     for (number, step) in case.steps.iter().enumerate() {

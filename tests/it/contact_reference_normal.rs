@@ -1,6 +1,6 @@
 //! Comparison with the discrete solution of CONTACT, an independent code with the same elements.
 
-use stickslip::{ElasticPair, Field, Grid, HalfSpace, Material, NormalLoad, NormalProblem};
+use stickslip::{Field, Grid, HalfSpace, NormalLoad, NormalProblem};
 
 /// The header of the file states the case and its source.
 const HERTZ: &str = include_str!("../data/hertz_contact.csv");
@@ -9,8 +9,7 @@ const HERTZ: &str = include_str!("../data/hertz_contact.csv");
 fn hertz_contact_on_nineteen_cells_matches() {
     let side = 0.133_333_684_210_526_3;
     let grid = Grid::new(19, 19, side, side).unwrap();
-    let body = Material::from_shear_modulus(200.0, 0.42).unwrap();
-    let bodies = HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap();
+    let bodies = HalfSpace::new(grid, kit::alike_in_shear(200.0, 0.42)).unwrap();
     let gap = Field::from_fn(grid, |x, y| 0.01 * x * x + 0.01 * y * y);
     let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(9.1954)).tolerance(1e-12);
     let solution = kit::solve(problem);

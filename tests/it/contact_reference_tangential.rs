@@ -2,7 +2,7 @@
 
 use kit::contact::{AGREED, Case};
 use kit::press;
-use stickslip::{Friction, HalfSpace, TangentialModel, TangentialProblem};
+use stickslip::{HalfSpace, TangentialModel, TangentialProblem};
 
 const TOLERANCE: f64 = 1e-10;
 
@@ -11,7 +11,7 @@ fn assert_first_step_agrees(name: &str, steps: usize) {
     let step = &case.steps[0];
     assert!(!step.continues);
     let bodies = HalfSpace::new(case.grid, case.pair).unwrap();
-    let friction = Friction::coulomb(case.friction).unwrap();
+    let friction = kit::coulomb(case.friction);
     let pressure = case.field(step, |cell| cell.pressure);
     let load = step.tangential_load();
     let normal = step.normal_control().map(|control| {

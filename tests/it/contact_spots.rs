@@ -8,8 +8,8 @@ use stickslip::analytical::HertzSphere;
 use stickslip::ranks::{Ranks, Threads};
 use stickslip::surface::SelfAffine;
 use stickslip::{
-    Boundary, CellValue, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad,
-    NormalProblem, NormalSolution, TangentialLoad, TangentialProblem, Zone, surface,
+    Boundary, CellValue, Error, Field, Grid, HalfSpace, History, LoadStep, NormalLoad,
+    NormalProblem, NormalSolution, TangentialLoad, TangentialProblem, Zone,
 };
 
 use crate::distributed_io_is_atomic::LostRank;
@@ -49,18 +49,18 @@ fn spot_areas_from_fitted_edges_match_hertz() {
     }
     assert!((areas.iter().sum::<f64>() / edges.area() - 1.0).abs() < 1e-12);
 
-    let other = HalfSpace::new(Grid::square(40, 4.0).unwrap(), pair).unwrap();
-    let gap = surface::sphere(other.grid(), 1.0).unwrap();
+    let other = HalfSpace::new(kit::square(40, 4.0), pair).unwrap();
+    let gap = kit::sphere(other.grid(), 1.0);
     kit::assert_refused! { edges.areas_of(&press(&other, &gap, 0.5).spots().unwrap()) => Error::GridMismatch { .. } }
 }
 
 #[test]
 fn spots_of_rough_contact_partition_area_and_load() {
     for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
-        let grid = Grid::square(64, 64.0).unwrap();
+        let grid = kit::square(64, 64.0);
         let bodies = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), boundary).unwrap();
         let contact = press(&bodies, &kit::rough(grid, 5), 60.0);
-        let friction = Friction::coulomb(0.4).unwrap();
+        let friction = kit::coulomb(0.4);
         let load = TangentialLoad::force([12.0, 0.0]);
         let shear = TangentialProblem::builder(&bodies, &contact, friction.clone(), load);
         let shear = kit::solve(shear);
@@ -157,7 +157,7 @@ fn spots_on_ranks_are_bitwise_identical() {
                 ),
                 (0, None)
             );
-            let friction = Friction::coulomb(0.4).unwrap();
+            let friction = kit::coulomb(0.4);
             let load = TangentialLoad::force([12.0, 0.0]);
             let shear = TangentialProblem::builder(bodies, &contact, friction.clone(), load);
             let shear = kit::solve(shear);
@@ -203,7 +203,7 @@ fn spots_with_a_lost_rank_return_an_error() {
             });
             let (pair, shared) = (kit::unit_pair(0.3), Arc::clone(&ranks) as Arc<dyn Ranks>);
             let bodies = HalfSpace::distributed(grid, pair, Boundary::Periodic, shared).unwrap();
-            let ball = surface::sphere(bodies.grid(), 40.0).unwrap();
+            let ball = kit::sphere(bodies.grid(), 40.0);
             let contact = press(&bodies, &ball, 20.0);
             let calls = if is_lost { calls } else { usize::MAX };
             ranks.calls_left.store(calls, Relaxed);
@@ -227,11 +227,11 @@ fn spots_with_a_lost_rank_return_an_error() {
 
 #[test]
 fn spots_of_history_include_stick_ratio() {
-    let grid = Grid::square(32, 12.0).unwrap();
+    let grid = kit::square(32, 12.0);
     let bodies = kit::unit_bodies(grid, 0.3);
-    let ball = surface::sphere(grid, 20.0).unwrap();
-    let friction = Friction::coulomb(0.4).unwrap();
-    let mut history = History::builder(&bodies, &ball, friction).build().unwrap();
+    let mut history = History::builder(&bodies, kit::sphere(grid, 20.0), kit::coulomb(0.4))
+        .build()
+        .unwrap();
     assert_eq!(history.spots().unwrap().largest(), None);
     history
         .step(&LoadStep::hold().normal(NormalLoad::Force(4.0)))

@@ -10,7 +10,6 @@ use stickslip::{
     Axis, Boundary, CoupledProblem, CoupledSolution, Coupling, ElasticPair, Error, Field, Friction,
     Grid, HalfSpace, History, LoadStep, Material, NormalLoad, NormalProblem, NormalSolution,
     TangentialControl, TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution,
-    surface,
 };
 
 const FRICTION: f64 = 0.4;
@@ -25,11 +24,11 @@ struct StiffnessCase {
 
 impl StiffnessCase {
     fn ball(cells: usize, poisson_ratio: f64, model: TangentialModel) -> Self {
-        let grid = Grid::square(cells, 12.0).unwrap();
+        let grid = kit::square(cells, 12.0);
         Self {
             bodies: kit::unit_bodies(grid, poisson_ratio),
-            gap: surface::sphere(grid, 20.0).unwrap(),
-            friction: Friction::coulomb(FRICTION).unwrap(),
+            gap: kit::sphere(grid, 20.0),
+            friction: kit::coulomb(FRICTION),
             model,
         }
     }
@@ -37,13 +36,13 @@ impl StiffnessCase {
     fn rough(boundary: Boundary, model: TangentialModel) -> Self {
         let grid = Grid::new(48, 40, 2.0, 2.5).unwrap();
         let bodies = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), boundary).unwrap();
-        let mut gap = kit::rough(Grid::square(48, 96.0).unwrap(), 4);
+        let mut gap = kit::rough(kit::square(48, 96.0), 4);
         let heights = gap.as_mut_slice()[..grid.cells()].to_vec();
         gap = Field::from_vec(grid, heights).unwrap();
         Self {
             bodies,
             gap,
-            friction: Friction::coulomb(FRICTION).unwrap(),
+            friction: kit::coulomb(FRICTION),
             model,
         }
     }
@@ -392,9 +391,9 @@ fn scalar_model_has_stiffness_of_one_motion() {
 /// The normal and tangential parts of a coupled solution depend on each other, so neither part has its own stiffness.
 #[test]
 fn parts_of_coupled_solution_are_rejected() {
-    let grid = Grid::square(16, 3.0).unwrap();
-    let gap = surface::sphere(grid, 10.0).unwrap();
-    let friction = Friction::coulomb(FRICTION).unwrap();
+    let grid = kit::square(16, 3.0);
+    let gap = kit::sphere(grid, 10.0);
+    let friction = kit::coulomb(FRICTION);
     let press = NormalLoad::Force(0.1);
     let load = TangentialLoad::force([0.01, 0.0]);
     let solve = |pair: ElasticPair| {
@@ -403,7 +402,7 @@ fn parts_of_coupled_solution_are_rejected() {
         let contact = kit::solve(problem);
         (bodies, contact)
     };
-    let dissimilar = ElasticPair::new(Material::new(1.0, 0.0).unwrap(), Material::rigid()).unwrap();
+    let dissimilar = kit::on_rigid(1.0, 0.0);
     let (bodies, contact) = solve(dissimilar);
     let (normal, shear) = (contact.normal(), contact.tangential());
     let beta = dissimilar.dundurs_beta();
@@ -428,12 +427,10 @@ fn parts_of_coupled_solution_are_rejected() {
 /// slip.
 #[test]
 fn coupled_stiffness_matches_differences_of_solves() {
-    let grid = Grid::square(24, 3.0).unwrap();
-    let gap = surface::sphere(grid, 10.0).unwrap();
-    let friction = Friction::coulomb(FRICTION).unwrap();
-    let body = Material::new(1.0, 0.2).unwrap();
-    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
-    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let grid = kit::square(24, 3.0);
+    let gap = kit::sphere(grid, 10.0);
+    let friction = kit::coulomb(FRICTION);
+    let bodies = HalfSpace::new(grid, kit::on_rigid(1.0, 0.2)).unwrap();
     let solve = |approach: f64, shift: [f64; 2]| {
         let (press, load) = (NormalLoad::Approach(approach), TangentialLoad::shift(shift));
         let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), press, load);
@@ -511,7 +508,7 @@ fn different_bodies_and_closed_gaps_are_rejected() {
     kit::assert_refused! { normal.stiffness(&softer) => Error::MaterialMismatch { .. } }
 
     // A flat periodic contact has an infinite stiffness.
-    let grid = Grid::square(8, 1.0).unwrap();
+    let grid = kit::square(8, 1.0);
     let bodies = HalfSpace::with_boundary(grid, *scene.bodies.pair(), Boundary::Periodic).unwrap();
     let flat = Field::zeros(grid);
     let contact = NormalProblem::builder(&bodies, &flat, NormalLoad::Force(1.0));
@@ -539,9 +536,7 @@ fn growing_contact_stiffness_matches_whole_steps() {
 #[test]
 fn yielding_contact_stiffness_matches_steps() {
     let mut coupled = StiffnessCase::ball(32, 0.3, TangentialModel::Vector);
-    let body = Material::new(1.0, 0.2).unwrap();
-    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
-    coupled.bodies = HalfSpace::new(coupled.gap.grid(), pair).unwrap();
+    coupled.bodies = HalfSpace::new(coupled.gap.grid(), kit::on_rigid(1.0, 0.2)).unwrap();
     for scene in [
         StiffnessCase::ball(48, 0.3, TangentialModel::Scalar),
         StiffnessCase::ball(48, 0.3, TangentialModel::Vector),
@@ -559,9 +554,7 @@ fn yielding_contact_stiffness_matches_steps() {
 #[test]
 fn one_way_coupled_stiffness_matches_steps() {
     let mut scene = StiffnessCase::ball(48, 0.3, TangentialModel::Vector);
-    let body = Material::new(1.0, 0.2).unwrap();
-    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
-    scene.bodies = HalfSpace::new(scene.gap.grid(), pair).unwrap();
+    scene.bodies = HalfSpace::new(scene.gap.grid(), kit::on_rigid(1.0, 0.2)).unwrap();
     let builder = History::builder(&scene.bodies, &scene.gap, scene.friction.clone());
     let builder = builder.model(scene.model).coupling(Coupling::OneWay);
     assert_stiffness_matches_steps(&scene, builder);
@@ -572,8 +565,6 @@ fn one_way_coupled_stiffness_matches_steps() {
 #[test]
 fn fully_coupled_stiffness_matches_steps() {
     for &poisson_ratio in kit::thorough(&[0.3][..], &[0.45, 0.3, 0.0]) {
-        let body = Material::new(1.0, poisson_ratio).unwrap();
-        let pair = ElasticPair::new(body, Material::rigid()).unwrap();
         let mut scenes = vec![StiffnessCase::ball(32, 0.3, TangentialModel::Vector)];
         if poisson_ratio == 0.3 {
             scenes.push(StiffnessCase::rough(
@@ -587,7 +578,9 @@ fn fully_coupled_stiffness_matches_steps() {
         }
         for mut scene in scenes {
             let (grid, boundary) = (scene.gap.grid(), scene.bodies.boundary());
-            scene.bodies = HalfSpace::with_boundary(grid, pair, boundary).unwrap();
+            scene.bodies =
+                HalfSpace::with_boundary(grid, kit::on_rigid(1.0, poisson_ratio), boundary)
+                    .unwrap();
             let builder = History::builder(&scene.bodies, &scene.gap, scene.friction.clone());
             assert_stiffness_matches_steps(&scene, builder);
         }

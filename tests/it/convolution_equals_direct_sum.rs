@@ -180,7 +180,7 @@ fn small_grid() -> impl Strategy<Value = Grid> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(kit::thorough(24, 256)))]
+    #![proptest_config(ProptestConfig::with_cases(kit::thorough(14, 256)))]
 
     #[test]
     fn convolution_of_all_nine_components_equals_direct_sum(

@@ -2,13 +2,12 @@
 //! code, and error bounds.
 
 use kit::contact::Case;
-use kit::{Random, l2_difference, max_difference, rough, unit_bodies};
+use kit::{Random, max_difference, rough};
 use stickslip::influence::Component;
 use stickslip::influence::Direction::{X, Y, Z};
 use stickslip::{
-    Axis, Boundary, CoupledProblem, CoupledSolution, ElasticPair, Error, Field, Friction, Grid,
-    HalfSpace, Material, NormalLoad, NormalProblem, Operator, Status, TangentialControl,
-    TangentialLoad, TangentialModel, TangentialProblem, cgm, surface,
+    Axis, Boundary, CoupledProblem, CoupledSolution, ElasticPair, Error, Field, Grid, HalfSpace,
+    Material, NormalLoad, NormalProblem, Operator, Status, TangentialControl, TangentialLoad, cgm,
 };
 
 /// Stick ratios (ratios of the radii) to which the coefficients of [`FRICTION`] lead.
@@ -51,8 +50,7 @@ fn solve(
     load: TangentialLoad,
     tolerance: f64,
 ) -> CoupledSolution {
-    let friction = Friction::coulomb(coefficient).unwrap();
-    let problem = CoupledProblem::builder(bodies, gap, friction, normal, load);
+    let problem = CoupledProblem::builder(bodies, gap, kit::coulomb(coefficient), normal, load);
     kit::solve(problem.tolerance(tolerance))
 }
 
@@ -65,7 +63,7 @@ fn punch_gap(grid: Grid) -> Field {
 /// larger.
 #[test]
 fn punch_stick_radii_match_spence() {
-    let grid = Grid::square(65, 2.4).unwrap();
+    let grid = kit::square(65, 2.4);
     let cell = grid.dx();
     for (beta, coefficients) in FRICTION {
         let bodies = HalfSpace::new(grid, against_rigid(beta)).unwrap();
@@ -91,7 +89,7 @@ fn punch_stick_radii_match_spence() {
 #[test]
 fn punch_stick_radii_converge_with_the_grid() {
     let error = |cells: usize| {
-        let grid = Grid::square(cells, 2.4).unwrap();
+        let grid = kit::square(cells, 2.4);
         let bodies = HalfSpace::new(grid, against_rigid(0.5)).unwrap();
         let errors = STICK_RADII.into_iter().zip(FRICTION[0].1).skip(1);
         let errors = errors.step_by(kit::thorough(3, 1));
@@ -122,11 +120,9 @@ fn punch_in_full_stick_matches_mossakovskii() {
     for &poisson_ratio in kit::thorough(&[0.3][..], &[0.0, 0.1, 0.2, 0.3, 0.4]) {
         let nu: f64 = poisson_ratio;
         let exact = (1.0 - nu) * (3.0 - 4.0 * nu).ln() / (1.0 - 2.0 * nu);
-        let body = Material::new(1.0, nu).unwrap();
-        let pair = ElasticPair::new(body, Material::rigid()).unwrap();
         let errors = [33, 129].map(|cells| {
-            let grid = Grid::square(cells, 2.4).unwrap();
-            let bodies = HalfSpace::new(grid, pair).unwrap();
+            let grid = kit::square(cells, 2.4);
+            let bodies = HalfSpace::new(grid, kit::on_rigid(1.0, nu)).unwrap();
             let (gap, press) = (punch_gap(grid), NormalLoad::Force(1.0));
             let stuck = solve(&bodies, &gap, 20.0, press, zero_shift(), 1e-6);
             let smooth = NormalProblem::builder(&bodies, &gap, press)
@@ -166,103 +162,13 @@ fn flat_punch_matches_contact_code() {
     assert!((found.elastic_energy() / energy - 1.0).abs() < 1e-8);
 }
 
-/// Without coupling, the coupled problem reduces to the normal problem followed by the tangential problem. This applies
-/// to equal bodies, and to different moduli whose coupling cancels.
-#[test]
-fn uncoupled_bodies_match_separate_solves() {
-    let grid = Grid::square(32, 2.6).unwrap();
-    let other = Material::from_shear_modulus(3.0, 0.2).unwrap();
-    let cancelling = {
-        // The ratio (1 - 2 nu) / G equals the ratio of the other body.
-        let nu = 0.35;
-        let modulus = 3.0 * (1.0 - 2.0 * nu) / (1.0 - 0.4);
-        ElasticPair::new(Material::from_shear_modulus(modulus, nu).unwrap(), other).unwrap()
-    };
-    for (bodies, gap) in [
-        (unit_bodies(grid, 0.3), surface::sphere(grid, 8.0).unwrap()),
-        (
-            HalfSpace::new(grid, cancelling).unwrap(),
-            surface::sphere(grid, 8.0).unwrap(),
-        ),
-        (unit_bodies(grid, 0.3), rough(grid, 3)),
-    ] {
-        assert!(bodies.pair().dundurs_beta().abs() < 1e-15);
-        let press = NormalLoad::Force(0.15 * bodies.pair().contact_modulus());
-        let (tolerance, coefficient) = (1e-11, 0.3);
-        let force = 0.6 * coefficient * 0.15 * bodies.pair().contact_modulus();
-        let load = TangentialLoad::force([0.8 * force, 0.6 * force]);
-        let found = solve(&bodies, &gap, coefficient, press, load, tolerance);
-        let normal = NormalProblem::builder(&bodies, &gap, press).tolerance(tolerance);
-        let normal = kit::solve(normal);
-        let friction = Friction::coulomb(coefficient).unwrap();
-        let shear = TangentialProblem::builder(&bodies, &normal, friction, load)
-            .model(TangentialModel::Vector)
-            .tolerance(tolerance);
-        let shear = kit::solve(shear);
-        assert!(
-            l2_difference(
-                found.normal().pressure().as_slice(),
-                normal.pressure().as_slice()
-            ) < 1e-8
-        );
-        for axis in 0..2 {
-            let [a, b] =
-                [found.tangential().traction()[axis], shear.traction()[axis]].map(Field::as_slice);
-            assert!(max_difference(a, b) < 1e-8 * normal.pressure().max());
-        }
-        assert_eq!(found.tangential().zones(), shear.zones());
-        assert!((found.tangential().shift()[0] / shear.shift()[0] - 1.0).abs() < 1e-8);
-        assert!((found.normal().approach() / normal.approach() - 1.0).abs() < 1e-9);
-    }
-}
-
-/// Shift, force and spring controls that describe the same state lead to this state, and so do approach and force
-/// controls.
-#[test]
-fn controls_of_the_same_state_are_equivalent() {
-    let grid = Grid::square(28, 2.6).unwrap();
-    let bodies = HalfSpace::new(grid, against_rigid(0.35)).unwrap();
-    let gap = surface::ellipsoid(grid, 8.0, 5.0).unwrap();
-    let load = TangentialLoad::force([0.02, -0.01]).twist(0.01);
-    let found = solve(&bodies, &gap, 0.5, NormalLoad::Force(0.1), load, 1e-12);
-    let (stiffness, [x, y]) = (0.4, found.tangential().shift());
-    let spring = |shift: f64, force: f64| TangentialControl::Spring {
-        position: shift + force / stiffness,
-        stiffness,
-    };
-    let sheared = TangentialLoad::shift([x, y]).twist(0.01);
-    for (normal, load) in [
-        (NormalLoad::Approach(found.normal().approach()), load),
-        (NormalLoad::Force(0.1), sheared),
-        (NormalLoad::Approach(found.normal().approach()), sheared),
-        (
-            NormalLoad::Force(0.1),
-            load.along(Axis::X, spring(x, 0.02))
-                .along(Axis::Y, spring(y, -0.01)),
-        ),
-    ] {
-        let again = solve(&bodies, &gap, 0.5, normal, load, 1e-12);
-        assert!((again.normal().force() / 0.1 - 1.0).abs() < 1e-10);
-        assert!(
-            (again.tangential().force()[0] - 0.02).abs() < 1e-11
-                && (again.tangential().force()[1] + 0.01).abs() < 1e-11
-        );
-        assert!((again.tangential().shift()[0] / x - 1.0).abs() < 1e-9);
-        let error = l2_difference(
-            again.tangential().traction()[0].as_slice(),
-            found.tangential().traction()[0].as_slice(),
-        );
-        assert!(error < 1e-9, "{error:e}");
-    }
-}
-
 /// If one half is solved again accurately with the other half fixed, the change of this half is within its bound.
 #[test]
 fn halves_are_within_their_error_bounds() {
     let grid = Grid::new(24, 20, 0.1, 0.12).unwrap();
     for boundary in kit::boundaries(grid) {
         let bodies = HalfSpace::with_boundary(grid, against_rigid(0.45), boundary).unwrap();
-        let gap = rough(Grid::square(24, 1.0).unwrap(), 5);
+        let gap = rough(kit::square(24, 1.0), 5);
         let gap = Field::from_indices(grid, |ix, iy| 0.05 * gap.get(ix, iy).unwrap());
         let force = 0.02 * grid.area();
         let (press, load) = (
@@ -349,7 +255,7 @@ fn energy_errors(bodies: &HalfSpace, loose: &CoupledSolution, exact: &CoupledSol
 /// estimates.
 #[test]
 fn errors_are_within_their_estimates() {
-    let grid = Grid::square(20, 2.6).unwrap();
+    let grid = kit::square(20, 2.6);
     let mut random = Random(5);
     for scene in 0..40 {
         let beta = random.uniform(0.02, 0.5);
@@ -384,9 +290,9 @@ fn errors_are_within_their_estimates() {
 /// solutions are within these bounds.
 #[test]
 fn weak_friction_errors_are_within_certified_bounds() {
-    let grid = Grid::square(20, 2.6).unwrap();
+    let grid = kit::square(20, 2.6);
     let bodies = HalfSpace::new(grid, against_rigid(0.12)).unwrap();
-    let gap = surface::sphere(grid, 10.0).unwrap();
+    let gap = kit::sphere(grid, 10.0);
     let press = NormalLoad::Force(0.1);
     let load = TangentialLoad::shift([0.02, 0.01]);
     let exact = solve(&bodies, &gap, 0.1, press, load, 1e-13);
@@ -473,9 +379,9 @@ fn rough_bodies_of_random_pairs_converge() {
 
 #[test]
 fn zero_load_and_zero_friction_are_solved() {
-    let grid = Grid::square(16, 2.0).unwrap();
+    let grid = kit::square(16, 2.0);
     let bodies = HalfSpace::new(grid, against_rigid(0.5)).unwrap();
-    let gap = surface::sphere(grid, 5.0).unwrap();
+    let gap = kit::sphere(grid, 5.0);
     let empty = solve(
         &bodies,
         &gap,
@@ -507,12 +413,16 @@ fn zero_load_and_zero_friction_are_solved() {
 
 #[test]
 fn loads_that_are_invalid_or_beyond_capacity_are_rejected() {
-    let grid = Grid::square(16, 2.0).unwrap();
+    let grid = kit::square(16, 2.0);
     let bodies = HalfSpace::new(grid, against_rigid(0.5)).unwrap();
-    let gap = surface::sphere(grid, 5.0).unwrap();
     let build = |normal: NormalLoad, load: TangentialLoad| {
-        let friction = Friction::coulomb(0.3).unwrap();
-        CoupledProblem::builder(&bodies, &gap, friction, normal, load)
+        CoupledProblem::builder(
+            &bodies,
+            kit::sphere(grid, 5.0),
+            kit::coulomb(0.3),
+            normal,
+            load,
+        )
     };
     let refused = build(NormalLoad::Force(-1.0), zero_shift()).build();
     assert!(matches!(refused, Err(Error::NegativeOrNotFinite { value, .. }) if value == -1.0));
@@ -532,14 +442,19 @@ fn loads_that_are_invalid_or_beyond_capacity_are_rejected() {
 /// In some of the cases the last solution is a poor start. The pressure and the traction are then solved from scratch.
 #[test]
 fn tolerances_of_any_size_are_met() {
-    let grid = Grid::square(24, 3.0).unwrap();
+    let grid = kit::square(24, 3.0);
     let bodies = HalfSpace::new(grid, against_rigid(0.5)).unwrap();
-    let gap = surface::sphere(grid, 10.0).unwrap();
-    let friction = Friction::coulomb(0.3).unwrap();
+    let friction = kit::coulomb(0.3);
     for tolerance in [0.9, 0.1, 1e-2, 1e-6] {
         let press = NormalLoad::Force(0.01);
         let load = TangentialLoad::force([0.001, 0.0]);
-        let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), press, load);
+        let problem = CoupledProblem::builder(
+            &bodies,
+            kit::sphere(grid, 10.0),
+            friction.clone(),
+            press,
+            load,
+        );
         let problem = problem.tolerance(tolerance).build().unwrap();
         let mut solver = problem.into_solver().unwrap();
         let mut contact = solver.new_solution();

@@ -8,8 +8,8 @@ use stickslip::analytical::{FlatPunch, HertzSphere, SpencePressing};
 use stickslip::history::wear::{self, CycleJump};
 use stickslip::history::{AdaptiveSteps, Cycle, EntryRule, FrettingLoop, LoadPath};
 use stickslip::{
-    Axis, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
-    Material, NormalLoad, Status, TangentialControl, TangentialModel, Warning, Zone, surface,
+    Axis, Coupling, ElasticPair, Error, Field, Grid, HalfSpace, History, LoadStep, Material,
+    NormalLoad, Status, TangentialControl, TangentialModel, Warning, Zone,
 };
 
 /// Tolerance relative to the largest pressure.
@@ -21,11 +21,14 @@ const AGREED: f64 = 1e-7;
 fn assert_every_step_agrees(name: &str, steps: usize, examinations: usize) {
     let case = Case::read(name, steps);
     let bodies = HalfSpace::new(case.grid, case.pair).unwrap();
-    let friction = Friction::coulomb(case.friction).unwrap();
-    let mut history = History::builder(&bodies, case.gap(&case.steps[0]), friction)
-        .entry_rule(EntryRule::WholeStep)
-        .build()
-        .unwrap();
+    let mut history = History::builder(
+        &bodies,
+        case.gap(&case.steps[0]),
+        kit::coulomb(case.friction),
+    )
+    .entry_rule(EntryRule::WholeStep)
+    .build()
+    .unwrap();
     for (number, step) in case.steps.iter().enumerate() {
         history.set_gap(&case.gap(step)).unwrap();
         let load = LoadStep::shift([0.0; 2]).normal(step.normal_control().unwrap());
@@ -63,25 +66,17 @@ fn tilted_punch_matches_contact_code() {
     assert_every_step_agrees("tb25_tb26_flat_2d_dissimilar", 2, 10);
 }
 
-fn against_rigid(poisson_ratio: f64) -> ElasticPair {
-    ElasticPair::new(
-        Material::new(1.0, poisson_ratio).unwrap(),
-        Material::rigid(),
-    )
-    .unwrap()
-}
-
 /// On a rigid punch, the closed form in full stick is valid for Poisson's ratio 1/2. For other bodies, pressing alone
 /// slips at the edge, and shear moves the bodies farther than the closed form.
 #[test]
 fn pressed_punch_slips_unless_incompressible() {
-    let grid = Grid::square(kit::thorough(48, 64), 2.4).unwrap();
+    let grid = kit::square(kit::thorough(48, 64), 2.4);
     let gap = Field::from_fn(grid, |x, y| if x.hypot(y) < 1.0 { 0.0 } else { 1e3 });
     for (poisson_ratio, stick, ratios) in [(0.5, 1.0, [1.0, 1.0]), (0.3, 0.8, [1.03, 1.08])] {
-        let pair = against_rigid(poisson_ratio);
+        let pair = kit::on_rigid(1.0, poisson_ratio);
         let bodies = HalfSpace::new(grid, pair).unwrap();
-        let builder = History::builder(&bodies, &gap, Friction::coulomb(0.3).unwrap())
-            .model(TangentialModel::Vector);
+        let builder =
+            History::builder(&bodies, &gap, kit::coulomb(0.3)).model(TangentialModel::Vector);
         let mut history = builder.build().unwrap();
         history.step(&press_to(1.0)).unwrap();
         let found = history.last_step().unwrap().stick_ratio();
@@ -100,9 +95,9 @@ fn pressed_punch_slips_unless_incompressible() {
 }
 
 fn ball_problem(cells: usize) -> (HalfSpace, Field) {
-    let grid = Grid::square(cells, 2.6).unwrap();
-    let bodies = HalfSpace::new(grid, against_rigid(0.0)).unwrap();
-    (bodies, surface::sphere(grid, 10.0).unwrap())
+    let grid = kit::square(cells, 2.6);
+    let bodies = HalfSpace::new(grid, kit::on_rigid(1.0, 0.0)).unwrap();
+    (bodies, kit::sphere(grid, 10.0))
 }
 
 /// The stick radius of a pressed sphere converges to the value of the punch (0.5), with an error inversely proportional to
@@ -114,8 +109,7 @@ fn stick_radius_converges_with_first_order_in_steps() {
     let hertz = HertzSphere::new(bodies.pair(), 10.0, whole).unwrap();
     assert!((hertz.contact_radius() - 1.0).abs() < 1e-9);
     let errors = [2_u32, 4, 8, 16].map(|steps| {
-        let friction = Friction::coulomb(0.29872).unwrap();
-        let builder = History::builder(&bodies, &gap, friction).tolerance(1e-6);
+        let builder = History::builder(&bodies, &gap, kit::coulomb(0.29872)).tolerance(1e-6);
         let mut history = builder.build().unwrap();
         for step in 1..=steps {
             let radius = f64::from(step) / f64::from(steps);
@@ -135,8 +129,7 @@ fn stick_radius_converges_with_first_order_in_steps() {
 #[test]
 fn loop_area_equals_dissipation() {
     let (bodies, gap) = ball_problem(27);
-    let friction = Friction::coulomb(0.4).unwrap();
-    let mut history = History::builder(&bodies, &gap, friction)
+    let mut history = History::builder(&bodies, &gap, kit::coulomb(0.4))
         .tolerance(1e-10)
         .build()
         .unwrap();
@@ -163,14 +156,14 @@ fn loop_area_equals_dissipation() {
 /// constant is just above the threshold below which bodies count as uncoupled.
 #[test]
 fn weak_coupling_matches_uncoupled_solution() {
-    let grid = Grid::square(27, 2.6).unwrap();
-    let gap = surface::sphere(grid, 10.0).unwrap();
+    let grid = kit::square(27, 2.6);
+    let gap = kit::sphere(grid, 10.0);
     let one = Material::new(1.0, 0.3).unwrap();
     let other = Material::new(1.0 + 1e-8, 0.3).unwrap();
     let [coupled, uncoupled] = [other, one].map(|body| {
         let bodies = HalfSpace::new(grid, ElasticPair::new(one, body).unwrap()).unwrap();
-        let friction = Friction::coulomb(0.4).unwrap();
-        let builder = History::builder(&bodies, &gap, friction).model(TangentialModel::Vector);
+        let builder =
+            History::builder(&bodies, &gap, kit::coulomb(0.4)).model(TangentialModel::Vector);
         let builder = builder.entry_rule(EntryRule::WholeStep);
         let mut history = builder.tolerance(1e-11).build().unwrap();
         assert_eq!(bodies.pair().is_coupled(), body == other);
@@ -201,14 +194,15 @@ fn rough_histories_of_random_pairs_converge() {
     let mut random = Random(3);
     for scene in 0..12 {
         let grid = Grid::new(random.integer(12, 28), random.integer(12, 28), 1.0, 1.0).unwrap();
-        let bodies = HalfSpace::new(grid, against_rigid(random.uniform(0.0, 0.3))).unwrap();
+        let bodies = HalfSpace::new(grid, kit::on_rigid(1.0, random.uniform(0.0, 0.3))).unwrap();
         let height = random.decade(-2.0, 0.0);
         let gap = Field::from_fn(grid, |x, y| {
             0.002 * (x * x + y * y) + height * random.uniform(0.0, 1.0)
         });
         let coefficient = random.decade(-1.0, 0.0);
-        let friction = Friction::coulomb(coefficient).unwrap();
-        let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+        let mut history = History::builder(&bodies, &gap, kit::coulomb(coefficient))
+            .build()
+            .unwrap();
         for _ in 0..6 {
             let force = random.decade(-3.0, -1.5) * grid.area();
             let (angle, part) = (
@@ -229,13 +223,16 @@ fn rough_histories_of_random_pairs_converge() {
 }
 
 fn aluminium_on_steel(cells: usize, coefficient: f64, coupling: Coupling) -> History {
-    let grid = Grid::square(cells, 0.3e-3).unwrap();
+    let grid = kit::square(cells, 0.3e-3);
     let [aluminium, steel] =
         [(70e9, 0.33), (210e9, 0.3)].map(|(modulus, ratio)| Material::new(modulus, ratio).unwrap());
     let pair = ElasticPair::new(aluminium, steel).unwrap();
     let bodies = HalfSpace::new(grid, pair).unwrap();
-    let ball = surface::sphere(grid, 3.5e-3).unwrap();
-    let builder = History::builder(&bodies, ball, Friction::coulomb(coefficient).unwrap());
+    let builder = History::builder(
+        &bodies,
+        kit::sphere(grid, 3.5e-3),
+        kit::coulomb(coefficient),
+    );
     let builder = builder.model(TangentialModel::Vector).coupling(coupling);
     builder.build().unwrap()
 }
@@ -297,18 +294,17 @@ fn press_to_tolerance_estimates_its_error() {
 #[test]
 fn press_to_tolerance_takes_two_steps_if_one_is_exact() {
     let punch = |cells: usize| {
-        let grid = Grid::square(cells, 2.6).unwrap();
-        let bodies = HalfSpace::new(grid, against_rigid(0.0)).unwrap();
+        let grid = kit::square(cells, 2.6);
+        let bodies = HalfSpace::new(grid, kit::on_rigid(1.0, 0.0)).unwrap();
         let gap = Field::from_fn(grid, |x, y| if x.hypot(y) < 1.0 { 0.0 } else { 9.0 });
-        History::builder(&bodies, gap, Friction::coulomb(0.3).unwrap())
+        History::builder(&bodies, gap, kit::coulomb(0.3))
             .build()
             .unwrap()
     };
     let alike = |cells: usize| {
-        let grid = Grid::square(cells, 2.6).unwrap();
+        let grid = kit::square(cells, 2.6);
         let bodies = HalfSpace::new(grid, kit::unit_pair(0.3)).unwrap();
-        let gap = surface::sphere(grid, 10.0).unwrap();
-        History::builder(&bodies, gap, Friction::coulomb(0.3).unwrap())
+        History::builder(&bodies, kit::sphere(grid, 10.0), kit::coulomb(0.3))
             .build()
             .unwrap()
     };
@@ -377,8 +373,9 @@ fn press_to_tolerance_that_fails_leaves_state_unchanged() {
 #[test]
 fn adaptive_steps_divide_the_pressing() {
     let (bodies, gap) = ball_problem(27);
-    let friction = Friction::coulomb(0.3).unwrap();
-    let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+    let mut history = History::builder(&bodies, &gap, kit::coulomb(0.3))
+        .build()
+        .unwrap();
     let press = |force| LoadStep::hold().normal(NormalLoad::Force(force));
     history.step(&press(0.01)).unwrap();
     let mut adaptive = AdaptiveSteps::new(&history, 0.02).unwrap();
@@ -392,8 +389,9 @@ fn adaptive_steps_divide_the_pressing() {
 #[test]
 fn wear_after_restart_is_bitwise_identical() {
     let (bodies, gap) = ball_problem(21);
-    let friction = Friction::coulomb(0.4).unwrap();
-    let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+    let mut history = History::builder(&bodies, &gap, kit::coulomb(0.4))
+        .build()
+        .unwrap();
     let press = NormalLoad::Force(0.1);
     history.step(&LoadStep::hold().normal(press)).unwrap();
     let path = LoadPath::triangle([0.05, 0.0], 4).unwrap();
@@ -433,12 +431,11 @@ fn wear_after_restart_is_bitwise_identical() {
 fn growing_contact_in_one_step_matches_many_steps() {
     let scenes = [(0.3, [0.02, 0.005]), (0.45, [0.003, 0.002])];
     for (poisson_ratio, bounds) in scenes.into_iter().take(kit::thorough(1, 2)) {
-        let grid = Grid::square(41, 2.6).unwrap();
-        let bodies = HalfSpace::new(grid, against_rigid(poisson_ratio)).unwrap();
-        let gap = surface::sphere(grid, 10.0).unwrap();
+        let grid = kit::square(41, 2.6);
+        let bodies = HalfSpace::new(grid, kit::on_rigid(1.0, poisson_ratio)).unwrap();
         let leg = |rule: EntryRule, steps: u32| {
-            let friction = Friction::coulomb(0.6).unwrap();
-            let builder = History::builder(&bodies, &gap, friction).entry_rule(rule);
+            let builder = History::builder(&bodies, kit::sphere(grid, 10.0), kit::coulomb(0.6))
+                .entry_rule(rule);
             let mut history = builder.tolerance(1e-8).build().unwrap();
             let press = |force| LoadStep::hold().normal(NormalLoad::Force(force));
             let mut take = |load: LoadStep| {
@@ -472,13 +469,12 @@ fn growing_contact_in_one_step_matches_many_steps() {
 /// [`EntryRule::WholeStep`] a ring slips.
 #[test]
 fn weakly_coupled_press_sticks_for_any_number_of_steps() {
-    let grid = Grid::square(41, 2.6).unwrap();
-    let bodies = HalfSpace::new(grid, against_rigid(0.45)).unwrap();
-    let gap = surface::sphere(grid, 10.0).unwrap();
+    let grid = kit::square(41, 2.6);
+    let bodies = HalfSpace::new(grid, kit::on_rigid(1.0, 0.45)).unwrap();
     let whole = 4.0 / 30.0 * bodies.pair().contact_modulus();
     let slipping = |rule: EntryRule, steps: u32| {
-        let friction = Friction::coulomb(0.3).unwrap();
-        let builder = History::builder(&bodies, &gap, friction).entry_rule(rule);
+        let builder =
+            History::builder(&bodies, kit::sphere(grid, 10.0), kit::coulomb(0.3)).entry_rule(rule);
         let mut history = builder.build().unwrap();
         for step in 1..=steps {
             let part = f64::from(step) / f64::from(steps);

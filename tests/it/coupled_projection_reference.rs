@@ -7,8 +7,8 @@ use stickslip::history::EntryRule;
 use stickslip::influence::Direction::{X, Y, Z};
 use stickslip::layers::Layer;
 use stickslip::{
-    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
-    NormalLoad, Operator,
+    Boundary, ElasticPair, Field, Grid, HalfSpace, History, LoadStep, Material, NormalLoad,
+    Operator,
 };
 
 /// Pressures and tractions of all cells. The z component is the first.
@@ -172,7 +172,7 @@ fn assert_scene_agrees(scene: u64, coating: Option<Layer>) {
         0.05 * (x * x + y * y) + 0.3 * random.uniform(0.0, 1.0)
     });
     let mut friction = random.decade(-1.3, 0.3);
-    let builder = History::builder(&bodies, &gap, Friction::coulomb(friction).unwrap());
+    let builder = History::builder(&bodies, &gap, kit::coulomb(friction));
     let mut history = builder
         .entry_rule(EntryRule::WholeStep)
         .tolerance(1e-12)
@@ -191,9 +191,7 @@ fn assert_scene_agrees(scene: u64, coating: Option<Layer>) {
             gap.add_scaled(1.0, &worn).unwrap();
             friction *= random.uniform(0.7, 1.4);
             history.set_gap(&gap).unwrap();
-            history
-                .set_friction(&Friction::coulomb(friction).unwrap())
-                .unwrap();
+            history.set_friction(&kit::coulomb(friction)).unwrap();
         }
         let part = [0.6, 0.8, 0.4, 1.0][number];
         let shift = |random: &mut Random| depth * random.uniform(-0.3, 0.3);

@@ -1,86 +1,22 @@
-//! The solve of a coupled contact converges, or ends with an error that states the cause. In both cases the tractions
-//! are within their limits.
+//! The solve of a coupled contact converges, or ends with an error that states the cause.
 
 use std::f64::consts::TAU;
-use std::ops::ControlFlow;
 
 use stickslip::{
-    Axis, Boundary, CoupledProblem, CoupledSolution, CoupledSolver, ElasticPair, Error, Field,
-    Friction, Grid, HalfSpace, History, LoadStep, Material, NormalLoad, TangentialControl,
-    TangentialLoad, cgm, surface,
+    Axis, Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
+    LoadStep, NormalLoad, TangentialControl, TangentialLoad,
 };
 
 const FRICTION: f64 = 0.3;
 
 fn against_rigid(modulus: f64, poisson_ratio: f64) -> ElasticPair {
-    let body = Material::new(modulus, poisson_ratio).unwrap();
-    ElasticPair::new(body, Material::rigid()).unwrap()
+    kit::on_rigid(modulus, poisson_ratio)
 }
 
 fn ball_problem(cells: usize, poisson_ratio: f64) -> (HalfSpace, Field) {
-    let grid = Grid::square(cells, 2.6).unwrap();
+    let grid = kit::square(cells, 2.6);
     let bodies = HalfSpace::new(grid, against_rigid(1.0, poisson_ratio)).unwrap();
-    (bodies, surface::sphere(grid, 10.0).unwrap())
-}
-
-fn coulomb_friction() -> Friction {
-    Friction::coulomb(FRICTION).unwrap()
-}
-
-fn assert_feasible(contact: &CoupledSolution) {
-    let pressure = contact.normal().pressure().as_slice();
-    let [x, y] = contact.tangential().traction().map(Field::as_slice);
-    for (cell, p) in pressure.iter().enumerate() {
-        let traction = x[cell].hypot(y[cell]);
-        assert!(*p >= 0.0 && traction <= FRICTION * p * (1.0 + 1e-12));
-    }
-}
-
-/// Returns a solver that has pressed the bodies and will next press harder and shear.
-fn pressed_solver(cells: usize, load: TangentialLoad) -> (CoupledSolver, CoupledSolution) {
-    let (bodies, gap) = ball_problem(cells, 0.0);
-    let (press, still) = (NormalLoad::Force(0.1), TangentialLoad::shift([0.0; 2]));
-    let problem = CoupledProblem::builder(&bodies, &gap, coulomb_friction(), press, still);
-    let mut solver = kit::solver(problem);
-    let mut contact = solver.new_solution();
-    solver.solve_into(&mut contact).unwrap();
-    solver.set_load(NormalLoad::Force(0.15), load).unwrap();
-    (solver, contact)
-}
-
-/// Covers solves stopped at various iterations by an observer or a limit.
-#[test]
-fn stopped_solve_leaves_tractions_within_limits() {
-    let mut stopped = 0;
-    for cells in [8, 12] {
-        for load in [
-            TangentialLoad::force([0.02, 0.0]),
-            TangentialLoad::shift([0.02, 0.01]),
-        ] {
-            for last in (0..60).step_by(3) {
-                let (mut solver, mut contact) = pressed_solver(cells, load);
-                let mut calls = 0;
-                let cancelled = solver.solve_observed(&mut contact, |_| {
-                    calls += 1;
-                    if calls > last {
-                        ControlFlow::Break(())
-                    } else {
-                        ControlFlow::Continue(())
-                    }
-                });
-                stopped += usize::from(cancelled.is_err());
-                assert_feasible(&contact);
-                assert!(contact.report().work.residual.is_finite());
-
-                let (mut solver, mut contact) = pressed_solver(cells, load);
-                let settings = cgm::Settings::default().max_iterations(last + 1);
-                solver.set_settings(settings).unwrap();
-                stopped += usize::from(solver.solve_into(&mut contact).is_err());
-                assert_feasible(&contact);
-            }
-        }
-    }
-    assert!(stopped > 80, "{stopped}");
+    (bodies, kit::sphere(grid, 10.0))
 }
 
 /// Flat bodies on a periodic grid touch everywhere under a uniform pressure. This pressure causes no displacement to
@@ -102,7 +38,7 @@ fn flat_periodic_bodies_touch_everywhere() {
             for load in loads {
                 let press = NormalLoad::Force(grid.area());
                 let problem =
-                    CoupledProblem::builder(&bodies, &gap, coulomb_friction(), press, load);
+                    CoupledProblem::builder(&bodies, &gap, kit::coulomb(FRICTION), press, load);
                 let contact = kit::solve(problem);
                 let pressure = contact.normal().pressure();
                 let part = 4.0 * TAU * height / side;
@@ -124,11 +60,12 @@ fn flat_periodic_bodies_touch_everywhere() {
 #[test]
 fn single_cell_sheared_in_a_new_direction_converges() {
     for (cells, poisson_ratio) in [(1, -0.17), (1, 0.0), (5, -0.17), (5, 0.0)] {
-        let grid = Grid::square(cells, cells as f64).unwrap();
+        let grid = kit::square(cells, cells as f64);
         let bodies = HalfSpace::new(grid, against_rigid(1.0 / 3.06, poisson_ratio)).unwrap();
         let gap = Field::from_fn(grid, |x, y| if x.hypot(y) < 0.5 { 0.0 } else { 1e3 });
-        let friction = Friction::coulomb(0.111).unwrap();
-        let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+        let mut history = History::builder(&bodies, &gap, kit::coulomb(0.111))
+            .build()
+            .unwrap();
         let press = LoadStep::hold().normal(NormalLoad::Force(1.0));
         history.step(&press).unwrap();
         history.step(&LoadStep::shift([1.88, 2.48])).unwrap();
@@ -151,7 +88,8 @@ fn forces_close_to_sliding_converge() {
         for missing in [1e-5, 1e-6, 1e-7, 1e-8] {
             let force = (1.0 - missing) * FRICTION * 0.1;
             let load = TangentialLoad::force([0.8 * force, 0.6 * force]);
-            let problem = CoupledProblem::builder(&bodies, &gap, coulomb_friction(), press, load);
+            let problem =
+                CoupledProblem::builder(&bodies, &gap, kit::coulomb(FRICTION), press, load);
             // The error of the force must be at most a tenth of its distance to the sliding force.
             let problem = problem.tolerance(1e-9).build().unwrap();
             let contact = problem.solve().unwrap();
@@ -176,10 +114,10 @@ fn forces_beyond_sliding_are_rejected() {
     let (bodies, gap) = ball_problem(12, 0.0);
     let halves = Field::from_fn(bodies.grid(), |x, _| if x < 0.0 { 0.1 } else { FRICTION });
     let rough = Friction::per_cell(halves).unwrap();
-    let capped = coulomb_friction().max_shear_stress(0.01).unwrap();
+    let capped = kit::coulomb(FRICTION).max_shear_stress(0.01).unwrap();
     let (approach, force) = (NormalLoad::Approach(0.09), NormalLoad::Force(0.1));
     for (friction, press) in [
-        (coulomb_friction(), approach),
+        (kit::coulomb(FRICTION), approach),
         (rough.clone(), approach),
         (rough, force),
         (capped.clone(), approach),

@@ -4,8 +4,7 @@ use kit::{max_abs, max_difference, rough, unit_bodies, unit_pair};
 use stickslip::analytical::{HertzSphere, MindlinDeresiewicz};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath, Regime, wear};
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, History, LoadStep, NormalLoad, TangentialControl,
-    TangentialModel, surface,
+    Axis, Error, Field, History, LoadStep, NormalLoad, TangentialControl, TangentialModel,
 };
 
 const FRICTION: f64 = 0.4;
@@ -14,7 +13,7 @@ const LIMIT: f64 = FRICTION * LOAD;
 
 fn new_history(gap: &Field, load: f64, lateral: TangentialModel, tolerance: f64) -> History {
     let bodies = unit_bodies(gap.grid(), 0.3);
-    let mut history = History::builder(&bodies, gap, Friction::coulomb(FRICTION).unwrap())
+    let mut history = History::builder(&bodies, gap, kit::coulomb(FRICTION))
         .model(lateral)
         .tolerance(tolerance)
         .build()
@@ -25,7 +24,7 @@ fn new_history(gap: &Field, load: f64, lateral: TangentialModel, tolerance: f64)
 }
 
 fn ball_history(tolerance: f64) -> History {
-    let gap = surface::sphere(Grid::square(48, 12.0).unwrap(), 20.0).unwrap();
+    let gap = kit::sphere(kit::square(48, 12.0), 20.0);
     new_history(&gap, LOAD, TangentialModel::Scalar, tolerance)
 }
 
@@ -41,7 +40,7 @@ fn run_cycle(history: &mut History, cycle: &mut Cycle, path: &LoadPath) {
 /// Covers loads along an axis and in the plane, with a pressure that changes from step to step.
 #[test]
 fn cycle_quantities_are_sums_over_steps() {
-    let gap = rough(Grid::square(48, 100.0).unwrap(), 6);
+    let gap = rough(kit::square(48, 100.0), 6);
     let (load, grid) = (30.0, gap.grid());
     for (lateral, phase) in [
         (TangentialModel::Scalar, 0.0),
@@ -131,8 +130,7 @@ fn cycle_quantities_are_sums_over_steps() {
 /// tractions at the end of the steps agrees with Mindlin and Deresiewicz.
 #[test]
 fn cycle_loop_area_equals_dissipation() {
-    let grid = Grid::square(kit::thorough(80, 128), 10.0).unwrap();
-    let gap = surface::sphere(grid, 20.0).unwrap();
+    let gap = kit::sphere(kit::square(kit::thorough(80, 128), 10.0), 20.0);
     let mut history = new_history(&gap, LOAD, TangentialModel::Scalar, 1e-9);
     let mut cycle = Cycle::new(&history);
     let hertz = HertzSphere::new(&unit_pair(0.3), 20.0, LOAD).unwrap();
@@ -159,8 +157,7 @@ fn cycle_loop_area_equals_dissipation() {
 /// For a sphere the energy ratio is 1/5 at the onset of sliding for all materials. It then increases to one.
 #[test]
 fn energy_ratio_separates_partial_from_gross_slip() {
-    let grid = Grid::square(kit::thorough(64, 96), 10.0).unwrap();
-    let gap = surface::sphere(grid, 20.0).unwrap();
+    let gap = kit::sphere(kit::square(kit::thorough(64, 96), 10.0), 20.0);
     let mut history = new_history(&gap, LOAD, TangentialModel::Scalar, 1e-7);
     let mut cycle = Cycle::new(&history);
     let mut ratio_at = |amplitude: f64| {
@@ -196,7 +193,7 @@ fn energy_ratio_separates_partial_from_gross_slip() {
 /// In the vector model the direction of the load does not affect the energy ratio.
 #[test]
 fn energy_ratio_is_the_same_in_all_directions() {
-    let gap = surface::sphere(Grid::square(48, 12.0).unwrap(), 20.0).unwrap();
+    let gap = kit::sphere(kit::square(48, 12.0), 20.0);
     let ratios = [[1.0, 0.0], [0.8, 0.6], [0.0, 1.0]].map(|[x, y]| {
         let mut history = new_history(&gap, LOAD, TangentialModel::Vector, 1e-7);
         let mut cycle = Cycle::new(&history);
@@ -255,7 +252,7 @@ fn cycle_of_first_loading_does_not_close() {
 /// A cycle of torsion alone also has an energy ratio.
 #[test]
 fn cycle_of_torsion_has_an_energy_ratio() {
-    let gap = surface::sphere(Grid::square(48, 12.0).unwrap(), 20.0).unwrap();
+    let gap = kit::sphere(kit::square(48, 12.0), 20.0);
     let mut history = new_history(&gap, LOAD, TangentialModel::Vector, 1e-7);
     let path = LoadPath::sine([0.05, 0.0], 8).unwrap();
     let fretting = FrettingLoop::new(path, |[twist, _]| LoadStep::force([0.0; 2]).twist(twist));
@@ -275,7 +272,7 @@ fn cycle_of_torsion_has_an_energy_ratio() {
 #[test]
 fn cycle_rejects_history_on_a_different_grid() {
     let history = ball_history(1e-6);
-    let other = surface::sphere(Grid::square(40, 12.0).unwrap(), 20.0).unwrap();
+    let other = kit::sphere(kit::square(40, 12.0), 20.0);
     let mut other = new_history(&other, LOAD, TangentialModel::Scalar, 1e-6);
     let mut cycle = Cycle::new(&history);
     let untouched = cycle.clone();

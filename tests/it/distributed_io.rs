@@ -26,7 +26,7 @@ pub(super) const SIZES: [[usize; 2]; 7] = [
 ];
 
 pub(super) fn pair() -> ElasticPair {
-    ElasticPair::new(Material::new(1.0, 0.3).unwrap(), Material::rigid()).unwrap()
+    kit::on_rigid(1.0, 0.3)
 }
 
 /// Runs `work` on the given number of ranks and returns the results of all ranks.

@@ -166,8 +166,9 @@ fn rank_killed_while_writing_leaves_old_or_new_file() {
 /// Returns a history before its first step, on a gap scaled by `factor`.
 fn new_history(bodies: &HalfSpace, factor: f64) -> History {
     let gap = Field::from_fn(bodies.grid(), height).scaled(factor);
-    let friction = Friction::coulomb(0.3).unwrap();
-    History::builder(bodies, &gap, friction).build().unwrap()
+    History::builder(bodies, &gap, kit::coulomb(0.3))
+        .build()
+        .unwrap()
 }
 
 /// Returns the factor of the gap of the history in a file.

@@ -9,8 +9,8 @@ use stickslip::cgm::{self, NonNegative, Problem, Settings};
 use stickslip::influence::Rectangle;
 use stickslip::layers::Layer;
 use stickslip::{
-    Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
-    Identity, LoadStep, Material, NormalLoad, NormalProblem, TangentialLoad, TangentialModel,
+    Boundary, CoupledProblem, ElasticPair, Error, Field, Grid, HalfSpace, History, Identity,
+    LoadStep, Material, NormalLoad, NormalProblem, TangentialLoad, TangentialModel,
     TangentialProblem, surface,
 };
 
@@ -26,7 +26,7 @@ fn single_periodic_cell_slides() {
     let grid = Grid::new(1, 1, 2.0, 0.5).unwrap();
     let (bodies, gap) = (periodic_bodies(grid), Field::zeros(grid));
     let (load, coefficient) = (2.0, 0.3);
-    let friction = Friction::coulomb(coefficient).unwrap();
+    let friction = kit::coulomb(coefficient);
     let press = NormalLoad::Force(load);
     let pressed = NormalProblem::builder(&bodies, &gap, press)
         .build()
@@ -64,7 +64,7 @@ fn single_periodic_cell_slides_in_any_direction() {
         let grid = Grid::new(1, 1, 1.0, random.uniform(0.5, 2.0)).unwrap();
         let (bodies, gap) = (periodic_bodies(grid), Field::zeros(grid));
         let (load, coefficient) = (random.decade(-6.0, 0.0), random.uniform(0.1, 1.0));
-        let friction = Friction::coulomb(coefficient).unwrap();
+        let friction = kit::coulomb(coefficient);
         let press = NormalLoad::Force(load);
         let pressed = NormalProblem::builder(&bodies, &gap, press)
             .build()
@@ -113,7 +113,7 @@ fn long_periodic_cells_converge() {
         let pressed = problem.build().unwrap().solve();
         let pressed =
             pressed.unwrap_or_else(|error| panic!("{scene}: {nx} x {ny}, {sides:?}: {error}"));
-        let friction = Friction::coulomb(0.3).unwrap();
+        let friction = kit::coulomb(0.3);
         let (size, angle) = (random.uniform(0.0, 0.28) * force, random.uniform(0.0, TAU));
         for model in MODELS {
             let oblique = match model {
@@ -145,15 +145,15 @@ fn cells_too_long_to_certify_are_rejected() {
 /// The squares of the tractions underflow or overflow long before the tractions themselves.
 #[test]
 fn tractions_of_any_size_scale() {
-    let grid = Grid::square(24, 8.0).unwrap();
-    let (bodies, ball) = (unit_bodies(grid, 0.3), surface::sphere(grid, 20.0).unwrap());
+    let grid = kit::square(24, 8.0);
+    let (bodies, ball) = (unit_bodies(grid, 0.3), kit::sphere(grid, 20.0));
     let pressed = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(1.0));
     let pressed = kit::solve(pressed);
     for model in MODELS {
         let solve = |coefficient: f64| {
             let load = TangentialLoad::force([0.5 * coefficient, 0.0]);
-            let friction = Friction::coulomb(coefficient).unwrap();
-            let problem = TangentialProblem::builder(&bodies, &pressed, friction, load);
+            let problem =
+                TangentialProblem::builder(&bodies, &pressed, kit::coulomb(coefficient), load);
             kit::solve(problem.model(model))
         };
         let ordinary = solve(0.5);
@@ -221,8 +221,7 @@ fn slender_cells_have_finite_coefficients_or_are_rejected() {
 
 #[test]
 fn heights_near_the_largest_double_are_filled_and_resampled() {
-    let grid = Grid::square(6, 6.0).unwrap();
-    let tall = Field::from_fn(grid, |x, y| 1.7e308 * (x + y).signum());
+    let tall = Field::from_fn(kit::square(6, 6.0), |x, y| 1.7e308 * (x + y).signum());
     let mut holed = tall.clone();
     for cell in [14, 15, 20, 21, 0] {
         holed.as_mut_slice()[cell] = f64::NAN;
@@ -243,7 +242,7 @@ fn heights_near_the_largest_double_are_filled_and_resampled() {
         assert!((found * 1e-300 - expected).abs() < 1e-12 * 1.7e8);
     }
     // Cubic interpolation overshoots, and a resulting overflow is rejected.
-    let finer = Grid::square(12, 6.0).unwrap();
+    let finer = kit::square(12, 6.0);
     kit::assert_refused! { surface::resample(&tall, finer) => Error::Sample { .. } }
     assert!(surface::resample(&scaled(&tall), finer).is_ok());
 }
@@ -266,9 +265,8 @@ fn dissipation_close_to_sliding_is_not_negative() {
             };
             for missing in missing {
                 let force = 0.4 * normal.force() * (1.0 - missing);
-                let friction = Friction::coulomb(0.4).unwrap();
                 let load = TangentialLoad::force([force, 0.0]);
-                let shear = TangentialProblem::builder(&bodies, &normal, friction, load);
+                let shear = TangentialProblem::builder(&bodies, &normal, kit::coulomb(0.4), load);
                 let shear = kit::solve(shear.model(model));
                 assert!(shear.dissipated_energy() >= 0.0);
                 let [slip, traction] = [shear.slip(), shear.traction()].map(|v| v[0].as_slice());
@@ -302,16 +300,13 @@ fn extreme_number(outcome: Result<impl Sized, Error>) -> Option<(&'static str, f
 /// representable. Otherwise an error reports the value.
 #[test]
 fn units_with_squares_out_of_range_are_rejected_before_any_work() {
-    let grid = Grid::square(16, 8.0).unwrap();
-    let ball = surface::sphere(grid, 20.0).unwrap();
+    let grid = kit::square(16, 8.0);
+    let ball = kit::sphere(grid, 20.0);
     let scaled = |unit: f64| Field::from_fn(grid, |x, y| unit * (x * x + y * y) / 40.0);
     let press = |bodies: &HalfSpace, gap: &Field, load| {
         NormalProblem::builder(bodies, gap, load).build()?.solve()
     };
-    let bodies = |modulus: f64| {
-        let body = Material::new(modulus, 0.3).unwrap();
-        HalfSpace::new(grid, ElasticPair::new(body, body).unwrap())
-    };
+    let bodies = |modulus: f64| HalfSpace::new(grid, kit::alike(modulus, 0.3));
     let ordinary = bodies(1.0).unwrap();
     let expected = press(&ordinary, &ball, NormalLoad::Force(1.0)).unwrap();
     let relative = |found: f64, unit: f64, expected: f64| found / unit / expected - 1.0;
@@ -338,7 +333,7 @@ fn units_with_squares_out_of_range_are_rejected_before_any_work() {
                 "{load:?} {value:e}"
             );
         }
-        let friction = Friction::coulomb(0.5).unwrap();
+        let friction = kit::coulomb(0.5);
         for model in MODELS {
             for load in [
                 TangentialLoad::force([unit, 0.0]),
@@ -368,15 +363,18 @@ fn units_with_squares_out_of_range_are_rejected_before_any_work() {
 /// Coupled pressure and traction have the same limits.
 #[test]
 fn coupled_loads_with_squares_out_of_range_are_rejected() {
-    let grid = Grid::square(12, 8.0).unwrap();
-    let pair = ElasticPair::new(Material::new(1.0, 0.2).unwrap(), Material::rigid()).unwrap();
-    let bodies = HalfSpace::new(grid, pair).unwrap();
-    let ball = surface::sphere(grid, 20.0).unwrap();
+    let grid = kit::square(12, 8.0);
+    let bodies = HalfSpace::new(grid, kit::on_rigid(1.0, 0.2)).unwrap();
     for force in [1e-300, 1e-140, 1e140, 1e300] {
-        let friction = Friction::coulomb(0.5).unwrap();
         let still = TangentialLoad::shift([0.0; 2]);
         let press = NormalLoad::Force(force);
-        let problem = CoupledProblem::builder(&bodies, &ball, friction, press, still);
+        let problem = CoupledProblem::builder(
+            &bodies,
+            kit::sphere(grid, 20.0),
+            kit::coulomb(0.5),
+            press,
+            still,
+        );
         assert!(extreme_number(problem.build()).is_some(), "{force:e}");
     }
 }
@@ -431,7 +429,5 @@ fn responses_out_of_range_are_rejected() {
         }
     }
     assert!(rejected > 20, "{rejected}");
-    let soft = Material::new(1e-300, 0.3).unwrap();
-    let pair = ElasticPair::new(soft, Material::rigid()).unwrap();
-    kit::assert_refused! { pair.response(1e-200) => Error::NotPositive { value, .. } if value == f64::INFINITY }
+    kit::assert_refused! { kit::on_rigid(1e-300, 0.3).response(1e-200) => Error::NotPositive { value, .. } if value == f64::INFINITY }
 }

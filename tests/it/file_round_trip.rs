@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use proptest::prelude::*;
 use stickslip::io::pvd::PvdWriter;
 use stickslip::io::vti::Array;
-use stickslip::{Error, Field, Friction, Grid, History, LoadStep, NormalLoad, io, surface};
+use stickslip::{Error, Field, Grid, History, LoadStep, NormalLoad, io};
 
 /// Values that an inexact conversion would change.
 const DELICATE: [f64; 14] = [
@@ -167,11 +167,11 @@ fn vtk_series_of_vectors_lists_all_files() {
 /// Saving a history replaces the whole file. If saving fails, the old file remains.
 #[test]
 fn history_save_replaces_the_whole_file() {
-    let grid = Grid::square(16, 8.0).unwrap();
+    let grid = kit::square(16, 8.0);
     let bodies = kit::unit_bodies(grid, 0.3);
-    let ball = surface::sphere(grid, 10.0).unwrap();
-    let friction = Friction::coulomb(0.3).unwrap();
-    let mut history = History::builder(&bodies, &ball, friction).build().unwrap();
+    let mut history = History::builder(&bodies, kit::sphere(grid, 10.0), kit::coulomb(0.3))
+        .build()
+        .unwrap();
     let file = temporary_path("history.state");
     history.save(&file).unwrap();
     history

@@ -7,8 +7,8 @@ use std::ops::ControlFlow;
 use kit::unit_bodies;
 use stickslip::history::{Cycle, FrettingLoop, LoadPath, StopReason, wear};
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad,
-    TangentialControl, TangentialModel, surface,
+    Axis, Error, Field, HalfSpace, History, LoadStep, NormalLoad, TangentialControl,
+    TangentialModel,
 };
 
 const FRICTION: f64 = 0.4;
@@ -16,15 +16,14 @@ const LOAD: f64 = 4.0;
 const LIMIT: f64 = FRICTION * LOAD;
 
 fn sphere_problem() -> (HalfSpace, Field) {
-    let grid = Grid::square(48, 12.0).unwrap();
-    let ball = surface::sphere(grid, 20.0).unwrap();
-    (unit_bodies(grid, 0.3), ball)
+    let grid = kit::square(48, 12.0);
+    (unit_bodies(grid, 0.3), kit::sphere(grid, 20.0))
 }
 
 /// Presses the sphere in a history with a fixed axis, or with the vector model.
 fn press_sphere(axis: Option<Axis>) -> History {
     let (bodies, ball) = sphere_problem();
-    let builder = History::builder(&bodies, &ball, Friction::coulomb(FRICTION).unwrap());
+    let builder = History::builder(&bodies, &ball, kit::coulomb(FRICTION));
     let builder = match axis {
         Some(axis) => builder.axis(axis),
         None => builder.model(TangentialModel::Vector),
@@ -113,8 +112,9 @@ fn loop_that_is_not_steady_reports_cycle_limit() {
 
     // A contact that wears during the loop does not become steady.
     let (bodies, mut gap) = sphere_problem();
-    let friction = Friction::coulomb(FRICTION).unwrap();
-    let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+    let mut history = History::builder(&bodies, &gap, kit::coulomb(FRICTION))
+        .build()
+        .unwrap();
     let path = LoadPath::sine([0.3, 0.0], 8).unwrap();
     let load = |shift| LoadStep::shift(shift).normal(NormalLoad::Force(LOAD));
     let outcome = FrettingLoop::new(path, load)

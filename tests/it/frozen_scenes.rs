@@ -326,8 +326,8 @@ const LIMIT: f64 = FRICTION * LOAD;
 
 /// Returns a ball with a contact radius of 3.9 under [`LOAD`], on a square with a side of 12.
 fn ball_problem(cells: usize) -> (HalfSpace, Field) {
-    let grid = Grid::square(cells, 12.0).unwrap();
-    (unit_bodies(grid, 0.3), surface::sphere(grid, 20.0).unwrap())
+    let grid = kit::square(cells, 12.0);
+    (unit_bodies(grid, 0.3), kit::sphere(grid, 20.0))
 }
 
 fn periodic_bodies(grid: Grid) -> HalfSpace {
@@ -335,7 +335,7 @@ fn periodic_bodies(grid: Grid) -> HalfSpace {
 }
 
 fn rough_plate(cells: usize, seed: u64) -> (HalfSpace, Field) {
-    let grid = Grid::square(cells, 64.0).unwrap();
+    let grid = kit::square(cells, 64.0);
     (unit_bodies(grid, 0.3), rough(grid, seed))
 }
 
@@ -354,10 +354,6 @@ fn normal_solver(
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     kit::press(bodies, gap, NormalLoad::Force(force), 1e-8)
-}
-
-fn coulomb_friction() -> Friction {
-    Friction::coulomb(FRICTION).unwrap()
 }
 
 fn shear_solver<'a>(
@@ -383,18 +379,6 @@ fn shift_load(shift: [f64; 2]) -> TangentialLoad {
 const SCALAR: (TangentialModel, Method, f64) = (TangentialModel::Scalar, Method::ActiveSet, 1e-8);
 const PLANE: (TangentialModel, Method, f64) = (TangentialModel::Vector, Method::ActiveSet, 1e-8);
 
-fn solve_normal(solver: &mut NormalSolver) -> NormalSolution {
-    let mut answer = solver.new_solution();
-    solver.solve_into(&mut answer).unwrap();
-    answer
-}
-
-fn solve_shear(solver: &mut TangentialSolver) -> TangentialSolution {
-    let mut answer = solver.new_solution();
-    solver.solve_into(&mut answer).unwrap();
-    answer
-}
-
 /// Solves once and records the solution.
 fn solve_and_record<'a>(
     record: &mut Record,
@@ -404,10 +388,10 @@ fn solve_and_record<'a>(
     load: TangentialLoad,
     how: (TangentialModel, Method, f64),
 ) {
-    let answer = solve_shear(&mut shear_solver(
+    let answer = kit::solved(&mut shear_solver(
         bodies,
         pressure,
-        coulomb_friction(),
+        kit::coulomb(FRICTION),
         load,
         how,
     ));
@@ -434,13 +418,6 @@ fn new_history(
 
 fn press_step(force: f64) -> LoadStep {
     LoadStep::hold().normal(NormalLoad::Force(force))
-}
-
-fn spring(position: f64, stiffness: f64) -> TangentialControl {
-    TangentialControl::Spring {
-        position,
-        stiffness,
-    }
 }
 
 // ---------------------------------------------------------------------------------------------------------------------
@@ -491,7 +468,7 @@ fn periodic_rough(record: &mut Record) {
 }
 
 fn periodic_wavy(record: &mut Record) {
-    let grid = Grid::square(48, 12.0).unwrap();
+    let grid = kit::square(48, 12.0);
     let (bodies, gap) = (
         periodic_bodies(grid),
         surface::bisinusoidal(grid, 0.3, [6.0, 12.0]).unwrap(),
@@ -513,29 +490,29 @@ fn warm_normal_loads(record: &mut Record) {
     let (bodies, gap) = rough_plate(64, 5);
     let first = NormalLoad::Force(60.0);
     let mut solver = normal_solver(&bodies, &gap, first, Method::ActiveSet, 1e-8);
-    record.record_normal("first", &solve_normal(&mut solver));
+    record.record_normal("first", &kit::solved(&mut solver));
     for (solve, load) in [
         ("more", NormalLoad::Force(66.0)),
         ("less", NormalLoad::Force(30.0)),
         ("approach", NormalLoad::Approach(2.0)),
     ] {
         solver.set_load(load).unwrap();
-        record.record_normal(solve, &solve_normal(&mut solver));
+        record.record_normal(solve, &kit::solved(&mut solver));
     }
     solver.set_gap(&rough(bodies.grid(), 6)).unwrap();
-    record.record_normal("other gap", &solve_normal(&mut solver));
+    record.record_normal("other gap", &kit::solved(&mut solver));
     solver.reset();
-    record.record_normal("cold", &solve_normal(&mut solver));
+    record.record_normal("cold", &kit::solved(&mut solver));
 }
 
 fn contact_leaves_window(record: &mut Record) {
     let (bodies, gap) = ball_problem(72);
     let first = NormalLoad::Force(0.01 * LOAD);
     let mut solver = normal_solver(&bodies, &gap, first, Method::ActiveSet, 1e-8);
-    record.record_normal("small", &solve_normal(&mut solver));
+    record.record_normal("small", &kit::solved(&mut solver));
     for (solve, force) in [("big", 1.5 * LOAD), ("small again", 0.02 * LOAD)] {
         solver.set_load(NormalLoad::Force(force)).unwrap();
-        record.record_normal(solve, &solve_normal(&mut solver));
+        record.record_normal(solve, &kit::solved(&mut solver));
     }
 }
 
@@ -598,7 +575,7 @@ fn friction_per_cell_capped(record: &mut Record) {
         ("shift", shift_load([0.0, 0.3])),
     ] {
         let mut solver = shear_solver(&bodies, &normal, friction.clone(), load, SCALAR);
-        record.record_tangential(solve, &solve_shear(&mut solver));
+        record.record_tangential(solve, &kit::solved(&mut solver));
     }
 }
 
@@ -646,20 +623,18 @@ fn warm_shears(record: &mut Record, how: (TangentialModel, Method, f64), across:
     let (bodies, gap) = ball_problem(60);
     let normals = [1.0, 1.2, 0.7].map(|part| press(&bodies, &gap, part * LOAD));
     let load = |part: f64| force_load([part * LIMIT, across * part * LIMIT]);
-    let mut solver = shear_solver(&bodies, &normals[0], coulomb_friction(), load(0.4), how);
-    record.record_tangential("first", &solve_shear(&mut solver));
+    let mut solver = shear_solver(&bodies, &normals[0], kit::coulomb(FRICTION), load(0.4), how);
+    record.record_tangential("first", &kit::solved(&mut solver));
     solver.set_load(load(0.5)).unwrap();
-    record.record_tangential("more", &solve_shear(&mut solver));
+    record.record_tangential("more", &kit::solved(&mut solver));
     solver.set_pressure(&normals[1]).unwrap();
-    record.record_tangential("pressed more", &solve_shear(&mut solver));
+    record.record_tangential("pressed more", &kit::solved(&mut solver));
     solver.set_pressure(&normals[2]).unwrap();
     solver.set_load(load(-0.3)).unwrap();
-    record.record_tangential("pressed less and back", &solve_shear(&mut solver));
-    solver
-        .set_friction(&Friction::coulomb(0.3).unwrap())
-        .unwrap();
+    record.record_tangential("pressed less and back", &kit::solved(&mut solver));
+    solver.set_friction(&kit::coulomb(0.3)).unwrap();
     solver.set_load(shift_load([0.1, across * 0.1])).unwrap();
-    record.record_tangential("other friction and shift", &solve_shear(&mut solver));
+    record.record_tangential("other friction and shift", &kit::solved(&mut solver));
 }
 
 fn warm_shear(record: &mut Record) {
@@ -768,7 +743,7 @@ fn plane_warm(record: &mut Record) {
 /// The normal load and the gap change under a force that oscillates.
 fn history_wear(record: &mut Record) {
     let (bodies, gap) = ball_problem(48);
-    let mut history = new_history(&bodies, &gap, Some(Axis::X), coulomb_friction(), 1e-8);
+    let mut history = new_history(&bodies, &gap, Some(Axis::X), kit::coulomb(FRICTION), 1e-8);
     let mut steps = Steps::new(record, "");
     steps.step(&mut history, &press_step(LOAD));
     let path = LoadPath::sine([0.7 * LIMIT, 0.0], 8).unwrap();
@@ -793,7 +768,7 @@ fn history_wear(record: &mut Record) {
 /// The force rotates under a twist, and the window of the contact grows.
 fn history_plane_growth(record: &mut Record) {
     let (bodies, gap) = ball_problem(48);
-    let mut history = new_history(&bodies, &gap, None, coulomb_friction(), 1e-8);
+    let mut history = new_history(&bodies, &gap, None, kit::coulomb(FRICTION), 1e-8);
     let mut steps = Steps::new(record, "");
     steps.step(&mut history, &press_step(0.05 * LOAD));
     steps.step(&mut history, &LoadStep::force([0.03 * LIMIT, 0.0]));
@@ -817,7 +792,7 @@ fn history_shifts_holds(record: &mut Record) {
         .unwrap()
         .max_shear_stress(0.08)
         .unwrap();
-    let (bodies, mut gap) = (unit_bodies(grid, 0.3), surface::sphere(grid, 20.0).unwrap());
+    let (bodies, mut gap) = (unit_bodies(grid, 0.3), kit::sphere(grid, 20.0));
     gap.add_scaled(0.03, &rough(grid, 12)).unwrap();
     for (name, axis, periodic) in [
         ("along y ", Some(Axis::Y), false),
@@ -852,7 +827,7 @@ fn history_shifts_holds(record: &mut Record) {
 fn history_restored(record: &mut Record) {
     let (bodies, gap) = ball_problem(40);
     for (name, axis) in [("along y ", Some(Axis::Y)), ("plane ", None)] {
-        let mut history = new_history(&bodies, &gap, axis, coulomb_friction(), 1e-8);
+        let mut history = new_history(&bodies, &gap, axis, kit::coulomb(FRICTION), 1e-8);
         let across = if axis.is_none() { 0.3 } else { 0.0 };
         let load = |part: f64| LoadStep::force([across * part * LIMIT, part * LIMIT]);
         let mut steps = Steps::new(record, name);
@@ -874,12 +849,12 @@ fn history_restored(record: &mut Record) {
 fn springs_scalar(record: &mut Record) {
     let (bodies, gap) = ball_problem(48);
     for (name, stiffness) in [("soft ", 0.1), ("equal ", 4.0), ("stiff ", 1e3)] {
-        let mut history = new_history(&bodies, &gap, Some(Axis::Y), coulomb_friction(), 1e-12);
+        let mut history = new_history(&bodies, &gap, Some(Axis::Y), kit::coulomb(FRICTION), 1e-12);
         let mut steps = Steps::new(record, name);
         steps.step(&mut history, &press_step(LOAD));
         for part in [0.5, 0.9, -0.4, 3.0, 0.2] {
             let position = part * LIMIT * (0.25 + 1.0 / stiffness);
-            let load = LoadStep::hold().tangential(Axis::Y, spring(position, stiffness));
+            let load = LoadStep::hold().tangential(Axis::Y, kit::spring(position, stiffness));
             steps.step(&mut history, &load);
         }
         steps.end(&history);
@@ -888,19 +863,19 @@ fn springs_scalar(record: &mut Record) {
 
 fn springs_plane(record: &mut Record) {
     let (bodies, gap) = ball_problem(48);
-    let mut history = new_history(&bodies, &gap, None, coulomb_friction(), 1e-12);
+    let mut history = new_history(&bodies, &gap, None, kit::coulomb(FRICTION), 1e-12);
     let mut steps = Steps::new(record, "");
     steps.step(&mut history, &press_step(LOAD));
     for (x, y, twist) in [
-        (spring(0.4, 4.0), spring(-0.2, 1.0), 0.0),
+        (kit::spring(0.4, 4.0), kit::spring(-0.2, 1.0), 0.0),
         (
-            spring(0.6, 4.0),
+            kit::spring(0.6, 4.0),
             TangentialControl::Force(0.4 * LIMIT),
             0.02,
         ),
-        (TangentialControl::Shift(-0.1), spring(0.4, 8.0), 0.02),
-        (TangentialControl::Hold, spring(-0.5, 8.0), -0.01),
-        (spring(-0.5, 4.0), spring(0.5, 4.0), 0.0),
+        (TangentialControl::Shift(-0.1), kit::spring(0.4, 8.0), 0.02),
+        (TangentialControl::Hold, kit::spring(-0.5, 8.0), -0.01),
+        (kit::spring(-0.5, 4.0), kit::spring(0.5, 4.0), 0.0),
     ] {
         let load = LoadStep::hold()
             .tangential(Axis::X, x)

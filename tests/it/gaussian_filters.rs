@@ -8,8 +8,7 @@ use kit::Random;
 use proptest::prelude::*;
 use stickslip::surface::{self, GaussianFilter, SelfAffine, crop};
 use stickslip::{
-    Boundary, ElasticPair, Error, Field, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
-    NormalSolution,
+    Boundary, Error, Field, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
 };
 
 fn noise(grid: Grid, seed: u64, size: f64) -> Field {
@@ -342,9 +341,8 @@ fn contact_quantities(contact: &NormalSolution) -> [f64; 3] {
 /// Both surfaces are measured with noise, and pressed either unchanged or filtered.
 #[test]
 fn filter_removes_noise_from_a_contact() {
-    let grid = Grid::square(128, 128.0).unwrap();
-    let steel = Material::new(1.0, 0.3).unwrap();
-    let pair = ElasticPair::new(steel, steel).unwrap();
+    let grid = kit::square(128, 128.0);
+    let pair = kit::alike(1.0, 0.3);
     let bodies = HalfSpace::with_boundary(grid, pair, Boundary::Periodic).unwrap();
     let bodies = &bodies;
     let clean = [1, 2].map(|seed| {

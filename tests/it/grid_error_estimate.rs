@@ -19,7 +19,7 @@ fn press(bodies: &HalfSpace, gap: &Field, load: NormalLoad) -> NormalSolution {
 #[test]
 fn estimate_for_pressure_is_close_to_error() {
     for cells in [24, 72] {
-        let grid = Grid::square(cells, 3.0).unwrap();
+        let grid = kit::square(cells, 3.0);
         for cell_value in [CellValue::Uniform, CellValue::Centre] {
             let bodies = bodies(grid, cell_value);
             for shape in Smooth::all() {
@@ -51,7 +51,7 @@ fn estimate_for_traction_is_close_to_error() {
         &[OFFSET, [0.0, 0.0], [0.5, 0.5], [-0.42, 0.48]],
     );
     for &cells in kit::thorough(&[32, 64][..], &[32, 48, 64, 96, 128, 192]) {
-        let grid = Grid::square(cells, 3.0).unwrap();
+        let grid = kit::square(cells, 3.0);
         for shape in Smooth::all() {
             for &load in kit::thorough(&[0.4][..], &[0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 0.9]) {
                 let ring = (1.0 - shape.stick_radius(load)) / grid.dx();
@@ -78,9 +78,12 @@ fn estimate_for_traction_is_close_to_error() {
                         let contact = press(&bodies, &shape.gap(grid, [x0, y0]), shape.load());
                         let force = load * coefficient * shape.force;
                         let force = TangentialLoad::force([force, 0.0]);
-                        let friction = Friction::coulomb(coefficient).unwrap();
-                        let problem =
-                            TangentialProblem::builder(&bodies, &contact, friction, force);
+                        let problem = TangentialProblem::builder(
+                            &bodies,
+                            &contact,
+                            kit::coulomb(coefficient),
+                            force,
+                        );
                         let shear = kit::solve(problem.tolerance(1e-6));
                         let error = l1_difference(shear.traction()[0], &means, |_| true);
                         let ratio = shear.discretisation_estimate().unwrap() / error;
@@ -100,7 +103,7 @@ fn estimate_for_traction_is_close_to_error() {
 #[test]
 fn large_error_gives_warning_with_cells_for_small_error() {
     let warning_of = |cells: usize| {
-        let grid = Grid::square(cells, 3.0).unwrap();
+        let grid = kit::square(cells, 3.0);
         let shape = Smooth::sphere();
         let contact = press(
             &bodies(grid, CellValue::Uniform),

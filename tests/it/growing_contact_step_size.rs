@@ -6,8 +6,8 @@ use kit::Random;
 use stickslip::history::{AdaptiveSteps, EntryRule};
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
-    Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
-    Material, NormalLoad, NormalProblem, TangentialControl, TangentialModel, surface,
+    Axis, Boundary, Error, Field, Friction, HalfSpace, History, LoadStep, NormalLoad,
+    NormalProblem, TangentialControl, TangentialModel,
 };
 
 const FRICTION: f64 = 0.5;
@@ -28,16 +28,15 @@ struct GrowingCase {
 
 impl GrowingCase {
     fn new(poisson_ratio: f64, roughness: f64, model: TangentialModel) -> Self {
-        let grid = Grid::square(kit::thorough(40, 64), SIDE).unwrap();
-        let material = Material::new(1.0, poisson_ratio).unwrap();
-        let bodies = HalfSpace::new(grid, ElasticPair::new(material, material).unwrap()).unwrap();
-        let ball = surface::sphere(grid, RADIUS * RADIUS).unwrap();
+        let grid = kit::square(kit::thorough(40, 64), SIDE);
+        let bodies = HalfSpace::new(grid, kit::alike(1.0, poisson_ratio)).unwrap();
+        let ball = kit::sphere(grid, RADIUS * RADIUS);
         let gap = with_waves(&ball, roughness);
         let load = 4.0 / 3.0 * bodies.pair().contact_modulus() * RADIUS;
         Self {
             bodies,
             gap,
-            friction: Friction::coulomb(FRICTION).unwrap(),
+            friction: kit::coulomb(FRICTION),
             model,
             load,
         }
@@ -504,7 +503,7 @@ fn adaptive_steps_that_fail_leave_state_unchanged() {
     let mut hopeless = AdaptiveSteps::new(&history, 1e-15).unwrap();
     kit::assert_refused! { hopeless.step(&mut history, &shift_step((0.8, [-0.1, 0.0]))) => Error::StepTooLong { .. } }
     assert_eq!(history.state().to_bytes(), before);
-    let other = Grid::square(8, 1.0).unwrap();
+    let other = kit::square(8, 1.0);
     let bodies = HalfSpace::new(other, *scene.bodies.pair()).unwrap();
     let flat = Field::zeros(other);
     let mut other = History::builder(&bodies, &flat, scene.friction.clone())

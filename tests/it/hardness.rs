@@ -7,15 +7,14 @@ use stickslip::dense::DenseOperator;
 use stickslip::influence::Component;
 use stickslip::normal::Hardness;
 use stickslip::{
-    Axis, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
-    Material, NormalLoad, NormalProblem, NormalSolution, Operator, Scratch, TangentialControl,
-    TangentialLoad, TangentialModel, analytical, history::EntryRule, surface,
+    Axis, CoupledProblem, Error, Field, Grid, HalfSpace, History, LoadStep, NormalLoad,
+    NormalProblem, NormalSolution, Operator, Scratch, TangentialControl, TangentialLoad,
+    TangentialModel, analytical, history::EntryRule, surface,
 };
 
 /// Returns steel on a rigid body. The contact modulus is in MPa.
 fn steel(grid: Grid) -> HalfSpace {
-    let body = Material::new(115_384.615_384_615_39, 0.0).unwrap();
-    HalfSpace::new(grid, ElasticPair::new(body, Material::rigid()).unwrap()).unwrap()
+    HalfSpace::new(grid, kit::on_rigid(115_384.615_384_615_39, 0.0)).unwrap()
 }
 
 fn solved(bodies: &HalfSpace, gap: &Field, force: f64, hardness: &Hardness) -> NormalSolution {
@@ -36,7 +35,7 @@ fn counts(contact: &NormalSolution, hardness: f64) -> [usize; 2] {
 /// The reference solution for this load comes from an active-set Newton method and from Tamaas 2.9.
 #[test]
 fn ball_at_hardness_matches_reference() {
-    let grid = Grid::square(64, 0.5).unwrap();
+    let grid = kit::square(64, 0.5);
     let (bodies, limit) = (steel(grid), 959.615_355_1);
     let ball = Field::from_fn(grid, |x, y| (x * x + y * y) / 20.0);
     let hardness = Hardness::uniform(limit).unwrap();
@@ -61,7 +60,7 @@ fn rough_cap_at_hardness_matches_reference() {
         let numbers = entries.map(|entry| entry.map_or(0.0, |entry| entry.parse().unwrap()));
         numbers.collect::<Vec<f64>>()
     };
-    let grid = Grid::square(64, 0.64).unwrap();
+    let grid = kit::square(64, 0.64);
     let gap = Field::from_vec(grid, column(0)).unwrap();
     let hardness = Hardness::uniform(1800.0).unwrap();
     let contact = solved(&steel(grid), &gap, 60.0, &hardness);
@@ -146,7 +145,7 @@ fn certificate_bounds_error_on_random_problems() {
 /// The permanent set remains, so the worn surfaces fit under the same load without yielding.
 #[test]
 fn yielded_contact_is_elastic_when_loaded_again() {
-    let grid = Grid::square(48, 1.0).unwrap();
+    let grid = kit::square(48, 1.0);
     for boundary in kit::boundaries(grid) {
         let bodies = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), boundary).unwrap();
         let gap = rough(grid, 5);
@@ -180,9 +179,9 @@ fn yielded_contact_is_elastic_when_loaded_again() {
 
 #[test]
 fn unreached_hardness_changes_nothing() {
-    let grid = Grid::square(40, 4.0).unwrap();
+    let grid = kit::square(40, 4.0);
     let bodies = unit_bodies(grid, 0.3);
-    let ball = surface::sphere(grid, 10.0).unwrap();
+    let ball = kit::sphere(grid, 10.0);
     let hertz = analytical::HertzSphere::new(bodies.pair(), 10.0, 0.1).unwrap();
     let limit = 1.1 * hertz.max_pressure();
     let unlimited = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(0.1));
@@ -212,7 +211,7 @@ fn unreached_hardness_leaves_punch_bitwise_identical() {
             let radius = random.uniform(0.2, 0.5) * cells as f64;
             (cells, radius, random.decade(-2.0, 1.0))
         };
-        let grid = Grid::square(cells, cells as f64).unwrap();
+        let grid = kit::square(cells, cells as f64);
         let bodies = unit_bodies(grid, 0.3);
         let gap = surface::flat_punch(grid, radius, recess).unwrap();
         let load = match case {
@@ -239,7 +238,7 @@ fn unreached_hardness_leaves_punch_bitwise_identical() {
 /// A prescribed approach may bring all cells to their limit. A force is limited by the capacity of all cells.
 #[test]
 fn loads_beyond_capacity_are_rejected() {
-    let grid = Grid::square(16, 1.0).unwrap();
+    let grid = kit::square(16, 1.0);
     let bodies = unit_bodies(grid, 0.3);
     let flat = Field::zeros(grid);
     let hardness = Hardness::uniform(0.1).unwrap();
@@ -254,8 +253,7 @@ fn loads_beyond_capacity_are_rejected() {
     let press = problem(NormalLoad::Force(0.5 * capacity));
     let mut press = kit::solver(press);
     kit::assert_refused! { press.set_load(NormalLoad::Force(2.0 * capacity)) => _ }
-    let mut contact = press.new_solution();
-    press.solve_into(&mut contact).unwrap();
+    let contact = kit::solved(&mut press);
     assert!((contact.force() / capacity - 0.5).abs() < 1e-12);
 
     for bad in [0.0, -1.0, f64::NAN, f64::INFINITY] {
@@ -263,7 +261,7 @@ fn loads_beyond_capacity_are_rejected() {
     }
     let negative = Field::constant(grid, -1.0);
     kit::assert_refused! { Hardness::per_cell(negative) => Error::Sample { .. } }
-    let other = Field::constant(Grid::square(8, 1.0).unwrap(), 1.0);
+    let other = Field::constant(kit::square(8, 1.0), 1.0);
     let other = Hardness::per_cell(other).unwrap();
     let problem = NormalProblem::builder(&bodies, &flat, NormalLoad::Force(0.01));
     kit::assert_refused! {
@@ -276,9 +274,9 @@ fn loads_beyond_capacity_are_rejected() {
 /// Any approach within a range is then a multiplier.
 #[test]
 fn all_cells_may_be_at_their_bounds() {
-    let grid = Grid::square(16, 4.0).unwrap();
+    let grid = kit::square(16, 4.0);
     let bodies = unit_bodies(grid, 0.1);
-    let ball = surface::sphere(grid, 10.0).unwrap();
+    let ball = kit::sphere(grid, 10.0);
     let mut without_elastic_cells = 0;
     for cells in (4..=200).step_by(4) {
         for limit in [0.005, 0.01, 0.02] {
@@ -301,11 +299,10 @@ fn all_cells_may_be_at_their_bounds() {
 /// and the tractions by friction under this pressure.
 #[test]
 fn coupled_problem_with_hardness_matches_first_history_step() {
-    let grid = Grid::square(36, 3.0).unwrap();
-    let pair = ElasticPair::new(Material::new(1.0, 0.1).unwrap(), Material::rigid()).unwrap();
-    let bodies = HalfSpace::new(grid, pair).unwrap();
-    let ball = surface::sphere(grid, 10.0).unwrap();
-    let (friction, press) = (Friction::coulomb(0.4).unwrap(), NormalLoad::Force(0.2));
+    let grid = kit::square(36, 3.0);
+    let bodies = HalfSpace::new(grid, kit::on_rigid(1.0, 0.1)).unwrap();
+    let ball = kit::sphere(grid, 10.0);
+    let (friction, press) = (kit::coulomb(0.4), NormalLoad::Force(0.2));
     let sloping = Field::from_fn(grid, |x, _| 0.06 + 0.01 * x);
     for hardness in [Hardness::uniform(0.06), Hardness::per_cell(sloping)] {
         let hardness = hardness.unwrap();
@@ -313,8 +310,7 @@ fn coupled_problem_with_hardness_matches_first_history_step() {
         let problem = CoupledProblem::builder(&bodies, &ball, friction.clone(), press, load);
         let problem = problem.hardness(hardness.clone()).tolerance(1e-11).build();
         let mut solver = problem.unwrap().into_solver().unwrap();
-        let mut contact = solver.new_solution();
-        solver.solve_into(&mut contact).unwrap();
+        let mut contact = kit::solved(&mut solver);
 
         let history = History::builder(&bodies, &ball, friction.clone());
         let history = history
@@ -361,7 +357,7 @@ fn coupled_problem_with_hardness_matches_first_history_step() {
         solver.solve_into(&mut contact).unwrap();
         assert!((contact.normal().force() / 0.02 - 1.0).abs() < 1e-10);
     }
-    let elsewhere = Field::constant(Grid::square(35, 3.0).unwrap(), 1.0);
+    let elsewhere = Field::constant(kit::square(35, 3.0), 1.0);
     let problem = CoupledProblem::builder(
         &bodies,
         &ball,

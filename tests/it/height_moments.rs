@@ -30,13 +30,13 @@ fn wave_amplitudes(field: &Field) -> Vec<f64> {
 fn spectra() -> [(Grid, SelfAffine); 3] {
     let asked = SelfAffine::with_rms_height(1.0);
     [
-        (Grid::square(64, 64.0).unwrap(), asked),
+        (kit::square(64, 64.0), asked),
         (
             Grid::new(80, 63, 1.0, 1.2).unwrap(),
             asked.cut_off_wavelength(6.0).hurst(0.5),
         ),
         (
-            Grid::square(96, 96.0).unwrap(),
+            kit::square(96, 96.0),
             asked.roll_off_wavelength(16.0).cut_off_wavelength(4.0),
         ),
     ]
@@ -90,13 +90,12 @@ fn cropped_and_gaussian_surfaces_attain_moments() {
 
 #[test]
 fn moment_not_requested_is_gaussian() {
-    let grid = Grid::square(48, 1.0).unwrap();
     let asked = SelfAffine::with_rms_height(1.0);
     for (asked, expected) in [
         (asked.skewness(0.6), [0.6, 3.0]),
         (asked.kurtosis(3.8), [0.0, 3.8]),
     ] {
-        let surface = asked.generate(grid).unwrap();
+        let surface = asked.generate(kit::square(48, 1.0)).unwrap();
         assert!(max_difference(&moments(surface.heights()), &expected) < 2e-9);
     }
 }
@@ -109,14 +108,13 @@ fn heights_follow_the_johnson_distribution() {
     const WIDTH: f64 = 0.314_361;
     let omega = (WIDTH * WIDTH).exp();
     let kurtosis = omega.powi(4) + 2.0 * omega.powi(3) + 3.0 * omega.powi(2) - 3.0;
-    let grid = Grid::square(128, 128.0).unwrap();
     let asked = SelfAffine::with_rms_height(1.0)
         .roll_off_wavelength(16.0)
         .cut_off_wavelength(4.0);
     let surface = asked
         .skewness(1.0)
         .kurtosis(kurtosis)
-        .generate(grid)
+        .generate(kit::square(128, 128.0))
         .unwrap();
     let mut heights = surface.into_heights().into_vec();
     heights.sort_by(f64::total_cmp);
@@ -131,7 +129,7 @@ fn heights_follow_the_johnson_distribution() {
 
 #[test]
 fn unattainable_moments_are_rejected() {
-    let grid = Grid::square(64, 64.0).unwrap();
+    let grid = kit::square(64, 64.0);
     let asked = SelfAffine::with_rms_height(1.0);
     for value in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
         for asked in [asked.skewness(value), asked.kurtosis(value)] {
@@ -179,7 +177,7 @@ fn unattainable_moments_are_rejected() {
 #[test]
 fn small_grids_keep_the_rms_height() {
     let sides = kit::thorough(
-        &[1, 4, 7, 16, 32][..],
+        &[1, 4, 7, 16][..],
         &[1, 2, 3, 4, 5, 7, 8, 12, 15, 16, 17, 24, 31, 32],
     );
     let moments_asked = [[-0.5, 2.1], [0.0, 3.0], [0.5, 2.5], [-1.0, 4.0]];

@@ -6,8 +6,8 @@
 use kit::{Random, Table2, l2_difference, max_abs};
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::{
-    Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution, TangentialLoad,
-    TangentialProblem, TangentialSolution,
+    Field, HalfSpace, NormalLoad, NormalProblem, NormalSolution, TangentialLoad, TangentialProblem,
+    TangentialSolution,
 };
 
 fn hertz() -> HertzSphere {
@@ -20,7 +20,7 @@ fn exact(friction: f64, force: f64) -> CattaneoMindlin {
 
 /// Presses the sphere that touches at `centre` on `n` x `n` cells of a square of `width` contact radii.
 fn press(n: usize, width: f64, centre: [f64; 2], tolerance: f64) -> (HalfSpace, NormalSolution) {
-    let grid = Grid::square(n, width * Table2::CONTACT_RADIUS).unwrap();
+    let grid = kit::square(n, width * Table2::CONTACT_RADIUS);
     let bodies = HalfSpace::new(grid, Table2::pair()).unwrap();
     let ball = Field::from_fn(grid, |x, y| {
         ((x - centre[0]).powi(2) + (y - centre[1]).powi(2)) / (2.0 * Table2::RADIUS)
@@ -43,7 +43,7 @@ fn shear(
 ) -> TangentialSolution {
     let load = TangentialLoad::force([force, 0.0]);
     kit::solve(
-        TangentialProblem::builder(bodies, normal, Friction::coulomb(friction).unwrap(), load)
+        TangentialProblem::builder(bodies, normal, kit::coulomb(friction), load)
             .tolerance(tolerance),
     )
 }

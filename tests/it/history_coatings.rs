@@ -4,8 +4,7 @@ use kit::{max_difference, press};
 use stickslip::history::{Rolling, wear};
 use stickslip::layers::Layer;
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalLoad,
-    TangentialModel, surface,
+    ElasticPair, Field, Grid, HalfSpace, History, LoadStep, Material, NormalLoad, TangentialModel,
 };
 
 const FRICTION: f64 = 0.5;
@@ -19,8 +18,7 @@ fn coated_bodies(grid: Grid, ratio: f64, nu: f64) -> HalfSpace {
 }
 
 fn new_history(bodies: &HalfSpace, gap: &Field, model: TangentialModel) -> History {
-    let friction = Friction::coulomb(FRICTION).unwrap();
-    let builder = History::builder(bodies, gap, friction).model(model);
+    let builder = History::builder(bodies, gap, kit::coulomb(FRICTION)).model(model);
     builder.tolerance(1e-10).build().unwrap()
 }
 
@@ -36,13 +34,13 @@ fn take_step(history: &mut History, load: LoadStep) {
 #[test]
 fn coated_contact_grows_equally_in_any_steps() {
     for (ratio, thickness) in [(4.0, 0.3), (0.25, 0.3), (4.0, 4.0)] {
-        let grid = Grid::square(32, 32.0).unwrap();
+        let grid = kit::square(32, 32.0);
         let base = Material::new(1.0, 0.3).unwrap();
         let body = base
             .coated(&[Layer::new(ratio, 0.3, thickness).unwrap()])
             .unwrap();
         let bodies = HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap();
-        let gap = surface::sphere(grid, 144.0).unwrap();
+        let gap = kit::sphere(grid, 144.0);
         let tractions = |steps: usize| {
             let mut history = new_history(&bodies, &gap, TangentialModel::Scalar);
             take_step(
@@ -71,11 +69,11 @@ fn coated_contact_grows_equally_in_any_steps() {
 /// A layer of the substrate material has no effect on rolling and wear.
 #[test]
 fn layer_of_substrate_material_does_not_affect_rolling_and_wear() {
-    let grid = Grid::square(24, 6.0).unwrap();
+    let grid = kit::square(24, 6.0);
     let plain = Material::new(1.0, 0.3).unwrap();
     let plain = HalfSpace::new(grid, ElasticPair::new(plain, plain).unwrap()).unwrap();
     let results = [plain, coated_bodies(grid, 1.0, 0.3)].map(|bodies| {
-        let mut gap = surface::sphere(grid, 10.0).unwrap();
+        let mut gap = kit::sphere(grid, 10.0);
         let mut history = new_history(&bodies, &gap, TangentialModel::Vector);
         let load = || LoadStep::hold().normal(NormalLoad::Force(0.4));
         take_step(&mut history, load());
@@ -101,9 +99,9 @@ fn layer_of_substrate_material_does_not_affect_rolling_and_wear() {
 /// Wear of a coating follows Archard's law, and the pressure decreases.
 #[test]
 fn coating_wear_is_load_times_path() {
-    let grid = Grid::square(24, 6.0).unwrap();
+    let grid = kit::square(24, 6.0);
     let bodies = coated_bodies(grid, 4.0, 0.3);
-    let gap = surface::sphere(grid, 10.0).unwrap();
+    let gap = kit::sphere(grid, 10.0);
     let mut history = new_history(&bodies, &gap, TangentialModel::Scalar);
     take_step(
         &mut history,
@@ -127,8 +125,8 @@ fn coating_wear_is_load_times_path() {
 /// The stiffness of a coated contact equals the finite difference of two solves, and a stiffer coating increases it.
 #[test]
 fn coated_stiffness_matches_finite_difference() {
-    let grid = Grid::square(32, 8.0).unwrap();
-    let gap = surface::sphere(grid, 12.0).unwrap();
+    let grid = kit::square(32, 8.0);
+    let gap = kit::sphere(grid, 12.0);
     let stiffness = [1.0, 4.0].map(|ratio| {
         let bodies = coated_bodies(grid, ratio, 0.3);
         let solve = |control| press(&bodies, &gap, control, 1e-12);

@@ -1,22 +1,17 @@
 //! In a steady loop, all work is dissipated.
 
 use kit::unit_bodies;
-use stickslip::{
-    Axis, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad, TangentialControl,
-    surface,
-};
+use stickslip::{Axis, Field, HalfSpace, History, LoadStep, NormalLoad, TangentialControl};
 
 const FRICTION: f64 = 0.4;
 
 fn sphere_problem() -> (HalfSpace, Field, f64) {
-    let grid = Grid::square(48, 12.0).unwrap();
-    let gap = surface::sphere(grid, 20.0).unwrap();
-    (unit_bodies(grid, 0.3), gap, 4.0)
+    let grid = kit::square(48, 12.0);
+    (unit_bodies(grid, 0.3), kit::sphere(grid, 20.0), 4.0)
 }
 
 fn new_history((bodies, gap, load): &(HalfSpace, Field, f64), tolerance: f64) -> History {
-    let friction = Friction::coulomb(FRICTION).unwrap();
-    let builder = History::builder(bodies, gap, friction).tolerance(tolerance);
+    let builder = History::builder(bodies, gap, kit::coulomb(FRICTION)).tolerance(tolerance);
     let mut history = builder.build().unwrap();
     press(&mut history, *load);
     history

@@ -4,18 +4,17 @@ use kit::{rough, unit_bodies};
 use stickslip::Status;
 use stickslip::{
     Axis, Error, Field, Friction, Grid, History, LoadStep, NormalLoad, TangentialControl,
-    TangentialModel, surface,
+    TangentialModel,
 };
 
 fn grid() -> Grid {
-    Grid::square(64, 100.0).unwrap()
+    kit::square(64, 100.0)
 }
 
 fn new_history(axis: Axis) -> History {
     let gap = rough(grid(), 11);
-    let friction = Friction::coulomb(0.5).unwrap();
     let bodies = unit_bodies(grid(), 0.3);
-    let builder = History::builder(&bodies, &gap, friction).axis(axis);
+    let builder = History::builder(&bodies, &gap, kit::coulomb(0.5)).axis(axis);
     builder.build().unwrap()
 }
 
@@ -110,7 +109,7 @@ fn rejected_loads_leave_state_unchanged() {
         let refused = history.step(&load_step(3.0, axis, TangentialControl::Force(-2.0)));
         assert!(matches!(refused, Err(Error::BeyondFrictionCapacity { .. })));
 
-        let other = Field::zeros(Grid::square(63, 100.0).unwrap());
+        let other = Field::zeros(kit::square(63, 100.0));
         assert!(history.set_gap(&other).is_err());
         assert!(history.set_gap(&Field::constant(grid(), f64::NAN)).is_err());
         let friction = Friction::per_cell(other).unwrap();
@@ -121,10 +120,10 @@ fn rejected_loads_leave_state_unchanged() {
 
 #[test]
 fn steps_not_converged_leave_state_unchanged() {
-    let grid = Grid::square(64, 12.0).unwrap();
-    let ball = surface::sphere(grid, 20.0).unwrap();
+    let grid = kit::square(64, 12.0);
+    let ball = kit::sphere(grid, 20.0);
     let bodies = unit_bodies(grid, 0.3);
-    let friction = Friction::coulomb(0.5).unwrap();
+    let friction = kit::coulomb(0.5);
     let builder = || {
         History::builder(&bodies, &ball, friction.clone())
             .max_iterations(15)
@@ -158,12 +157,11 @@ fn steps_not_converged_leave_state_unchanged() {
 /// Loads near the limits of the floating-point range give finite results, or an error that leaves the state unchanged.
 #[test]
 fn loads_of_extreme_size_give_finite_results_or_errors() {
-    let grid = Grid::square(8, 12.0).unwrap();
-    let ball = surface::sphere(grid, 20.0).unwrap();
+    let grid = kit::square(8, 12.0);
+    let ball = kit::sphere(grid, 20.0);
     let bodies = unit_bodies(grid, 0.3);
     for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
-        let friction = Friction::coulomb(0.5).unwrap();
-        let builder = History::builder(&bodies, &ball, friction).model(lateral);
+        let builder = History::builder(&bodies, &ball, kit::coulomb(0.5)).model(lateral);
         let mut history = builder.build().unwrap();
         let press = LoadStep::hold().normal(NormalLoad::Force(3.0));
         let drag = press.tangential(Axis::X, TangentialControl::Force(0.7));

@@ -4,19 +4,19 @@
 use kit::{max_difference, rough, unit_bodies};
 use stickslip::normal::Hardness;
 use stickslip::{
-    Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
-    NormalLoad, NormalProblem, TangentialModel, Warning, surface,
+    Coupling, ElasticPair, Error, Field, HalfSpace, History, LoadStep, Material, NormalLoad,
+    NormalProblem, TangentialModel, Warning,
 };
 
 const LIMIT: f64 = 0.02;
 
 fn rough_problem() -> (HalfSpace, Field) {
-    let grid = Grid::square(48, 1.0).unwrap();
+    let grid = kit::square(48, 1.0);
     (unit_bodies(grid, 0.3), rough(grid, 5))
 }
 
 fn new_history(bodies: &HalfSpace, gap: &Field, model: TangentialModel, stays: bool) -> History {
-    let builder = History::builder(bodies, gap, Friction::coulomb(0.4).unwrap());
+    let builder = History::builder(bodies, gap, kit::coulomb(0.4));
     let builder = builder.hardness(Hardness::uniform(LIMIT).unwrap());
     let builder = builder.permanent_set(stays).model(model);
     builder.tolerance(1e-10).build().unwrap()
@@ -64,13 +64,13 @@ fn second_loading_is_elastic() {
 
 #[test]
 fn stiffness_of_yielded_solution_is_rejected() {
-    let grid = Grid::square(16, 4.0).unwrap();
+    let grid = kit::square(16, 4.0);
     let rubber = Material::new(1.0, 0.5).unwrap();
     let soft = Material::new(1.0, 0.1).unwrap();
-    let ball = surface::sphere(grid, 10.0).unwrap();
+    let ball = kit::sphere(grid, 10.0);
     let limit = Hardness::uniform(0.01).unwrap();
     let builder = |bodies: &HalfSpace, coupling| {
-        let builder = History::builder(bodies, &ball, Friction::coulomb(0.4).unwrap());
+        let builder = History::builder(bodies, &ball, kit::coulomb(0.4));
         builder.hardness(limit.clone()).coupling(coupling).build()
     };
     let pair = ElasticPair::new(soft, Material::rigid()).unwrap();
@@ -102,7 +102,7 @@ fn stiffness_of_yielded_solution_is_rejected() {
             .any(|w| matches!(w, Warning::BeyondHardness { cells } if *cells > 0))
     };
     assert!(!warns(problem(1e-5).warnings()) && warns(problem(0.05).warnings()));
-    let builder = History::builder(&bodies, &ball, Friction::coulomb(0.4).unwrap());
+    let builder = History::builder(&bodies, &ball, kit::coulomb(0.4));
     let mut history = builder.build().unwrap();
     assert!(warns(history.step(&press_step(0.05)).unwrap().warnings()));
     let bytes = history.to_bytes();
@@ -117,17 +117,15 @@ fn stiffness_of_yielded_solution_is_rejected() {
 /// one-way coupling.
 #[test]
 fn coupled_contact_yields_at_the_hardness() {
-    let grid = Grid::square(32, 4.0).unwrap();
-    let ball = surface::sphere(grid, 10.0).unwrap();
+    let grid = kit::square(32, 4.0);
+    let ball = kit::sphere(grid, 10.0);
     let hardness = Field::from_fn(grid, |x, _| 0.03 + 0.004 * x);
     let limit = Hardness::per_cell(hardness.clone()).unwrap();
     let load =
         |force: f64, shear: [f64; 2]| LoadStep::force(shear).normal(NormalLoad::Force(force));
     let sheared = |poisson_ratio: f64, coupling: Coupling| {
-        let body = Material::new(1.0, poisson_ratio).unwrap();
-        let pair = ElasticPair::new(body, Material::rigid()).unwrap();
-        let bodies = HalfSpace::new(grid, pair).unwrap();
-        let builder = History::builder(&bodies, &ball, Friction::coulomb(0.5).unwrap());
+        let bodies = HalfSpace::new(grid, kit::on_rigid(1.0, poisson_ratio)).unwrap();
+        let builder = History::builder(&bodies, &ball, kit::coulomb(0.5));
         let builder = builder.model(TangentialModel::Vector).coupling(coupling);
         let mut history = builder.hardness(limit.clone()).build().unwrap();
         for (force, shear) in [(0.05, [0.0; 2]), (0.09, [0.02, 0.01]), (0.06, [0.0, 0.015])] {
@@ -164,13 +162,11 @@ fn coupled_contact_yields_at_the_hardness() {
 /// A load beyond the capacity of the last window at the hardness requires a wider window.
 #[test]
 fn load_beyond_capacity_of_last_window_is_carried() {
-    let grid = Grid::square(64, 4.0).unwrap();
-    let ball = surface::sphere(grid, 10.0).unwrap();
-    let body = Material::new(1.0, 0.1).unwrap();
-    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
-    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let grid = kit::square(64, 4.0);
+    let ball = kit::sphere(grid, 10.0);
+    let bodies = HalfSpace::new(grid, kit::on_rigid(1.0, 0.1)).unwrap();
     for coupling in [Coupling::Neglected, Coupling::Full] {
-        let builder = History::builder(&bodies, &ball, Friction::coulomb(0.2).unwrap());
+        let builder = History::builder(&bodies, &ball, kit::coulomb(0.2));
         let builder = builder.hardness(Hardness::uniform(0.02).unwrap());
         let mut history = builder.coupling(coupling).build().unwrap();
         for force in [0.05, 0.09, 0.12, 0.3] {
@@ -184,13 +180,11 @@ fn load_beyond_capacity_of_last_window_is_carried() {
 /// Histories of the same bodies share buffers. The content left by one history must not affect another history.
 #[test]
 fn histories_with_shared_buffers_are_independent() {
-    let grid = Grid::square(24, 4.0).unwrap();
-    let ball = surface::sphere(grid, 10.0).unwrap();
-    let body = Material::new(1.0, 0.1).unwrap();
-    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
-    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let grid = kit::square(24, 4.0);
+    let ball = kit::sphere(grid, 10.0);
+    let bodies = HalfSpace::new(grid, kit::on_rigid(1.0, 0.1)).unwrap();
     let new = |coupling: Coupling, hardness: Option<f64>| {
-        let builder = History::builder(&bodies, &ball, Friction::coulomb(0.3).unwrap());
+        let builder = History::builder(&bodies, &ball, kit::coulomb(0.3));
         let builder = builder.coupling(coupling);
         match hardness {
             Some(limit) => builder.hardness(Hardness::uniform(limit).unwrap()).build(),

@@ -2,17 +2,13 @@
 //! Tractions are within the limit of the current pressure.
 
 use kit::{max_abs, max_difference, rough, unit_bodies};
-use stickslip::{
-    Axis, Error, Field, Friction, Grid, History, LoadStep, NormalControl, TangentialControl, Zone,
-    surface,
-};
+use stickslip::{Axis, Error, Field, History, LoadStep, NormalControl, TangentialControl, Zone};
 
 const FRICTION: f64 = 0.4;
 
 fn new_history(gap: &Field, axis: Axis) -> History {
     let bodies = unit_bodies(gap.grid(), 0.3);
-    let friction = Friction::coulomb(FRICTION).unwrap();
-    let builder = History::builder(&bodies, gap, friction);
+    let builder = History::builder(&bodies, gap, kit::coulomb(FRICTION));
     builder.axis(axis).tolerance(1e-9).build().unwrap()
 }
 
@@ -55,10 +51,9 @@ const PATH: [(NormalControl, TangentialControl); 6] = [
 /// If no cell slips, a load that is removed leaves the state exactly at zero.
 #[test]
 fn load_removed_without_slip_leaves_no_traction() {
-    let grid = Grid::square(40, 8.0).unwrap();
+    let grid = kit::square(40, 8.0);
     let bodies = unit_bodies(grid, 0.3);
-    let ball = surface::sphere(grid, 10.0).unwrap();
-    let builder = History::builder(&bodies, &ball, Friction::coulomb(1e6).unwrap());
+    let builder = History::builder(&bodies, kit::sphere(grid, 10.0), kit::coulomb(1e6));
     let mut history = builder.build().unwrap();
     let press = LoadStep::hold().normal(NormalControl::Force(1.0));
     history.step(&press).unwrap();
@@ -80,7 +75,7 @@ fn load_removed_without_slip_leaves_no_traction() {
 /// A hold step changes the state only within the tolerance, and needs no product in the normal direction.
 #[test]
 fn hold_step_leaves_state_unchanged() {
-    let gap = rough(Grid::square(48, 100.0).unwrap(), 9);
+    let gap = rough(kit::square(48, 100.0), 9);
     let mut history = new_history(&gap, Axis::X);
     take_steps(&mut history, &PATH, 1.0);
     let (before, path) = (
@@ -101,8 +96,7 @@ fn hold_step_leaves_state_unchanged() {
 /// In a contact that grows under a constant force, new cells have no slip to resist and therefore carry no traction.
 #[test]
 fn new_contact_cells_start_without_traction() {
-    let grid = Grid::square(64, 16.0).unwrap();
-    let mut history = new_history(&surface::sphere(grid, 20.0).unwrap(), Axis::X);
+    let mut history = new_history(&kit::sphere(kit::square(64, 16.0), 20.0), Axis::X);
     let hold = TangentialControl::Hold;
     take_steps(&mut history, &[(NormalControl::Force(2.0), hold)], 1.0);
     let force = TangentialControl::Force(0.5);
@@ -161,9 +155,8 @@ fn new_contact_cells_start_without_traction() {
 /// applied.
 #[test]
 fn force_before_first_contact_is_rejected() {
-    let grid = Grid::square(32, 16.0).unwrap();
     for axis in [Axis::X, Axis::Y] {
-        let mut history = new_history(&surface::sphere(grid, 20.0).unwrap(), axis);
+        let mut history = new_history(&kit::sphere(kit::square(32, 16.0), 20.0), axis);
         let step = |tangential| {
             let apart = LoadStep::hold().normal(NormalControl::Force(0.0));
             apart.tangential(axis, tangential)
@@ -198,8 +191,7 @@ fn force_before_first_contact_is_rejected() {
 /// same force.
 #[test]
 fn force_at_the_limit_slides_by_the_smallest_shift() {
-    let grid = Grid::square(48, 12.0).unwrap();
-    let mut history = new_history(&surface::sphere(grid, 20.0).unwrap(), Axis::X);
+    let mut history = new_history(&kit::sphere(kit::square(48, 12.0), 20.0), Axis::X);
     take_steps(
         &mut history,
         &[(NormalControl::Force(4.0), TangentialControl::Hold)],

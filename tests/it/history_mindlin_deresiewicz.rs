@@ -3,10 +3,7 @@
 
 use kit::{Table2, l2_difference, max_difference};
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
-use stickslip::{
-    Axis, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad, TangentialControl, Zone,
-    surface,
-};
+use stickslip::{Axis, Field, HalfSpace, History, LoadStep, NormalLoad, TangentialControl, Zone};
 
 /// Largest force relative to the friction limit.
 const AMPLITUDE: f64 = 0.8;
@@ -14,11 +11,14 @@ const LIMIT: f64 = Table2::FRICTION * Table2::FORCE;
 
 /// Presses the sphere of Table 2 on a square with a side of 1.3 contact diameters.
 fn press_sphere(cells: usize, tolerance: f64) -> History {
-    let grid = Grid::square(cells, 2.6 * Table2::CONTACT_RADIUS).unwrap();
+    let grid = kit::square(cells, 2.6 * Table2::CONTACT_RADIUS);
     let bodies = HalfSpace::new(grid, Table2::pair()).unwrap();
-    let ball = surface::sphere(grid, Table2::RADIUS).unwrap();
-    let friction = Friction::coulomb(Table2::FRICTION).unwrap();
-    let builder = History::builder(&bodies, &ball, friction).tolerance(tolerance);
+    let builder = History::builder(
+        &bodies,
+        kit::sphere(grid, Table2::RADIUS),
+        kit::coulomb(Table2::FRICTION),
+    )
+    .tolerance(tolerance);
     let mut history = builder.build().unwrap();
     let press = LoadStep::hold().normal(NormalLoad::Force(Table2::FORCE));
     history.step(&press).unwrap();

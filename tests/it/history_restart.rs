@@ -6,7 +6,7 @@ use stickslip::io::Place;
 use stickslip::layers::Layer;
 use stickslip::{
     Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
-    NormalLoad, TangentialControl, TangentialModel, Warning, surface,
+    NormalLoad, TangentialControl, TangentialModel, Warning,
 };
 
 fn take_steps(history: &mut History, forces: &[[f64; 2]]) {
@@ -24,10 +24,9 @@ const THEN: [[f64; 2]; 4] = [[6.0, 0.0], [9.0, 3.0], [2.0, 0.5], [40.0, -3.0]];
 
 fn new_problem() -> (HalfSpace, Field, Friction) {
     let grid = Grid::new(60, 49, 0.5, 0.7).unwrap();
-    let friction = Friction::coulomb(0.45).unwrap();
+    let friction = kit::coulomb(0.45);
     let friction = friction.max_shear_stress(0.3).unwrap();
-    let ball = surface::sphere(grid, 40.0).unwrap();
-    (unit_bodies(grid, 0.3), ball, friction)
+    (unit_bodies(grid, 0.3), kit::sphere(grid, 40.0), friction)
 }
 
 fn saved_history() -> (HalfSpace, Vec<u8>) {
@@ -170,12 +169,12 @@ fn restart_on_different_bodies_is_rejected() {
 /// Checks the sizes stated in the docs of `State::to_bytes`, with less than a kilobyte in addition to the cells.
 #[test]
 fn saved_state_has_the_documented_size() {
-    let grid = Grid::square(48, 8.0).unwrap();
+    let grid = kit::square(48, 8.0);
     let friction = Friction::per_cell(Field::from_fn(grid, |_, _| 0.5)).unwrap();
-    let uniform = Friction::coulomb(0.5).unwrap();
-    let ball = surface::sphere(grid, 20.0).unwrap();
+    let uniform = kit::coulomb(0.5);
+    let ball = kit::sphere(grid, 20.0);
     let flat = Field::zeros(grid);
-    let joint = ElasticPair::new(Material::new(1.0, 0.2).unwrap(), Material::rigid()).unwrap();
+    let joint = kit::on_rigid(1.0, 0.2);
     let joint = HalfSpace::new(grid, joint).unwrap();
     let bodies = unit_bodies(grid, 0.3);
     // The sizes are bytes per cell of the grid, after pressing twice and after a change of the gap. The flat contact

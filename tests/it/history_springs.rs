@@ -2,7 +2,7 @@
 //! under the equivalent force or shift.
 
 use kit::{max_difference, unit_bodies};
-use stickslip::{Axis, Friction, Grid, History, LoadStep, NormalLoad, TangentialControl, surface};
+use stickslip::{Axis, History, LoadStep, NormalLoad, TangentialControl};
 
 const FRICTION: f64 = 0.4;
 const LOAD: f64 = 4.0;
@@ -10,11 +10,10 @@ const LIMIT: f64 = FRICTION * LOAD;
 const TOLERANCE: f64 = 1e-8;
 
 fn press_sphere() -> History {
-    let grid = Grid::square(64, 12.0).unwrap();
-    let ball = surface::sphere(grid, 20.0).unwrap();
+    let grid = kit::square(64, 12.0);
+    let ball = kit::sphere(grid, 20.0);
     let bodies = unit_bodies(grid, 0.3);
-    let friction = Friction::coulomb(FRICTION).unwrap();
-    let builder = History::builder(&bodies, &ball, friction).axis(Axis::Y);
+    let builder = History::builder(&bodies, &ball, kit::coulomb(FRICTION)).axis(Axis::Y);
     let mut history = builder.tolerance(TOLERANCE).build().unwrap();
     let press = LoadStep::hold().normal(NormalLoad::Force(LOAD));
     history.step(&press).unwrap();

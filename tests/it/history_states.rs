@@ -8,7 +8,7 @@ use stickslip::{
 };
 
 fn grid() -> Grid {
-    Grid::square(64, 100.0).unwrap()
+    kit::square(64, 100.0)
 }
 
 fn start(lateral: TangentialModel) -> History {

@@ -22,8 +22,7 @@ const OFFSETS: [[f64; 2]; 8] = [
 ];
 
 fn bodies(cells: usize) -> HalfSpace {
-    let grid = Grid::square(cells, 3.0).unwrap();
-    let bodies = HalfSpace::new(grid, unit_pair(0.0)).unwrap();
+    let bodies = HalfSpace::new(kit::square(cells, 3.0), unit_pair(0.0)).unwrap();
     bodies.with_cell_value(CellValue::Centre).unwrap()
 }
 
@@ -34,7 +33,7 @@ fn shear(force: f64) -> LoadStep {
 /// Returns the history of a ball that is pressed and then loaded by the tangential forces.
 fn history(bodies: &HalfSpace, offset: [f64; 2], forces: &[f64]) -> History {
     let gap = Smooth::sphere().gap(bodies.grid(), offset);
-    let builder = History::builder(bodies, &gap, Friction::coulomb(FRICTION).unwrap());
+    let builder = History::builder(bodies, &gap, kit::coulomb(FRICTION));
     let mut history = builder.tolerance(1e-7).build().unwrap();
     let press = LoadStep::hold().normal(NormalLoad::Force(LOAD));
     history.step(&press).unwrap();
@@ -139,7 +138,7 @@ fn stick_edges_after_return_to_state_are_accurate() {
 fn every_state_has_stick_edges() {
     let bodies = bodies(48);
     let gap = Smooth::sphere().gap(bodies.grid(), [0.0; 2]);
-    let builder = History::builder(&bodies, &gap, Friction::coulomb(FRICTION).unwrap());
+    let builder = History::builder(&bodies, &gap, kit::coulomb(FRICTION));
     let mut history = builder.build().unwrap();
     let edges = history.edges().unwrap();
     assert_eq!((edges.stick_area(), edges.contact().area()), (0.0, 0.0));
@@ -169,7 +168,7 @@ fn stick_edges_of_slabs_are_rejected() {
         let rank = std::sync::Arc::new(rank);
         let bodies = HalfSpace::distributed(grid, unit_pair(0.0), boundary, rank).unwrap();
         let gap = Smooth::sphere().gap(bodies.grid(), [0.0; 2]);
-        let builder = History::builder(&bodies, &gap, Friction::coulomb(FRICTION).unwrap());
+        let builder = History::builder(&bodies, &gap, kit::coulomb(FRICTION));
         let history = builder.build().unwrap();
         matches!(history.edges(), Err(Error::Ranks(_)))
     });

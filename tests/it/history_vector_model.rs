@@ -4,8 +4,8 @@ use kit::{max_abs, max_difference, rough, unit_bodies, unit_pair};
 use stickslip::analytical::{HertzSphere, LubkinTorsion};
 use stickslip::history::LoadPath;
 use stickslip::{
-    Axis, Boundary, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad,
-    TangentialControl, TangentialModel, surface,
+    Axis, Boundary, Error, Field, HalfSpace, History, LoadStep, NormalLoad, TangentialControl,
+    TangentialModel,
 };
 
 const FRICTION: f64 = 0.4;
@@ -13,12 +13,11 @@ const LOAD: f64 = 4.0;
 const LIMIT: f64 = FRICTION * LOAD;
 
 fn sphere_gap(cells: usize) -> Field {
-    surface::sphere(Grid::square(cells, 12.0).unwrap(), 20.0).unwrap()
+    kit::sphere(kit::square(cells, 12.0), 20.0)
 }
 
 fn press(bodies: &HalfSpace, gap: &Field, lateral: TangentialModel, tolerance: f64) -> History {
-    let friction = Friction::coulomb(FRICTION).unwrap();
-    let mut history = History::builder(bodies, gap, friction)
+    let mut history = History::builder(bodies, gap, kit::coulomb(FRICTION))
         .model(lateral)
         .tolerance(tolerance)
         .build()
@@ -105,8 +104,8 @@ fn steady_closed_loop_dissipates_its_work() {
 fn load_path_without_slip_is_reversible() {
     let gap = sphere_gap(48);
     let bodies = unit_bodies(gap.grid(), 0.3);
-    let friction = Friction::coulomb(50.0).unwrap();
-    let builder = History::builder(&bodies, &gap, friction).model(TangentialModel::Vector);
+    let builder =
+        History::builder(&bodies, &gap, kit::coulomb(50.0)).model(TangentialModel::Vector);
     let mut history = builder.tolerance(1e-10).build().unwrap();
     let press = LoadStep::hold().normal(NormalLoad::Force(LOAD));
     history.step(&press).unwrap();
@@ -210,7 +209,7 @@ fn contact_slides_at_constant_force() {
 
 #[test]
 fn twist_on_periodic_grid_is_rejected() {
-    let grid = Grid::square(32, 12.0).unwrap();
+    let grid = kit::square(32, 12.0);
     let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), Boundary::Periodic).unwrap();
     let mut history = press(&bodies, &rough(grid, 6), TangentialModel::Vector, 1e-6);
     let refused = history.step(&LoadStep::hold().twist(0.1));

@@ -6,8 +6,8 @@ use std::ops::ControlFlow;
 use kit::{Table2, rough, unit_bodies};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath, wear};
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad, Operator,
-    TangentialControl, Warning, influence::Component, surface,
+    Axis, Error, Field, Grid, HalfSpace, History, LoadStep, NormalLoad, Operator,
+    TangentialControl, Warning, influence::Component,
 };
 
 fn shear(history: &mut History, tangential: TangentialControl) {
@@ -22,10 +22,10 @@ fn press(history: &mut History, normal: NormalLoad) {
 /// Wear in full slip removes exactly k P s, since slip is the same in every cell.
 #[test]
 fn full_slip_wear_is_load_times_path() {
-    let grid = Grid::square(48, 100.0).unwrap();
+    let grid = kit::square(48, 100.0);
     let bodies = unit_bodies(grid, 0.3);
-    let friction = Friction::coulomb(0.4).unwrap();
-    for gap in [surface::sphere(grid, 300.0).unwrap(), rough(grid, 5)] {
+    let friction = kit::coulomb(0.4);
+    for gap in [kit::sphere(grid, 300.0), rough(grid, 5)] {
         let builder = History::builder(&bodies, &gap, friction.clone());
         let mut history = builder.build().unwrap();
         press(&mut history, NormalLoad::Force(30.0));
@@ -51,10 +51,10 @@ fn full_slip_wear_is_load_times_path() {
 /// A new gap changes the state only in a step that solves for the pressure.
 #[test]
 fn new_gap_preserves_the_state() {
-    let grid = Grid::square(48, 12.0).unwrap();
+    let grid = kit::square(48, 12.0);
     let bodies = unit_bodies(grid, 0.3);
-    let ball = surface::sphere(grid, 20.0).unwrap();
-    let friction = Friction::coulomb(0.4).unwrap();
+    let ball = kit::sphere(grid, 20.0);
+    let friction = kit::coulomb(0.4);
     let build = || {
         let builder = History::builder(&bodies, &ball, friction.clone());
         let mut history = builder.build().unwrap();
@@ -118,10 +118,9 @@ fn without_resolution_warnings(warnings: Vec<Warning>) -> Vec<Warning> {
 /// warning.
 #[test]
 fn stale_pressure_causes_a_warning() {
-    let grid = Grid::square(32, 12.0).unwrap();
+    let grid = kit::square(32, 12.0);
     let bodies = unit_bodies(grid, 0.3);
-    let ball = surface::sphere(grid, 20.0).unwrap();
-    let builder = History::builder(&bodies, &ball, Friction::coulomb(0.4).unwrap());
+    let builder = History::builder(&bodies, kit::sphere(grid, 20.0), kit::coulomb(0.4));
     let mut history = builder.build().unwrap();
     let worn = Field::from_fn(grid, |x, y| 0.025 * (x * x + y * y) + 0.01);
     // A change of the gap before the first contact does not make the pressure stale.
@@ -189,7 +188,7 @@ fn contact_at_grid_edge_causes_a_warning() {
     let grid = Grid::new(9, 7, 1.0, 1.0).unwrap();
     let bodies = unit_bodies(grid, 0.3);
     let flat = Field::zeros(grid);
-    let builder = History::builder(&bodies, &flat, Friction::coulomb(0.4).unwrap());
+    let builder = History::builder(&bodies, &flat, kit::coulomb(0.4));
     let mut history = builder.build().unwrap();
     let press = LoadStep::hold().normal(NormalLoad::Force(4.0));
     let step = history.step(&press).unwrap();
@@ -205,10 +204,9 @@ fn contact_at_grid_edge_causes_a_warning() {
 /// A lower friction coefficient causes further slip. A higher coefficient changes nothing.
 #[test]
 fn new_friction_limits_the_force() {
-    let grid = Grid::square(48, 12.0).unwrap();
+    let grid = kit::square(48, 12.0);
     let bodies = unit_bodies(grid, 0.3);
-    let ball = surface::sphere(grid, 20.0).unwrap();
-    let builder = History::builder(&bodies, &ball, Friction::coulomb(0.4).unwrap());
+    let builder = History::builder(&bodies, kit::sphere(grid, 20.0), kit::coulomb(0.4));
     let mut history = builder.build().unwrap();
     assert_eq!(history.friction_capacity(), 0.0);
     press(&mut history, NormalLoad::Force(4.0));
@@ -216,24 +214,18 @@ fn new_friction_limits_the_force() {
     let (shift, path) = (history.shift()[0], history.accumulated_slip().integral());
     assert!((history.friction_capacity() - 1.6).abs() < 1e-12);
 
-    history
-        .set_friction(&Friction::coulomb(0.8).unwrap())
-        .unwrap();
+    history.set_friction(&kit::coulomb(0.8)).unwrap();
     assert!((history.friction_capacity() - 3.2).abs() < 1e-12);
     shear(&mut history, TangentialControl::Force(1.2));
     assert!((history.shift()[0] / shift - 1.0).abs() < 1e-7);
     assert!((history.accumulated_slip().integral() / path - 1.0).abs() < 1e-7);
 
-    history
-        .set_friction(&Friction::coulomb(0.32).unwrap())
-        .unwrap();
+    history.set_friction(&kit::coulomb(0.32)).unwrap();
     shear(&mut history, TangentialControl::Force(1.2));
     assert!(
         history.shift()[0] > 1.05 * shift && history.accumulated_slip().integral() > 1.05 * path
     );
-    history
-        .set_friction(&Friction::coulomb(0.2).unwrap())
-        .unwrap();
+    history.set_friction(&kit::coulomb(0.2)).unwrap();
     let holds = history.friction_capacity();
     let held = LoadStep::hold().tangential(Axis::X, TangentialControl::Force(1.2));
     kit::assert_refused! {
@@ -245,7 +237,7 @@ fn new_friction_limits_the_force() {
 
 #[test]
 fn max_stable_cycles_separate_stable_from_unstable_wear() {
-    let bodies = HalfSpace::new(Grid::square(32, 32.0).unwrap(), Table2::pair()).unwrap();
+    let bodies = HalfSpace::new(kit::square(32, 32.0), Table2::pair()).unwrap();
     let grid = bodies.grid();
     let modulus = bodies.pair().contact_modulus();
     let stable = |slip: f64| wear::max_stable_cycles(&bodies, 1e-12, &Field::constant(grid, slip));
@@ -272,12 +264,12 @@ fn max_stable_cycles_separate_stable_from_unstable_wear() {
     // For wear below the limit the pressure evens out. For wear above the limit the pressure oscillates with growing
     // amplitude.
     for (factor, settles) in [(0.9, true), (1.6, false)] {
-        let bodies = unit_bodies(Grid::square(16, 16.0).unwrap(), 0.0);
+        let bodies = unit_bodies(kit::square(16, 16.0), 0.0);
         let grid = bodies.grid();
         let mut gap = Field::from_fn(grid, |x, y| 1e-3 * ((3.0 * x).sin() + (7.0 * y).cos()));
         let slip = Field::constant(grid, 1.0);
         let cycles = factor * wear::max_stable_cycles(&bodies, 1.0, &slip).unwrap();
-        let builder = History::builder(&bodies, &gap, Friction::coulomb(0.0).unwrap());
+        let builder = History::builder(&bodies, &gap, kit::coulomb(0.0));
         let mut history = builder.build().unwrap();
         for _ in 0..30 {
             press(&mut history, NormalLoad::Force(25.6));

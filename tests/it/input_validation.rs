@@ -45,8 +45,7 @@ fn grids_with_invalid_sizes_are_rejected() {
         Rectangle::new(1e-300, 1e300) => Error::CellsTooLong { .. },
     }
     let slender = Grid::new(2, 2, 1e-200, 1e200).unwrap();
-    let pair = ElasticPair::new(Material::new(1.0, 0.3).unwrap(), Material::rigid()).unwrap();
-    kit::assert_refused! { HalfSpace::new(slender, pair) => Error::CellsTooLong { .. } }
+    kit::assert_refused! { HalfSpace::new(slender, kit::on_rigid(1.0, 0.3)) => Error::CellsTooLong { .. } }
     let grid = Grid::new(3, 2, 1.0, 1.0).unwrap();
     let short = Field::from_vec(grid, vec![0.0; 5]);
     assert_eq!(
@@ -84,8 +83,7 @@ fn materials_with_invalid_constants_are_rejected() {
 #[test]
 fn directions_that_repeat_are_rejected() {
     use stickslip::influence::Direction::{X, Y};
-    let pair = ElasticPair::new(Material::new(1.0, 0.3).unwrap(), Material::rigid()).unwrap();
-    let bodies = HalfSpace::new(grid(), pair).unwrap();
+    let bodies = HalfSpace::new(grid(), kit::on_rigid(1.0, 0.3)).unwrap();
     let error = bodies.tensor_operator([X, Y, X]).err();
     assert_eq!(error, Some(Error::RepeatedDirection));
     let error = bodies.tensor_preconditioner([Y, Y]).err();
@@ -104,7 +102,7 @@ fn friction_with_invalid_coefficient_is_rejected() {
             Friction::per_cell(field) => Error::Sample { index: 3, value: v, .. } if is_identical(v, value),
         }
     }
-    let friction = Friction::coulomb(0.5).unwrap();
+    let friction = kit::coulomb(0.5);
     for value in NOT_POSITIVE {
         kit::assert_refused! {
             friction.clone().max_shear_stress(value) => Error::NotPositive { value: v, .. } if is_identical(v, value),

@@ -4,8 +4,8 @@
 use kit::{max_abs, max_difference, rough, unit_bodies};
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
-    Boundary, Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
-    TangentialLoad, TangentialSolution, surface,
+    Boundary, Error, Field, HalfSpace, NormalLoad, NormalProblem, NormalSolution, TangentialLoad,
+    TangentialSolution,
 };
 
 const FRICTION: f64 = 0.4;
@@ -16,16 +16,13 @@ fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
 }
 
 fn shear(bodies: &HalfSpace, normal: &NormalSolution, force: [f64; 2]) -> TangentialSolution {
-    let (friction, load) = (
-        Friction::coulomb(FRICTION).unwrap(),
-        TangentialLoad::force(force),
-    );
+    let (friction, load) = (kit::coulomb(FRICTION), TangentialLoad::force(force));
     kit::shear(bodies, normal, &friction, load, TOLERANCE)
 }
 
 #[test]
 fn superposition_is_exact_for_zero_poisson_ratio() {
-    let grid = Grid::square(128, 100.0).unwrap();
+    let grid = kit::square(128, 100.0);
     let gap = rough(grid, 11);
     let bodies = unit_bodies(grid, 0.0);
     let load = 20.0;
@@ -63,7 +60,7 @@ fn superposition_is_exact_for_zero_poisson_ratio() {
 /// but not exact, because otherwise the tangential compliance would equal the normal compliance.
 #[test]
 fn superposition_is_approximate_for_other_poisson_ratios() {
-    let grid = Grid::square(96, 100.0).unwrap();
+    let grid = kit::square(96, 100.0);
     let gap = rough(grid, 12);
     let (load, f) = (20.0, 0.4);
     for (nu, least, most) in [(0.29, 5e-3, 0.07), (0.5, 1e-2, 0.14)] {
@@ -82,8 +79,8 @@ fn superposition_is_approximate_for_other_poisson_ratios() {
 /// difference and are rejected.
 #[test]
 fn mismatched_contacts_are_rejected() {
-    let grid = Grid::square(32, 16.0).unwrap();
-    let gap = surface::sphere(grid, 20.0).unwrap();
+    let grid = kit::square(32, 16.0);
+    let gap = kit::sphere(grid, 20.0);
     let bodies = unit_bodies(grid, 0.0);
     let (full, stick) = (press(&bodies, &gap, 2.0), press(&bodies, &gap, 1.0));
     let refused =

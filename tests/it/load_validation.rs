@@ -8,7 +8,6 @@ use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
     Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
     NormalLoad, NormalProblem, NormalSolution, TangentialLoad, TangentialModel, TangentialProblem,
-    surface,
 };
 
 const NEGATIVE: [f64; 4] = [-1e-300, f64::NAN, f64::INFINITY, f64::NEG_INFINITY];
@@ -24,7 +23,7 @@ fn unit_half_space() -> HalfSpace {
 }
 
 fn ball_gap(bodies: &HalfSpace) -> Field {
-    surface::sphere(bodies.grid(), 20.0).unwrap()
+    kit::sphere(bodies.grid(), 20.0)
 }
 
 fn press_ball(bodies: &HalfSpace) -> NormalSolution {
@@ -97,25 +96,21 @@ fn normal_solver_rejected_change_leaves_it_unchanged() {
         solver.solve_into(&mut foreign) => error if error == mismatch("solution", bodies.grid(), other),
     }
     assert_eq!(foreign, before);
-    let mut solution = solver.new_solution();
-    solver.solve_into(&mut solution).unwrap();
+    let solution = kit::solved(&mut solver);
     assert_eq!(solution.pressure(), expected.pressure());
 
     let load = TangentialLoad::force([0.1, 0.0]);
-    let friction = Friction::coulomb(0.5).unwrap();
-    let problem = TangentialProblem::builder(&bodies, &expected, friction, load)
+    let problem = TangentialProblem::builder(&bodies, &expected, kit::coulomb(0.5), load)
         .build()
         .unwrap();
     let expected = problem.solve().unwrap();
     let mut solver = problem.into_solver().unwrap();
     assert!(solver.set_load(TangentialLoad::force([0.6, 0.0])).is_err());
     assert!(solver.set_load(TangentialLoad::shift([1.0, 1.0])).is_err());
-    let slippery = Friction::coulomb(0.05).unwrap();
-    kit::assert_refused! { solver.set_friction(&slippery) => Error::BeyondFrictionCapacity { .. } }
+    kit::assert_refused! { solver.set_friction(&kit::coulomb(0.05)) => Error::BeyondFrictionCapacity { .. } }
     let foreign = Friction::per_cell(Field::zeros(other)).unwrap();
     kit::assert_refused! { solver.set_friction(&foreign) => Error::GridMismatch { .. } }
-    let mut solution = solver.new_solution();
-    solver.solve_into(&mut solution).unwrap();
+    let solution = kit::solved(&mut solver);
     assert_eq!(solution.traction(), expected.traction());
 }
 
@@ -123,7 +118,7 @@ fn normal_solver_rejected_change_leaves_it_unchanged() {
 fn tangential_load_beyond_capacity_or_not_finite_is_rejected() {
     let bodies = unit_half_space();
     let normal = press_ball(&bodies);
-    let friction = Friction::coulomb(0.5).unwrap();
+    let friction = kit::coulomb(0.5);
     let build = |load| {
         TangentialProblem::builder(&bodies, &normal, friction.clone(), load)
             .build()
@@ -160,7 +155,7 @@ fn tangential_load_beyond_capacity_or_not_finite_is_rejected() {
 fn tangential_problem_with_unsuitable_pressure_is_rejected() {
     let bodies = unit_half_space();
     let normal = press_ball(&bodies);
-    let friction = Friction::coulomb(0.5).unwrap();
+    let friction = kit::coulomb(0.5);
     let other = unit_bodies(Grid::new(8, 6, 1.0, 1.1).unwrap(), 0.3);
     let error = TangentialProblem::builder(
         &other,
@@ -226,10 +221,10 @@ fn grids_with_sides_equal_to_round_off_are_accepted() {
         let problem = NormalProblem::builder(&bodies, gap, NormalLoad::Force(0.01));
         problem.tolerance(1e-12).build()?.solve()
     };
-    let expected = contact(&surface::sphere(own, 2.0).unwrap()).unwrap();
+    let expected = contact(&kit::sphere(own, 2.0)).unwrap();
     let near = Grid::new(8, 6, 0.09999999999999999, 0.1 * (1.0 + 9e-13)).unwrap();
     assert_ne!(own, near);
-    let found = contact(&surface::sphere(near, 2.0).unwrap()).unwrap();
+    let found = contact(&kit::sphere(near, 2.0)).unwrap();
     let most = expected.pressure().max();
     let pairs = found.pressure().as_slice().iter();
     for (found, expected) in pairs.zip(expected.pressure().as_slice()) {
@@ -242,7 +237,7 @@ fn grids_with_sides_equal_to_round_off_are_accepted() {
     let load = TangentialLoad::force([0.001, 0.0]);
     let problem = TangentialProblem::builder(&bodies, &found, friction, load).build();
     assert!(problem.unwrap().solve().is_ok());
-    let mut sum = surface::sphere(own, 2.0).unwrap();
+    let mut sum = kit::sphere(own, 2.0);
     assert_eq!(sum.add_scaled(1.0, &Field::zeros(near)), Ok(()));
 
     let far = Grid::new(8, 6, 0.1, 0.1 * (1.0 + 3e-12)).unwrap();
@@ -260,7 +255,7 @@ fn solution_for_other_materials_is_rejected() {
     let foreign = press_ball(&softer);
     assert_eq!(foreign.pair(), softer.pair());
     let refused = |quantity| Err(Error::MaterialMismatch { quantity });
-    let friction = Friction::coulomb(0.5).unwrap();
+    let friction = kit::coulomb(0.5);
     let load = TangentialLoad::force([0.1, 0.0]);
     let builder = TangentialProblem::builder(&bodies, &foreign, friction.clone(), load);
     assert_eq!(builder.build().map(drop), refused("normal solution"));
@@ -292,8 +287,7 @@ fn vector_loads_that_are_not_finite_or_too_large_are_rejected() {
     let bodies = unit_half_space();
     let normal = press_ball(&bodies);
     let build = |load| {
-        let friction = Friction::coulomb(0.5).unwrap();
-        let builder = TangentialProblem::builder(&bodies, &normal, friction, load);
+        let builder = TangentialProblem::builder(&bodies, &normal, kit::coulomb(0.5), load);
         builder.model(TangentialModel::Vector).build()
     };
     let problem = build(TangentialLoad::force([0.1, 0.2])).unwrap();
@@ -315,8 +309,7 @@ fn vector_loads_that_are_not_finite_or_too_large_are_rejected() {
             kit::assert_refused! { refused => Error::BeyondFrictionCapacity { .. } }
         }
     }
-    let mut solution = solver.new_solution();
-    solver.solve_into(&mut solution).unwrap();
+    let solution = kit::solved(&mut solver);
     assert_eq!(solution.traction(), expected.traction());
 }
 
@@ -332,9 +325,8 @@ fn tangential_solver_rejected_pressure_leaves_it_unchanged() {
         kit::solve(problem)
     };
     for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
-        let friction = Friction::coulomb(0.5).unwrap();
         let load = TangentialLoad::force([0.2, 0.0]);
-        let builder = TangentialProblem::builder(&bodies, &normal, friction, load);
+        let builder = TangentialProblem::builder(&bodies, &normal, kit::coulomb(0.5), load);
         let problem = builder.model(lateral).build().unwrap();
         let expected = problem.solve().unwrap();
         let mut solver = problem.into_solver().unwrap();
@@ -355,8 +347,7 @@ fn tangential_solver_rejected_pressure_leaves_it_unchanged() {
             JaegerSuperposition::new(&normal, &unsolved, bodies.pair(), 0.5) => Error::NotConverged(_),
         }
         assert!(is_identical(solver.friction_capacity(), sliding));
-        let mut solution = solver.new_solution();
-        solver.solve_into(&mut solution).unwrap();
+        let solution = kit::solved(&mut solver);
         assert_eq!(solution.traction(), expected.traction());
     }
 }
@@ -407,8 +398,7 @@ fn tangential_loads_of_extreme_size_converge_or_are_rejected() {
                 TangentialLoad::shift([0.0, value]),
                 TangentialLoad::shift([0.0, -value]),
             ] {
-                let friction = Friction::coulomb(0.5).unwrap();
-                let builder = TangentialProblem::builder(&bodies, &normal, friction, load);
+                let builder = TangentialProblem::builder(&bodies, &normal, kit::coulomb(0.5), load);
                 let problem = builder.model(lateral).build();
                 match problem.and_then(|problem| problem.solve()) {
                     Ok(shear) => {
@@ -429,11 +419,11 @@ fn tangential_loads_of_extreme_size_converge_or_are_rejected() {
 /// A setting that a model does not support is an error in problems, solvers and histories.
 #[test]
 fn unsupported_method_is_rejected() {
-    let bodies = unit_bodies(Grid::square(24, 12.0).unwrap(), 0.3);
-    let gap = surface::sphere(bodies.grid(), 20.0).unwrap();
+    let bodies = unit_bodies(kit::square(24, 12.0), 0.3);
+    let gap = kit::sphere(bodies.grid(), 20.0);
     let press = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(4.0));
     let normal = kit::solve(press);
-    let friction = Friction::coulomb(0.5).unwrap();
+    let friction = kit::coulomb(0.5);
     let is_refused = |error: Option<Error>| matches!(error, Some(Error::Method { .. }));
     let load = TangentialLoad::force([0.5, 0.0]);
     let shear = || {
@@ -460,8 +450,7 @@ fn unsupported_method_is_rejected() {
 #[test]
 fn step_all_with_wrong_number_of_loads_is_rejected() {
     let bodies = unit_half_space();
-    let friction = Friction::coulomb(0.3).unwrap();
-    let history = History::builder(&bodies, ball_gap(&bodies), friction).build();
+    let history = History::builder(&bodies, ball_gap(&bodies), kit::coulomb(0.3)).build();
     let mut histories = [history.unwrap()];
     let before = histories[0].to_bytes();
     let two = [LoadStep::hold().normal(NormalLoad::Force(1.0)); 2];

@@ -4,8 +4,7 @@ use kit::{Table2, energy_difference, rough, unit_bodies, unit_pair};
 use stickslip::cgm::{self, AbsBound, Method, NonNegative, Problem, Settings};
 use stickslip::influence::Component;
 use stickslip::{
-    Field, Friction, Grid, HalfSpace, NormalLoad, NormalSolution, Report, TangentialLoad,
-    TangentialSolution, surface,
+    Field, HalfSpace, NormalLoad, NormalSolution, Report, TangentialLoad, TangentialSolution,
 };
 
 const TOLERANCE: f64 = 1e-6;
@@ -21,14 +20,7 @@ fn shear(
     method: Method,
 ) -> TangentialSolution {
     let load = TangentialLoad::force([f * 0.5 * normal.force(), 0.0]);
-    kit::shear_by(
-        bodies,
-        normal,
-        &Friction::coulomb(0.5).unwrap(),
-        load,
-        TOLERANCE,
-        method,
-    )
+    kit::shear_by(bodies, normal, &kit::coulomb(0.5), load, TOLERANCE, method)
 }
 
 fn assert_agreement(bodies: &HalfSpace, gap: &Field, force: f64) {
@@ -49,9 +41,9 @@ fn assert_agreement(bodies: &HalfSpace, gap: &Field, force: f64) {
 
 #[test]
 fn methods_agree_on_sphere_of_table_2_within_cost() {
-    let grid = Grid::square(kit::thorough(96, 256), 3.0 * Table2::CONTACT_RADIUS).unwrap();
+    let grid = kit::square(kit::thorough(96, 256), 3.0 * Table2::CONTACT_RADIUS);
     let bodies = HalfSpace::new(grid, Table2::pair()).unwrap();
-    let ball = surface::sphere(grid, Table2::RADIUS).unwrap();
+    let ball = kit::sphere(grid, Table2::RADIUS);
     assert_agreement(&bodies, &ball, Table2::FORCE);
     let normal = press(&bodies, &ball, Table2::FORCE, Method::ActiveSet);
     let costs = |method| {
@@ -74,7 +66,7 @@ fn methods_agree_on_sphere_of_table_2_within_cost() {
 
 #[test]
 fn methods_agree_on_rough_surfaces_from_few_spots_to_near_closure() {
-    let grid = Grid::square(128, 100.0).unwrap();
+    let grid = kit::square(128, 100.0);
     let bodies = unit_bodies(grid, 0.4);
     for (seed, force) in [(1, 0.5), (2, 20.0), (3, 300.0)] {
         assert_agreement(&bodies, &rough(grid, seed), force);
@@ -84,9 +76,9 @@ fn methods_agree_on_rough_surfaces_from_few_spots_to_near_closure() {
 /// Runs the engine directly on the whole grid, from a uniform start and with the circulant preconditioner only.
 #[test]
 fn active_set_method_solves_sphere_of_table_2_within_cost() {
-    let grid = Grid::square(kit::thorough(96, 256), 3.0 * Table2::CONTACT_RADIUS).unwrap();
+    let grid = kit::square(kit::thorough(96, 256), 3.0 * Table2::CONTACT_RADIUS);
     let bodies = HalfSpace::new(grid, Table2::pair()).unwrap();
-    let ball = surface::sphere(grid, Table2::RADIUS).unwrap();
+    let ball = kit::sphere(grid, Table2::RADIUS);
     let settings = Settings::default().tolerance(TOLERANCE);
     let total = Table2::FORCE / grid.cell_area();
     let engine = |component| {
@@ -123,7 +115,7 @@ fn active_set_method_solves_sphere_of_table_2_within_cost() {
 /// its accuracy.
 #[test]
 fn methods_agree_under_tiny_load_on_rough_surface() {
-    let grid = Grid::square(32, 32.0).unwrap();
+    let grid = kit::square(32, 32.0);
     let gap = rough(grid, 4);
     for boundary in kit::boundaries(grid) {
         let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), boundary).unwrap();

@@ -2,7 +2,7 @@
 
 use stickslip::analytical::HertzSphere;
 use stickslip::{
-    Boundary, Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
+    Boundary, Error, Field, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
     TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution,
 };
 
@@ -17,7 +17,7 @@ fn press(bodies: &HalfSpace, [x0, y0]: [f64; 2], force: f64) -> NormalSolution {
 
 fn shear(bodies: &HalfSpace, normal: &NormalSolution, load: TangentialLoad) -> TangentialSolution {
     kit::solve(
-        TangentialProblem::builder(bodies, normal, Friction::coulomb(0.4).unwrap(), load)
+        TangentialProblem::builder(bodies, normal, kit::coulomb(0.4), load)
             .model(TangentialModel::Vector)
             .tolerance(1e-9),
     )
@@ -53,7 +53,7 @@ fn moments_match_position_of_ball() {
 
 #[test]
 fn energies_match_hertz_and_mindlin() {
-    let grid = Grid::square(128, 12.0).unwrap();
+    let grid = kit::square(128, 12.0);
     let bodies = kit::unit_bodies(grid, 0.3);
     let contact = press(&bodies, [0.0; 2], 4.0);
     let hertz = HertzSphere::new(bodies.pair(), RADIUS, 4.0).unwrap();
@@ -84,11 +84,11 @@ fn energies_match_hertz_and_mindlin() {
 
 #[test]
 fn different_bodies_are_rejected() {
-    let grid = Grid::square(16, 12.0).unwrap();
+    let grid = kit::square(16, 12.0);
     let bodies = kit::unit_bodies(grid, 0.3);
     let contact = press(&bodies, [0.0; 2], 4.0);
     let shear = shear(&bodies, &contact, TangentialLoad::force([1.0, 0.0]));
-    let smaller = kit::unit_bodies(Grid::square(15, 12.0).unwrap(), 0.3);
+    let smaller = kit::unit_bodies(kit::square(15, 12.0), 0.3);
     let softer = kit::unit_bodies(grid, 0.2);
     let repeating = HalfSpace::with_boundary(grid, *bodies.pair(), Boundary::Periodic).unwrap();
     kit::assert_refused! {

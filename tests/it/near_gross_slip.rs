@@ -6,16 +6,19 @@ use stickslip::layers::Layer;
 use stickslip::{
     Boundary, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad,
     NormalProblem, NormalSolution, Operator, TangentialLoad, TangentialModel, TangentialProblem,
-    TangentialSolution, Zone, surface,
+    TangentialSolution, Zone,
 };
 
 const FRICTION: f64 = 0.5;
 const DIRECTION: [f64; 2] = [0.8, 0.6];
 
 fn press_ball(cells: usize, poisson_ratio: f64) -> (HalfSpace, NormalSolution) {
-    let bodies = unit_bodies(Grid::square(cells, 3.0).unwrap(), poisson_ratio);
-    let gap = surface::sphere(bodies.grid(), 1.0).unwrap();
-    let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(0.6));
+    let bodies = unit_bodies(kit::square(cells, 3.0), poisson_ratio);
+    let problem = NormalProblem::builder(
+        &bodies,
+        kit::sphere(bodies.grid(), 1.0),
+        NormalLoad::Force(0.6),
+    );
     let normal = kit::solve(problem);
     (bodies, normal)
 }
@@ -24,9 +27,9 @@ fn press_ball(cells: usize, poisson_ratio: f64) -> (HalfSpace, NormalSolution) {
 fn shear(bodies: &HalfSpace, normal: &NormalSolution, missing: f64) -> TangentialSolution {
     let force = (1.0 - missing) * FRICTION * normal.force();
     let load = TangentialLoad::force(DIRECTION.map(|n| n * force));
-    let friction = Friction::coulomb(FRICTION).unwrap();
     kit::solve(
-        TangentialProblem::builder(bodies, normal, friction, load).model(TangentialModel::Vector),
+        TangentialProblem::builder(bodies, normal, kit::coulomb(FRICTION), load)
+            .model(TangentialModel::Vector),
     )
 }
 
@@ -75,14 +78,13 @@ fn zero_poisson_ratio_keeps_a_stick_cell_until_sliding() {
 /// limit.
 #[test]
 fn reported_friction_capacity_causes_gross_slip() {
-    let grid = Grid::square(330, 1.0).unwrap();
+    let grid = kit::square(330, 1.0);
     let bodies = unit_bodies(grid, 0.3);
     let pressure = Field::constant(grid, 0.1);
     for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
         let problem = |force| {
             let load = TangentialLoad::force([force, 0.0]);
-            let friction = Friction::coulomb(0.7).unwrap();
-            let problem = TangentialProblem::builder(&bodies, &pressure, friction, load);
+            let problem = TangentialProblem::builder(&bodies, &pressure, kit::coulomb(0.7), load);
             problem.model(lateral).build().unwrap()
         };
         let limit = problem(0.0).friction_capacity();
@@ -94,13 +96,12 @@ fn reported_friction_capacity_causes_gross_slip() {
 /// The squares of some friction limits underflow compared with the squares of the others.
 #[test]
 fn negligible_pressures_converge() {
-    let grid = Grid::square(48, 100.0).unwrap();
+    let grid = kit::square(48, 100.0);
     let bodies = unit_bodies(grid, 0.3);
     let bowl = |x: f64, y: f64| 1.0 - (x * x + y * y) / 900.0;
     let pressure = Field::from_fn(grid, |x, y| bowl(x, y).max(1e-200));
-    let friction = Friction::coulomb(0.7).unwrap();
     let load = TangentialLoad::force([0.3 * pressure.integral(), 0.0]);
-    let problem = TangentialProblem::builder(&bodies, &pressure, friction, load);
+    let problem = TangentialProblem::builder(&bodies, &pressure, kit::coulomb(0.7), load);
     let solution = problem
         .model(TangentialModel::Vector)
         .build()

@@ -7,9 +7,8 @@ use stickslip::*;
 /// Returns the number of iterations of the vector model for a periodic rough surface on `n` x `n` cells. A tenth of the
 /// cells are in contact.
 fn iterations(n: usize, seed: u64) -> usize {
-    let grid = Grid::square(n, 1.0).unwrap();
-    let body = Material::new(1.0, 0.3).unwrap();
-    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+    let grid = kit::square(n, 1.0);
+    let pair = kit::on_rigid(1.0, 0.3);
     let bodies = HalfSpace::with_boundary(grid, pair, Boundary::Periodic).unwrap();
     let rough = SelfAffine::with_rms_slope(0.1)
         .cut_off_wavelength(8.0 * grid.dx())
@@ -21,7 +20,7 @@ fn iterations(n: usize, seed: u64) -> usize {
 
     let (friction, force) = (0.4, 0.24 * normal.force());
     let (friction, load) = (
-        Friction::coulomb(friction).unwrap(),
+        kit::coulomb(friction),
         TangentialLoad::force([0.8 * force, 0.6 * force]),
     );
     let shear = TangentialProblem::builder(&bodies, &normal, friction, load);
@@ -47,19 +46,17 @@ fn nested_start_of_rough_vector_problem_needs_few_iterations() {
 /// 16 for the shear.
 #[test]
 fn nested_start_of_sphere_needs_few_products() {
-    let grid = Grid::square(256, 3.0).unwrap();
-    let body = Material::new(1.0, 0.3).unwrap();
-    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+    let grid = kit::square(256, 3.0);
+    let pair = kit::on_rigid(1.0, 0.3);
     let bodies = HalfSpace::new(grid, pair).unwrap();
-    let ball = surface::sphere(grid, 20.0).unwrap();
     let force = 4.0 / 3.0 * pair.contact_modulus() / 20.0;
     for (tolerance, most) in [(1e-3, [5, 8]), (1e-6, [9, 13])] {
-        let normal = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(force));
+        let normal =
+            NormalProblem::builder(&bodies, kit::sphere(grid, 20.0), NormalLoad::Force(force));
         let normal = normal.tolerance(tolerance).build().unwrap();
         let normal = normal.solve().unwrap();
         let load = TangentialLoad::force([0.2 * force, 0.0]);
-        let friction = Friction::coulomb(0.5).unwrap();
-        let shear = TangentialProblem::builder(&bodies, &normal, friction, load);
+        let shear = TangentialProblem::builder(&bodies, &normal, kit::coulomb(0.5), load);
         let shear = kit::solve(shear.tolerance(tolerance));
         for (report, most) in [normal.report(), shear.report()].into_iter().zip(most) {
             assert!(report.single_precision_products <= most, "{report}");

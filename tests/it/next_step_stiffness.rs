@@ -6,19 +6,18 @@ use std::ops::ControlFlow;
 use stickslip::analytical::{HertzSphere, MindlinFullStick};
 use stickslip::stiffness::{ContactStiffness, StiffnessWorkspace};
 use stickslip::{
-    Coupling, ElasticPair, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalLoad,
-    TangentialModel, Zone, surface,
+    Coupling, ElasticPair, HalfSpace, History, LoadStep, Material, NormalLoad, TangentialModel,
+    Zone,
 };
 
 const FORCE: f64 = 100.0;
 const FRICTION: f64 = 0.4;
 
 fn pressed(pair: &ElasticPair, model: TangentialModel, coupling: Coupling) -> History {
-    let grid = Grid::square(24, 0.30e-3).unwrap();
+    let grid = kit::square(24, 0.30e-3);
     let bodies = HalfSpace::new(grid, *pair).unwrap();
-    let ball = surface::sphere(grid, 3.5e-3).unwrap();
-    let friction = Friction::coulomb(FRICTION).unwrap();
-    let builder = History::builder(&bodies, ball, friction).model(model);
+    let builder =
+        History::builder(&bodies, kit::sphere(grid, 3.5e-3), kit::coulomb(FRICTION)).model(model);
     let builder = builder.coupling(coupling).tolerance(1e-13);
     let mut history = builder.build().unwrap();
     for part in [0.5, 1.0] {

@@ -4,28 +4,31 @@
 use kit::{l2_difference, max_difference};
 use stickslip::analytical::SpencePressing;
 use stickslip::{
-    Axis, Boundary, CoupledProblem, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace,
-    History, LoadStep, Material, NormalLoad, NormalProblem, TangentialControl, TangentialLoad,
-    TangentialModel, TangentialProblem, TangentialSolution, surface,
+    Axis, Boundary, CoupledProblem, Coupling, ElasticPair, Field, Grid, HalfSpace, History,
+    LoadStep, NormalLoad, NormalProblem, TangentialControl, TangentialLoad, TangentialModel,
+    TangentialProblem, TangentialSolution, surface,
 };
 
 fn on_rigid(beta: f64) -> ElasticPair {
     let poisson_ratio = (1.0 - 2.0 * beta) / (2.0 - 2.0 * beta);
-    let body = Material::new(1.0, poisson_ratio).unwrap();
-    ElasticPair::new(body, Material::rigid()).unwrap()
+    kit::on_rigid(1.0, poisson_ratio)
 }
 
 /// Presses and holds a flat punch of radius one on `cells` cells along a side.
 fn punch(cells: usize, beta: f64, coefficient: f64) -> TangentialSolution {
-    let grid = Grid::square(cells, 2.4).unwrap();
+    let grid = kit::square(cells, 2.4);
     let bodies = HalfSpace::new(grid, on_rigid(beta)).unwrap();
     let gap = Field::from_fn(grid, |x, y| if x.hypot(y) < 1.0 { 0.0 } else { 1e3 });
     let press = NormalLoad::Force(1.0);
     let normal = kit::solve(NormalProblem::builder(&bodies, &gap, press));
-    let friction = Friction::coulomb(coefficient).unwrap();
     kit::solve(
-        TangentialProblem::builder(&bodies, &normal, friction, TangentialLoad::shift([0.0; 2]))
-            .model(TangentialModel::Vector),
+        TangentialProblem::builder(
+            &bodies,
+            &normal,
+            kit::coulomb(coefficient),
+            TangentialLoad::shift([0.0; 2]),
+        )
+        .model(TangentialModel::Vector),
     )
 }
 
@@ -57,7 +60,7 @@ fn pressed_flat_surface_slides_in_both_halves() {
     let mut sliding = 0;
     for cells in [4, 6, 8, 12, 16] {
         for coefficient in [0.02, 0.04, 0.1, 0.18] {
-            let grid = Grid::square(cells, cells as f64).unwrap();
+            let grid = kit::square(cells, cells as f64);
             let datum = 10.0 * cells as f64;
             let boundary = Boundary::PeriodicAlongY { datum };
             let bodies = HalfSpace::with_boundary(grid, on_rigid(0.5), boundary).unwrap();
@@ -67,12 +70,11 @@ fn pressed_flat_surface_slides_in_both_halves() {
                 .build()
                 .unwrap();
             let normal = normal.solve().unwrap();
-            let friction = Friction::coulomb(coefficient).unwrap();
             let shear = kit::solve(
                 TangentialProblem::builder(
                     &bodies,
                     &normal,
-                    friction,
+                    kit::coulomb(coefficient),
                     TangentialLoad::force([0.0; 2]),
                 )
                 .model(TangentialModel::Vector)
@@ -97,10 +99,9 @@ fn pressed_flat_surface_slides_in_both_halves() {
 /// tractions are too small to carry a small force along the row. One cell must therefore stick.
 #[test]
 fn small_force_along_diverging_row_leaves_a_cell_sticking() {
-    let pair = ElasticPair::new(Material::new(1.0, 0.05).unwrap(), Material::rigid()).unwrap();
     for cells in [2, 4, 7] {
         let grid = Grid::new(cells, 1, 1.8, 1.0).unwrap();
-        let bodies = HalfSpace::new(grid, pair).unwrap();
+        let bodies = HalfSpace::new(grid, kit::on_rigid(1.0, 0.05)).unwrap();
         let gap = Field::zeros(grid);
         let press = NormalLoad::Force(1e-3);
         let normal = NormalProblem::builder(&bodies, &gap, press)
@@ -111,12 +112,12 @@ fn small_force_along_diverging_row_leaves_a_cell_sticking() {
         for part in [1e-9, 1e-7, 1e-5, 1e-3, 0.1] {
             for angle in [0.1_f64, -0.5, 1.2, 2.7] {
                 let force = [angle.cos(), angle.sin()].map(|n| n * part * coefficient * 1e-3);
-                let friction = Friction::coulomb(coefficient).unwrap();
                 let load = TangentialLoad::force(force);
-                let shear = TangentialProblem::builder(&bodies, &normal, friction, load)
-                    .model(TangentialModel::Vector)
-                    .build()
-                    .unwrap();
+                let shear =
+                    TangentialProblem::builder(&bodies, &normal, kit::coulomb(coefficient), load)
+                        .model(TangentialModel::Vector)
+                        .build()
+                        .unwrap();
                 let shear = shear.solve().unwrap();
                 assert!(shear.stick_ratio() > 0.0, "{cells} {part:e} {angle}");
                 assert!(
@@ -140,7 +141,7 @@ fn tractions_match_full_coupling_under_its_pressure() {
     for boundary in kit::boundaries(grid) {
         let bodies = HalfSpace::with_boundary(grid, on_rigid(0.4), boundary).unwrap();
         let gap = surface::ellipsoid(grid, 9.0, 7.0).unwrap();
-        let friction = || Friction::coulomb(0.4).unwrap();
+        let friction = || kit::coulomb(0.4);
         let load =
             TangentialLoad::force([0.01, 0.0]).along(Axis::Y, TangentialControl::Shift(0.002));
         let press = NormalLoad::Force(0.08);
@@ -173,13 +174,13 @@ fn tractions_match_full_coupling_under_its_pressure() {
 }
 
 fn ball(beta: f64) -> (HalfSpace, Field) {
-    let grid = Grid::square(33, 2.6).unwrap();
+    let grid = kit::square(33, 2.6);
     let bodies = HalfSpace::new(grid, on_rigid(beta)).unwrap();
-    (bodies, surface::sphere(grid, 10.0).unwrap())
+    (bodies, kit::sphere(grid, 10.0))
 }
 
 fn history(bodies: &HalfSpace, gap: &Field, coupling: Coupling) -> History {
-    History::builder(bodies, gap, Friction::coulomb(0.3).unwrap())
+    History::builder(bodies, gap, kit::coulomb(0.3))
         .coupling(coupling)
         .model(TangentialModel::Vector)
         .entry_rule(stickslip::history::EntryRule::WholeStep)

@@ -62,7 +62,7 @@ fn grid_beyond_any_memory_is_rejected() {
     ] {
         assert_eq!(bytes(shape), 8 * cells);
     }
-    let small = Field::zeros(Grid::square(4, 1.0).unwrap());
+    let small = Field::zeros(kit::square(4, 1.0));
     let fine = Grid::new(nx, ny, 1e-10, 1e-10).unwrap();
     assert_eq!(bytes(surface::resample(&small, fine)), 8 * cells);
 }

@@ -9,8 +9,8 @@ use stickslip::Scratch;
 use stickslip::cgm::Method;
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
-    Boundary, Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
-    TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution, surface,
+    Boundary, Error, Field, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
+    TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution,
 };
 
 const METHODS: [Method; 2] = [Method::ActiveSet, Method::PolonskyKeer];
@@ -32,7 +32,7 @@ fn wavy_gap(grid: Grid) -> Field {
 #[test]
 fn full_contact_matches_westergaard() {
     for (cells, method) in [(32, METHODS[0]), (33, METHODS[0]), (48, METHODS[1])] {
-        let grid = Grid::square(cells, 1.0).unwrap();
+        let grid = kit::square(cells, 1.0);
         let load = NormalLoad::Force(1.25 * CLOSING);
         let full = kit::press_by(
             &periodic_bodies(grid, 0.3),
@@ -79,14 +79,13 @@ fn partial_contact_matches_westergaard() {
 #[test]
 fn small_contact_far_from_images_matches_free_half_space() {
     let cells = 256;
-    let grid = Grid::square(cells, 256.0).unwrap();
-    let ball = surface::sphere(grid, 4000.0).unwrap();
+    let grid = kit::square(cells, 256.0);
+    let ball = kit::sphere(grid, 4000.0);
     let (load, limit) = (NormalLoad::Force(1.35), 0.4 * 1.35);
-    let friction = Friction::coulomb(0.4).unwrap();
     let halfway = TangentialLoad::force([0.0, 0.5 * limit]);
     let [free, repeated] = [unit_bodies(grid, 0.3), periodic_bodies(grid, 0.3)].map(|bodies| {
         let normal = press(&bodies, &ball, load, 1e-8);
-        let shear = shear(&bodies, &normal, &friction, halfway, 1e-8);
+        let shear = shear(&bodies, &normal, &kit::coulomb(0.4), halfway, 1e-8);
         (normal, shear)
     });
     // The contact radius spans sixteen cells.
@@ -108,7 +107,7 @@ fn small_contact_far_from_images_matches_free_half_space() {
 fn flat_bodies_carry_uniform_tractions() {
     let grid = Grid::new(30, 21, 1.0, 0.5).unwrap();
     let bodies = periodic_bodies(grid, 0.3);
-    let friction = Friction::coulomb(0.5).unwrap();
+    let friction = kit::coulomb(0.5);
     for method in METHODS {
         let load = NormalLoad::Force(2.0);
         let normal = kit::press_by(&bodies, &Field::zeros(grid), load, 1e-10, method);
@@ -141,9 +140,9 @@ fn single_cell_carries_the_prescribed_loads() {
     let normal = press(&bodies, &gap, NormalLoad::Force(6.0), 1e-8);
     for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
         let load = TangentialLoad::force([0.0, -0.5]);
-        let friction = Friction::coulomb(0.5).unwrap();
-        let shear =
-            kit::solve(TangentialProblem::builder(&bodies, &normal, friction, load).model(lateral));
+        let shear = kit::solve(
+            TangentialProblem::builder(&bodies, &normal, kit::coulomb(0.5), load).model(lateral),
+        );
         assert!((shear.traction()[1].max() + 0.5 / 6.0).abs() < 1e-15);
         assert_eq!(shear.stick_ratio(), 1.0);
     }
@@ -157,7 +156,7 @@ fn single_periodic_cell_under_a_spring_converges_within_its_bound() {
     let bodies = periodic_bodies(grid, 0.3);
     let force = NormalLoad::Force(1.0);
     let normal = press(&bodies, &Field::zeros(grid), force, 1e-8);
-    let friction = Friction::coulomb(0.3).unwrap();
+    let friction = kit::coulomb(0.3);
     for i in 1..kit::thorough(200, 2000) {
         let spread = |step: f64| (f64::from(i) * step).fract();
         let stiffness = 10.0_f64.powf(8.0 * spread(0.618_034) - 4.0);
@@ -188,7 +187,7 @@ fn single_periodic_cell_under_a_spring_converges_within_its_bound() {
 /// Returns the problem of a rough surface, for contacts from a few spots to nearly full contact. Grids of odd size have
 /// no coarser grid.
 fn rough_problem(cells: usize, pressure: f64) -> (HalfSpace, Field, NormalLoad) {
-    let grid = Grid::square(cells, 128.0).unwrap();
+    let grid = kit::square(cells, 128.0);
     let load = NormalLoad::Force(pressure * grid.area());
     (periodic_bodies(grid, 0.0), rough(grid, 3), load)
 }
@@ -209,9 +208,8 @@ fn superposition_without_lateral_contraction_is_exact() {
         let f = 0.4;
         let lighter = NormalLoad::Force((1.0 - f) * normal.force());
         let stick = press(&bodies, &gap, lighter, 1e-11);
-        let friction = Friction::coulomb(0.5).unwrap();
         let load = TangentialLoad::force([f * 0.5 * normal.force(), 0.0]);
-        let shear = shear(&bodies, &normal, &friction, load, 1e-11);
+        let shear = shear(&bodies, &normal, &kit::coulomb(0.5), load, 1e-11);
         let exact = JaegerSuperposition::new(&normal, &stick, bodies.pair(), 0.5).unwrap();
         let error = l2_difference(shear.traction()[0].as_slice(), exact.traction().as_slice());
         assert!(error < 1e-9, "{cells} {pressure} {error:e}");
@@ -222,7 +220,7 @@ fn superposition_without_lateral_contraction_is_exact() {
 
 #[test]
 fn displacement_control_inverts_force_control() {
-    let friction = Friction::coulomb(0.5).unwrap();
+    let friction = kit::coulomb(0.5);
     let most = kit::thorough(101, 128);
     for (cells, pressure) in ROUGH_CASES.into_iter().filter(|scene| scene.0 <= most) {
         let (bodies, gap, load) = rough_problem(cells, pressure);
@@ -245,16 +243,15 @@ fn displacement_control_inverts_force_control() {
 /// In full contact only the waves of the traction resist a shift, so any shift causes slip.
 #[test]
 fn force_in_full_contact_grows_with_shift() {
-    let grid = Grid::square(64, 1.0).unwrap();
+    let grid = kit::square(64, 1.0);
     let bodies = periodic_bodies(grid, 0.3);
     let load = NormalLoad::Force(1.5 * CLOSING);
     let normal = press(&bodies, &wavy_gap(grid), load, 1e-10);
-    let friction = Friction::coulomb(0.5).unwrap();
     for method in METHODS {
         let mut last: Option<TangentialSolution> = None;
         for shift in [1e-12, 1e-6, 1e-5, 1e-4, 1e-2] {
             let load = TangentialLoad::shift([shift, 0.0]);
-            let next = kit::shear_by(&bodies, &normal, &friction, load, 1e-8, method);
+            let next = kit::shear_by(&bodies, &normal, &kit::coulomb(0.5), load, 1e-8, method);
             if let Some(last) = last {
                 assert!(next.force()[0] >= last.force()[0]);
                 assert!(next.stick_ratio() <= last.stick_ratio());
@@ -296,8 +293,7 @@ fn approach_beyond_mean_gap_is_rejected() {
     let mut solver = problem.unwrap().into_solver().unwrap();
     let flatter = Field::from_vec(gap.grid(), gap.as_slice().iter().map(|h| 0.5 * h).collect());
     kit::assert_refused! { solver.set_gap(&flatter.unwrap()) => Error::ApproachBeyondMeanGap { .. } }
-    let mut contact = solver.new_solution();
-    solver.solve_into(&mut contact).unwrap();
+    let contact = kit::solved(&mut solver);
     assert!(contact.force() > 0.0);
 }
 
@@ -306,9 +302,8 @@ fn solution_with_different_boundary_is_rejected() {
     let (bodies, gap, load) = rough_problem(32, 0.01);
     let free = unit_bodies(gap.grid(), 0.0);
     let normal = press(&free, &gap, load, 1e-6);
-    let friction = Friction::coulomb(0.5).unwrap();
     let shear = TangentialLoad::force([0.0, 0.0]);
-    let mismatch = TangentialProblem::builder(&bodies, &normal, friction, shear).build();
+    let mismatch = TangentialProblem::builder(&bodies, &normal, kit::coulomb(0.5), shear).build();
     assert!(matches!(mismatch, Err(Error::BoundaryMismatch { .. })));
     let problem = NormalProblem::builder(&bodies, &gap, load).build().unwrap();
     kit::assert_refused! {
@@ -335,11 +330,10 @@ proptest! {
         let gap = rough(grid, seed);
         let bodies = periodic_bodies(grid, 0.3);
         let load = NormalLoad::Force(0.05 * grid.area());
-        let friction = Friction::coulomb(0.5).unwrap();
         let halfway = TangentialLoad::force([0.25 * 0.05 * grid.area(), 0.0]);
         let solve = |gap: &Field| {
             let normal = press(&bodies, gap, load, 1e-11);
-            let sheared = shear(&bodies, &normal, &friction, halfway, 1e-11);
+            let sheared = shear(&bodies, &normal, &kit::coulomb(0.5), halfway, 1e-11);
             (normal, sheared)
         };
         let (normal, sheared) = solve(&gap);
@@ -412,9 +406,8 @@ mod dense_reference {
             let bound = normal.report().energy_error_bound();
             prop_assert!(bound <= tolerance && error <= bound * (1.0 + 1e-6) + 1e-12, "{error:e} {bound:e}");
 
-            let friction = Friction::coulomb(0.5).unwrap();
             let load = TangentialLoad::force([f * 0.5 * normal.force(), 0.0]);
-            let sheared = shear(&bodies, &normal, &friction, load, tolerance);
+            let sheared = shear(&bodies, &normal, &kit::coulomb(0.5), load, tolerance);
             let limits: Vec<f64> = normal.pressure().as_slice().iter().map(|p| 0.5 * p).collect();
             let matrix = with_definite_mean(&bodies, Component::XX);
             let total = Some(sheared.force()[0] / grid.cell_area());

@@ -6,8 +6,8 @@ use proptest::prelude::*;
 use stickslip::analytical::{CattaneoMindlinLine, HertzLine, RoundedPunch, SpencePressing};
 use stickslip::influence::Component;
 use stickslip::{
-    Axis, Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
-    LoadStep, Material, NormalLoad, NormalProblem, NormalSolution, Operator, TangentialControl,
+    Axis, Boundary, CoupledProblem, ElasticPair, Error, Field, Grid, HalfSpace, History, LoadStep,
+    Material, NormalLoad, NormalProblem, NormalSolution, Operator, TangentialControl,
     TangentialLoad, TangentialModel, TangentialProblem, surface,
 };
 
@@ -112,8 +112,7 @@ fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
 
 fn shear(normal: &NormalSolution, bodies: &HalfSpace, force: f64) -> stickslip::TangentialSolution {
     let load = TangentialLoad::force([force, 0.0]);
-    let friction = Friction::coulomb(FRICTION).unwrap();
-    let problem = TangentialProblem::builder(bodies, normal, friction, load);
+    let problem = TangentialProblem::builder(bodies, normal, kit::coulomb(FRICTION), load);
     kit::solve(problem.tolerance(1e-13))
 }
 
@@ -128,8 +127,7 @@ fn finer_lines_take_no_more_iterations() {
         let normal = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(0.06));
         let normal = kit::solve(normal.tolerance(1e-6));
         let load = TangentialLoad::force([0.012, 0.0]);
-        let friction = Friction::coulomb(FRICTION).unwrap();
-        let sheared = TangentialProblem::builder(&bodies, &normal, friction, load);
+        let sheared = TangentialProblem::builder(&bodies, &normal, kit::coulomb(FRICTION), load);
         let sheared = kit::solve(sheared.tolerance(1e-6));
         for report in [normal.report(), sheared.report()] {
             // Up to 14 iterations were measured.
@@ -179,8 +177,7 @@ fn equal_rows_match_single_line() {
 /// Returns the errors of the cylinder on `n` cells: of the peak pressure, the pressure in the L1 norm, the approach, the
 /// stick half-width, the traction and the shift.
 fn errors(n: usize) -> [f64; 6] {
-    let steel = Material::new(210e3, 0.3).unwrap();
-    let pair = ElasticPair::new(steel, steel).unwrap();
+    let pair = kit::alike(210e3, 0.3);
     let hertz = HertzLine::new(&pair, 10.0, 100.0).unwrap();
     let exact = CattaneoMindlinLine::new(hertz, FRICTION, 0.6 * FRICTION * 100.0).unwrap();
     let grid = Grid::line(n, 2.6 * hertz.half_width() / n as f64).unwrap();
@@ -237,7 +234,7 @@ fn cycle_dissipates_area_of_its_loop() {
         let grid = Grid::line(512, 2.4 * hertz.half_width() / 512.0).unwrap();
         let bodies = along_y(grid, &pair);
         let gap = surface::cylinder(grid, radius).unwrap();
-        let builder = History::builder(&bodies, &gap, Friction::coulomb(FRICTION).unwrap());
+        let builder = History::builder(&bodies, &gap, kit::coulomb(FRICTION));
         let mut history = builder.model(model).tolerance(1e-10).build().unwrap();
         history
             .step(&LoadStep::hold().normal(NormalLoad::Force(load)))
@@ -324,14 +321,12 @@ proptest! {
 /// stick half-width with the frictionless pressure and with full coupling.
 fn punch(cells: usize, beta: f64, coefficient: f64) -> [f64; 2] {
     let poisson_ratio = (1.0 - 2.0 * beta) / (2.0 - 2.0 * beta);
-    let body = Material::new(1.0, poisson_ratio).unwrap();
-    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
     // The edges of cells coincide with the edges of the punch.
     let grid = Grid::line(cells + cells / 8, 2.0 / cells as f64).unwrap();
-    let bodies = along_y(grid, &pair);
+    let bodies = along_y(grid, &kit::on_rigid(1.0, poisson_ratio));
     let gap = Field::from_fn(grid, |x, _| if x.abs() < 1.0 { 0.0 } else { 1e3 });
     let (press, still) = (NormalLoad::Force(1.0), TangentialLoad::shift([0.0; 2]));
-    let friction = || Friction::coulomb(coefficient).unwrap();
+    let friction = || kit::coulomb(coefficient);
     let normal = press_tightly(&bodies, &gap, press);
     let one_way = TangentialProblem::builder(&bodies, &normal, friction(), still);
     let one_way = kit::solve(one_way);
@@ -360,9 +355,8 @@ fn dissimilar_punches_stick_as_in_spence() {
             for &cells in kit::thorough(&[64, 256][..], &[64, 256, 1024]) {
                 let [one_way, coupled] = punch(cells, beta, coefficient);
                 let poisson_ratio = (1.0 - 2.0 * beta) / (2.0 - 2.0 * beta);
-                let body = Material::new(1.0, poisson_ratio).unwrap();
-                let pair = ElasticPair::new(body, Material::rigid()).unwrap();
-                let goodman = SpencePressing::plane(&pair, coefficient).unwrap();
+                let goodman =
+                    SpencePressing::plane(&kit::on_rigid(1.0, poisson_ratio), coefficient).unwrap();
                 let cell = 2.0 / cells as f64;
                 assert!((one_way - goodman.stick_radius()).abs() < 0.65 * cell);
                 assert!(

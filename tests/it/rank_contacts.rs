@@ -20,7 +20,7 @@ pub(crate) fn ranks() -> &'static [usize] {
 }
 
 pub(crate) fn pair() -> ElasticPair {
-    ElasticPair::new(Material::new(1.0, 0.3).unwrap(), Material::rigid()).unwrap()
+    kit::on_rigid(1.0, 0.3)
 }
 
 /// Calls a function on all ranks, with their local bodies and their numbers.
@@ -159,11 +159,9 @@ fn continued_solves_on_ranks_match_one_process() {
         let force = NormalLoad::Force(0.5);
         let problem = NormalProblem::builder(bodies, gap, force).build().unwrap();
         let mut press = problem.into_solver().unwrap();
-        let mut normal = press.new_solution();
-        press.solve_into(&mut normal).unwrap();
+        let mut normal = kit::solved(&mut press);
         let load = TangentialLoad::force([0.03, 0.0]);
-        let problem =
-            TangentialProblem::builder(bodies, &normal, Friction::coulomb(0.3).unwrap(), load);
+        let problem = TangentialProblem::builder(bodies, &normal, kit::coulomb(0.3), load);
         let mut slide = kit::solver(problem);
         let mut shear = slide.new_solution();
         for force in [0.52, 0.54, 8.0, 0.5] {
@@ -255,10 +253,14 @@ fn press_observed(
 /// If a rank leaves before the solve, the other ranks end with an error.
 #[test]
 fn lost_rank_ends_solve_of_all() {
-    let grid = Grid::square(128, 8.0).unwrap();
     let outcomes = Threads::run(3, PATIENCE, |rank| {
         let is_last = rank.rank() == 2;
-        let bodies = HalfSpace::distributed(grid, pair(), Boundary::NonPeriodic, Arc::new(rank))?;
+        let bodies = HalfSpace::distributed(
+            kit::square(128, 8.0),
+            pair(),
+            Boundary::NonPeriodic,
+            Arc::new(rank),
+        )?;
         if is_last {
             Err(Error::EmptyPath)
         } else {
@@ -278,7 +280,7 @@ fn first_rank_decides_for_all() {
     let in_time = Settings::default();
     let late = in_time.time_limit(Duration::ZERO);
     for cells in [128, kit::thorough(520, 600)] {
-        let grid = Grid::square(cells, 8.0).unwrap();
+        let grid = kit::square(cells, 8.0);
         let alone = HalfSpace::new(grid, pair()).unwrap();
         let expected = press_observed(&alone, in_time, usize::MAX).unwrap();
         let on_three = |first: (Settings, usize), others: (Settings, usize)| {
@@ -313,7 +315,7 @@ fn first_rank_decides_for_all() {
 
 #[test]
 fn invalid_datum_is_rejected_as_on_one_process() {
-    let grid = Grid::square(64, 8.0).unwrap();
+    let grid = kit::square(64, 8.0);
     for datum in [f64::NAN, 1e-9] {
         let boundary = Boundary::PeriodicAlongY { datum };
         let alone = HalfSpace::with_boundary(grid, pair(), boundary)
@@ -330,16 +332,20 @@ fn invalid_datum_is_rejected_as_on_one_process() {
 
 #[test]
 fn input_rejected_by_one_rank_is_rejected_by_all() {
-    let grid = Grid::square(128, 8.0).unwrap();
-    let outcomes = on_ranks(3, grid, Boundary::NonPeriodic, |bodies, rank| {
-        let is_broken = rank == 1;
-        let gap = Field::from_fn(bodies.grid(), |x, y| {
-            if is_broken { f64::NAN } else { x * x + y * y }
-        });
-        NormalProblem::builder(bodies, gap, NormalLoad::Force(0.5))
-            .build()
-            .map(drop)
-    });
+    let outcomes = on_ranks(
+        3,
+        kit::square(128, 8.0),
+        Boundary::NonPeriodic,
+        |bodies, rank| {
+            let is_broken = rank == 1;
+            let gap = Field::from_fn(bodies.grid(), |x, y| {
+                if is_broken { f64::NAN } else { x * x + y * y }
+            });
+            NormalProblem::builder(bodies, gap, NormalLoad::Force(0.5))
+                .build()
+                .map(drop)
+        },
+    );
     assert_rejected_by(1, &outcomes, |error| matches!(error, Error::Sample { .. }));
 }
 
@@ -371,7 +377,7 @@ fn silent_rank_is_reported() {
 #[test]
 fn traffic_matches_formula() {
     let n = 256;
-    let grid = Grid::square(n, 8.0).unwrap();
+    let grid = kit::square(n, 8.0);
     for (boundary, torus) in [(Boundary::NonPeriodic, 2 * n), (Boundary::Periodic, n)] {
         for (ranks, is_single, rows) in [
             (2, false, n),
@@ -439,8 +445,7 @@ fn error_bound_with_spring_matches_one_process() {
         let mut common = Vec::new();
         for (stiffness, tolerance) in [(1e-3, 0.5), (0.3, 0.5), (30.0, 0.1)] {
             let load = TangentialLoad::spring([0.05 + 0.01 / stiffness, 0.0], stiffness);
-            let friction = Friction::coulomb(0.3).unwrap();
-            let problem = TangentialProblem::builder(bodies, &normal, friction, load);
+            let problem = TangentialProblem::builder(bodies, &normal, kit::coulomb(0.3), load);
             let problem = problem
                 .model(TangentialModel::Vector)
                 .tolerance(tolerance)

@@ -61,7 +61,7 @@ fn samples(contact: &CoupledSolution) -> Found {
 fn continued_coupled_solves_on_ranks_match_one_process() {
     let grid = Grid::new(80, 130, 0.3, 0.2).unwrap();
     assert_shared(grid, Boundary::NonPeriodic, |bodies| {
-        let (press, weak) = (NormalLoad::Force(0.5), Friction::coulomb(0.01).unwrap());
+        let (press, weak) = (NormalLoad::Force(0.5), kit::coulomb(0.01));
         let mut load = TangentialLoad::shift([0.0, 0.0]);
         let mut solver = solver(bodies, OFF_CENTRE_BALL, weak, press, load);
         let mut contact = solver.new_solution();
@@ -84,16 +84,15 @@ fn continued_coupled_solves_on_ranks_match_one_process() {
 #[test]
 fn first_rank_decides_for_all() {
     for &cells in kit::thorough(&[96][..], &[96, 600]) {
-        assert_first_rank_decides(Grid::square(cells, 8.0).unwrap());
+        assert_first_rank_decides(kit::square(cells, 8.0));
     }
 }
 
 fn assert_first_rank_decides(grid: Grid) {
     let solve = |bodies: &HalfSpace, last: usize| {
         let load = TangentialLoad::force([0.05, 0.0]);
-        let coulomb = Friction::coulomb(0.3).unwrap();
         let press = NormalLoad::Force(0.5);
-        let mut solver = solver(bodies, BALL, coulomb, press, load);
+        let mut solver = solver(bodies, BALL, kit::coulomb(0.3), press, load);
         let (mut contact, mut left) = (solver.new_solution(), last);
         let outcome = solver.solve_observed(&mut contact, |_| {
             left -= 1;
@@ -132,21 +131,24 @@ fn assert_first_rank_decides(grid: Grid) {
 /// Input that one rank rejects is rejected by all ranks. Different types of friction are reported.
 #[test]
 fn input_rejected_by_one_rank_is_rejected_by_all() {
-    let grid = Grid::square(128, 8.0).unwrap();
-    let outcomes = on_ranks(3, grid, Boundary::NonPeriodic, |bodies, rank| {
-        let is_other = rank == 1;
-        let build = |curvature: f64, mu: f64| {
-            let gap = Field::from_fn(bodies.grid(), |x, y| curvature * (x * x + y * y));
-            let (press, still) = (NormalLoad::Force(0.5), TangentialLoad::shift([0.0, 0.0]));
-            let coulomb = Friction::coulomb(mu).unwrap();
-            let problem = CoupledProblem::builder(bodies, &gap, coulomb, press, still);
-            problem.build().map(drop)
-        };
-        [
-            build(if is_other { f64::NAN } else { 1.0 }, 0.3),
-            build(1.0, if is_other { 0.4 } else { 0.3 }),
-        ]
-    });
+    let outcomes = on_ranks(
+        3,
+        kit::square(128, 8.0),
+        Boundary::NonPeriodic,
+        |bodies, rank| {
+            let is_other = rank == 1;
+            let build = |curvature: f64, mu: f64| {
+                let gap = Field::from_fn(bodies.grid(), |x, y| curvature * (x * x + y * y));
+                let (press, still) = (NormalLoad::Force(0.5), TangentialLoad::shift([0.0, 0.0]));
+                let problem = CoupledProblem::builder(bodies, &gap, kit::coulomb(mu), press, still);
+                problem.build().map(drop)
+            };
+            [
+                build(if is_other { f64::NAN } else { 1.0 }, 0.3),
+                build(1.0, if is_other { 0.4 } else { 0.3 }),
+            ]
+        },
+    );
     let (gaps, frictions): (Vec<_>, Vec<_>) = outcomes.into_iter().map(|[a, b]| (a, b)).unzip();
     assert_rejected_by(1, &gaps, |error| matches!(error, Error::Sample { .. }));
     let different = Error::Ranks(RankFailure::InconsistentInput("friction"));

@@ -163,7 +163,7 @@ fn block_of_wrong_length_is_reported() {
 /// every other rank.
 #[test]
 fn product_has_two_exchanges() {
-    let (size, grid) = (4, Grid::square(256, 8.0).unwrap());
+    let (size, grid) = (4, kit::square(256, 8.0));
     let product = |bodies: &HalfSpace| {
         let operator = bodies.operator(Component::ZZ).unwrap();
         let traction = Field::from_fn(bodies.grid(), |x, y| (3.0 * x).sin() + (5.0 * y).cos());

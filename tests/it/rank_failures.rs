@@ -74,8 +74,11 @@ fn differing_ranks_are_reported() {
         let is_first = rank.rank() == 0;
         let bodies = HalfSpace::distributed(grid, pair(), boundary, Arc::new(rank)).unwrap();
         let mut history = started(&bodies, false);
-        let other = Friction::coulomb(0.4).unwrap();
-        let chosen = if is_first { other } else { friction(&bodies) };
+        let chosen = if is_first {
+            kit::coulomb(0.4)
+        } else {
+            friction(&bodies)
+        };
         let different = Error::Ranks(RankFailure::InconsistentInput("friction"));
         assert_eq!(history.set_friction(&chosen), Err(different));
         let path = LoadPath::triangle([0.1, 0.0], 4).unwrap();
@@ -171,7 +174,7 @@ fn failed_step_leaves_ranks_unchanged() {
     let grid = fine();
     let lost = on_ranks(3, grid, Boundary::NonPeriodic, |bodies, number| {
         let gap = ball(bodies);
-        let builder = History::builder(bodies, &gap, Friction::coulomb(0.3).unwrap());
+        let builder = History::builder(bodies, &gap, kit::coulomb(0.3));
         let mut history = builder.coupling(Coupling::OneWay).build().unwrap();
         history
             .step(&LoadStep::force([0.2, 0.0]).normal(NormalLoad::Force(2.0)))

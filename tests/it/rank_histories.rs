@@ -136,11 +136,14 @@ fn stiffnesses_on_ranks_match_one_process() {
 /// Returns a history whose state contains all optional parts, or only uniform parts.
 pub(crate) fn started(bodies: &HalfSpace, is_rich: bool) -> History {
     let gap = ball(bodies);
-    let coulomb = Friction::coulomb(0.3).unwrap();
     let builder = History::builder(
         bodies,
         &gap,
-        if is_rich { friction(bodies) } else { coulomb },
+        if is_rich {
+            friction(bodies)
+        } else {
+            kit::coulomb(0.3)
+        },
     );
     let builder = builder
         .coupling(Coupling::Neglected)

@@ -57,10 +57,6 @@ fn ball(bodies: &HalfSpace) -> Field {
     Field::from_fn(bodies.grid(), |x, y| 0.05 * (x * x + y * y))
 }
 
-fn coulomb(coefficient: f64) -> Friction {
-    Friction::coulomb(coefficient).unwrap()
-}
-
 /// Selects one of two values by rank.
 fn one_of<T>(is_odd: bool, odd: T, even: T) -> T {
     if is_odd { odd } else { even }
@@ -196,7 +192,7 @@ fn inconsistent_tangential_problems_are_reported() {
             TangentialLoad::force([0.11, 0.0]),
             force,
         );
-        let friction = coulomb(one_of(is("friction"), 0.31, 0.3));
+        let friction = kit::coulomb(one_of(is("friction"), 0.31, 0.3));
         let mut builder = TangentialProblem::builder(&bodies, &normal, friction, load);
         if is("relative displacement") {
             let none = RelativeDisplacement::bulk_strain(bodies.grid(), [[0.0; 2]; 2])?;
@@ -245,7 +241,7 @@ fn inconsistent_coupled_problems_are_reported() {
     let build = |ranks, odd: &str| {
         let bodies = bodies(ranks);
         let is = |name: &str| odd == name;
-        let friction = coulomb(one_of(is("friction"), 0.31, 0.3));
+        let friction = kit::coulomb(one_of(is("friction"), 0.31, 0.3));
         let press = NormalLoad::Force(one_of(is("normal load"), 2.1, 2.0));
         let load = TangentialLoad::shift([one_of(is("tangential load"), 0.1, 0.0), 0.0]);
         let gap = ball(&bodies);
@@ -277,7 +273,7 @@ fn inconsistent_stiffnesses_are_reported() {
             assert_reported("settings of the stiffness", |ranks, is_odd| {
                 let bodies = bodies(ranks);
                 let gap = ball(&bodies);
-                let builder = History::builder(&bodies, &gap, coulomb(0.3)).coupling(coupling);
+                let builder = History::builder(&bodies, &gap, kit::coulomb(0.3)).coupling(coupling);
                 let mut history = builder.build()?;
                 history.step(&LoadStep::hold().normal(NormalLoad::Force(2.0)))?;
                 let tolerance = one_of(is_odd && is_tolerance, 1e-9, 1e-11);
@@ -296,7 +292,7 @@ fn inconsistent_histories_are_reported() {
         let bodies = bodies(ranks);
         let gap = ball(&bodies);
         let is = |name: &str| odd == name;
-        let friction = coulomb(one_of(is("friction"), 0.31, 0.3));
+        let friction = kit::coulomb(one_of(is("friction"), 0.31, 0.3));
         let mut builder = History::builder(&bodies, &gap, friction);
         if is("relative displacement") {
             let none = RelativeDisplacement::bulk_strain(bodies.grid(), [[0.0; 2]; 2])?;

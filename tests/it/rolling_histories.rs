@@ -6,18 +6,17 @@ use stickslip::history::{AdaptiveSteps, EntryRule, LeadingEdge, Rolling};
 use stickslip::rolling::RollingProblem;
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
-    Axis, Boundary, Coupling, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
-    LoadStep, Material, NormalLoad, TangentialControl, TangentialModel, Warning, Zone, surface,
+    Axis, Boundary, Coupling, ElasticPair, Error, Field, Grid, HalfSpace, History, LoadStep,
+    Material, NormalLoad, TangentialControl, TangentialModel, Warning, Zone, surface,
 };
 
 fn similar_bodies(grid: Grid, shear_modulus: f64, poisson: f64) -> HalfSpace {
-    let body = Material::from_shear_modulus(shear_modulus, poisson).unwrap();
-    HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap()
+    HalfSpace::new(grid, kit::alike_in_shear(shear_modulus, poisson)).unwrap()
 }
 
 /// Returns a history in the vector model with friction 0.3.
 fn history(bodies: &HalfSpace, gap: &Field, entry_rule: EntryRule, tolerance: f64) -> History {
-    History::builder(bodies, gap, Friction::coulomb(0.3).unwrap())
+    History::builder(bodies, gap, kit::coulomb(0.3))
         .model(TangentialModel::Vector)
         .entry_rule(entry_rule)
         .tolerance(tolerance)
@@ -31,10 +30,10 @@ fn press(force: f64) -> LoadStep {
 
 /// Returns the bodies, the gap and the normal load of a sphere of radius one on a grid of 16 cells across.
 fn small_sphere(poisson: f64) -> (HalfSpace, Field, f64) {
-    let grid = Grid::square(20, 2.5).unwrap();
+    let grid = kit::square(20, 2.5);
     let bodies = similar_bodies(grid, 1.0, poisson);
     let load = 4.0 / 3.0 * bodies.pair().contact_modulus();
-    (bodies, surface::sphere(grid, 1.0).unwrap(), load)
+    (bodies, kit::sphere(grid, 1.0), load)
 }
 
 /// The reference is CONTACT (E. A. H. Vollebregt, revision 2707, Apache-2.0) on the same cells. It gives the forces on
@@ -125,14 +124,14 @@ fn assert_same_in_both_frames(pair: &ElasticPair, coupling: Coupling) {
     let steps = if coupling == Coupling::Full { 6 } else { 12 };
     let (moving, still) = (
         Grid::new(20 + steps, 20, 0.125, 0.125).unwrap(),
-        Grid::square(20, 2.5).unwrap(),
+        kit::square(20, 2.5),
     );
     let form =
         |x: f64, y: f64| 0.5 * (x * x + y * y) + 0.01 * (5.0 * x + 1.0).cos() * (4.0 * y).cos();
     let (load, creepage) = (0.8, [0.12, -0.07]);
     let start = |grid: Grid, gap: &Field| {
         let bodies = HalfSpace::new(grid, *pair).unwrap();
-        History::builder(&bodies, gap, Friction::coulomb(0.3).unwrap())
+        History::builder(&bodies, gap, kit::coulomb(0.3))
             .model(TangentialModel::Vector)
             .coupling(coupling)
             .entry_rule(EntryRule::WholeStep)
@@ -248,8 +247,7 @@ fn rough_form_converges_to_steady_rolling() {
     for _ in 0..200 {
         history.step(&LoadStep::hold().roll(rolling)).unwrap();
     }
-    let problem =
-        RollingProblem::builder(&bodies, history.normal(), Friction::coulomb(0.3).unwrap());
+    let problem = RollingProblem::builder(&bodies, history.normal(), kit::coulomb(0.3));
     let problem = problem.creepage([0.08, 0.03]).spin(0.05).tolerance(1e-10);
     let steady = kit::solve(problem);
     for (found, expected) in history.tangential_force().into_iter().zip(steady.force()) {
@@ -261,8 +259,7 @@ fn rough_form_converges_to_steady_rolling() {
 /// Returns the error of the force relative to the friction limit, after rolling over 30 half-widths from rest. The
 /// contact has the given number of cells across.
 fn error_of_carter(cells: usize, ratio: f64, entry_rule: EntryRule) -> f64 {
-    let body = Material::new(1.0, 0.0).unwrap();
-    let pair = ElasticPair::new(body, body).unwrap();
+    let pair = kit::alike(1.0, 0.0);
     let hertz = HertzLine::new(
         &pair,
         1.0,
@@ -279,7 +276,7 @@ fn error_of_carter(cells: usize, ratio: f64, entry_rule: EntryRule) -> f64 {
     let offsets = [0.1, 0.37, 0.77];
     let errors = offsets.map(|offset| {
         let gap = Field::from_fn(grid, |x, _| 0.5 * (x + offset * dx).powi(2));
-        let builder = History::builder(&bodies, &gap, Friction::coulomb(0.3).unwrap());
+        let builder = History::builder(&bodies, &gap, kit::coulomb(0.3));
         let mut history = builder
             .entry_rule(entry_rule)
             .tolerance(1e-9)
@@ -312,8 +309,7 @@ fn rolling_history_converges_to_steady_rolling() {
     for _ in 0..240 {
         history.step(&press(load).roll(rolling)).unwrap();
     }
-    let friction = Friction::coulomb(0.3).unwrap();
-    let problem = RollingProblem::builder(&bodies, history.normal(), friction);
+    let problem = RollingProblem::builder(&bodies, history.normal(), kit::coulomb(0.3));
     let steady = problem
         .creepage(creepage)
         .spin(spin)
@@ -369,14 +365,12 @@ fn prescribed_force_gives_creepage_that_causes_it() {
 #[test]
 fn scalar_model_rolls_as_vector_model() {
     let grid = Grid::line(40, 0.06).unwrap();
-    let body = Material::from_shear_modulus(1.0, 0.3).unwrap();
-    let pair = ElasticPair::new(body, body).unwrap();
     let boundary = Boundary::PeriodicAlongY { datum: 4.0 };
-    let bodies = HalfSpace::with_boundary(grid, pair, boundary).unwrap();
+    let bodies = HalfSpace::with_boundary(grid, kit::alike_in_shear(1.0, 0.3), boundary).unwrap();
     let roller = surface::cylinder(grid, 1.0).unwrap();
     let rolling = Rolling::new(1).creepage([0.05, 0.0]);
     let forces = [TangentialModel::Scalar, TangentialModel::Vector].map(|model| {
-        let builder = History::builder(&bodies, &roller, Friction::coulomb(0.3).unwrap());
+        let builder = History::builder(&bodies, &roller, kit::coulomb(0.3));
         let mut history = builder.model(model).tolerance(1e-11).build().unwrap();
         for _ in 0..20 {
             history.step(&press(1.0).roll(rolling)).unwrap();
@@ -388,7 +382,7 @@ fn scalar_model_rolls_as_vector_model() {
     let (bodies, ball, load) = small_sphere(0.0);
     let rolling = rolling.leading_edge(LeadingEdge::PlusY);
     let forces = [TangentialModel::Scalar, TangentialModel::Vector].map(|model| {
-        let builder = History::builder(&bodies, &ball, Friction::coulomb(0.3).unwrap());
+        let builder = History::builder(&bodies, &ball, kit::coulomb(0.3));
         let mut history = builder.model(model).tolerance(1e-11).build().unwrap();
         for _ in 0..6 {
             history.step(&press(load).roll(rolling)).unwrap();
@@ -402,14 +396,13 @@ fn scalar_model_rolls_as_vector_model() {
 /// the steady state under the same pressure.
 #[test]
 fn one_way_rolling_converges_to_steady_rolling() {
-    let grid = Grid::square(20, 2.5).unwrap();
+    let grid = kit::square(20, 2.5);
     let (soft, hard) = (
         Material::from_shear_modulus(1.0, 0.25).unwrap(),
         Material::rigid(),
     );
     let bodies = HalfSpace::new(grid, ElasticPair::new(soft, hard).unwrap()).unwrap();
-    let ball = surface::sphere(grid, 1.0).unwrap();
-    let builder = History::builder(&bodies, &ball, Friction::coulomb(0.3).unwrap());
+    let builder = History::builder(&bodies, kit::sphere(grid, 1.0), kit::coulomb(0.3));
     let builder = builder
         .model(TangentialModel::Vector)
         .coupling(Coupling::OneWay);
@@ -419,8 +412,7 @@ fn one_way_rolling_converges_to_steady_rolling() {
             .step(&press(1.7).roll(Rolling::new(1).creepage([0.02, 0.0])))
             .unwrap();
     }
-    let friction = Friction::coulomb(0.3).unwrap();
-    let problem = RollingProblem::builder(&bodies, history.normal(), friction);
+    let problem = RollingProblem::builder(&bodies, history.normal(), kit::coulomb(0.3));
     let steady = kit::solve(problem.creepage([0.02, 0.0]).tolerance(1e-10));
     let (found, expected) = (history.tangential_force()[0], steady.force()[0]);
     assert!((found - expected).abs() < 1e-6 * 0.51, "{found} {expected}");
@@ -428,12 +420,11 @@ fn one_way_rolling_converges_to_steady_rolling() {
 
 #[test]
 fn rolled_step_without_contact_has_no_lift_warning() {
-    let grid = Grid::square(20, 2.5).unwrap();
+    let grid = kit::square(20, 2.5);
     let soft = Material::from_shear_modulus(1.0, 0.25).unwrap();
     let pair = ElasticPair::new(soft, Material::rigid()).unwrap();
     let bodies = HalfSpace::new(grid, pair).unwrap();
-    let ball = surface::sphere(grid, 1.0).unwrap();
-    let builder = History::builder(&bodies, &ball, Friction::coulomb(0.3).unwrap());
+    let builder = History::builder(&bodies, kit::sphere(grid, 1.0), kit::coulomb(0.3));
     let builder = builder.model(TangentialModel::Vector);
     let mut history = builder.coupling(Coupling::OneWay).build().unwrap();
     let unloaded = history.state().clone();
@@ -505,7 +496,7 @@ fn invalid_rolling_is_rejected() {
         let mut history = history.unwrap();
         kit::assert_refused! { history.step(&press(1e-3).roll(rolling)) => Error::UnsupportedByModel { .. } }
     };
-    let builder = |bodies| History::builder(bodies, &ball, Friction::coulomb(0.3).unwrap());
+    let builder = |bodies| History::builder(bodies, &ball, kit::coulomb(0.3));
     // The scalar model supports neither creepage across its axis nor spin.
     is_refused(builder(&bodies).build(), one.creepage([0.0, 0.1]));
     is_refused(builder(&bodies).build(), one.spin(0.1));

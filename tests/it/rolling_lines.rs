@@ -22,11 +22,6 @@ fn pressed(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     kit::solve(problem.tolerance(1e-10))
 }
 
-fn pair(poisson_ratio: f64) -> ElasticPair {
-    let body = Material::new(1.0, poisson_ratio).unwrap();
-    ElasticPair::new(body, body).unwrap()
-}
-
 /// The datum changes the displacements by a constant, which cancels in the difference over a step.
 #[test]
 fn cylinder_under_force_has_creepage_of_carter_for_any_datum() {
@@ -36,13 +31,12 @@ fn cylinder_under_force_has_creepage_of_carter_for_any_datum() {
         let gap = surface::cylinder(grid, RADIUS).unwrap();
         for datum in [2.2, 5.0, 22.0, 1e4] {
             let boundary = Boundary::PeriodicAlongY { datum };
-            let bodies = HalfSpace::with_boundary(grid, pair(0.3), boundary).unwrap();
+            let bodies = HalfSpace::with_boundary(grid, kit::alike(1.0, 0.3), boundary).unwrap();
             let normal = pressed(&bodies, &gap, force);
             let hertz = HertzLine::new(bodies.pair(), RADIUS, force).unwrap();
             for part in [0.1, 0.3, 0.5, 0.7, 0.8, 0.95] {
-                let law = Friction::coulomb(friction).unwrap();
                 let rolling = kit::solve(
-                    RollingProblem::builder(&bodies, &normal, law)
+                    RollingProblem::builder(&bodies, &normal, kit::coulomb(friction))
                         .control(Axis::X, RollingControl::Force(part * friction * force)),
                 );
                 let products = rolling.report().products();
@@ -68,7 +62,7 @@ fn row_of_long_cells_converges_for_any_force_and_material() {
         let normal = pressed(&bodies, &gap, load);
         for part in [-0.9, -0.5, 0.3, 0.6, 0.75, 0.9] {
             let rolling = kit::solve(
-                RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap())
+                RollingProblem::builder(&bodies, &normal, kit::coulomb(0.3))
                     .leading_edge(LeadingEdge::MinusX)
                     .entry_rule(EntryRule::WholeStep)
                     .control(Axis::X, RollingControl::Force(part * 0.3 * load)),
@@ -106,7 +100,8 @@ fn rolled(index: u64) -> Result<RollingSolution, Error> {
     let boundary = Boundary::PeriodicAlongY {
         datum: width * random.decade(0.0, 4.0),
     };
-    let bodies = HalfSpace::with_boundary(grid, pair(random.uniform(0.0, 0.49)), boundary)?;
+    let bodies =
+        HalfSpace::with_boundary(grid, kit::alike(1.0, random.uniform(0.0, 0.49)), boundary)?;
     // The half-width of the contact is at most one.
     let per_length = PI * bodies.pair().contact_modulus() / (4.0 * RADIUS);
     let force = per_length * period * random.uniform(0.3, 1.0);

@@ -3,13 +3,12 @@
 
 use std::ops::ControlFlow;
 
-use stickslip::cgm::Settings;
 use stickslip::rolling::{
     LeadingEdge, RollingControl, RollingProblem, RollingProblemBuilder, SpinControl,
 };
 use stickslip::{
-    Axis, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalLoad,
-    NormalProblem, NormalSolution, Status, surface,
+    Axis, Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
+    Status,
 };
 
 /// Kalker's longitudinal coefficient of a circular contact for a Poisson's ratio of 0.25.
@@ -28,12 +27,11 @@ impl RollingSphere {
     /// Returns a sphere of contact radius one on the given number of cells across.
     fn across(cells: usize) -> Self {
         let size = cells + 6;
-        let grid = Grid::square(size, 2.0 * size as f64 / cells as f64).unwrap();
-        let body = Material::from_shear_modulus(1.0, 0.25).unwrap();
-        let bodies = HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap();
+        let grid = kit::square(size, 2.0 * size as f64 / cells as f64);
+        let bodies = HalfSpace::new(grid, kit::alike_in_shear(1.0, 0.25)).unwrap();
         let load = 4.0 / 3.0 * bodies.pair().contact_modulus();
-        let ball = surface::sphere(grid, 1.0).unwrap();
-        let normal = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(load));
+        let normal =
+            NormalProblem::builder(&bodies, kit::sphere(grid, 1.0), NormalLoad::Force(load));
         let normal = kit::solve(normal.tolerance(1e-11));
         let limit = FRICTION * load;
         Self {
@@ -45,8 +43,7 @@ impl RollingSphere {
     }
 
     fn rolling(&self) -> RollingProblemBuilder<'_> {
-        let friction = Friction::coulomb(FRICTION).unwrap();
-        RollingProblem::builder(&self.bodies, &self.normal, friction)
+        RollingProblem::builder(&self.bodies, &self.normal, kit::coulomb(FRICTION))
     }
 
     fn at(&self, [xi, eta, spin]: [f64; 3]) -> RollingProblemBuilder<'_> {
@@ -75,8 +72,7 @@ fn rolling_stiffness_matches_differences_of_solves() {
     ] {
         let at = |point: [f64; 3]| scene.at(point).leading_edge(edge);
         let mut solver = kit::solver(at(point));
-        let mut rolling = solver.new_solution();
-        solver.solve_into(&mut rolling).unwrap();
+        let mut rolling = kit::solved(&mut solver);
         let found = solver.stiffness().unwrap();
         for motion in 0..3 {
             let step = 1e-5;
@@ -166,8 +162,7 @@ fn moment_beyond_friction_is_rejected() {
     assert!(moment == -1.02 * capacity && limit == range[0] && range[0] < 0.0);
     assert!(matches!(of(f64::NAN), Err(Error::NotFinite { .. })));
     let mut solver = of(0.97 * capacity).unwrap().into_solver().unwrap();
-    let mut rolling = solver.new_solution();
-    solver.solve_into(&mut rolling).unwrap();
+    let mut rolling = kit::solved(&mut solver);
     assert!((rolling.moment() / (0.97 * capacity) - 1.0).abs() < 1e-7);
     // Prescribed forces reduce the largest moment, so that the moment is rejected before any solve.
     let force = RollingControl::Force(0.6 * scene.limit);
@@ -231,8 +226,7 @@ fn rolling_solves_take_few_products() {
     for &[xi, eta, spin] in &points[..kit::thorough(2, 4)] {
         let problem = scene.at([xi, eta, spin]).tolerance(1e-8).build().unwrap();
         let mut solver = problem.into_solver().unwrap();
-        let mut rolling = solver.new_solution();
-        solver.solve_into(&mut rolling).unwrap();
+        let mut rolling = kit::solved(&mut solver);
         assert!(rolling.report().products() <= 150, "{}", rolling.report());
         let creepage = [xi, eta].map(|part| RollingControl::Creepage(1.01 * part * scene.unit));
         solver.set_load(creepage, spin * scene.unit).unwrap();
@@ -254,28 +248,6 @@ fn rolling_solves_take_few_products() {
     }
 }
 
-#[test]
-fn interrupted_solve_can_be_continued() {
-    let scene = RollingSphere::across(20);
-    let point = [0.8, 0.2, 0.3];
-    let problem = scene.at(point).max_iterations(12).build().unwrap();
-    let mut solver = problem.into_solver().unwrap();
-    let mut rolling = solver.new_solution();
-    let cut = solver.solve_into(&mut rolling);
-    assert!(matches!(cut, Err(Error::NotConverged(_))) && !rolling.report().is_converged());
-    solver
-        .set_settings(Settings::default().tolerance(1e-11))
-        .unwrap();
-    solver.solve_into(&mut rolling).unwrap();
-    let [x, y, moment] = scene.loads(point);
-    let found = [
-        rolling.force()[0] - x,
-        rolling.force()[1] - y,
-        rolling.moment() - moment,
-    ];
-    assert!(found.iter().all(|error| error.abs() < 1e-9 * scene.limit));
-}
-
 /// The result equals the result of a solver built with the new friction, and loads beyond the new friction limit are
 /// rejected.
 #[test]
@@ -288,10 +260,7 @@ fn friction_can_change_between_solves() {
             .build()
     };
     let half = Field::from_fn(scene.bodies.grid(), |x, _| if x > 0.2 { 0.0 } else { 0.3 });
-    let (dry, half) = (
-        Friction::coulomb(0.3).unwrap(),
-        Friction::per_cell(half).unwrap(),
-    );
+    let (dry, half) = (kit::coulomb(0.3), Friction::per_cell(half).unwrap());
     let mut solver = of(&half, 0.1).unwrap().into_solver().unwrap();
     let mut rolling = solver.new_solution();
     for friction in [&dry, &half, &dry] {
@@ -301,9 +270,8 @@ fn friction_can_change_between_solves() {
         assert!((rolling.creepage()[0] / fresh.creepage()[0] - 1.0).abs() < 1e-8);
     }
     let stiffness = solver.stiffness().unwrap();
-    let wet = Friction::coulomb(0.01).unwrap();
-    kit::assert_refused! { solver.set_friction(&wet) => Error::BeyondFrictionCapacity { .. } }
-    let small = Friction::per_cell(Field::constant(Grid::square(3, 1.0).unwrap(), 0.3)).unwrap();
+    kit::assert_refused! { solver.set_friction(&kit::coulomb(0.01)) => Error::BeyondFrictionCapacity { .. } }
+    let small = Friction::per_cell(Field::constant(kit::square(3, 1.0), 0.3)).unwrap();
     kit::assert_refused! { solver.set_friction(&small) => Error::GridMismatch { .. } }
     // A refused friction leaves the stiffness valid, a new friction does not.
     assert_eq!(solver.stiffness().unwrap(), stiffness);
@@ -317,7 +285,7 @@ fn friction_can_change_between_solves() {
 #[test]
 fn friction_can_change_by_any_factor() {
     let scene = RollingSphere::across(16);
-    let of = |coefficient: f64| Friction::coulomb(coefficient).unwrap();
+    let of = |coefficient: f64| kit::coulomb(coefficient);
     let creepages = |coefficient: f64| {
         [0.8, 0.2].map(|part| RollingControl::Creepage(part * coefficient / FRICTION * scene.unit))
     };
@@ -343,23 +311,6 @@ fn friction_can_change_by_any_factor() {
     }
 }
 
-#[test]
-fn reset_solver_matches_new_solver() {
-    let scene = RollingSphere::across(16);
-    let make = || kit::solver(scene.at([0.7, 0.1, 0.2]));
-    let (mut used, mut new) = (make(), make());
-    let (mut again, mut first) = (used.new_solution(), new.new_solution());
-    let sticking = new.stiffness().unwrap();
-    used.solve_into(&mut again).unwrap();
-    assert_ne!(used.stiffness().unwrap(), sticking);
-    used.reset();
-    assert_eq!(used.stiffness().unwrap(), sticking);
-    used.solve_into(&mut again).unwrap();
-    new.solve_into(&mut first).unwrap();
-    assert_eq!(again.traction(), first.traction());
-    assert_eq!(again.report().products(), first.report().products());
-}
-
 /// Far beyond sliding, a larger creepage does not increase the force along this creepage. A creepage across the force
 /// only rotates the force.
 #[test]
@@ -369,8 +320,7 @@ fn sliding_contact_resists_rotation_of_force_only() {
     let problem = scene.rolling().creepage([creepage, 0.0]).tolerance(1e-11);
     let mut solver = kit::solver(problem);
     let sticking = solver.stiffness().unwrap();
-    let mut rolling = solver.new_solution();
-    solver.solve_into(&mut rolling).unwrap();
+    let rolling = kit::solved(&mut solver);
     assert_eq!(rolling.stick_ratio(), 0.0);
     let sliding = solver.stiffness().unwrap();
     for row in 0..3 {
@@ -443,10 +393,8 @@ fn minimum(f: impl Fn(f64) -> f64, [mut low, mut high]: [f64; 2]) -> f64 {
 fn row_has_least_bound_of_moment() {
     let (cells, length) = (24, 3.0);
     let grid = Grid::new(cells, 1, length / cells as f64, 0.1).unwrap();
-    let body = Material::from_shear_modulus(1.0, 0.25).unwrap();
-    let bodies = HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap();
-    let ball = surface::sphere(grid, 1.0).unwrap();
-    let normal = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(0.05));
+    let bodies = HalfSpace::new(grid, kit::alike_in_shear(1.0, 0.25)).unwrap();
+    let normal = NormalProblem::builder(&bodies, kit::sphere(grid, 1.0), NormalLoad::Force(0.05));
     let normal = kit::solve(normal);
     let (cell, total) = (length / cells as f64, FRICTION * normal.force());
     let limits: Vec<_> = normal.pressure().as_slice().to_vec();
@@ -478,8 +426,7 @@ fn row_has_least_bound_of_moment() {
             Some(part) => RollingControl::Force(part * total),
             None => RollingControl::Creepage(0.0),
         });
-        let friction = Friction::coulomb(FRICTION).unwrap();
-        let rolling = RollingProblem::builder(&bodies, &normal, friction)
+        let rolling = RollingProblem::builder(&bodies, &normal, kit::coulomb(FRICTION))
             .control(Axis::X, controls[0])
             .control(Axis::Y, controls[1])
             .spin(SpinControl::Moment(sign * 1e3));

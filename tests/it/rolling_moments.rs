@@ -6,8 +6,8 @@ use stickslip::rolling::{
     LeadingEdge, RollingControl, RollingProblem, RollingProblemBuilder, SpinControl,
 };
 use stickslip::{
-    Axis, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalLoad,
-    NormalProblem, NormalSolution,
+    Axis, ElasticPair, Error, Field, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
+    NormalSolution,
 };
 
 const EDGES: [LeadingEdge; 4] = [
@@ -82,7 +82,7 @@ impl RandomRolling {
     }
 
     fn rolling(&self) -> RollingProblemBuilder<'_> {
-        let friction = Friction::coulomb(self.friction).unwrap();
+        let friction = kit::coulomb(self.friction);
         let [x, y] = self.controls;
         RollingProblem::builder(&self.bodies, &self.normal, friction)
             .leading_edge(self.edge)
@@ -105,14 +105,12 @@ impl RandomRolling {
 #[test]
 fn row_of_two_cells_has_one_moment() {
     let grid = Grid::new(6, 1, 1.0, 1.0).unwrap();
-    let body = Material::new(1.0, 0.3).unwrap();
-    let bodies = HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap();
+    let bodies = HalfSpace::new(grid, kit::alike(1.0, 0.3)).unwrap();
     let gap = Field::from_fn(grid, |x, _| 0.01 * x * x);
     let normal = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(0.002));
     let normal = kit::solve(normal);
     let of = |spin: SpinControl| {
-        let friction = Friction::coulomb(0.3).unwrap();
-        let problem = RollingProblem::builder(&bodies, &normal, friction);
+        let problem = RollingProblem::builder(&bodies, &normal, kit::coulomb(0.3));
         problem.spin(spin).tolerance(1e-11).build()
     };
     for spin in [-10.0, -1e-3, 1e-4, 1e-2, 10.0] {

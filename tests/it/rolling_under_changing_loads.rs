@@ -5,14 +5,14 @@ use stickslip::rolling::{
     LeadingEdge, RollingControl, RollingProblem, RollingSolution, RollingSolver, SpinControl,
 };
 use stickslip::{
-    ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
-    NormalSolution, Warning, surface,
+    ElasticPair, Error, Field, HalfSpace, Material, NormalLoad, NormalProblem, NormalSolution,
+    Warning, surface,
 };
 
 const FRICTION: f64 = 0.3;
 
 fn bodies(cells: usize, pair: &ElasticPair) -> HalfSpace {
-    HalfSpace::new(Grid::square(cells, 3.0).unwrap(), *pair).unwrap()
+    HalfSpace::new(kit::square(cells, 3.0), *pair).unwrap()
 }
 
 fn similar_pair() -> ElasticPair {
@@ -21,11 +21,14 @@ fn similar_pair() -> ElasticPair {
 }
 
 fn problem(bodies: &HalfSpace, load: f64) -> NormalProblem {
-    let ball = surface::sphere(bodies.grid(), 1.0).unwrap();
-    NormalProblem::builder(bodies, &ball, NormalLoad::Force(load))
-        .tolerance(1e-11)
-        .build()
-        .unwrap()
+    NormalProblem::builder(
+        bodies,
+        kit::sphere(bodies.grid(), 1.0),
+        NormalLoad::Force(load),
+    )
+    .tolerance(1e-11)
+    .build()
+    .unwrap()
 }
 
 fn pressed(bodies: &HalfSpace, load: f64) -> NormalSolution {
@@ -38,17 +41,11 @@ fn rolling(
     (edge, rule): (LeadingEdge, EntryRule),
 ) -> RollingSolver {
     kit::solver(
-        RollingProblem::builder(bodies, normal, Friction::coulomb(FRICTION).unwrap())
+        RollingProblem::builder(bodies, normal, kit::coulomb(FRICTION))
             .leading_edge(edge)
             .entry_rule(rule)
             .tolerance(1e-10),
     )
-}
-
-fn solved(solver: &mut RollingSolver) -> RollingSolution {
-    let mut solution = solver.new_solution();
-    solver.solve_into(&mut solution).unwrap();
-    solution
 }
 
 /// Asserts that tractions agree to `part` of the largest traction, and creepages and spins as well.
@@ -107,7 +104,7 @@ fn rolling_solver_under_new_pressures_agrees_with_new_problems() {
             solver.set_load(controls, spin).unwrap();
             let mut new = rolling(&bodies, &normal, (edge, rule));
             new.set_load(controls, spin).unwrap();
-            assert_close(&solved(&mut solver), &solved(&mut new), 1e-6);
+            assert_close(&kit::solved(&mut solver), &kit::solved(&mut new), 1e-6);
             assert!((solver.friction_capacity() - FRICTION * load).abs() < 1e-9);
         }
     }
@@ -133,10 +130,10 @@ fn rolling_solver_finds_the_pressure_of_a_new_load() {
         assert!((solver.normal().unwrap().force() - load).abs() < 1e-9);
         let mut new = rolling(&bodies, &pressed(&bodies, load), by_default);
         new.set_load(controls, 0.02).unwrap();
-        let expected = solved(&mut new);
+        let expected = kit::solved(&mut new);
         // A copy continues like the original solver.
         let mut copy = solver.clone();
-        let found = [solved(&mut solver), solved(&mut copy)];
+        let found = [kit::solved(&mut solver), kit::solved(&mut copy)];
         assert_close(&found[0], &expected, 1e-6);
         assert_eq!(found[0].traction(), found[1].traction());
     }
@@ -157,8 +154,8 @@ fn rolling_solver_accepts_pressure_field_without_entry_law() {
     let mut by_solution = by_field.clone();
     by_field.set_pressure(normal.pressure()).unwrap();
     by_solution.set_pressure(&normal).unwrap();
-    let found = solved(&mut by_field);
-    assert_eq!(found.traction(), solved(&mut by_solution).traction());
+    let found = kit::solved(&mut by_field);
+    assert_eq!(found.traction(), kit::solved(&mut by_solution).traction());
     kit::assert_refused! {
         of(EntryRule::SinceTouch).set_pressure(normal.pressure()) => Error::UnsupportedByModel { .. },
     }
@@ -177,7 +174,7 @@ fn rejected_load_leaves_rolling_solver_unchanged() {
     let drag = [RollingControl::Force(0.2), RollingControl::Creepage(0.01)];
     solver.set_load(drag, 0.02).unwrap();
     solver.set_normal_load(NormalLoad::Force(0.9)).unwrap();
-    let mut rolling = solved(&mut solver);
+    let mut rolling = kit::solved(&mut solver);
     let stiffness = solver.stiffness().unwrap();
 
     let other = self::bodies(25, &similar_pair());
@@ -223,8 +220,11 @@ fn rejected_load_leaves_rolling_solver_unchanged() {
     assert_eq!(is_refused, [true; 8]);
     assert_eq!(solver.normal(), untouched.normal());
     assert_eq!(solver.stiffness().unwrap(), stiffness);
-    let again = solved(&mut solver);
-    assert_eq!(again.traction(), solved(&mut untouched.clone()).traction());
+    let again = kit::solved(&mut solver);
+    assert_eq!(
+        again.traction(),
+        kit::solved(&mut untouched.clone()).traction()
+    );
     solver.set_normal_load(NormalLoad::Force(1.0)).unwrap();
     solver.solve_into(&mut rolling).unwrap();
     assert!((rolling.force()[0] - 0.2).abs() < 1e-9);
@@ -254,15 +254,15 @@ fn stiffness_after_new_pressure_requires_solve() {
     let mut solver = rolling(&bodies, &light, by_default);
     let controls = [RollingControl::Force(0.05), RollingControl::Creepage(0.01)];
     solver.set_load(controls, 0.03).unwrap();
-    solved(&mut solver);
+    kit::solved(&mut solver);
     assert!(solver.stiffness().is_ok());
     for normal in [&heavy, &light] {
         solver.set_pressure(normal).unwrap();
         kit::assert_refused! { solver.stiffness() => Error::OutdatedSolution { changed: "the pressure", .. } }
-        let solution = solved(&mut solver);
+        let solution = kit::solved(&mut solver);
         let mut fresh = rolling(&bodies, normal, by_default);
         fresh.set_load(controls, 0.03).unwrap();
-        let expected = solved(&mut fresh);
+        let expected = kit::solved(&mut fresh);
         assert!((solution.moment() / expected.moment() - 1.0).abs() < 1e-6);
         check(solver.stiffness().unwrap(), fresh.stiffness().unwrap());
     }
@@ -274,7 +274,7 @@ fn vehicle_time_loop_takes_few_products() {
     let bodies = bodies(24, &similar_pair());
     let press = problem(&bodies, 1.0);
     let normal = press.solve().unwrap();
-    let problem = RollingProblem::builder(&bodies, &normal, Friction::coulomb(0.3).unwrap());
+    let problem = RollingProblem::builder(&bodies, &normal, kit::coulomb(0.3));
     let problem = problem.tolerance(1e-3).build().unwrap();
     let products = |is_reset: bool| {
         let mut solver = problem.clone().into_solver().unwrap();
@@ -307,9 +307,9 @@ fn vehicle_time_loop_takes_few_products() {
 fn rolling_solution_warns_of_contact_at_edge() {
     let bodies = bodies(24, &similar_pair());
     let by_default = (LeadingEdge::PlusX, EntryRule::SinceTouch);
-    let fine = solved(&mut rolling(&bodies, &pressed(&bodies, 1.0), by_default));
+    let fine = kit::solved(&mut rolling(&bodies, &pressed(&bodies, 1.0), by_default));
     assert_eq!(fine.warnings(), []);
-    let coarse = solved(&mut rolling(&bodies, &pressed(&bodies, 0.02), by_default));
+    let coarse = kit::solved(&mut rolling(&bodies, &pressed(&bodies, 0.02), by_default));
     assert!(matches!(
         coarse.warnings()[..],
         [Warning::UnderresolvedContact { .. }]
@@ -318,7 +318,7 @@ fn rolling_solution_warns_of_contact_at_edge() {
     let gap = surface::ellipsoid(bodies.grid(), 1.0, 10.0).unwrap();
     let press = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(1.0));
     let normal = kit::solve(press);
-    let wide = solved(&mut rolling(&bodies, &normal, by_default)).warnings();
+    let wide = kit::solved(&mut rolling(&bodies, &normal, by_default)).warnings();
     assert!(
         wide.iter()
             .any(|warning| matches!(warning, Warning::ContactAtEdge { .. })),

@@ -6,8 +6,8 @@ use rayon::prelude::*;
 use stickslip::analytical::{HertzSphere, RoughSphere};
 use stickslip::surface::{self, SelfAffine};
 use stickslip::{
-    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalSolution,
-    TangentialLoad, TangentialProblem,
+    Boundary, ElasticPair, Field, HalfSpace, NormalLoad, NormalSolution, TangentialLoad,
+    TangentialProblem,
 };
 
 /// The discretisation error is much larger than this tolerance.
@@ -15,7 +15,7 @@ const TOLERANCE: f64 = 1e-5;
 
 /// Returns the rubber of the paper on a rigid plane. The contact modulus is 25 MPa, and lengths are in micrometres.
 fn rubber() -> ElasticPair {
-    ElasticPair::new(Material::new(18.75, 0.5).unwrap(), Material::rigid()).unwrap()
+    kit::on_rigid(18.75, 0.5)
 }
 
 fn press(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
@@ -35,7 +35,7 @@ fn ball_over_mueser(bodies: &HalfSpace, roll_off: f64, force: f64) -> [f64; 2] {
             .seed(seed)
             .generate(grid)
             .unwrap();
-        let ball = surface::sphere(grid, 3500.0).unwrap();
+        let ball = kit::sphere(grid, 3500.0);
         let gap = surface::sum(&[&ball, &surface::inverted(rough.heights())]).unwrap();
         let contact = press(bodies, &gap, force);
         assert!(contact.contact_cells() > 500);
@@ -48,7 +48,7 @@ fn ball_over_mueser(bodies: &HalfSpace, roll_off: f64, force: f64) -> [f64; 2] {
 
 #[test]
 fn rough_ball_area_matches_mueser_for_any_rms_height() {
-    let bodies = HalfSpace::new(Grid::square(640, 640.0).unwrap(), rubber()).unwrap();
+    let bodies = HalfSpace::new(kit::square(640, 640.0), rubber()).unwrap();
     for &force in kit::thorough(&[15e3][..], &[15e3, 50e3]) {
         let roll_offs = kit::thorough(&[192.0, 64.0][..], &[192.0, 112.0, 64.0]);
         let ratios: Vec<[f64; 2]> = roll_offs
@@ -69,8 +69,7 @@ fn rough_ball_area_matches_mueser_for_any_rms_height() {
 
 /// Returns a nominally flat contact without edges, on a square of 100 micrometres.
 fn flat_bodies(cells: usize) -> HalfSpace {
-    let grid = Grid::square(cells, 100.0).unwrap();
-    HalfSpace::with_boundary(grid, rubber(), Boundary::Periodic).unwrap()
+    HalfSpace::with_boundary(kit::square(cells, 100.0), rubber(), Boundary::Periodic).unwrap()
 }
 
 /// Returns the slope of the least-squares line through the logarithms of the points.
@@ -145,9 +144,8 @@ fn stick_ratio_falls_linearly_with_tangential_load() {
             let gap = surface::gap_from_heights(rough.heights()).unwrap();
             let normal = press(&bodies, &gap, pressure * 25.0 * bodies.grid().area());
             assert!(normal.contact_cells() >= 2000);
-            let friction = Friction::coulomb(0.5).unwrap();
             let none = TangentialLoad::force([0.0, 0.0]);
-            let problem = TangentialProblem::builder(&bodies, &normal, friction, none)
+            let problem = TangentialProblem::builder(&bodies, &normal, kit::coulomb(0.5), none)
                 .tolerance(TOLERANCE)
                 .build()
                 .unwrap();
@@ -182,7 +180,7 @@ fn stick_ratio_falls_linearly_with_tangential_load() {
 /// paper have free edges.
 #[test]
 fn free_edges_bias_nominally_flat_contact() {
-    let grid = Grid::square(128, 100.0).unwrap();
+    let grid = kit::square(128, 100.0);
     let free = HalfSpace::new(grid, rubber()).unwrap();
     let repeated = flat_bodies(128);
     let rough = SelfAffine::with_rms_height(0.3)

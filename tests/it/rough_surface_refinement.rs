@@ -56,7 +56,7 @@ fn finer_grid_samples_the_same_surface() {
 fn adding_short_waves_scales_the_long_waves_uniformly() {
     let asked = SelfAffine::with_rms_height(1.0).seed(3);
     let [coarse, fine] = [32, 64].map(|n| {
-        let surface = asked.generate(Grid::square(n, 1.0).unwrap()).unwrap();
+        let surface = asked.generate(kit::square(n, 1.0)).unwrap();
         waves(surface.heights())
     });
     let band = |found: &[Wave]| -> Vec<[f64; 2]> {

@@ -68,7 +68,7 @@ fn scenes_survive_serialisation() {
     assert_survives(&Hardness::uniform(1.0 / 3.0).unwrap());
     assert_survives(&Hardness::per_cell(Field::constant(grid(), 1.0 / 3.0)).unwrap());
     for friction in [
-        Friction::coulomb(0.1).unwrap(),
+        kit::coulomb(0.1),
         Friction::per_cell(Field::constant(grid(), 1.0 / 3.0)).unwrap(),
     ] {
         assert_survives(&friction);
@@ -139,11 +139,11 @@ fn surfaces_survive_serialisation() {
         let all = band.cut_off_wavelength(0.2).skewness(-0.1).kurtosis(3.1);
         assert_survives(&all.amplitudes(amplitudes).cropped());
     }
-    let heights = rough(Grid::square(16, 1.0).unwrap(), 3);
+    let heights = rough(kit::square(16, 1.0), 3);
     assert_survives(&Statistics::of(&heights).unwrap());
     assert_survives(&PowerSpectrum::of(&heights).unwrap());
     let recipe = SelfAffine::with_rms_height(0.1);
-    assert_survives(&recipe.generate(Grid::square(16, 1.0).unwrap()).unwrap());
+    assert_survives(&recipe.generate(kit::square(16, 1.0)).unwrap());
     assert_survives(&surface::level(&heights, surface::Form::Plane).unwrap());
     assert_survives(&surface::fill_missing(&heights).unwrap());
     assert_survives(&GaussianFilter::sl(0.2, 0.5).apply(&heights).unwrap());
@@ -162,8 +162,7 @@ fn surfaces_survive_serialisation() {
 fn pressed() -> (HalfSpace, NormalSolution) {
     let grid = Grid::new(24, 20, 0.5, 0.6).unwrap();
     let bodies = unit_bodies(grid, 0.3);
-    let ball = surface::sphere(grid, 10.0).unwrap();
-    let problem = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(3.0));
+    let problem = NormalProblem::builder(&bodies, kit::sphere(grid, 10.0), NormalLoad::Force(3.0));
     let normal = kit::solve(problem);
     (bodies, normal)
 }
@@ -193,15 +192,14 @@ fn solutions_and_reports_survive_serialisation() {
     for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
         let shear = sheared(&bodies, &normal, lateral).unwrap();
         assert_survives(&shear);
-        let friction = Friction::coulomb(0.4).unwrap();
-        assert_survives(&shear.edges(&normal, &friction).unwrap());
+        assert_survives(&shear.edges(&normal, &kit::coulomb(0.4)).unwrap());
         // A pressure that was read can be used like a computed pressure.
         let again = sheared(&bodies, &read, lateral).unwrap();
         assert_eq!(shear.traction(), again.traction());
     }
 
-    let friction = Friction::coulomb(0.3).unwrap();
-    let rolling = RollingProblem::builder(&bodies, &normal, friction).creepage([0.01, 0.02]);
+    let rolling =
+        RollingProblem::builder(&bodies, &normal, kit::coulomb(0.3)).creepage([0.01, 0.02]);
     let mut solver = kit::solver(rolling);
     let mut rolling = solver.new_solution();
     assert_survives(&rolling);
@@ -261,22 +259,23 @@ fn solutions_with_different_times_are_equal() {
 
 #[test]
 fn coupled_solutions_survive_serialisation() {
-    let grid = Grid::square(16, 2.6).unwrap();
-    let pair = ElasticPair::new(Material::new(1.0, 0.1).unwrap(), Material::rigid()).unwrap();
-    let bodies = HalfSpace::new(grid, pair).unwrap();
-    let gap = surface::sphere(grid, 10.0).unwrap();
-    let friction = Friction::coulomb(0.3).unwrap();
+    let grid = kit::square(16, 2.6);
+    let bodies = HalfSpace::new(grid, kit::on_rigid(1.0, 0.1)).unwrap();
     let (press, load) = (NormalLoad::Force(0.1), TangentialLoad::force([0.01, 0.0]));
-    let problem = CoupledProblem::builder(&bodies, &gap, friction, press, load);
+    let problem = CoupledProblem::builder(
+        &bodies,
+        kit::sphere(grid, 10.0),
+        kit::coulomb(0.3),
+        press,
+        load,
+    );
     assert_survives(&kit::solve(problem));
 }
 
 #[test]
 fn history_steps_and_states_survive_serialisation() {
     let (bodies, _) = pressed();
-    let ball = surface::sphere(bodies.grid(), 10.0).unwrap();
-    let friction = Friction::coulomb(0.4).unwrap();
-    let builder = History::builder(&bodies, &ball, friction);
+    let builder = History::builder(&bodies, kit::sphere(bodies.grid(), 10.0), kit::coulomb(0.4));
     let mut history = builder.build().unwrap();
     let press = LoadStep::hold().normal(NormalControl::Force(3.0));
     assert_survives(history.step(&press).unwrap());
@@ -312,7 +311,7 @@ fn engine_minima_survive_serialisation() {
     use stickslip::cgm::{NonNegative, Problem, minimise};
     let (bodies, _) = pressed();
     let operator = bodies.operator(Component::ZZ).unwrap();
-    let linear = surface::sphere(bodies.grid(), 10.0).unwrap();
+    let linear = kit::sphere(bodies.grid(), 10.0);
     let problem = Problem::new(operator, [linear.as_slice()], NonNegative).total(10.0);
     let mut x = vec![10.0 / bodies.grid().cells() as f64; bodies.grid().cells()];
     let minimum = minimise(&problem, &Settings::default(), [&mut x]).unwrap();
@@ -376,7 +375,7 @@ fn whole_numbers_are_accepted() {
 #[test]
 fn omitted_options_have_defaults() {
     let friction: Friction = read(&json!({"coefficient": {"Uniform": 0.5}})).unwrap();
-    assert_eq!(friction, Friction::coulomb(0.5).unwrap());
+    assert_eq!(friction, kit::coulomb(0.5));
     let settings: Settings = read(&json!({"tolerance": 1e-6})).unwrap();
     assert_eq!(settings, Settings::default().tolerance(1e-6));
     let step: LoadStep = read(&json!({"normal": {"Force": 100}})).unwrap();
@@ -438,9 +437,9 @@ fn inconsistent_solutions_are_rejected() {
     let slip = error_after_change(&shear, "/slip/1/samples/7", json!("Infinity"));
     is(slip, "slip at index 7 is inf");
 
-    let ball = surface::sphere(bodies.grid(), 10.0).unwrap();
-    let friction = Friction::coulomb(0.4).unwrap();
-    let mut history = History::builder(&bodies, &ball, friction).build().unwrap();
+    let ball = kit::sphere(bodies.grid(), 10.0);
+    let builder = History::builder(&bodies, &ball, kit::coulomb(0.4));
+    let mut history = builder.build().unwrap();
     let press = LoadStep::hold().normal(NormalControl::Force(3.0));
     history.step(&press).unwrap();
     let length = error_after_change(

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use stickslip::stiffness::{ContactStiffness, StiffnessWorkspace, TangentialStiffness};
 use stickslip::{
     Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
-    NormalLoad, TangentialModel, Zone, surface,
+    NormalLoad, TangentialModel, Zone,
 };
 
 /// Largest error of an entry.
@@ -62,12 +62,15 @@ impl ShearedHistory {
         } else {
             random.uniform(0.0, 0.49)
         };
-        let body = Material::new(random.decade(-1.0, 1.0), poisson_ratio).unwrap();
-        let pair = ElasticPair::new(body, body).unwrap();
-        let bodies = HalfSpace::with_boundary(grid, pair, boundary).unwrap();
+        let bodies = HalfSpace::with_boundary(
+            grid,
+            kit::alike(random.decade(-1.0, 1.0), poisson_ratio),
+            boundary,
+        )
+        .unwrap();
         let side = (grid.nx() as f64 * grid.dx()).max(grid.ny() as f64 * grid.dy());
         let gap = if random.chance(0.5) {
-            surface::sphere(grid, side * random.uniform(0.5, 3.0)).unwrap()
+            kit::sphere(grid, side * random.uniform(0.5, 3.0))
         } else {
             let height = side * random.decade(-2.0, 0.0);
             let heights = (0..grid.cells()).map(|_| height * random.uniform(0.0, 1.0));
@@ -295,7 +298,7 @@ fn numbers(matrix: [[Option<f64>; 3]; 3]) -> [[f64; 3]; 3] {
 
 #[test]
 fn obliquely_sliding_ball_stiffness_matches_last_step() {
-    let grid = Grid::square(8, 3.0).unwrap();
+    let grid = kit::square(8, 3.0);
     let body = Material::from_shear_modulus(1.0, 0.3).unwrap();
     let force = |motion| ShearStep {
         normal: NormalLoad::Force(0.5),
@@ -303,7 +306,7 @@ fn obliquely_sliding_ball_stiffness_matches_last_step() {
     };
     let scene = ShearedHistory {
         bodies: HalfSpace::new(grid, ElasticPair::new(body, body).unwrap()).unwrap(),
-        gap: surface::sphere(grid, 1.0).unwrap(),
+        gap: kit::sphere(grid, 1.0),
         friction: 0.3,
         depth: 0.5,
         before: vec![force([0.0; 3])],

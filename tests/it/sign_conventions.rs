@@ -2,8 +2,8 @@
 
 use stickslip::influence::Rectangle;
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
-    TangentialLoad, TangentialProblem, Zone, surface,
+    ElasticPair, Field, Grid, HalfSpace, Material, NormalLoad, NormalProblem, TangentialLoad,
+    TangentialProblem, Zone,
 };
 
 /// Returns the displacement along x or z of the surface of one body under a traction along x or z on this body.
@@ -36,7 +36,7 @@ fn signs_are_consistent_for_two_different_bodies() {
     let grid = Grid::new(20, 18, 1.0, 1.1).unwrap();
     let bodies = HalfSpace::new(grid, ElasticPair::new(soft, stiff).unwrap()).unwrap();
     assert!(bodies.pair().dundurs_beta().abs() < 1e-15);
-    let ball = surface::sphere(grid, 40.0).unwrap();
+    let ball = kit::sphere(grid, 40.0);
     let press = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(3.0)).tolerance(1e-12);
     let normal = kit::solve(press);
 
@@ -53,8 +53,7 @@ fn signs_are_consistent_for_two_different_bodies() {
 
     // Body 2 is moved by `shift` along +x and body 1 is fixed. Friction then drags the surface of body 1 along +x.
     let load = TangentialLoad::shift([0.05, 0.0]);
-    let friction = Friction::coulomb(0.4).unwrap();
-    let shear = TangentialProblem::builder(&bodies, &normal, friction, load);
+    let shear = TangentialProblem::builder(&bodies, &normal, kit::coulomb(0.4), load);
     let shear = kit::solve(shear.tolerance(1e-12));
     assert!(shear.force()[0] > 0.0 && shear.stick_ratio() > 0.1 && shear.stick_ratio() < 0.9);
     let on_one = shear.traction()[0].clone();

@@ -10,9 +10,8 @@ use stickslip::Iteration;
 use stickslip::cgm::{self, AbsBound, Method, NonNegative, Problem, Settings};
 use stickslip::influence::Component;
 use stickslip::{
-    Axis, ElasticOperator, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad,
-    NormalProblem, NormalSolution, Operator, Report, Scratch, Status, TangentialControl,
-    TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution, surface,
+    Axis, ElasticOperator, Error, HalfSpace, History, LoadStep, NormalLoad, NormalProblem,
+    Operator, Report, Scratch, Status, TangentialControl, TangentialModel,
 };
 
 /// Operator that counts its products.
@@ -58,10 +57,6 @@ impl Operator for Counting {
     }
 }
 
-fn bodies() -> HalfSpace {
-    unit_bodies(Grid::square(128, 100.0).unwrap(), 0.3)
-}
-
 /// Returns the report of a solve that ended with the given status.
 fn ended(outcome: Result<(), Error>, status: Status) -> Report {
     let Err(Error::NotConverged(report)) = outcome else {
@@ -80,7 +75,7 @@ fn products(report: &Report) -> usize {
 
 #[test]
 fn observer_is_called_before_every_product() {
-    let bodies = unit_bodies(Grid::square(kit::thorough(32, 48), 100.0).unwrap(), 0.3);
+    let bodies = unit_bodies(kit::square(kit::thorough(32, 48), 100.0), 0.3);
     let gap = rough(bodies.grid(), 3);
     let limits: Vec<f64> = gap.as_slice().iter().map(|h| (1.5 - h).max(0.0)).collect();
     let shifted = vec![-1.0; limits.len()];
@@ -176,128 +171,6 @@ fn assert_stops(solve: &Solve<'_>, settings: &Settings, len: usize, total: Optio
     assert!(count <= 1 && keeps_total(&x));
 }
 
-fn press(bodies: &HalfSpace, gap: &Field) -> NormalSolution {
-    let problem = NormalProblem::builder(bodies, gap, NormalLoad::Force(60.0));
-    kit::solve(problem)
-}
-
-/// End of a solve at the given call of the observer, by cancellation or by the clock.
-#[derive(Debug, Clone, Copy)]
-struct End {
-    call: usize,
-    by_clock: bool,
-}
-
-const LIMIT: Duration = Duration::from_millis(50);
-
-impl End {
-    const fn status(self) -> Status {
-        if self.by_clock {
-            Status::TimeLimit
-        } else {
-            Status::Cancelled
-        }
-    }
-
-    /// Returns an observer that ends a solve, and counts its calls in `calls`.
-    fn observer(self, calls: &mut usize) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send + '_ {
-        move |_| {
-            *calls += 1;
-            match *calls == self.call {
-                true if self.by_clock => std::thread::sleep(LIMIT),
-                true => return ControlFlow::Break(()),
-                false => {}
-            }
-            ControlFlow::Continue(())
-        }
-    }
-
-    /// Asserts that the solve does no further work after its end. The first calls are made on the coarsest cells.
-    fn check(self, calls: usize, report: &Report) {
-        let called_again = usize::from(self.by_clock);
-        assert!(calls <= self.call + called_again, "{self:?}: {calls} calls");
-        if self.call <= 3 {
-            // One product is computed on the window of the contact and, for a normal contact, one on the whole grid.
-            assert!(products(report) <= 2, "{self:?}: {report}");
-        }
-    }
-}
-
-fn ends() -> impl Iterator<Item = End> {
-    let cancelled: &[usize] = kit::thorough(&[2, 8, 27], &[1, 2, 3, 8, 13, 20, 27]);
-    let timed: &[usize] = kit::thorough(&[1, 9], &[1, 3, 9]);
-    let end = |by_clock| move |&call: &usize| End { call, by_clock };
-    cancelled
-        .iter()
-        .map(end(false))
-        .chain(timed.iter().map(end(true)))
-}
-
-#[test]
-fn normal_contact_stops_on_every_grid_of_nested_start() {
-    let bodies = bodies();
-    let gap = rough(bodies.grid(), 5);
-    for end in ends() {
-        let builder = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(60.0));
-        let builder = builder.tolerance(1e-12);
-        let builder = if end.by_clock {
-            builder.time_limit(LIMIT)
-        } else {
-            builder
-        };
-        let mut solver = kit::solver(builder);
-        let mut solution = solver.new_solution();
-        let mut calls = 0;
-        let outcome = solver.solve_observed(&mut solution, end.observer(&mut calls));
-        let report = ended(outcome, end.status());
-        end.check(calls, &report);
-        assert_eq!(solution.report(), &report);
-        assert!(solution.pressure().min() >= 0.0);
-        assert!((solution.force() / 60.0 - 1.0).abs() < 1e-12);
-        // The solver can continue from this iterate.
-        if !end.by_clock {
-            solver.solve_into(&mut solution).unwrap();
-        }
-    }
-}
-
-#[test]
-fn tangential_contact_stops_on_every_grid_of_nested_start() {
-    let bodies = bodies();
-    let normal = press(&bodies, &rough(bodies.grid(), 5));
-    let friction = 0.4;
-    for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
-        for end in ends() {
-            let coulomb = Friction::coulomb(friction).unwrap();
-            let load = TangentialLoad::force([13.0, 0.0]);
-            let builder = TangentialProblem::builder(&bodies, &normal, coulomb, load);
-            let builder = builder.model(lateral).tolerance(1e-12);
-            let builder = if end.by_clock {
-                builder.time_limit(LIMIT)
-            } else {
-                builder
-            };
-            let mut solver = kit::solver(builder);
-            let mut solution = solver.new_solution();
-            let mut calls = 0;
-            let outcome = solver.solve_observed(&mut solution, end.observer(&mut calls));
-            let report = ended(outcome, end.status());
-            end.check(calls, &report);
-            assert_eq!(solution.report(), &report);
-            assert_feasible(&normal, &solution, friction);
-        }
-    }
-}
-
-fn assert_feasible(normal: &NormalSolution, solution: &TangentialSolution, friction: f64) {
-    let [x, y] = solution.traction().map(Field::as_slice);
-    for ((x, y), p) in x.iter().zip(y).zip(normal.pressure().as_slice()) {
-        assert!(x.hypot(*y) <= friction * p * (1.0 + 1e-14));
-    }
-    let [x, y] = solution.force();
-    assert!((x / 13.0 - 1.0).abs() < 1e-12 && y.abs() < 1e-11);
-}
-
 /// Result of a solve of several passes, with the iterations that its observer received.
 struct PassLog {
     report: Report,
@@ -348,17 +221,16 @@ fn assert_limited(least: usize, solve: impl Fn(usize) -> PassLog) {
 /// If the contact outgrows its window, the load is solved again in a larger window.
 #[test]
 fn enlarged_window_has_remaining_iterations() {
-    let grid = Grid::square(64, 100.0).unwrap();
+    let grid = kit::square(64, 100.0);
     let bodies = unit_bodies(grid, 0.3);
-    let ball = surface::sphere(grid, 300.0).unwrap();
     let light = NormalLoad::Force(0.02);
-    let builder = || NormalProblem::builder(&bodies, &ball, light).tolerance(1e-10);
+    let builder =
+        || NormalProblem::builder(&bodies, kit::sphere(grid, 300.0), light).tolerance(1e-10);
     let alone = kit::solve(builder());
     assert_limited(alone.report().iterations.max(1), |limit| {
         let problem = builder().max_iterations(limit).build().unwrap();
         let mut solver = problem.into_solver().unwrap();
-        let mut solution = solver.new_solution();
-        solver.solve_into(&mut solution).unwrap();
+        let mut solution = kit::solved(&mut solver);
         solver.set_load(NormalLoad::Force(50.0)).unwrap();
         let mut seen = Vec::new();
         let outcome = solver.solve_observed(&mut solution, |step| {
@@ -373,9 +245,8 @@ fn enlarged_window_has_remaining_iterations() {
 /// If a spring is much softer than the contact, a step is solved again with a smaller tolerance.
 #[test]
 fn finer_pass_with_soft_spring_has_remaining_iterations() {
-    let grid = Grid::square(48, 8.0).unwrap();
+    let grid = kit::square(48, 8.0);
     let bodies = unit_bodies(grid, 0.3);
-    let ball = surface::sphere(grid, 10.0).unwrap();
     let press = LoadStep::hold().normal(NormalLoad::Force(0.5));
     let stiffness = 1e-4;
     let drag = LoadStep::hold().tangential(
@@ -389,8 +260,8 @@ fn finer_pass_with_soft_spring_has_remaining_iterations() {
         // The limit applies to the second step only. The first step would otherwise start from coarser cells with fewer
         // iterations.
         let pressed = || {
-            let friction = Friction::coulomb(0.3).unwrap();
-            let builder = History::builder(&bodies, &ball, friction).model(lateral);
+            let builder = History::builder(&bodies, kit::sphere(grid, 10.0), kit::coulomb(0.3))
+                .model(lateral);
             let mut history = builder.tolerance(1e-6).build().unwrap();
             history.step(&press).unwrap();
             history

@@ -1,81 +1,27 @@
-//! A solver with a changed input has the solution of a new problem with this input. All solvers share their methods.
+//! A solver with a changed input has the solution of a new problem with this input.
 
 use kit::unit_bodies;
 use stickslip::normal::Hardness;
-use stickslip::rolling::{CoupledRollingProblem, RollingControl, RollingProblem};
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
-    Axis, Contact, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material,
-    NormalLoad, NormalProblem, Solver, Status, TangentialLoad, TangentialProblem, surface,
+    CoupledProblem, Error, Field, Grid, HalfSpace, NormalLoad, NormalProblem, TangentialLoad,
 };
 
-fn friction() -> Friction {
-    Friction::coulomb(0.3).unwrap()
-}
-
 fn dissimilar(grid: Grid) -> (HalfSpace, Field) {
-    let pair = ElasticPair::new(Material::new(1.0, 0.0).unwrap(), Material::rigid()).unwrap();
     (
-        HalfSpace::new(grid, pair).unwrap(),
-        surface::sphere(grid, 10.0).unwrap(),
+        HalfSpace::new(grid, kit::on_rigid(1.0, 0.0)).unwrap(),
+        kit::sphere(grid, 10.0),
     )
-}
-
-/// Solves with a new tolerance, and returns the report of the solver.
-fn solve_to<P: Contact>(solver: &mut Solver<P>, tolerance: f64) -> (P::Solution, P::Report) {
-    let settings = solver.settings().tolerance(tolerance);
-    solver.set_settings(settings).unwrap();
-    let mut solution = solver.new_solution();
-    solver.solve_into(&mut solution).unwrap();
-    let report = solver.report().clone();
-    solver.reset();
-    let mut again = solver.try_new_solution().unwrap();
-    solver.solve_into(&mut again).unwrap();
-    assert_eq!(solution, again, "the solution after a reset");
-    (solution, report)
-}
-
-#[test]
-fn solvers_of_all_kinds_return_report_of_their_solution() {
-    let (bodies, gap) = dissimilar(Grid::square(24, 3.0).unwrap());
-    let (press, drag) = (NormalLoad::Force(0.1), TangentialLoad::force([0.01, 0.0]));
-    let normal = NormalProblem::builder(&bodies, &gap, press);
-    let mut solver = normal.build().unwrap().into_solver().unwrap();
-    assert_eq!(solver.report().status, Status::Unsolved);
-    let (contact, report) = solve_to(&mut solver, 1e-7);
-    assert_eq!(&report, contact.report());
-
-    let tangential = TangentialProblem::builder(&bodies, &contact, friction(), drag);
-    let mut solver = tangential.build().unwrap().into_solver().unwrap();
-    let (sheared, report) = solve_to(&mut solver, 1e-7);
-    assert_eq!(&report, sheared.report());
-
-    let coupled = CoupledProblem::builder(&bodies, &gap, friction(), press, drag);
-    let mut solver = coupled.build().unwrap().into_solver().unwrap();
-    let (both, report) = solve_to(&mut solver, 1e-7);
-    assert_eq!(&report, both.report());
-
-    let force = RollingControl::Force(0.01);
-    let rolling = RollingProblem::builder(&bodies, &contact, friction()).control(Axis::X, force);
-    let mut solver = rolling.build().unwrap().into_solver().unwrap();
-    let (rolled, report) = solve_to(&mut solver, 1e-7);
-    assert_eq!(&report, rolled.report());
-
-    let rolling = CoupledRollingProblem::builder(&bodies, &gap, friction(), press);
-    let rolling = rolling.control(Axis::X, force).build().unwrap();
-    let (rolled, report) = solve_to(&mut rolling.into_solver().unwrap(), 1e-7);
-    assert_eq!(&report, rolled.report());
 }
 
 #[test]
 fn normal_solver_with_new_hardness_has_solution_of_new_problem() {
-    let grid = Grid::square(32, 8.0).unwrap();
-    let (bodies, gap) = (unit_bodies(grid, 0.3), surface::sphere(grid, 10.0).unwrap());
+    let grid = kit::square(32, 8.0);
+    let (bodies, gap) = (unit_bodies(grid, 0.3), kit::sphere(grid, 10.0));
     let load = NormalLoad::Force(0.5);
     let builder = || NormalProblem::builder(&bodies, &gap, load).tolerance(1e-10);
     let mut solver = builder().build().unwrap().into_solver().unwrap();
-    let mut contact = solver.new_solution();
-    solver.solve_into(&mut contact).unwrap();
+    let mut contact = kit::solved(&mut solver);
     let largest = contact.pressure().max();
     for part in [0.8, 0.6, 0.9] {
         let hardness = Hardness::uniform(part * largest).unwrap();
@@ -111,14 +57,13 @@ fn normal_solver_with_new_hardness_has_solution_of_new_problem() {
 
 #[test]
 fn coupled_solver_with_new_fields_has_solution_of_new_problem() {
-    let grid = Grid::square(24, 3.0).unwrap();
+    let grid = kit::square(24, 3.0);
     let (bodies, gap) = dissimilar(grid);
     let (press, drag) = (NormalLoad::Force(0.1), TangentialLoad::force([0.01, 0.0]));
     let builder =
-        || CoupledProblem::builder(&bodies, &gap, friction(), press, drag).tolerance(1e-10);
+        || CoupledProblem::builder(&bodies, &gap, kit::coulomb(0.3), press, drag).tolerance(1e-10);
     let mut solver = builder().build().unwrap().into_solver().unwrap();
-    let mut contact = solver.new_solution();
-    solver.solve_into(&mut contact).unwrap();
+    let mut contact = kit::solved(&mut solver);
     let largest = contact.normal().pressure().max();
     for (part, strain) in [(0.9, 2e-3), (0.7, -1e-3)] {
         let hardness = Hardness::uniform(part * largest).unwrap();
@@ -137,8 +82,8 @@ fn coupled_solver_with_new_fields_has_solution_of_new_problem() {
             assert!(difference < 1e-6 * largest, "{part}: {difference:e}");
         }
     }
-    let other = Grid::square(16, 3.0).unwrap();
-    let bulk = RelativeDisplacement::bulk_strain(other, [[1e-3, 0.0], [0.0, 0.0]]).unwrap();
+    let bulk =
+        RelativeDisplacement::bulk_strain(kit::square(16, 3.0), [[1e-3, 0.0], [0.0, 0.0]]).unwrap();
     let refused = solver.set_relative_displacement(&bulk);
     assert!(
         matches!(refused, Err(Error::GridMismatch { .. })),

@@ -3,13 +3,13 @@
 use kit::unit_bodies;
 use stickslip::cgm::{Method, Settings};
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad, NormalProblem,
-    Status, TangentialControl, TangentialLoad, TangentialProblem, surface,
+    Axis, Error, Field, HalfSpace, History, LoadStep, NormalLoad, NormalProblem, Status,
+    TangentialControl, TangentialLoad, TangentialProblem,
 };
 
 fn ball() -> (HalfSpace, Field) {
-    let grid = Grid::square(40, 12.0).unwrap();
-    (unit_bodies(grid, 0.3), surface::sphere(grid, 20.0).unwrap())
+    let grid = kit::square(40, 12.0);
+    (unit_bodies(grid, 0.3), kit::sphere(grid, 20.0))
 }
 
 fn invalid_settings() -> [(Settings, Error); 2] {
@@ -33,7 +33,7 @@ fn builder_accepts_all_settings() {
     assert_eq!(at_once.solve().unwrap().pressure(), one_by_one.pressure());
     assert_eq!(*at_once.into_solver().unwrap().settings(), settings);
 
-    let friction = Friction::coulomb(0.4).unwrap();
+    let friction = kit::coulomb(0.4);
     for (settings, error) in invalid_settings() {
         assert_eq!(builder().settings(settings).build().unwrap_err(), error);
         let history = History::builder(&bodies, &gap, friction.clone());
@@ -48,8 +48,7 @@ fn solver_accepts_new_settings() {
     let fine = Settings::default().tolerance(1e-10);
     let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(4.0)).settings(rough);
     let mut press = kit::solver(problem);
-    let mut contact = press.new_solution();
-    press.solve_into(&mut contact).unwrap();
+    let mut contact = kit::solved(&mut press);
     assert!(contact.report().energy_error_bound() > 1e-10);
     for (settings, error) in invalid_settings() {
         assert_eq!(press.set_settings(settings).unwrap_err(), error);
@@ -59,12 +58,11 @@ fn solver_accepts_new_settings() {
     press.solve_into(&mut contact).unwrap();
     assert!(contact.report().energy_error_bound() <= 1e-10);
 
-    let friction = Friction::coulomb(0.4).unwrap();
     let load = TangentialLoad::force([0.6, 0.0]);
-    let problem = TangentialProblem::builder(&bodies, &contact, friction, load).settings(rough);
+    let problem =
+        TangentialProblem::builder(&bodies, &contact, kit::coulomb(0.4), load).settings(rough);
     let mut shear = kit::solver(problem);
-    let mut slip = shear.new_solution();
-    shear.solve_into(&mut slip).unwrap();
+    let mut slip = kit::solved(&mut shear);
     assert!(slip.report().energy_error_bound() > 1e-10);
     for (settings, error) in invalid_settings() {
         assert_eq!(shear.set_settings(settings).unwrap_err(), error);
@@ -82,9 +80,8 @@ fn solver_accepts_new_settings() {
 #[test]
 fn history_accepts_new_settings_for_pressure_and_traction() {
     let (bodies, gap) = ball();
-    let friction = Friction::coulomb(0.4).unwrap();
     let rough = Settings::default().tolerance(1e-3);
-    let builder = History::builder(&bodies, &gap, friction).settings(rough);
+    let builder = History::builder(&bodies, &gap, kit::coulomb(0.4)).settings(rough);
     let mut history = builder.build().unwrap();
     let step = |load, pull| {
         LoadStep::hold()

@@ -1,24 +1,24 @@
 //! Special states of a contact, and the outcomes of a solve.
 
-use std::ops::ControlFlow;
-use std::time::Duration;
-
-use kit::{Table2, max_abs, rough, unit_bodies};
+use kit::{Table2, max_abs, unit_bodies};
+use stickslip::Status;
 use stickslip::cgm::{self, AbsBound, Method, Problem, Settings};
 use stickslip::influence::Component;
 use stickslip::{
     Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
-    NormalSolver, TangentialLoad, TangentialModel, TangentialProblem, Warning, Zone, surface,
+    NormalSolver, TangentialLoad, TangentialProblem, Warning, Zone,
 };
-use stickslip::{Iteration, Status};
 
 fn table_2(n: usize) -> (HalfSpace, NormalSolution) {
-    let grid = Grid::square(n, 2.6 * Table2::CONTACT_RADIUS).unwrap();
+    let grid = kit::square(n, 2.6 * Table2::CONTACT_RADIUS);
     let bodies = HalfSpace::new(grid, Table2::pair()).unwrap();
-    let ball = surface::sphere(grid, Table2::RADIUS).unwrap();
-    let problem = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(Table2::FORCE))
-        .build()
-        .unwrap();
+    let problem = NormalProblem::builder(
+        &bodies,
+        kit::sphere(grid, Table2::RADIUS),
+        NormalLoad::Force(Table2::FORCE),
+    )
+    .build()
+    .unwrap();
     let normal = problem.solve().unwrap();
     (bodies, normal)
 }
@@ -26,7 +26,7 @@ fn table_2(n: usize) -> (HalfSpace, NormalSolution) {
 #[test]
 fn gross_slip_has_shift_of_onset() {
     let (bodies, normal) = table_2(128);
-    let friction = Friction::coulomb(Table2::FRICTION).unwrap();
+    let friction = kit::coulomb(Table2::FRICTION);
     let build = |load| TangentialProblem::builder(&bodies, &normal, friction.clone(), load).build();
     let limit = build(TangentialLoad::force([0.0, 0.0]))
         .unwrap()
@@ -65,7 +65,7 @@ fn gross_slip_has_shift_of_onset() {
 #[test]
 fn few_cells_stick_close_to_sliding() {
     let (bodies, normal) = table_2(64);
-    let friction = Friction::coulomb(Table2::FRICTION).unwrap();
+    let friction = kit::coulomb(Table2::FRICTION);
     let mut last = usize::MAX;
     for f in [0.99, 0.999, 0.9999, 0.999999] {
         let load = TangentialLoad::force([f * 50.0, 0.0]);
@@ -94,8 +94,12 @@ fn zero_load_sticks_without_traction() {
         TangentialLoad::force([0.0, 0.0]),
         TangentialLoad::shift([0.0, 0.0]),
     ] {
-        let friction = Friction::coulomb(0.5).unwrap();
-        let shear = kit::solve(TangentialProblem::builder(&bodies, &normal, friction, load));
+        let shear = kit::solve(TangentialProblem::builder(
+            &bodies,
+            &normal,
+            kit::coulomb(0.5),
+            load,
+        ));
         assert_eq!(max_abs(shear.traction()[0].as_slice()), 0.0);
         assert_eq!((shear.shift(), shear.force()), ([0.0; 2], [0.0; 2]));
         assert_eq!(shear.stick_ratio(), 1.0);
@@ -124,7 +128,7 @@ fn friction_can_vary_vanish_and_be_limited() {
     }
     assert!((shear.force()[0] + 14.0).abs() < 1e-11);
     // Without friction no tangential force can be carried, and the contact slides under a zero force.
-    let none = Friction::coulomb(0.0).unwrap();
+    let none = kit::coulomb(0.0);
     let build = |force| {
         TangentialProblem::builder(
             &bodies,
@@ -153,9 +157,9 @@ fn friction_can_vary_vanish_and_be_limited() {
 
 #[test]
 fn first_touch_and_separation_are_solved() {
-    let grid = Grid::square(16, 1.0).unwrap();
+    let grid = kit::square(16, 1.0);
     let bodies = unit_bodies(grid, 0.3);
-    let mut ball = surface::sphere(grid, 2.0).unwrap();
+    let mut ball = kit::sphere(grid, 2.0);
     for height in ball.as_mut_slice() {
         *height += 0.5;
     }
@@ -179,7 +183,7 @@ fn first_touch_and_separation_are_solved() {
 
 #[test]
 fn warnings_can_be_compared() {
-    let grid = Grid::square(32, 1.0).unwrap();
+    let grid = kit::square(32, 1.0);
     let bodies = unit_bodies(grid, 0.3);
     let press = |gap: &Field, force| {
         kit::solve(NormalProblem::builder(
@@ -198,7 +202,7 @@ fn warnings_can_be_compared() {
         [Warning::ContactAtEdge { cells: 4 * 31 }, across]
     );
     assert_eq!(flat.contact_cells(), 1024);
-    let point = press(&surface::sphere(grid, 0.01).unwrap(), 1e-7);
+    let point = press(&kit::sphere(grid, 0.01), 1e-7);
     assert!(matches!(
         point.warnings()[..],
         [
@@ -214,15 +218,11 @@ fn warnings_can_be_compared() {
     let shear = kit::solve(TangentialProblem::builder(
         &bodies,
         &point,
-        Friction::coulomb(0.5).unwrap(),
+        kit::coulomb(0.5),
         load,
     ));
     assert_eq!(shear.warnings(), point.warnings());
-    assert!(
-        press(&surface::sphere(grid, 1.0).unwrap(), 0.01)
-            .warnings()
-            .is_empty()
-    );
+    assert!(press(&kit::sphere(grid, 1.0), 0.01).warnings().is_empty());
 }
 
 /// In a contact of one cell, all linear systems have a single unknown.
@@ -247,7 +247,7 @@ fn single_contact_cell_is_solved() {
             let builder = TangentialProblem::builder(
                 &bodies,
                 &normal,
-                Friction::coulomb(0.5).unwrap(),
+                kit::coulomb(0.5),
                 TangentialLoad::force([0.3, 0.0]),
             );
             let shear = kit::solve(builder.method(method));
@@ -258,72 +258,15 @@ fn single_contact_cell_is_solved() {
 }
 
 #[test]
-fn limits_and_cancellation_leave_feasible_iterate_with_status() {
-    let grid = Grid::square(64, 100.0).unwrap();
-    let bodies = unit_bodies(grid, 0.3);
-    let gap = rough(grid, 9);
-    for method in [Method::ActiveSet, Method::PolonskyKeer] {
-        let builder = || {
-            NormalProblem::builder(&bodies, &gap, NormalLoad::Force(15.0))
-                .method(method)
-                .tolerance(1e-10)
-        };
-        let mut limited = kit::solver(builder().max_iterations(3));
-        let mut timed = kit::solver(builder().time_limit(Duration::ZERO));
-        let mut cancelled = kit::solver(builder());
-        let mut solution = limited.new_solution();
-        let mut seen = 0;
-        let outcomes = [
-            (
-                limited.solve_into(&mut solution),
-                Status::IterationLimit,
-                solution.clone(),
-            ),
-            (
-                timed.solve_into(&mut solution),
-                Status::TimeLimit,
-                solution.clone(),
-            ),
-            {
-                let outcome = cancelled.solve_observed(&mut solution, |iteration| {
-                    seen += 1;
-                    assert!(iteration.double_precision_products <= 2 * seen + 2);
-                    if seen < 5 {
-                        ControlFlow::Continue(())
-                    } else {
-                        ControlFlow::Break(())
-                    }
-                });
-                (outcome, Status::Cancelled, solution.clone())
-            },
-        ];
-        for (outcome, status, iterate) in outcomes {
-            let Err(Error::NotConverged(report)) = outcome else {
-                panic!("{method:?} must not converge here");
-            };
-            assert_eq!(report.status, status);
-            assert_eq!(iterate.report(), &*report);
-            assert!(report.residual > 1e-10 && report.energy_error_bound() > 1e-10);
-            assert!(iterate.pressure().min() >= 0.0);
-            assert!(
-                (iterate.force() / 15.0 - 1.0).abs() < 1e-12,
-                "{method:?} {status:?}"
-            );
-        }
-        assert_eq!(seen, 5);
-        // Without the observer the same solver continues from the iterate at which it was stopped.
-        cancelled.solve_into(&mut solution).unwrap();
-        assert!(solution.report().is_converged());
-    }
-}
-
-#[test]
 fn tolerance_below_round_off_stalls() {
     let (bodies, _) = table_2(32);
-    let ball = surface::sphere(bodies.grid(), Table2::RADIUS).unwrap();
     for method in [Method::ActiveSet, Method::PolonskyKeer] {
-        let builder =
-            NormalProblem::builder(&bodies, &ball, NormalLoad::Force(100.0)).method(method);
+        let builder = NormalProblem::builder(
+            &bodies,
+            kit::sphere(bodies.grid(), Table2::RADIUS),
+            NormalLoad::Force(100.0),
+        )
+        .method(method);
         let outcome = builder.tolerance(1e-17).build().unwrap().solve();
         let Err(Error::NotConverged(report)) = outcome else {
             panic!("a tolerance of 1e-17 must not be reached");
@@ -336,100 +279,20 @@ fn tolerance_below_round_off_stalls() {
     }
 }
 
-#[test]
-fn warm_start_changes_cost_only() {
-    let grid = Grid::square(64, 100.0).unwrap();
-    let bodies = unit_bodies(grid, 0.3);
-    let gap = rough(grid, 10);
-    let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(15.0))
-        .build()
-        .unwrap();
-    let cold = problem.solve().unwrap();
-    let mut solver = problem.into_solver().unwrap();
-    let mut solution = solver.new_solution();
-    for force in [1.0, 40.0, 15.3, 15.0] {
-        solver.set_load(NormalLoad::Force(force)).unwrap();
-        solver.solve_into(&mut solution).unwrap();
-    }
-    assert!(kit::l2_difference(solution.pressure().as_slice(), cold.pressure().as_slice()) < 1e-7);
-    assert!(solution.report().iterations < cold.report().iterations);
-    solver.reset();
-    solver.solve_into(&mut solution).unwrap();
-    assert_eq!(solution.pressure(), cold.pressure());
-}
-
-/// Returns an observer that stores the first iteration it receives.
-fn keep_first(
-    kept: &mut Option<Iteration>,
-) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send + '_ {
-    |step| {
-        kept.get_or_insert(*step);
-        ControlFlow::Continue(())
-    }
-}
-
-/// Before its first product a solve has no values to report. It must not report the values of the previous solve.
-#[test]
-fn observer_receives_nothing_of_previous_solve() {
-    let grid = Grid::square(48, 100.0).unwrap();
-    let bodies = unit_bodies(grid, 0.3);
-    let gap = rough(grid, 10);
-    let assert_blank = |first: Option<Iteration>| {
-        let first = first.unwrap();
-        assert_eq!(
-            (first.iteration, first.double_precision_products, first.free),
-            (0, 0, 0)
-        );
-        assert!(first.residual.is_infinite());
-    };
-    for method in [Method::ActiveSet, Method::PolonskyKeer] {
-        let builder = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(15.0));
-        let mut press = kit::solver(builder.method(method));
-        let mut normal = press.new_solution();
-        press.solve_into(&mut normal).unwrap();
-        let mut first = None;
-        press.set_load(NormalLoad::Force(16.0)).unwrap();
-        press
-            .solve_observed(&mut normal, keep_first(&mut first))
-            .unwrap();
-        assert_blank(first);
-        for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
-            let friction = Friction::coulomb(0.5).unwrap();
-            let load = |force| TangentialLoad::force([force, 0.0]);
-            let builder = TangentialProblem::builder(&bodies, &normal, friction, load(3.0));
-            let builder = builder.model(lateral);
-            let builder = match lateral {
-                TangentialModel::Scalar => builder.method(method),
-                _ => builder,
-            };
-            let mut shear = kit::solver(builder);
-            let mut solution = shear.new_solution();
-            shear.solve_into(&mut solution).unwrap();
-            let mut first = None;
-            shear.set_load(load(4.0)).unwrap();
-            shear
-                .solve_observed(&mut solution, keep_first(&mut first))
-                .unwrap();
-            assert_blank(first);
-        }
-    }
-}
-
 /// A solve without contact leaves no initial guess: the next solve is bitwise identical to the solve of a new solver.
 /// An absurd load is rejected and changes nothing.
 #[test]
 fn solve_without_contact_leaves_no_start() {
-    let grid = Grid::square(96, 8.0).unwrap();
+    let grid = kit::square(96, 8.0);
     let bodies = unit_bodies(grid, 0.3);
-    let ball = surface::sphere(grid, 10.0).unwrap();
     for method in [Method::ActiveSet, Method::PolonskyKeer] {
         let solver = |load| {
-            let builder = NormalProblem::builder(&bodies, &ball, load).method(method);
+            let builder =
+                NormalProblem::builder(&bodies, kit::sphere(grid, 10.0), load).method(method);
             kit::solver(builder)
         };
         let mut cold = solver(NormalLoad::Force(0.5));
-        let mut expected = cold.new_solution();
-        cold.solve_into(&mut expected).unwrap();
+        let expected = kit::solved(&mut cold);
         let assert_cold = |solver: &mut NormalSolver, solution: &mut NormalSolution| {
             solver.set_load(NormalLoad::Force(0.5)).unwrap();
             solver.solve_into(solution).unwrap();
@@ -449,8 +312,7 @@ fn solve_without_contact_leaves_no_start() {
 
         for absurd in [1e160, 1e305] {
             let mut solver = solver(NormalLoad::Force(0.4));
-            let mut solution = solver.new_solution();
-            solver.solve_into(&mut solution).unwrap();
+            let mut solution = kit::solved(&mut solver);
             kit::assert_refused! { solver.set_load(NormalLoad::Force(absurd)) => Error::ExtremeNumber { .. } }
             solver.solve_into(&mut solution).unwrap();
             assert!((solution.force() / 0.4 - 1.0).abs() < 1e-12);
@@ -463,11 +325,10 @@ fn solve_without_contact_leaves_no_start() {
 fn used_solver_returns_to_zero_load() {
     let (bodies, normal) = table_2(64);
     for method in [Method::ActiveSet, Method::PolonskyKeer] {
-        let friction = Friction::coulomb(0.5).unwrap();
         let builder = TangentialProblem::builder(
             &bodies,
             &normal,
-            friction,
+            kit::coulomb(0.5),
             TangentialLoad::shift([1e-6, 0.0]),
         );
         let mut solver = kit::solver(builder.method(method));
@@ -496,16 +357,17 @@ fn used_solver_returns_to_zero_load() {
 #[test]
 fn empty_solution_is_unsolved() {
     let (bodies, normal) = table_2(32);
-    let ball = surface::sphere(bodies.grid(), Table2::RADIUS).unwrap();
-    let press = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(1.0));
+    let press = NormalProblem::builder(
+        &bodies,
+        kit::sphere(bodies.grid(), Table2::RADIUS),
+        NormalLoad::Force(1.0),
+    );
     let empty = kit::solver(press).new_solution();
     assert_eq!(empty.report().status, Status::Unsolved);
     assert!(empty.report().energy_error_bound().is_infinite());
     let load = TangentialLoad::force([0.1, 0.0]);
-    let build = |normal| {
-        let friction = Friction::coulomb(0.5).unwrap();
-        TangentialProblem::builder(&bodies, normal, friction, load).build()
-    };
+    let build =
+        |normal| TangentialProblem::builder(&bodies, normal, kit::coulomb(0.5), load).build();
     kit::assert_refused! { build(&empty) => Error::NotConverged(report) if report.status == Status::Unsolved }
     let empty = build(&normal)
         .unwrap()
@@ -521,7 +383,7 @@ fn empty_solution_is_unsolved() {
 #[test]
 fn uniform_linear_term_is_balanced_by_multiplier() {
     let n = kit::thorough(16, 32);
-    let bodies = unit_bodies(Grid::square(n, 4.0).unwrap(), 0.3);
+    let bodies = unit_bodies(kit::square(n, 4.0), 0.3);
     let grid = bodies.grid();
     let limits = Field::from_fn(grid, |x, y| 0.1 * (2.0 - x * x - y * y).max(0.0).sqrt());
     let offset = |limit: &f64| if *limit > 0.0 { 3.0 } else { 0.0 };

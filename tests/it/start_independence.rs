@@ -1,15 +1,11 @@
 //! A nested start and a window around the contact save work without changing the solution. The solution equals the
 //! solution of a single loop over the whole grid that starts without coarser grids.
 
-use std::ops::ControlFlow;
-use std::time::Duration;
-
 use kit::{Random, l2_difference, press, rough, shear, unit_bodies};
-use stickslip::Status;
 use stickslip::cgm::Method;
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, TangentialLoad,
-    TangentialProblem, Zone, surface,
+    Axis, Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, TangentialLoad,
+    TangentialProblem, Zone,
 };
 
 const TOLERANCE: f64 = 1e-9;
@@ -77,13 +73,12 @@ fn tip_missed_by_coarse_cells_is_found() {
     let grid = Grid::new(90, 101, 0.25, 0.25).unwrap();
     let bodies = unit_bodies(grid, 0.3);
     let gap = sphere_and_tip(grid);
-    let friction = Friction::coulomb(0.3).unwrap();
     for load in [
         NormalLoad::Force(2.0),
         NormalLoad::Approach(0.3),
         NormalLoad::Approach(-0.1),
     ] {
-        assert_same(&bodies, &gap, load, &friction, 0.5);
+        assert_same(&bodies, &gap, load, &kit::coulomb(0.3), 0.5);
         let solution = press(&bodies, &gap, load, TOLERANCE);
         let tip = grid.nx() * (grid.ny() - 4) + 3;
         assert!(solution.pressure().as_slice()[tip] > 0.0);
@@ -138,12 +133,17 @@ fn odd_slender_and_tilted_grids_match_plain_loop() {
 
 #[test]
 fn rough_gaps_and_load_beyond_window_match_plain_loop() {
-    let grid = Grid::square(96, 100.0).unwrap();
+    let grid = kit::square(96, 100.0);
     let bodies = unit_bodies(grid, 0.25);
-    let friction = Friction::coulomb(0.4).unwrap();
     for seed in 0..kit::thorough(2, 4) {
         let gap = rough(grid, 100 + seed);
-        assert_same(&bodies, &gap, NormalLoad::Force(10.0), &friction, 0.9);
+        assert_same(
+            &bodies,
+            &gap,
+            NormalLoad::Force(10.0),
+            &kit::coulomb(0.4),
+            0.9,
+        );
     }
     // The window of the first, light contact is much too small for the last contact.
     let gap = sphere_and_tip(grid);
@@ -166,75 +166,20 @@ fn rough_gaps_and_load_beyond_window_match_plain_loop() {
     }
 }
 
-/// If the solve is stopped, during the coarse start or later, the iterate is feasible and has its status.
-#[test]
-fn stopped_nested_start_leaves_feasible_iterate() {
-    let grid = Grid::square(120, 100.0).unwrap();
-    let bodies = unit_bodies(grid, 0.3);
-    let gap = rough(grid, 9);
-    let normal = press(&bodies, &gap, NormalLoad::Force(20.0), TOLERANCE);
-    let friction = Friction::coulomb(0.4).unwrap();
-    let load = TangentialLoad::force([4.0, 0.0]);
-    for calls in [0, 1, 5, 12, 30] {
-        let press = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(20.0));
-        let mut press = kit::solver(press);
-        let mut pressed = press.new_solution();
-        let mut left = calls;
-        let outcome = press.solve_observed(&mut pressed, |_| stop_after(&mut left));
-        let Err(Error::NotConverged(report)) = outcome else {
-            panic!("stopped after {calls} calls: {outcome:?}");
-        };
-        assert_eq!(report.status, Status::Cancelled);
-        assert!((pressed.force() / 20.0 - 1.0).abs() < 1e-11 && pressed.pressure().min() >= 0.0);
-
-        let shear = TangentialProblem::builder(&bodies, &normal, friction.clone(), load);
-        let mut shear = kit::solver(shear);
-        let mut sheared = shear.new_solution();
-        let mut left = calls;
-        let outcome = shear.solve_observed(&mut sheared, |_| stop_after(&mut left));
-        let Err(Error::NotConverged(report)) = outcome else {
-            panic!("stopped after {calls} calls: {outcome:?}");
-        };
-        assert_eq!(report.status, Status::Cancelled);
-        assert!((sheared.force()[0] / 4.0 - 1.0).abs() < 1e-11);
-        let limits = normal.pressure().as_slice().iter().map(|p| 0.4 * p);
-        let tractions = sheared.traction()[0].as_slice().iter();
-        assert!(tractions.zip(limits).all(|(q, limit)| q.abs() <= limit));
-        // Without the observer the same solver continues and converges.
-        shear.solve_into(&mut sheared).unwrap();
-    }
-    let limited =
-        NormalProblem::builder(&bodies, &gap, NormalLoad::Force(20.0)).time_limit(Duration::ZERO);
-    let Err(Error::NotConverged(report)) = limited.build().unwrap().solve() else {
-        panic!("a solve without any time must not converge");
-    };
-    assert_eq!(report.status, Status::TimeLimit);
-}
-
-fn stop_after(left: &mut usize) -> ControlFlow<()> {
-    if *left == 0 {
-        return ControlFlow::Break(());
-    }
-    *left -= 1;
-    ControlFlow::Continue(())
-}
-
 /// Between two loads along y the solver solves a zero load under a different pressure. The axis must not change.
 #[test]
 fn solver_under_zero_load_keeps_axis() {
-    let grid = Grid::square(64, 8.0).unwrap();
+    let grid = kit::square(64, 8.0);
     let bodies = unit_bodies(grid, 0.3);
-    let ball = surface::sphere(grid, 10.0).unwrap();
+    let ball = kit::sphere(grid, 10.0);
     let [light, heavy] = [0.05, 0.5].map(|force| {
         let load = NormalLoad::Force(force);
         press(&bodies, &ball, load, TOLERANCE)
     });
-    let friction = Friction::coulomb(0.5).unwrap();
     let along_y = |force| TangentialLoad::force([0.0, force]);
-    let problem = TangentialProblem::builder(&bodies, &light, friction, along_y(0.01));
+    let problem = TangentialProblem::builder(&bodies, &light, kit::coulomb(0.5), along_y(0.01));
     let mut solver = kit::solver(problem);
-    let mut shear = solver.new_solution();
-    solver.solve_into(&mut shear).unwrap();
+    let mut shear = kit::solved(&mut solver);
     solver.set_load(along_y(0.0)).unwrap();
     solver.set_pressure(&heavy).unwrap();
     solver.solve_into(&mut shear).unwrap();

@@ -3,21 +3,21 @@
 
 use rayon::prelude::*;
 use stickslip::analytical::{HertzSphere, NoSlipSphere};
-use stickslip::{
-    ElasticPair, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalLoad, surface,
-};
+use stickslip::{HalfSpace, History, LoadStep, NormalLoad};
 
 const RADIUS: f64 = 10.0;
 
 /// Presses a sphere in steps of equal increments until the Hertzian contact has a radius of one.
 fn pressed(poisson_ratio: f64, coefficient: f64, steps: u32) -> (History, f64) {
-    let grid = Grid::square(65, 2.4).unwrap();
-    let body = Material::new(1.0, poisson_ratio).unwrap();
-    let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+    let grid = kit::square(65, 2.4);
+    let pair = kit::on_rigid(1.0, poisson_ratio);
     let bodies = HalfSpace::new(grid, pair).unwrap();
-    let ball = surface::sphere(grid, RADIUS).unwrap();
     let whole = 4.0 / (3.0 * RADIUS) * pair.contact_modulus();
-    let builder = History::builder(&bodies, &ball, Friction::coulomb(coefficient).unwrap());
+    let builder = History::builder(
+        &bodies,
+        kit::sphere(grid, RADIUS),
+        kit::coulomb(coefficient),
+    );
     let mut history = builder.tolerance(1e-6).build().unwrap();
     for step in 1..=steps {
         let radius = f64::from(step) / f64::from(steps);
@@ -78,8 +78,7 @@ fn sphere_without_slip_is_stiffer() {
                 let hertz = HertzSphere::new(&pair, RADIUS, whole).unwrap();
                 (hertz.approach() / history.approach()).powf(1.5)
             });
-            let body = Material::new(1.0, poisson_ratio).unwrap();
-            let pair = ElasticPair::new(body, Material::rigid()).unwrap();
+            let pair = kit::on_rigid(1.0, poisson_ratio);
             let exact = NoSlipSphere::new(&pair, RADIUS, 1.0).unwrap();
             let hertz = HertzSphere::new(&pair, RADIUS, 1.0).unwrap();
             let exact = (hertz.approach() / exact.approach()).powf(1.5);

@@ -82,7 +82,7 @@ fn blocks_equal_sum_over_cells() {
         let spots = p.map(|value| if value > 0.9 { value } else { 0.0 });
         let spread = Field::constant(grid, 1.0);
         let none = Field::zeros(grid);
-        let points = places(grid, kit::thorough(20, 300), &mut random);
+        let points = places(grid, kit::thorough(10, 300), &mut random);
         for (p, q, tolerance) in [
             (&p, Some([&qx, &qy]), 1e-12),
             (&cap, None, 1e-13),
@@ -103,7 +103,7 @@ fn blocks_equal_sum_over_cells() {
 /// The error of one cell in a block does not cancel against others, so it is the bound of the method.
 #[test]
 fn error_of_single_cell_is_bounded() {
-    let grid = Grid::square(64, 64.0).unwrap();
+    let grid = kit::square(64, 64.0);
     let bodies = bodies(grid);
     let mut random = Random(3);
     let mut worst: f64 = 0.0;
@@ -121,7 +121,7 @@ fn error_of_single_cell_is_bounded() {
         };
         let (p, qx, qy) = (load(1.0), load(random.uniform(-1.0, 1.0)), load(0.5));
         let tractions = Tractions::new(&p).with_traction([&qx, &qy]);
-        let points = places(grid, 24, &mut random);
+        let points = places(grid, kit::thorough(12, 24), &mut random);
         worst = worst.max(errors(&bodies, Body::One, tractions, &points)[0]);
     }
     assert!(worst < 5e-12, "{worst:e}");
@@ -129,7 +129,7 @@ fn error_of_single_cell_is_bounded() {
 
 #[test]
 fn blocks_are_bitwise_identical_for_any_number_of_threads() {
-    let grid = Grid::square(80, 80.0).unwrap();
+    let grid = kit::square(80, 80.0);
     let bodies = bodies(grid);
     let mut random = Random(5);
     let field = random_field(grid, &mut random);

@@ -4,9 +4,8 @@
 use proptest::prelude::*;
 use stickslip::subsurface::{Body, Planes, PointResult, Stress, Tractions, at_points};
 use stickslip::{
-    Axis, Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
-    LoadStep, Material, NormalLoad, NormalProblem, TangentialControl, TangentialLoad,
-    TangentialModel, surface,
+    Axis, Boundary, CoupledProblem, ElasticPair, Error, Field, Grid, HalfSpace, History, LoadStep,
+    Material, NormalLoad, NormalProblem, TangentialControl, TangentialLoad, TangentialModel,
 };
 
 macro_rules! data {
@@ -239,7 +238,7 @@ fn invalid_points_and_bodies_are_rejected() {
 /// points are rejected where its squares and cubes would overflow.
 #[test]
 fn extreme_points_are_finite_or_rejected() {
-    let pair = *on_rigid(Grid::square(1, 1.0).unwrap(), 0.3).pair();
+    let pair = *on_rigid(kit::square(1, 1.0), 0.3).pair();
     let along_y = Boundary::PeriodicAlongY { datum: 10.0 };
     let square = Grid::new(4, 4, 1.0, 1.5).unwrap();
     for (grid, boundary) in [
@@ -305,12 +304,12 @@ fn extreme_points_are_finite_or_rejected() {
 /// Solutions of every type are accepted as a source of tractions. Solutions for different bodies are rejected.
 #[test]
 fn solutions_are_accepted_as_tractions() {
-    let grid = Grid::square(12, 2.4).unwrap();
+    let grid = kit::square(12, 2.4);
     let body = |e| Material::new(e, 0.3).unwrap();
     let pair = ElasticPair::new(body(1.0), body(2.0)).unwrap();
     let bodies = HalfSpace::new(grid, pair).unwrap();
-    let gap = surface::sphere(grid, 5.0).unwrap();
-    let (press, friction) = (NormalLoad::Force(0.1), Friction::coulomb(0.4).unwrap());
+    let gap = kit::sphere(grid, 5.0);
+    let (press, friction) = (NormalLoad::Force(0.1), kit::coulomb(0.4));
     let pull = TangentialLoad::force([0.02, 0.01]);
     let points = [[0.1, 0.2, 0.0], [-0.3, 0.1, 0.4], [2.0, 3.0, 1.0]];
     let at = |tractions: Tractions<'_>| at_points(&bodies, Body::Two, tractions, &points);

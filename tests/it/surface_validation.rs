@@ -7,7 +7,7 @@ use stickslip::history::wear::{self, CycleJump};
 use stickslip::history::{Cycle, LoadPath};
 use stickslip::io::{csv, npy};
 use stickslip::surface::{self, PowerSpectrum, SelfAffine, Statistics};
-use stickslip::{Error, Field, Friction, Grid, History};
+use stickslip::{Error, Field, Grid, History};
 
 fn grid() -> Grid {
     Grid::new(12, 9, 0.5, 0.7).unwrap()
@@ -65,7 +65,7 @@ fn measure(heights: &Field) -> Vec<Result<f64, Error>> {
         PowerSpectrum::of(heights).map(|spectrum| spectrum.moments().iter().sum()),
         field(surface::gap_from_heights(heights)),
         field(surface::gap_between(heights, &Field::zeros(heights.grid()))),
-        field(surface::resample(heights, Grid::square(3, 1.0).unwrap())),
+        field(surface::resample(heights, kit::square(3, 1.0))),
     ]
 }
 
@@ -191,7 +191,7 @@ fn wear_law_rejected_input_leaves_depth_unchanged() {
 #[test]
 fn cycle_jumps_with_invalid_limits_are_rejected() {
     let bodies = unit_bodies(grid(), 0.3);
-    let (gap, friction) = (Field::zeros(grid()), Friction::coulomb(0.5).unwrap());
+    let (gap, friction) = (Field::zeros(grid()), kit::coulomb(0.5));
     let history = History::builder(&bodies, &gap, friction).build().unwrap();
     let cycle = Cycle::new(&history);
     let jump = CycleJump::new(&bodies, &cycle, &Field::constant(grid(), 4e-9)).unwrap();

@@ -3,7 +3,7 @@
 
 use kit::{rough, unit_bodies};
 use stickslip::{
-    Field, Friction, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution, TangentialLoad,
+    Field, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution, TangentialLoad,
     TangentialModel, TangentialProblem, TangentialSolution,
 };
 
@@ -16,7 +16,7 @@ fn solve_on(bodies: &HalfSpace, gap: &Field) -> (NormalSolution, [TangentialSolu
     let normal = NormalProblem::builder(bodies, gap, NormalLoad::Force(60.0));
     let normal = kit::solve(normal);
     let load = TangentialLoad::force([12.0, 0.0]);
-    let friction = Friction::coulomb(0.4).unwrap();
+    let friction = kit::coulomb(0.4);
     let shear = [TangentialModel::Scalar, TangentialModel::Vector].map(|lateral| {
         let shear = TangentialProblem::builder(bodies, &normal, friction.clone(), load);
         kit::solve(shear.model(lateral))

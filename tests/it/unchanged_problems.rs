@@ -3,9 +3,9 @@
 
 use kit::{rough, unit_bodies};
 use stickslip::{
-    Axis, Boundary, CoupledProblem, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace,
-    History, LoadStep, Material, NormalLoad, NormalProblem, Report, TangentialControl,
-    TangentialLoad, TangentialModel, TangentialProblem, surface,
+    Axis, Boundary, CoupledProblem, Coupling, Field, Grid, HalfSpace, History, LoadStep,
+    NormalLoad, NormalProblem, Report, TangentialControl, TangentialLoad, TangentialModel,
+    TangentialProblem, surface,
 };
 
 /// Asserts that a solve only verified the solution on the window, and on the grid if it differs from the window.
@@ -20,20 +20,14 @@ fn assert_only_verified(report: &Report, products: usize, what: &str) {
 }
 
 fn scenes() -> Vec<(&'static str, HalfSpace, Field, f64)> {
-    let ball = Grid::square(48, 4.0).unwrap();
-    let rough_grid = Grid::square(40, 1.0).unwrap();
+    let ball = kit::square(48, 4.0);
+    let rough_grid = kit::square(40, 1.0);
     let oblong = Grid::new(33, 21, 0.1, 0.17).unwrap();
     let flat = surface::ellipsoid(oblong, 8.0, 5.0).unwrap();
-    let body = Material::new(1.0, 0.3).unwrap();
-    let pair = ElasticPair::new(body, body).unwrap();
-    let periodic = HalfSpace::with_boundary(rough_grid, pair, Boundary::Periodic).unwrap();
+    let periodic =
+        HalfSpace::with_boundary(rough_grid, kit::alike(1.0, 0.3), Boundary::Periodic).unwrap();
     vec![
-        (
-            "ball",
-            unit_bodies(ball, 0.3),
-            surface::sphere(ball, 10.0).unwrap(),
-            0.2,
-        ),
+        ("ball", unit_bodies(ball, 0.3), kit::sphere(ball, 10.0), 0.2),
         (
             "rough",
             unit_bodies(rough_grid, 0.3),
@@ -53,8 +47,7 @@ fn unchanged_pressures_and_tractions_are_only_verified() {
         for tolerance in TOLERANCES {
             let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(force));
             let mut press = kit::solver(problem.tolerance(tolerance));
-            let mut normal = press.new_solution();
-            press.solve_into(&mut normal).unwrap();
+            let mut normal = kit::solved(&mut press);
             for control in [
                 NormalLoad::Force(force),
                 NormalLoad::Approach(normal.approach()),
@@ -76,12 +69,11 @@ fn unchanged_pressures_and_tractions_are_only_verified() {
                     TangentialLoad::spring([0.05, 0.0], 0.7),
                 ];
                 for load in loads {
-                    let friction = Friction::coulomb(0.3).unwrap();
-                    let problem = TangentialProblem::builder(&bodies, &normal, friction, load);
+                    let problem =
+                        TangentialProblem::builder(&bodies, &normal, kit::coulomb(0.3), load);
                     let problem = problem.model(model).tolerance(tolerance).build().unwrap();
                     let mut solver = problem.into_solver().unwrap();
-                    let mut shear = solver.new_solution();
-                    solver.solve_into(&mut shear).unwrap();
+                    let mut shear = kit::solved(&mut solver);
                     let before = shear.clone();
                     solver.solve_into(&mut shear).unwrap();
                     let what = format!("{name} {tolerance} {model:?} {load:?}");
@@ -97,8 +89,7 @@ fn unchanged_pressures_and_tractions_are_only_verified() {
 fn unchanged_histories_are_only_verified() {
     for (name, bodies, gap, force) in scenes() {
         for model in [TangentialModel::Scalar, TangentialModel::Vector] {
-            let friction = Friction::coulomb(0.3).unwrap();
-            let builder = History::builder(&bodies, &gap, friction).model(model);
+            let builder = History::builder(&bodies, &gap, kit::coulomb(0.3)).model(model);
             let mut history = builder.tolerance(1e-6).build().unwrap();
             let press = LoadStep::hold().normal(NormalLoad::Force(force));
             let drag = |force| press.tangential(Axis::X, TangentialControl::Force(force));
@@ -120,16 +111,14 @@ fn unchanged_histories_are_only_verified() {
 
 #[test]
 fn unchanged_coupled_contacts_are_only_verified() {
-    let grid = Grid::square(40, 4.0).unwrap();
-    let pair = ElasticPair::new(Material::new(1.0, 0.1).unwrap(), Material::rigid()).unwrap();
-    let bodies = HalfSpace::new(grid, pair).unwrap();
-    let gap = surface::sphere(grid, 10.0).unwrap();
+    let grid = kit::square(40, 4.0);
+    let bodies = HalfSpace::new(grid, kit::on_rigid(1.0, 0.1)).unwrap();
+    let gap = kit::sphere(grid, 10.0);
     let (press, load) = (NormalLoad::Force(0.1), TangentialLoad::force([0.01, 0.0]));
-    let friction = Friction::coulomb(0.3).unwrap();
+    let friction = kit::coulomb(0.3);
     let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), press, load);
     let mut solver = kit::solver(problem.tolerance(1e-6));
-    let mut contact = solver.new_solution();
-    solver.solve_into(&mut contact).unwrap();
+    let mut contact = kit::solved(&mut solver);
     solver.solve_into(&mut contact).unwrap();
     assert_only_verified(&contact.report().work, 2, "coupled");
 

@@ -10,9 +10,9 @@ use stickslip::layers::{Layer, Response};
 use stickslip::rolling::RollingProblem;
 use stickslip::subsurface::{Body, Planes, Tractions, at_points};
 use stickslip::{
-    Axis, Boundary, CellValue, CoupledProblem, ElasticPair, Error, Field, Friction, Grid,
-    HalfSpace, History, Kernel, LoadStep, Material, NormalLoad, Operator, TangentialControl,
-    TangentialLoad, TangentialModel, analytical, surface,
+    Axis, Boundary, CellValue, CoupledProblem, ElasticPair, Error, Field, Grid, HalfSpace, History,
+    Kernel, LoadStep, Material, NormalLoad, Operator, TangentialControl, TangentialLoad,
+    TangentialModel, analytical,
 };
 
 const THICKNESS: f64 = 0.4;
@@ -120,16 +120,16 @@ fn user_kernel_coefficients_match_coating() {
 /// coarser cells, windows and rolling active sets. Their tolerances are far below the tolerance of the comparison.
 #[test]
 fn user_kernel_solves_match_coating() {
-    let grid = Grid::square(72, 7.2).unwrap();
+    let grid = kit::square(72, 7.2);
     let load = NormalLoad::Force(0.6);
-    let friction = Friction::coulomb(0.4).unwrap();
+    let friction = kit::coulomb(0.4);
     let close = |found: &Field, expected: &Field| {
         let error = max_difference(found.as_slice(), expected.as_slice());
         assert!(error < 1e-10 * max_abs(expected.as_slice()), "{error:e}");
     };
     // Both bodies are equal, so pressure and shear are uncoupled.
     let solved = coated_half_spaces(grid, true).map(|bodies| {
-        let gap = surface::sphere(grid, 4.0).unwrap();
+        let gap = kit::sphere(grid, 4.0);
         let normal = press(&bodies, &gap, load, 1e-13);
         let sheared = TangentialLoad::force([0.1, 0.05]);
         let problem =
@@ -158,12 +158,17 @@ fn user_kernel_solves_match_coating() {
         close(other_traction, traction);
     }
 
-    let grid = Grid::square(40, 6.0).unwrap();
+    let grid = kit::square(40, 6.0);
     let solved = coated_half_spaces(grid, false).map(|bodies| {
         assert!(bodies.pair().is_coupled());
-        let gap = surface::sphere(grid, 4.0).unwrap();
         let still = TangentialLoad::force([0.05, 0.0]);
-        let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), load, still);
+        let problem = CoupledProblem::builder(
+            &bodies,
+            kit::sphere(grid, 4.0),
+            friction.clone(),
+            load,
+            still,
+        );
         kit::solve(problem.tolerance(1e-12))
     });
     let [expected, others @ ..] = &solved;
@@ -182,10 +187,10 @@ fn user_kernel_solves_match_coating() {
 /// Checks stiffness, steady rolling, a history with rolling and wear, and lines of cells.
 #[test]
 fn user_kernel_stiffness_rolling_wear_and_lines_match_coating() {
-    let grid = Grid::square(36, 6.0).unwrap();
-    let friction = Friction::coulomb(0.4).unwrap();
+    let grid = kit::square(36, 6.0);
+    let friction = kit::coulomb(0.4);
     let solved = coated_half_spaces(grid, true).map(|bodies| {
-        let mut gap = surface::sphere(grid, 4.0).unwrap();
+        let mut gap = kit::sphere(grid, 4.0);
         let load = NormalLoad::Force(0.4);
         let normal = press(&bodies, &gap, load, 1e-13);
         let rolling = kit::solve(
@@ -257,11 +262,11 @@ fn user_kernel_stiffness_rolling_wear_and_lines_match_coating() {
 /// be continued from these states.
 #[test]
 fn history_continues_only_with_same_kernel() {
-    let grid = Grid::square(24, 6.0).unwrap();
+    let grid = kit::square(24, 6.0);
     let bodies = HalfSpace::new(grid, closure(true)).unwrap();
-    let gap = surface::sphere(grid, 4.0).unwrap();
-    let friction = Friction::coulomb(0.4).unwrap();
-    let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+    let mut history = History::builder(&bodies, kit::sphere(grid, 4.0), kit::coulomb(0.4))
+        .build()
+        .unwrap();
     let step = |force: f64| {
         LoadStep::hold()
             .normal(NormalLoad::Force(0.6))
@@ -320,12 +325,11 @@ fn orthotropic_response_follows_axes() {
         assert!(max_difference(&found, &expected) < 1e-13);
     }
     let softer = on(Kernel::orthotropic(near, 1.0, move |k| tensor(k, 1.5)).unwrap());
-    let gap = surface::sphere(grid, 4.0).unwrap();
-    let friction = Friction::coulomb(1.0).unwrap();
+    let gap = kit::sphere(grid, 4.0);
     let shift = |bodies: &HalfSpace, force: [f64; 2]| {
         let normal = press(bodies, &gap, NormalLoad::Force(0.2), 1e-8);
         let load = TangentialLoad::force(force);
-        shear(bodies, &normal, &friction, load, 1e-8).shift()
+        shear(bodies, &normal, &kit::coulomb(1.0), load, 1e-8).shift()
     };
     assert!(shift(&softer, [0.05, 0.0])[0] > 1.2 * shift(&same, [0.05, 0.0])[0]);
 }
@@ -334,7 +338,7 @@ fn orthotropic_response_follows_axes() {
 #[test]
 fn kernel_without_eigenvalue_bound_is_rejected() {
     let [_, near] = coating(false);
-    let grid = Grid::square(16, 4.0).unwrap();
+    let grid = kit::square(16, 4.0);
     let mut values = vec![0.0; 16 * 16];
     (values[0], values[1], values[16]) = (1.0, 0.6, 0.6);
     let sides = [grid.dx(), grid.dy()];
@@ -353,7 +357,6 @@ fn kernel_without_eigenvalue_bound_is_rejected() {
 #[test]
 fn response_failing_after_first_check_is_rejected() {
     let [coated, near] = coating(false);
-    let grid = Grid::square(16, 3.0).unwrap();
     let hole = move |k: f64| {
         let found = coated.response(k).unwrap();
         let along = if (1.05..1.35).contains(&(0.4 * k)) {
@@ -363,7 +366,11 @@ fn response_failing_after_first_check_is_rejected() {
         };
         Response { along, ..found }
     };
-    let bodies = HalfSpace::new(grid, Kernel::isotropic(near, 0.4, hole).unwrap()).unwrap();
+    let bodies = HalfSpace::new(
+        kit::square(16, 3.0),
+        Kernel::isotropic(near, 0.4, hole).unwrap(),
+    )
+    .unwrap();
     kit::assert_refused! { bodies.operator(Component::XX) => Error::Sample { .. } }
 
     let kernel = Kernel::isotropic(near, 0.4, move |k| coated.response(k).unwrap()).unwrap();
@@ -380,15 +387,14 @@ fn response_failing_after_first_check_is_rejected() {
 fn invalid_kernels_are_rejected() {
     let [coated, near] = coating(false);
     let response = move |k| coated.response(k).unwrap();
-    let grid = Grid::square(16, 4.0).unwrap();
+    let grid = kit::square(16, 4.0);
 
     // A near field that is not a half-space is rejected, and so is a response that does not tend to the near field.
     kit::assert_refused! {
         Kernel::isotropic(coated, 0.4, response) => Error::UnsupportedForCoatings { .. },
         Kernel::isotropic(near, 0.0, response) => Error::NotPositive { value: 0.0, .. },
     }
-    let other = ElasticPair::new(Material::new(3.9, 0.2).unwrap(), Material::rigid()).unwrap();
-    let astray = Kernel::isotropic(other, 0.4, response).unwrap();
+    let astray = Kernel::isotropic(kit::on_rigid(3.9, 0.2), 0.4, response).unwrap();
     kit::assert_refused! { HalfSpace::new(grid, &astray) => Error::BelowMinimum { .. } }
     assert!(HalfSpace::with_boundary(grid, &astray, Boundary::Periodic).is_ok());
     // A thickness greater than the thickness of the layer is rejected for the same reason.
@@ -416,8 +422,7 @@ fn invalid_kernels_are_rejected() {
         }
     })
     .unwrap();
-    let fine = Grid::square(16, 0.1).unwrap();
-    kit::assert_refused! { HalfSpace::with_boundary(fine, &late, Boundary::Periodic) => Error::NotPositive { .. } }
+    kit::assert_refused! { HalfSpace::with_boundary(kit::square(16, 0.1), &late, Boundary::Periodic) => Error::NotPositive { .. } }
 
     // Reject axes that are not aligned with the grid, and free grids.
     let oblique = |[x, y]: [f64; 2]| {
@@ -450,12 +455,9 @@ fn invalid_kernels_are_rejected() {
 #[test]
 fn invalid_tables_are_rejected() {
     let [_, near] = coating(false);
-    let grid = Grid::square(16, 4.0).unwrap();
+    let grid = kit::square(16, 4.0);
     let tabulated = table(false, grid, size(grid));
-    for other in [
-        Grid::square(17, 4.25).unwrap(),
-        Grid::square(16, 4.1).unwrap(),
-    ] {
+    for other in [kit::square(17, 4.25), kit::square(16, 4.1)] {
         kit::assert_refused! { HalfSpace::new(other, &tabulated) => Error::GridMismatch { .. } }
     }
     let refused = HalfSpace::with_boundary(grid, &tabulated, Boundary::Periodic);
@@ -475,7 +477,7 @@ fn invalid_tables_are_rejected() {
 fn pair_of_kernel_is_rejected_without_kernel() {
     let kernel = closure(false);
     let pair = *kernel.pair();
-    let grid = Grid::square(16, 4.0).unwrap();
+    let grid = kit::square(16, 4.0);
     kit::assert_refused! {
         HalfSpace::new(grid, pair) => Error::IncompleteKernel(_),
         pair.response(1.0) => Error::IncompleteKernel(_),
@@ -489,7 +491,7 @@ fn pair_of_kernel_is_rejected_without_kernel() {
     assert!(matches!(asked, Err(Error::UnsupportedForCoatings { .. })));
     let asked = Planes::new(&bodies, &[0.1]);
     assert!(matches!(asked, Err(Error::UnsupportedForCoatings { .. })));
-    let gap = surface::sphere(grid, 5.0).unwrap();
+    let gap = kit::sphere(grid, 5.0);
     let contact = press(&bodies, &gap, NormalLoad::Force(0.3), 1e-6);
     kit::assert_refused! { contact.edges() => Error::UnsupportedForCoatings { .. } }
 }

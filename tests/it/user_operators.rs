@@ -15,10 +15,10 @@ use stickslip::ranks::Threads;
 use stickslip::rolling::RollingProblem;
 use stickslip::stiffness::StiffnessWorkspace;
 use stickslip::{
-    Axis, Boundary, CoupledProblem, Coupling, EigenvalueBound, ElasticPair, Error, Field, Friction,
-    Grid, HalfSpace, History, Kernel, LoadStep, Material, NormalLoad, NormalProblem,
-    NormalSolution, Operator, Scratch, Status, TangentialControl, TangentialLoad, TangentialModel,
-    TangentialProblem, surface,
+    Axis, Boundary, CoupledProblem, Coupling, EigenvalueBound, ElasticPair, Error, Field, Grid,
+    HalfSpace, History, Kernel, LoadStep, Material, NormalLoad, NormalProblem, NormalSolution,
+    Operator, Scratch, Status, TangentialControl, TangentialLoad, TangentialModel,
+    TangentialProblem,
 };
 
 /// Operator of elastic bodies with an additional local compliance, with or without an eigenvalue bound.
@@ -145,7 +145,7 @@ fn close(found: &Field, expected: &Field, tolerance: f64) {
 }
 
 fn gap(bodies: &HalfSpace) -> Field {
-    surface::sphere(bodies.grid(), 3.0).unwrap()
+    kit::sphere(bodies.grid(), 3.0)
 }
 
 /// Compares the pressure, and the traction along x and in both models, on every type of grid.
@@ -169,7 +169,7 @@ fn user_operator_contacts_match_bodies() {
         let solved = |bodies: &HalfSpace| {
             let load = NormalLoad::Force(0.05);
             let normal = press(bodies, &gap(bodies), load, 1e-12);
-            let friction = Friction::coulomb(0.3).unwrap();
+            let friction = kit::coulomb(0.3);
             let problem = |load: TangentialLoad, model| {
                 kit::solve(
                     TangentialProblem::builder(bodies, &normal, friction.clone(), load)
@@ -211,12 +211,10 @@ fn user_operator_contacts_match_bodies() {
 /// Compares the coupled solution and its report.
 #[test]
 fn user_operator_coupled_contacts_match_bodies() {
-    let grid = Grid::square(32, 3.0).unwrap();
-    let bodies = HalfSpace::new(grid, pair(true)).unwrap();
+    let bodies = HalfSpace::new(kit::square(32, 3.0), pair(true)).unwrap();
     let solved = |bodies: &HalfSpace| {
         let (load, still) = (NormalLoad::Force(0.05), TangentialLoad::force([0.006, 0.0]));
-        let friction = Friction::coulomb(0.4).unwrap();
-        let problem = CoupledProblem::builder(bodies, gap(bodies), friction, load, still);
+        let problem = CoupledProblem::builder(bodies, gap(bodies), kit::coulomb(0.4), load, still);
         kit::solve(problem.tolerance(1e-11))
     };
     let (expected, found) = (solved(&bodies), solved(&with_joint_operator(&bodies)));
@@ -238,10 +236,7 @@ fn user_operator_coupled_contacts_match_bodies() {
     assert!(found.report().error_bounds.is_none());
 
     // The coupled problem requires one operator of all directions.
-    let (separate, friction) = (
-        with_separate_operators(&bodies),
-        Friction::coulomb(0.4).unwrap(),
-    );
+    let (separate, friction) = (with_separate_operators(&bodies), kit::coulomb(0.4));
     let (load, still) = (NormalLoad::Force(0.05), TangentialLoad::force([0.006, 0.0]));
     let gap = gap(&bodies);
     let refused = CoupledProblem::builder(&separate, &gap, friction, load, still).build();
@@ -251,9 +246,8 @@ fn user_operator_coupled_contacts_match_bodies() {
 /// Compares a history with load reversal that continues after a restart, and its stiffness.
 #[test]
 fn user_operator_histories_match_bodies() {
-    let grid = Grid::square(kit::thorough(26, 36), 3.0).unwrap();
-    let bodies = HalfSpace::new(grid, pair(false)).unwrap();
-    let friction = Friction::coulomb(0.3).unwrap();
+    let bodies = HalfSpace::new(kit::square(kit::thorough(26, 36), 3.0), pair(false)).unwrap();
+    let friction = kit::coulomb(0.3);
     let step = |normal: f64, force: f64| {
         LoadStep::hold()
             .normal(NormalLoad::Force(normal))
@@ -365,7 +359,7 @@ fn solved(bodies: &HalfSpace) -> NormalSolution {
 /// The errors name the requirement before any work is done.
 #[test]
 fn problems_requiring_half_spaces_are_rejected() {
-    let grid = Grid::square(20, 3.0).unwrap();
+    let grid = kit::square(20, 3.0);
     let bodies = HalfSpace::new(grid, pair(false)).unwrap();
     let near = pair(false);
     let operators = || {
@@ -376,7 +370,7 @@ fn problems_requiring_half_spaces_are_rejected() {
     let kernel = Kernel::operators(near, operators()).unwrap();
     let other = HalfSpace::new(grid, &kernel).unwrap();
     kit::assert_refused! { DenseOperator::of_half_space(&other, Component::ZZ) => Error::UnsupportedForCoatings { .. } }
-    let friction = Friction::coulomb(0.3).unwrap();
+    let friction = kit::coulomb(0.3);
     let normal = solved(&other);
     // The operators allow tractions along x only.
     let [along, across] = [[0.01, 0.0], [0.0, 0.01]].map(|force| {
@@ -402,14 +396,14 @@ fn problems_requiring_half_spaces_are_rejected() {
     kit::assert_refused! {
         history.step(&press().roll(Rolling::new(1))) => Error::UnsupportedForCoatings { .. },
         normal.edges() => Error::UnsupportedForCoatings { .. },
-        HalfSpace::new(Grid::square(21, 3.0).unwrap(), &kernel) => Error::Length { .. },
+        HalfSpace::new(kit::square(21, 3.0), &kernel) => Error::Length { .. },
     }
 }
 
 /// An operator that is not a compliance of bodies is rejected when the kernel is created.
 #[test]
 fn operator_that_is_not_a_compliance_is_rejected() {
-    let grid = Grid::square(8, 1.0).unwrap();
+    let grid = kit::square(8, 1.0);
     let coupled = HalfSpace::new(grid, pair(true)).unwrap();
     let bodies = HalfSpace::new(grid, pair(false)).unwrap();
     let with = |operators| Kernel::operators(pair(false), operators).map(|_| ());
@@ -442,7 +436,7 @@ fn operator_that_is_not_a_compliance_is_rejected() {
     let sizes = Operators::new().with([Z], one()).with(
         [X],
         of(
-            &HalfSpace::new(Grid::square(9, 1.0).unwrap(), pair(false)).unwrap(),
+            &HalfSpace::new(kit::square(9, 1.0), pair(false)).unwrap(),
             [X],
             |_| 0.0,
         ),
@@ -453,8 +447,7 @@ fn operator_that_is_not_a_compliance_is_rejected() {
 /// A product that fails after the initial check ends the solve with the status `Stalled`.
 #[test]
 fn operator_failing_later_stalls_solve() {
-    let grid = Grid::square(12, 2.0).unwrap();
-    let bodies = HalfSpace::new(grid, pair(false)).unwrap();
+    let bodies = HalfSpace::new(kit::square(12, 2.0), pair(false)).unwrap();
     // The probes of the initial check have tractions of both signs.
     let fail = |x: &[f64], out: &mut [f64]| {
         if x.iter().all(|x| *x >= 0.0) {
@@ -477,8 +470,8 @@ fn operator_failing_later_stalls_solve() {
 /// followed by the traction problem, also with entering cells in a history.
 #[test]
 fn operator_without_bound_solves_problems_that_need_none() {
-    let grid = Grid::square(24, 3.0).unwrap();
-    let friction = || Friction::coulomb(0.4).unwrap();
+    let grid = kit::square(24, 3.0);
+    let friction = || kit::coulomb(0.4);
     let without = |coupled: bool| {
         let bodies = HalfSpace::new(grid, pair(coupled)).unwrap();
         let mut all = of(&bodies, [X, Y, Z], |_| 0.0);
@@ -522,14 +515,10 @@ fn operator_without_bound_solves_problems_that_need_none() {
 /// buffers previously used by other bodies.
 #[test]
 fn user_operator_one_way_coupling_matches_bodies() {
-    let bodies = HalfSpace::new(
-        Grid::square(kit::thorough(18, 28), 3.0).unwrap(),
-        pair(true),
-    )
-    .unwrap();
+    let bodies = HalfSpace::new(kit::square(kit::thorough(18, 28), 3.0), pair(true)).unwrap();
     let mut workspace = StiffnessWorkspace::new();
     let mut solved = |bodies: &HalfSpace| {
-        let history = History::builder(bodies, gap(bodies), Friction::coulomb(0.4).unwrap());
+        let history = History::builder(bodies, gap(bodies), kit::coulomb(0.4));
         let history = history.coupling(Coupling::OneWay).tolerance(1e-12);
         let mut history = history.model(TangentialModel::Vector).build().unwrap();
         for force in [0.0, 0.01] {
@@ -564,7 +553,7 @@ fn user_operator_one_way_coupling_matches_bodies() {
 /// On a periodic grid a uniform traction causes no displacement, so an operator with springs is rejected.
 #[test]
 fn operator_with_mean_is_rejected_on_periodic_grid() {
-    let grid = Grid::square(16, 3.0).unwrap();
+    let grid = kit::square(16, 3.0);
     let bodies = HalfSpace::with_boundary(grid, pair(false), Boundary::Periodic).unwrap();
     let on = |spring: f64, boundary: Boundary| {
         let operators = Operators::new().with([Z], of(&bodies, [Z], |_| spring));

@@ -4,8 +4,8 @@
 use kit::{max_difference, rough, unit_bodies, unit_pair};
 use stickslip::history::LoadPath;
 use stickslip::{
-    Axis, Boundary, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad,
-    TangentialControl, TangentialModel, surface,
+    Axis, Boundary, Error, Field, HalfSpace, History, LoadStep, NormalLoad, TangentialControl,
+    TangentialModel,
 };
 
 const FRICTION: f64 = 0.4;
@@ -16,8 +16,8 @@ const STIFFNESS: f64 = 4.0;
 const TOLERANCE: f64 = 1e-9;
 
 fn pressed(poisson_ratio: f64, lateral: TangentialModel) -> History {
-    let grid = Grid::square(48, 12.0).unwrap();
-    let ball = surface::sphere(grid, 20.0).unwrap();
+    let grid = kit::square(48, 12.0);
+    let ball = kit::sphere(grid, 20.0);
     press(&unit_bodies(grid, poisson_ratio), &ball, lateral)
 }
 
@@ -26,19 +26,11 @@ fn press(bodies: &HalfSpace, gap: &Field, lateral: TangentialModel) -> History {
 }
 
 fn press_to(tolerance: f64, bodies: &HalfSpace, gap: &Field, lateral: TangentialModel) -> History {
-    let friction = Friction::coulomb(FRICTION).unwrap();
-    let builder = History::builder(bodies, gap, friction).model(lateral);
+    let builder = History::builder(bodies, gap, kit::coulomb(FRICTION)).model(lateral);
     let mut history = builder.tolerance(tolerance).build().unwrap();
     let press = LoadStep::hold().normal(NormalLoad::Force(LOAD));
     history.step(&press).unwrap();
     history
-}
-
-fn spring(position: f64, stiffness: f64) -> TangentialControl {
-    TangentialControl::Spring {
-        position,
-        stiffness,
-    }
 }
 
 fn both(x: TangentialControl, y: TangentialControl) -> LoadStep {
@@ -64,10 +56,10 @@ fn shift_error(a: &History, b: &History) -> f64 {
 #[test]
 fn springs_of_any_stiffness_match_forces_and_shifts() {
     use TangentialControl::{Force, Hold, Shift};
-    let grid = Grid::square(48, 12.0).unwrap();
+    let grid = kit::square(48, 12.0);
     let repeats = HalfSpace::with_boundary(grid, unit_pair(0.3), Boundary::Periodic).unwrap();
     let scenes = [
-        (unit_bodies(grid, 0.3), surface::sphere(grid, 20.0).unwrap()),
+        (unit_bodies(grid, 0.3), kit::sphere(grid, 20.0)),
         (repeats, rough(grid, 6)),
     ];
     for (bodies, gap) in &scenes {
@@ -80,7 +72,7 @@ fn springs_of_any_stiffness_match_forces_and_shifts() {
             // Returns a spring that exerts approximately `part` of the friction limit on a sticking contact.
             let pull = |part: f64, stiffness: f64| {
                 let compliance = 1.0 / STIFFNESS + 1.0 / stiffness;
-                spring(part * LIMIT * compliance, stiffness)
+                kit::spring(part * LIMIT * compliance, stiffness)
             };
             let other = 3.0 * stiffness;
             for (x, y, twist) in [
@@ -134,16 +126,16 @@ fn springs_of_any_stiffness_match_forces_and_shifts() {
 /// Flat periodic surfaces in full contact do not deform under a uniform traction, so only the springs deform.
 #[test]
 fn flat_periodic_surface_moves_by_its_springs_only() {
-    let grid = Grid::square(16, 12.0).unwrap();
+    let grid = kit::square(16, 12.0);
     let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), Boundary::Periodic).unwrap();
     for stiffness in [1e-3, 1.0, 1e3, 1e5] {
         for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
             let mut history = press(&bodies, &Field::zeros(grid), lateral);
             for part in [0.5, -0.8, 0.1] {
-                let pull = spring(part * LIMIT / stiffness, stiffness);
+                let pull = kit::spring(part * LIMIT / stiffness, stiffness);
                 let load = match lateral {
                     TangentialModel::Scalar => LoadStep::hold().tangential(Axis::X, pull),
-                    _ => both(pull, spring(0.1 * LIMIT, 1.0)),
+                    _ => both(pull, kit::spring(0.1 * LIMIT, 1.0)),
                 };
                 history.step(&load).unwrap();
                 let error = history.tangential_force()[0] / (part * LIMIT) - 1.0;
@@ -158,14 +150,14 @@ fn flat_periodic_surface_moves_by_its_springs_only() {
 /// error of the force must remain small.
 #[test]
 fn stiff_spring_gives_accurate_force_or_an_error() {
-    let grid = Grid::square(16, 12.0).unwrap();
+    let grid = kit::square(16, 12.0);
     let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), Boundary::Periodic).unwrap();
     for lateral in [TangentialModel::Scalar, TangentialModel::Vector] {
         for tolerance in [1e-4, 1e-6, 1e-8] {
             let mut solved = 0;
             for stiffness in [1e3, 1e5, 1e7, 1e9, 1e11] {
                 let mut history = press_to(tolerance, &bodies, &Field::zeros(grid), lateral);
-                let pull = spring(0.5 * LIMIT / stiffness, stiffness);
+                let pull = kit::spring(0.5 * LIMIT / stiffness, stiffness);
                 let step = LoadStep::hold().tangential(Axis::X, pull);
                 if history.step(&step).is_ok() {
                     solved += 1;
@@ -188,14 +180,14 @@ fn stiff_and_soft_springs_prescribe_shift_and_force() {
         [(); 4].map(|()| pressed(0.3, TangentialModel::Vector));
     for part in [[0.5, 0.2], [-0.3, 0.6], [0.1, -0.8]] {
         let shift = part.map(|part| part * LIMIT / STIFFNESS);
-        let [x, y] = shift.map(|shift| spring(shift, 1e10));
+        let [x, y] = shift.map(|shift| kit::spring(shift, 1e10));
         rod.step(&both(x, y)).unwrap();
         by_shift.step(&LoadStep::shift(shift)).unwrap();
         let error = traction_error(&rod, &by_shift);
         assert!(error < 1e-7, "{error:e}");
 
         let force = part.map(|part| part * LIMIT);
-        let [x, y] = force.map(|force| spring(1e4 * force, 1e-4));
+        let [x, y] = force.map(|force| kit::spring(1e4 * force, 1e-4));
         soft.step(&both(x, y)).unwrap();
         by_force.step(&LoadStep::force(force)).unwrap();
         let error = traction_error(&soft, &by_force);
@@ -210,7 +202,7 @@ fn uncoupled_spring_matches_scalar_model() {
     let [mut plane, mut scalar] =
         [TangentialModel::Vector, TangentialModel::Scalar].map(|lateral| pressed(0.0, lateral));
     for (position, stiffness) in [(0.4, 2.0), (0.7, 2.0), (-0.5, 8.0), (0.1, 0.5), (3.0, 2.0)] {
-        let load = LoadStep::hold().tangential(Axis::X, spring(position, stiffness));
+        let load = LoadStep::hold().tangential(Axis::X, kit::spring(position, stiffness));
         plane.step(&load).unwrap();
         scalar.step(&load).unwrap();
         let (traction, shift) = (
@@ -238,7 +230,7 @@ fn closed_loop_dissipates_work_of_far_ends() {
         let (mut work, mut dissipated, mut stored) = (0.0, 0.0, 0.0);
         for position in path.steps() {
             let force = history.tangential_force();
-            let [x, y] = [0, 1].map(|axis| spring(position[axis], stiffness[axis]));
+            let [x, y] = [0, 1].map(|axis| kit::spring(position[axis], stiffness[axis]));
             let step = history.step(&both(x, y)).unwrap();
             let (after, energy) = (step.tangential_force(), step.energy());
             for axis in 0..2 {
@@ -265,7 +257,7 @@ fn springs_can_slide_the_contact() {
     let stiffness = [4.0, 2.0];
     for (way, slides) in [(2.0, true), (4.0, true), (80.0, true), (79.5, false)] {
         let position = [0.6 * way, 0.8 * way];
-        let [x, y] = [0, 1].map(|axis| spring(position[axis], stiffness[axis]));
+        let [x, y] = [0, 1].map(|axis| kit::spring(position[axis], stiffness[axis]));
         let before = history.shift();
         let step = history.step(&both(x, y)).unwrap();
         assert_eq!(step.is_gross_slip(), slides, "{way}");
@@ -287,7 +279,7 @@ fn springs_can_slide_the_contact() {
     }
 
     // If a force at the friction limit causes gross slip, the force of a spring across this force is zero.
-    let slide = both(TangentialControl::Force(limit), spring(70.0, 2.0));
+    let slide = both(TangentialControl::Force(limit), kit::spring(70.0, 2.0));
     let step = history.step(&slide).unwrap();
     assert!(step.is_gross_slip());
     assert!(
@@ -301,11 +293,11 @@ fn springs_can_slide_the_contact() {
 fn invalid_springs_are_rejected() {
     let mut history = pressed(0.3, TangentialModel::Vector);
     history
-        .step(&both(spring(0.2, 3.0), spring(0.1, 2.0)))
+        .step(&both(kit::spring(0.2, 3.0), kit::spring(0.1, 2.0)))
         .unwrap();
     let saved = history.to_bytes();
     for stiffness in [0.0, -2.0, f64::INFINITY, f64::NAN] {
-        let bad = spring(0.1, stiffness);
+        let bad = kit::spring(0.1, stiffness);
         for load in [
             both(bad, TangentialControl::Hold),
             both(TangentialControl::Force(0.1), bad),
@@ -316,7 +308,7 @@ fn invalid_springs_are_rejected() {
             assert_eq!(value.to_bits(), stiffness.to_bits());
         }
     }
-    let refused = history.step(&both(TangentialControl::Hold, spring(f64::NAN, 2.0)));
+    let refused = history.step(&both(TangentialControl::Hold, kit::spring(f64::NAN, 2.0)));
     assert!(matches!(refused, Err(Error::NotFinite { .. })));
     assert_eq!(history.to_bytes(), saved);
 }

@@ -3,27 +3,23 @@
 
 use kit::{rough, unit_bodies};
 use stickslip::{
-    Axis, Error, Field, Friction, Grid, HalfSpace, History, LoadStep, NormalLoad, NormalProblem,
-    NormalSolution, NormalSolver, TangentialControl, TangentialModel, surface,
+    Axis, Error, Field, HalfSpace, History, LoadStep, NormalLoad, NormalProblem, NormalSolution,
+    NormalSolver, TangentialControl, TangentialModel,
 };
 
 const FORCE: f64 = 0.2;
 
 fn scenes() -> [(HalfSpace, Field, f64); 2] {
-    let ball = Grid::square(96, 4.0).unwrap();
-    let plain = Grid::square(96, 1.0).unwrap();
+    let ball = kit::square(96, 4.0);
+    let plain = kit::square(96, 1.0);
     [
-        (
-            unit_bodies(ball, 0.3),
-            surface::sphere(ball, 10.0).unwrap(),
-            FORCE,
-        ),
+        (unit_bodies(ball, 0.3), kit::sphere(ball, 10.0), FORCE),
         (unit_bodies(plain, 0.3), rough(plain, 3), 0.02),
     ]
 }
 
 fn history(bodies: &HalfSpace, gap: &Field) -> History {
-    History::builder(bodies, gap, Friction::coulomb(0.4).unwrap())
+    History::builder(bodies, gap, kit::coulomb(0.4))
         .tolerance(1e-6)
         .build()
         .unwrap()
@@ -33,8 +29,7 @@ fn history(bodies: &HalfSpace, gap: &Field) -> History {
 fn solved(bodies: &HalfSpace, gap: &Field, load: NormalLoad) -> (NormalSolver, NormalSolution) {
     let problem = NormalProblem::builder(bodies, gap, load).tolerance(1e-6);
     let mut press = kit::solver(problem);
-    let mut contact = press.new_solution();
-    press.solve_into(&mut contact).unwrap();
+    let contact = kit::solved(&mut press);
     (press, contact)
 }
 
@@ -98,7 +93,7 @@ fn continued_load_costs_less() {
 /// If the extrapolated contact outgrows its window, the solve restarts with few more products than a cold solve.
 #[test]
 fn contact_outgrowing_its_window_costs_as_much_as_cold_solve() {
-    let grid = Grid::square(192, 4.0).unwrap();
+    let grid = kit::square(192, 4.0);
     let bodies = unit_bodies(grid, 0.3);
     let [cone, ball] = [|r: f64| 0.1 * r, |r: f64| 0.05 * r * r]
         .map(|profile| Field::from_fn(grid, |x, y| profile(x.hypot(y))));
@@ -202,7 +197,7 @@ fn failed_step_does_not_move_start() {
 fn continued_shear_costs_less_than_paused_shear() {
     for (bodies, gap, force) in scenes() {
         for model in [TangentialModel::Scalar, TangentialModel::Vector] {
-            let builder = History::builder(&bodies, &gap, Friction::coulomb(0.4).unwrap());
+            let builder = History::builder(&bodies, &gap, kit::coulomb(0.4));
             let mut history = builder.tolerance(1e-6).model(model).build().unwrap();
             let mut paused = history.clone();
             history.step(&step(force, 0.0)).unwrap();

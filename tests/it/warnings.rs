@@ -4,9 +4,9 @@ use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::history::{Cycle, Rolling};
 use stickslip::subsurface::{Body, Planes};
 use stickslip::{
-    Boundary, CoupledProblem, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace, History,
-    LoadStep, Material, NormalLoad, NormalProblem, NormalSolution, TangentialLoad, TangentialModel,
-    TangentialProblem, TangentialSolution, Warning, Zone, surface,
+    Boundary, CoupledProblem, Coupling, ElasticPair, Field, Grid, HalfSpace, History, LoadStep,
+    NormalLoad, NormalProblem, NormalSolution, TangentialLoad, TangentialModel, TangentialProblem,
+    TangentialSolution, Warning, Zone, surface,
 };
 
 fn press(grid: Grid, boundary: Boundary, gap: &Field) -> (HalfSpace, NormalSolution) {
@@ -33,9 +33,8 @@ fn cylinder_ending_with_grid_gives_warning() {
     assert_eq!(across(&contact), Some([false, true]));
     let at = |iy: usize| contact.pressure().get(16, iy).unwrap();
     assert!(at(0) > 1.5 * at(24));
-    let friction = Friction::coulomb(0.4).unwrap();
     let load = TangentialLoad::force([0.6, 0.0]);
-    let shear = TangentialProblem::builder(&bodies, &contact, friction, load);
+    let shear = TangentialProblem::builder(&bodies, &contact, kit::coulomb(0.4), load);
     let shear = kit::solve(shear);
     assert_eq!(shear.warnings(), contact.warnings());
     let words = contact
@@ -52,7 +51,7 @@ fn cylinder_ending_with_grid_gives_warning() {
     assert_eq!(across(&press(grid, Boundary::NonPeriodic, &rising).1), None);
     assert_eq!(across(&press(grid, Boundary::Periodic, &cylinder).1), None);
     // A rough surface in contact at all edges of the grid touches in spots only.
-    let rough = kit::rough(Grid::square(48, 48.0).unwrap(), 3);
+    let rough = kit::rough(kit::square(48, 48.0), 3);
     let (_, contact) = press(rough.grid(), Boundary::NonPeriodic, &rough);
     assert_eq!(across(&contact), None);
 }
@@ -67,7 +66,7 @@ fn line_of_cells_gives_warning() {
         let (_, contact) = press(grid, Boundary::Periodic, &gap);
         assert!(!contact.warnings().contains(&Warning::SingleRowOfCells));
     }
-    let grid = Grid::square(1, 1.0).unwrap();
+    let grid = kit::square(1, 1.0);
     let (_, contact) = press(grid, Boundary::NonPeriodic, &Field::zeros(grid));
     assert!(!contact.warnings().contains(&Warning::SingleRowOfCells));
 }
@@ -76,16 +75,14 @@ fn line_of_cells_gives_warning() {
 /// given number of cells.
 fn ball(cells_per_radius: usize, part: f64) -> (HertzSphere, NormalSolution, TangentialSolution) {
     let n = (14 * cells_per_radius).div_ceil(5) + 2;
-    let grid = Grid::square(n, n as f64 / cells_per_radius as f64).unwrap();
+    let grid = kit::square(n, n as f64 / cells_per_radius as f64);
     let pair = kit::unit_pair(0.3);
     let load = 4.0 / 3.0 * pair.contact_modulus() / 20.0;
     let bodies = HalfSpace::new(grid, pair).unwrap();
-    let gap = surface::sphere(grid, 20.0).unwrap();
-    let press = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(load));
+    let press = NormalProblem::builder(&bodies, kit::sphere(grid, 20.0), NormalLoad::Force(load));
     let normal = kit::solve(press);
-    let friction = Friction::coulomb(0.5).unwrap();
     let drag = TangentialLoad::force([part * 0.5 * load, 0.0]);
-    let shear = TangentialProblem::builder(&bodies, &normal, friction, drag);
+    let shear = TangentialProblem::builder(&bodies, &normal, kit::coulomb(0.5), drag);
     let shear = kit::solve(shear);
     let hertz = HertzSphere::new(&pair, 20.0, load).unwrap();
     (hertz, normal, shear)
@@ -134,13 +131,13 @@ fn narrow_slip_ring_gives_warning() {
 /// A step of a history has the same warning. A cycle has the warning if none of its steps had a wider slip zone.
 #[test]
 fn narrow_slip_ring_in_history_gives_warning() {
-    let grid = Grid::square(32, 2.8).unwrap();
+    let grid = kit::square(32, 2.8);
     let pair = kit::unit_pair(0.3);
     let load = 4.0 / 3.0 * pair.contact_modulus() / 20.0;
     let bodies = HalfSpace::new(grid, pair).unwrap();
-    let gap = surface::sphere(grid, 20.0).unwrap();
-    let friction = Friction::coulomb(0.5).unwrap();
-    let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+    let mut history = History::builder(&bodies, kit::sphere(grid, 20.0), kit::coulomb(0.5))
+        .build()
+        .unwrap();
     let press = LoadStep::hold().normal(NormalLoad::Force(load));
     assert!(history.step(&press).unwrap().warnings().is_empty());
     let mut cycle = Cycle::new(&history);
@@ -188,18 +185,17 @@ fn contact_and_stick_zone_of_few_cells_give_warning() {
 /// not grow.
 #[test]
 fn pressing_dissimilar_bodies_in_one_step_gives_warning() {
-    let grid = Grid::square(24, 2.8).unwrap();
-    let unlike = ElasticPair::new(Material::new(1.0, 0.0).unwrap(), Material::rigid()).unwrap();
+    let grid = kit::square(24, 2.8);
+    let unlike = kit::on_rigid(1.0, 0.0);
     let (ball, punch) = (
-        surface::sphere(grid, 20.0).unwrap(),
+        kit::sphere(grid, 20.0),
         Field::from_fn(grid, |x, y| if x.hypot(y) < 1.0 { 0.0 } else { 9.0 }),
     );
     let solve = |pair: ElasticPair, gap: &Field, friction: f64| {
         let bodies = HalfSpace::new(grid, pair).unwrap();
-        let friction = Friction::coulomb(friction).unwrap();
         let press = NormalLoad::Force(0.06);
         let still = TangentialLoad::shift([0.0; 2]);
-        let problem = CoupledProblem::builder(&bodies, gap, friction, press, still);
+        let problem = CoupledProblem::builder(&bodies, gap, kit::coulomb(friction), press, still);
         kit::solve(problem)
     };
     let is_remarked = |pair, gap, friction| {
@@ -212,7 +208,7 @@ fn pressing_dissimilar_bodies_in_one_step_gives_warning() {
     assert!(!is_remarked(kit::unit_pair(0.3), &ball, 0.3));
 
     let bodies = HalfSpace::new(grid, unlike).unwrap();
-    let builder = History::builder(&bodies, &ball, Friction::coulomb(0.3).unwrap());
+    let builder = History::builder(&bodies, &ball, kit::coulomb(0.3));
     let mut history = builder.build().unwrap();
     for step in 1..=8 {
         let force = 0.06 * (f64::from(step) / 8.0).powi(3);
@@ -252,17 +248,16 @@ fn pressing_dissimilar_bodies_in_one_step_gives_warning() {
 /// coupled problems, for any coupling. A cycle has the warning of its steps.
 #[test]
 fn pressing_dissimilar_history_in_one_step_gives_warning() {
-    let grid = Grid::square(20, 2.8).unwrap();
-    let unlike = ElasticPair::new(Material::new(1.0, 0.0).unwrap(), Material::rigid()).unwrap();
+    let grid = kit::square(20, 2.8);
+    let unlike = kit::on_rigid(1.0, 0.0);
     let (ball, punch) = (
-        surface::sphere(grid, 20.0).unwrap(),
+        kit::sphere(grid, 20.0),
         Field::from_fn(grid, |x, y| if x.hypot(y) < 1.0 { 0.0 } else { 9.0 }),
     );
     let press = |force| LoadStep::hold().normal(NormalLoad::Force(force));
     let is_remarked = |pair: ElasticPair, gap: &Field, coefficient: f64, coupling| {
         let bodies = HalfSpace::new(grid, pair).unwrap();
-        let friction = Friction::coulomb(coefficient).unwrap();
-        let builder = History::builder(&bodies, gap, friction).coupling(coupling);
+        let builder = History::builder(&bodies, gap, kit::coulomb(coefficient)).coupling(coupling);
         let mut history = builder.build().unwrap();
         let mut cycle = Cycle::new(&history);
         let step = history.step(&press(0.06)).unwrap().warnings();
@@ -285,9 +280,9 @@ fn pressing_dissimilar_history_in_one_step_gives_warning() {
         let bodies = HalfSpace::new(grid, pair).unwrap();
         let normal = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(0.06));
         let normal = kit::solve(normal);
-        let friction = Friction::coulomb(coefficient).unwrap();
         let still = TangentialLoad::force([0.0; 2]);
-        let problem = TangentialProblem::builder(&bodies, &normal, friction, still);
+        let problem =
+            TangentialProblem::builder(&bodies, &normal, kit::coulomb(coefficient), still);
         let solution = kit::solve(problem.coupling(coupling));
         solution.warnings().contains(&Warning::SingleLoadStep)
     };
@@ -320,14 +315,12 @@ fn surface_stress_at_edge_gives_warning() {
 /// then half of the work.
 #[test]
 fn narrow_slip_of_rolling_step_is_below_one_cell() {
-    let grid = Grid::square(20, 2.6).unwrap();
+    let grid = kit::square(20, 2.6);
     let pair = kit::unit_pair(0.3);
     let bodies = HalfSpace::new(grid, pair).unwrap();
-    let gap = surface::sphere(grid, 20.0).unwrap();
     let load = 4.0 / 3.0 * pair.contact_modulus() / 20.0;
     for (part, is_narrow) in [(0.1, true), (0.6, false), (0.9, false)] {
-        let friction = Friction::coulomb(0.5).unwrap();
-        let builder = History::builder(&bodies, &gap, friction);
+        let builder = History::builder(&bodies, kit::sphere(grid, 20.0), kit::coulomb(0.5));
         let mut history = builder.model(TangentialModel::Vector).build().unwrap();
         let press = LoadStep::hold().normal(NormalLoad::Force(load));
         history.step(&press).unwrap();

@@ -4,8 +4,8 @@
 use kit::{boundaries, max_abs, max_difference, rough, unit_bodies, unit_pair};
 use stickslip::history::EntryRule;
 use stickslip::{
-    Axis, Coupling, ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material,
-    NormalLoad, TangentialControl, TangentialModel, surface,
+    Axis, Coupling, ElasticPair, Field, Grid, HalfSpace, History, LoadStep, Material, NormalLoad,
+    TangentialControl, TangentialModel,
 };
 
 const FRICTION: f64 = 0.4;
@@ -22,7 +22,7 @@ fn step_to((radius, part): (f64, f64)) -> LoadStep {
 }
 
 fn sphere_gap(grid: Grid) -> Field {
-    surface::sphere(grid, RADIUS).unwrap()
+    kit::sphere(grid, RADIUS)
 }
 
 fn new_history(
@@ -31,14 +31,14 @@ fn new_history(
     model: TangentialModel,
     coupling: Coupling,
 ) -> History {
-    let builder = History::builder(bodies, gap, Friction::coulomb(FRICTION).unwrap());
+    let builder = History::builder(bodies, gap, kit::coulomb(FRICTION));
     let builder = builder.model(model).coupling(coupling).tolerance(1e-9);
     builder.entry_rule(EntryRule::WholeStep).build().unwrap()
 }
 
 /// Returns one history of each kind.
 fn histories() -> Vec<History> {
-    let grid = Grid::square(96, 96.0).unwrap();
+    let grid = kit::square(96, 96.0);
     let mut bumpy = sphere_gap(grid);
     bumpy.add_scaled(2e-4, &rough(grid, 3)).unwrap();
     let alike = unit_bodies(grid, 0.3);
@@ -56,7 +56,7 @@ fn histories() -> Vec<History> {
 
 /// Returns a history on a grid that is periodic along y. Its windows are cropped only along x.
 fn periodic_history() -> History {
-    let grid = Grid::square(96, 96.0).unwrap();
+    let grid = kit::square(96, 96.0);
     let [.., along_y] = boundaries(grid);
     let bodies = HalfSpace::with_boundary(grid, unit_pair(0.3), along_y).unwrap();
     new_history(

@@ -5,6 +5,7 @@ use crate::cgm::reduce;
 use crate::error::positive;
 use crate::error::{Error, Result};
 use crate::grid::field::Field;
+use crate::grid::record::checked_struct;
 use crate::history::cycle::hysteresis::{LoopPoint, half_range, part_of};
 use crate::history::step::diagnostics::StepDiagnostics;
 use crate::history::{EnergyBalance, History};
@@ -12,69 +13,76 @@ use crate::memory::fallible::unwrap_or_abort;
 use crate::numerics::cell_vector::norm;
 use crate::parallel::{self, Blocks, CHUNK, blocks};
 use crate::support::debug::shown;
-#[cfg(feature = "serde")]
-use crate::support::serialise::checked;
 
 pub(super) mod fretting_loop;
 pub(super) mod hysteresis;
 
-/// Slip, energy and the loop of force and shift, accumulated over the steps of a cycle.
-///
-/// A cycle starts at the present state of a history. Call [`add`](Self::add) once after each step. A
-/// [`FrettingLoop`](crate::history::FrettingLoop) makes these calls itself.
-///
-/// # Memory
-/// A cycle stores nine numbers per cell. A new cycle allocates memory only if it has more steps than every earlier cycle.
-///
-/// # Distributed bodies
-/// On [distributed](crate::HalfSpace::distributed) bodies [begin](Self::begin) and [add](Self::add) are collective.
-/// Each rank then has the scalar results of the whole contact and the fields of its local cells. Reading them needs no further
-/// messages.
-///
-/// # Examples
-///
-/// ```
-/// use stickslip::history::{Cycle, LoadPath, Regime};
-/// use stickslip::*;
-/// let grid = Grid::square(48, 0.30e-3)?;
-/// let steel = Material::new(213e9, 0.29)?;
-/// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
-/// let ball = surface::sphere(grid, 3.5e-3)?;
-/// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
-/// history.step(&LoadStep::hold().normal(NormalLoad::Force(100.0)))?;
-///
-/// let path = LoadPath::sine([40.0, 0.0], 16)?;
-/// let mut cycle = Cycle::new(&history);
-/// for _ in 0..2 {
-///     cycle.begin(&history)?;
-///     for &force in path.steps() {
-///         history.step(&LoadStep::force(force))?;
-///         cycle.add(&history)?;
-///     }
-/// }
-/// assert_eq!(cycle.regime(), Regime::PartialSlip);
-/// assert!((cycle.force_amplitude()[0] / 40.0 - 1.0).abs() < 1e-12);
-/// // The second cycle ends as it started, and all its work is dissipated.
-/// assert!(cycle.cyclic_residual() < 1e-6);
-/// let energy = cycle.energy();
-/// assert!((energy.work / energy.dissipated_energy_midpoint - 1.0).abs() < 1e-6);
-/// # Ok::<(), Error>(())
-/// ```
-#[derive(Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Cycle {
-    sums: CycleSums,
-    /// Largest magnitude of a traction in the cycle.
-    largest_traction: f64,
-    /// Largest magnitude of a change of traction since the start of the cycle.
-    traction_change: f64,
-    energy: EnergyBalance,
-    points: Vec<LoopPoint>,
-    stick_ratios: [f64; 2],
-    regime: Regime,
-    pub(super) remarks: StepDiagnostics,
-    /// Number of the last step in the cycle, or of the last step before it.
-    last_step: u64,
+checked_struct! {
+    /// Slip, energy and the loop of force and shift, accumulated over the steps of a cycle.
+    ///
+    /// A cycle starts at the present state of a history. Call [`add`](Self::add) once after each step. A
+    /// [`FrettingLoop`](crate::history::FrettingLoop) makes these calls itself.
+    ///
+    /// # Memory
+    /// A cycle stores nine numbers per cell. A new cycle allocates memory only if it has more steps than every earlier cycle.
+    ///
+    /// # Distributed bodies
+    /// On [distributed](crate::HalfSpace::distributed) bodies [begin](Self::begin) and [add](Self::add) are collective.
+    /// Each rank then has the scalar results of the whole contact and the fields of its local cells. Reading them needs no further
+    /// messages.
+    ///
+    /// # Examples
+    ///
+    /// ```
+    /// use stickslip::history::{Cycle, LoadPath, Regime};
+    /// use stickslip::*;
+    /// let grid = Grid::square(48, 0.30e-3)?;
+    /// let steel = Material::new(213e9, 0.29)?;
+    /// let bodies = HalfSpace::new(grid, ElasticPair::new(steel, steel)?)?;
+    /// let ball = surface::sphere(grid, 3.5e-3)?;
+    /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.5)?).build()?;
+    /// history.step(&LoadStep::hold().normal(NormalLoad::Force(100.0)))?;
+    ///
+    /// let path = LoadPath::sine([40.0, 0.0], 16)?;
+    /// let mut cycle = Cycle::new(&history);
+    /// for _ in 0..2 {
+    ///     cycle.begin(&history)?;
+    ///     for &force in path.steps() {
+    ///         history.step(&LoadStep::force(force))?;
+    ///         cycle.add(&history)?;
+    ///     }
+    /// }
+    /// assert_eq!(cycle.regime(), Regime::PartialSlip);
+    /// assert!((cycle.force_amplitude()[0] / 40.0 - 1.0).abs() < 1e-12);
+    /// // The second cycle ends as it started, and all its work is dissipated.
+    /// assert!(cycle.cyclic_residual() < 1e-6);
+    /// let energy = cycle.energy();
+    /// assert!((energy.work / energy.dissipated_energy_midpoint - 1.0).abs() < 1e-6);
+    /// # Ok::<(), Error>(())
+    /// ```
+    #[derive(Clone, PartialEq)]
+    pub struct Cycle {
+        sums: CycleSums,
+        /// Largest magnitude of a traction in the cycle.
+        largest_traction: f64,
+        /// Largest magnitude of a change of traction since the start of the cycle.
+        traction_change: f64,
+        energy: EnergyBalance,
+        points: Vec<LoopPoint>,
+        stick_ratios: [f64; 2],
+        regime: Regime,
+        pub(super) remarks: StepDiagnostics,
+        /// Number of the last step in the cycle, or of the last step before it.
+        last_step: u64,
+    }
+    #[serde(remote = "Cycle")]
+    check(read) {
+        let grid = read.sums.slip_distance.grid();
+        for field in read.sums.fields() {
+            field.check("field of the cycle", grid)?;
+        }
+        positive("points of the cycle", read.points.len() as f64).map(|_| ())
+    }
 }
 
 shown!(Cycle: steps(), regime, stick_ratios, energy);
@@ -102,35 +110,6 @@ impl CycleSums {
         ];
         let vectors = [&self.slip_amplitude, &self.least_slip, &self.first_traction];
         scalars.into_iter().chain(vectors.into_iter().flatten())
-    }
-}
-
-/// Deserialised value before validation.
-#[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(remote = "Cycle")]
-struct RawCycle {
-    sums: CycleSums,
-    largest_traction: f64,
-    traction_change: f64,
-    energy: EnergyBalance,
-    points: Vec<LoopPoint>,
-    stick_ratios: [f64; 2],
-    regime: Regime,
-    remarks: StepDiagnostics,
-    last_step: u64,
-}
-
-#[cfg(feature = "serde")]
-impl<'de> serde::Deserialize<'de> for Cycle {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        checked(RawCycle::deserialize(deserializer)?, |read| {
-            let grid = read.sums.slip_distance.grid();
-            for field in read.sums.fields() {
-                field.check("field of the cycle", grid)?;
-            }
-            positive("points of the cycle", read.points.len() as f64).map(|_| ())
-        })
     }
 }
 

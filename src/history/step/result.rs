@@ -5,39 +5,65 @@ use crate::error::Result;
 use crate::error::{all_finite, at_least, finite};
 use crate::grid::Grid;
 use crate::grid::field::Field;
+use crate::grid::record::checked_struct;
 use crate::history::EnergyBalance;
 use crate::history::step::diagnostics::StepDiagnostics;
 use crate::memory::fallible::try_clone;
 use crate::report::{Report, Status};
 use crate::support::debug::shown;
-#[cfg(feature = "serde")]
-use crate::support::serialise::checked;
 use crate::warning::Warning;
 
-/// Slip, energies, forces and reports of one step.
-///
-/// Vectors are `[x, y]`. In the scalar model the component across the axis of the tractions is zero. The
-/// [`History`](crate::history::History) has the state after the step.
-#[derive(Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct StepResult {
-    pub(in crate::history) slip: [Field; 2],
-    pub(in crate::history) slip_distance: Field,
-    pub(in crate::history) dissipated_energy: Field,
-    pub(in crate::history) dissipated_energy_midpoint: Field,
-    pub(in crate::history) energy: EnergyBalance,
-    pub(in crate::history) normal_force: f64,
-    pub(in crate::history) approach: f64,
-    pub(in crate::history) force: [f64; 2],
-    pub(in crate::history) moment: f64,
-    pub(in crate::history) shift: [f64; 2],
-    pub(in crate::history) twist: f64,
-    pub(in crate::history) creepage: Option<[f64; 2]>,
-    pub(in crate::history) stick_cells: usize,
-    pub(in crate::history) slip_cells: usize,
-    pub(in crate::history) remarks: StepDiagnostics,
-    pub(in crate::history) normal_report: Report,
-    pub(in crate::history) tangential_report: Report,
+checked_struct! {
+    /// Slip, energies, forces and reports of one step.
+    ///
+    /// Vectors are `[x, y]`. In the scalar model the component across the axis of the tractions is zero. The
+    /// [`History`](crate::history::History) has the state after the step.
+    #[derive(Clone, PartialEq)]
+    pub struct StepResult {
+        pub(in crate::history) slip: [Field; 2],
+        pub(in crate::history) slip_distance: Field,
+        pub(in crate::history) dissipated_energy: Field,
+        pub(in crate::history) dissipated_energy_midpoint: Field,
+        pub(in crate::history) energy: EnergyBalance,
+        pub(in crate::history) normal_force: f64,
+        pub(in crate::history) approach: f64,
+        pub(in crate::history) force: [f64; 2],
+        pub(in crate::history) moment: f64,
+        pub(in crate::history) shift: [f64; 2],
+        pub(in crate::history) twist: f64,
+        #[cfg_attr(feature = "serde", serde(default))]
+        pub(in crate::history) creepage: Option<[f64; 2]>,
+        pub(in crate::history) stick_cells: usize,
+        pub(in crate::history) slip_cells: usize,
+        pub(in crate::history) remarks: StepDiagnostics,
+        pub(in crate::history) normal_report: Report,
+        pub(in crate::history) tangential_report: Report,
+    }
+    #[serde(remote = "StepResult")]
+    check(read) {
+        let grid = read.slip_distance.grid();
+        for slip in &read.slip {
+            slip.check("slip", grid)?;
+        }
+        read.slip_distance.check("slip length", grid)?;
+        read.dissipated_energy.check("dissipated energy", grid)?;
+        read.dissipated_energy_midpoint
+            .check("dissipated energy", grid)?;
+        finite("normal force", read.normal_force)?;
+        finite("approach", read.approach)?;
+        all_finite("tangential force", &read.force)?;
+        finite("moment", read.moment)?;
+        all_finite("shift", &read.shift)?;
+        finite("twist", read.twist)?;
+        all_finite("creepage", &read.creepage.unwrap_or_default())?;
+        let cells = grid.cells() as f64;
+        [read.stick_cells, read.slip_cells]
+            .into_iter()
+            .try_for_each(|counted| {
+                let name = "cells that stick or slip";
+                at_least(name, counted as f64, "number of cells", cells).map(|_| ())
+            })
+    }
 }
 
 shown!(StepResult: normal_force, approach, force, shift, twist, stick_ratio(), energy);
@@ -46,61 +72,6 @@ try_clone!(StepResult { slip, slip_distance, dissipated_energy, dissipated_energ
     energy, normal_force, approach, force, moment, shift, twist, creepage, stick_cells, slip_cells, remarks,
     normal_report, tangential_report,
 });
-
-/// Deserialised value before validation.
-#[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(remote = "StepResult")]
-struct RawStepResult {
-    slip: [Field; 2],
-    slip_distance: Field,
-    dissipated_energy: Field,
-    dissipated_energy_midpoint: Field,
-    energy: EnergyBalance,
-    normal_force: f64,
-    approach: f64,
-    force: [f64; 2],
-    moment: f64,
-    shift: [f64; 2],
-    twist: f64,
-    #[serde(default)]
-    creepage: Option<[f64; 2]>,
-    stick_cells: usize,
-    slip_cells: usize,
-    remarks: StepDiagnostics,
-    normal_report: Report,
-    tangential_report: Report,
-}
-
-#[cfg(feature = "serde")]
-impl<'de> serde::Deserialize<'de> for StepResult {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        checked(RawStepResult::deserialize(deserializer)?, |read| {
-            let grid = read.slip_distance.grid();
-            for slip in &read.slip {
-                slip.check("slip", grid)?;
-            }
-            read.slip_distance.check("slip length", grid)?;
-            read.dissipated_energy.check("dissipated energy", grid)?;
-            read.dissipated_energy_midpoint
-                .check("dissipated energy", grid)?;
-            finite("normal force", read.normal_force)?;
-            finite("approach", read.approach)?;
-            all_finite("tangential force", &read.force)?;
-            finite("moment", read.moment)?;
-            all_finite("shift", &read.shift)?;
-            finite("twist", read.twist)?;
-            all_finite("creepage", &read.creepage.unwrap_or_default())?;
-            let cells = grid.cells() as f64;
-            [read.stick_cells, read.slip_cells]
-                .into_iter()
-                .try_for_each(|counted| {
-                    let name = "cells that stick or slip";
-                    at_least(name, counted as f64, "number of cells", cells).map(|_| ())
-                })
-        })
-    }
-}
 
 impl StepResult {
     /// Creates an empty result.

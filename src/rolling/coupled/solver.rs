@@ -3,11 +3,10 @@
 use crate::bodies::component::Direction;
 use crate::cgm::Settings;
 use crate::contact::{
-    Cancellation, Contact, Model, SolveContext, Solver, has_iterate, with_counts_of,
+    Cancellation, Contact, Model, SolveContext, Solver, has_iterate, model_fields, with_counts_of,
 };
 use crate::error::{Error, Result};
 use crate::grid::field::{self, Field};
-use crate::half_space::HalfSpace;
 use crate::memory::fallible::{self, TryClone};
 use crate::normal::{NormalLoad, NormalProblem, NormalSolution, NormalSolver};
 use crate::observer::Observer;
@@ -102,17 +101,7 @@ impl Contact for CoupledRollingProblem {
 impl Model<CoupledRollingSolution> for CoupledRollingProblem {
     type Engine = CoupledRollingEngine;
 
-    fn bodies(&self) -> &HalfSpace {
-        &self.bodies
-    }
-
-    fn settings(&self) -> &Settings {
-        &self.options.settings
-    }
-
-    fn settings_mut(&mut self) -> &mut Settings {
-        &mut self.options.settings
-    }
+    model_fields!(options.settings);
 
     fn check_settings(&self, settings: &Settings) -> Result<()> {
         TangentialModel::Vector.check(settings)

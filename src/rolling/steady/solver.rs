@@ -8,10 +8,9 @@ use crate::cgm::{
     minimise_from,
 };
 use crate::contact::{
-    Cancellation, Contact, Model, SolveContext, Solver, has_iterate, with_counts_of,
+    Cancellation, Contact, Model, SolveContext, Solver, has_iterate, model_fields, with_counts_of,
 };
 use crate::error::{Error, Result};
-use crate::half_space::HalfSpace;
 use crate::memory::fallible::{TryClone, filled, try_each, vector, zeros};
 use crate::numerics::cell_vector::{at, minus, plus, slices};
 use crate::observer::Observer;
@@ -162,17 +161,7 @@ impl Contact for RollingProblem {
 impl Model<RollingSolution> for RollingProblem {
     type Engine = RollingEngine;
 
-    fn bodies(&self) -> &HalfSpace {
-        &self.bodies
-    }
-
-    fn settings(&self) -> &Settings {
-        &self.options.settings
-    }
-
-    fn settings_mut(&mut self) -> &mut Settings {
-        &mut self.options.settings
-    }
+    model_fields!(options.settings);
 
     fn check_settings(&self, settings: &Settings) -> Result<()> {
         TangentialModel::Vector.check(settings)

@@ -7,9 +7,8 @@ use super::heights::finite_or_missing;
 use super::slab::Slab;
 use crate::error::{Error, Result};
 use crate::grid::field::Field;
+use crate::grid::record::checked_struct;
 use crate::parallel;
-#[cfg(feature = "serde")]
-use crate::support::serialise::checked;
 use basis::Basis;
 use triangle::Triangle;
 
@@ -51,29 +50,17 @@ impl Form {
     }
 }
 
-/// A levelled surface and the form that was removed from it.
-#[derive(Debug, Clone, PartialEq)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize))]
-pub struct Levelled {
-    heights: Field,
-    form: Field,
-}
-
-#[cfg(feature = "serde")]
-#[derive(serde::Deserialize)]
-#[serde(remote = "Levelled", deny_unknown_fields)]
-struct RawLevelled {
-    heights: Field,
-    form: Field,
-}
-
-#[cfg(feature = "serde")]
-impl<'de> serde::Deserialize<'de> for Levelled {
-    fn deserialize<D: serde::Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        checked(RawLevelled::deserialize(deserializer)?, |read| {
-            let grid = read.heights.grid();
-            grid.check_equal("form", read.form.grid())
-        })
+checked_struct! {
+    /// A levelled surface and the form that was removed from it.
+    #[derive(Debug, Clone, PartialEq)]
+    pub struct Levelled {
+        heights: Field,
+        form: Field,
+    }
+    #[serde(remote = "Levelled", deny_unknown_fields)]
+    check(read) {
+        let grid = read.heights.grid();
+        grid.check_equal("form", read.form.grid())
     }
 }
 

@@ -122,37 +122,3 @@ fn sum_over_chords(edge: f64, r: f64, chord: impl Fn(f64, f64) -> f64) -> f64 {
         chord(d, t) + chord(d, -t)
     })
 }
-
-/// Checks that the result is [`Error::NotPositive`] for any value.
-#[track_caller]
-fn assert_not_positive<T: std::fmt::Debug>(result: &Result<T>) {
-    kit::assert_refused! { result => Error::NotPositive { .. } }
-}
-
-/// Checks that invalid coefficients of friction, and forces beyond the friction limit `limit` at the coefficient
-/// [`FRICTION`], are rejected.
-#[track_caller]
-fn assert_bad_shear_is_rejected<T: std::fmt::Debug>(
-    limit: f64,
-    shear: impl Fn(f64, f64) -> Result<T>,
-) {
-    for wrong in [-0.1, f64::NAN, f64::INFINITY] {
-        kit::assert_refused! { shear(wrong, 0.0) => Error::NegativeOrNotFinite { .. } }
-    }
-    for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
-        kit::assert_refused! { shear(FRICTION, wrong) => Error::NotFinite { .. } }
-    }
-    for beyond in [1.000001 * limit, -1.000001 * limit] {
-        let Err(Error::BeyondFrictionCapacity {
-            force, limit: held, ..
-        }) = shear(FRICTION, beyond)
-        else {
-            panic!("a force beyond the friction limit was accepted");
-        };
-        assert_close(force, beyond.abs());
-        assert_close(held, limit);
-    }
-    kit::assert_refused! { shear(0.0, 1e-300) => Error::BeyondFrictionCapacity { .. } }
-    assert!(shear(FRICTION, limit).is_ok() && shear(FRICTION, -limit).is_ok());
-    assert!(shear(0.0, 0.0).is_ok());
-}

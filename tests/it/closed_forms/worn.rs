@@ -7,8 +7,8 @@ use stickslip::analytical::{CattaneoMindlin, HertzSphere, PopovLimitingShape};
 use stickslip::{Error, Result};
 
 use super::{
-    FRICTION, LIMIT, assert_close, assert_not_positive, ball, chord_integral, integral,
-    singular_integral, steel, sum_over_chords,
+    FRICTION, LIMIT, assert_close, ball, chord_integral, integral, singular_integral, steel,
+    sum_over_chords,
 };
 
 /// Stick radii as fractions of the contact radius.
@@ -135,16 +135,9 @@ fn shift_determines_the_stick_radius() -> Result<()> {
 }
 
 #[test]
-fn shapes_with_invalid_arguments_are_rejected() -> Result<()> {
+fn stick_radius_beyond_the_contact_is_rejected() -> Result<()> {
     let pair = steel()?;
     let shape = |radius, approach, stick| PopovLimitingShape::new(&pair, radius, approach, stick);
-    for wrong in [0.0, -1.0, f64::NAN, f64::INFINITY] {
-        assert_not_positive(&shape(wrong, 1e-6, 1e-5));
-        assert_not_positive(&shape(1e-3, wrong, 1e-5));
-    }
-    for wrong in [-1e-9, f64::NAN, f64::INFINITY] {
-        kit::assert_refused! { shape(1e-3, 1e-6, wrong) => Error::NegativeOrNotFinite { .. } }
-    }
     kit::assert_refused! { shape(1.0, 1e-6, 1.1e-3) => Error::BelowMinimum { value, .. } if value < 1.1e-3 }
     // The radius is meant to equal the contact radius but is larger by a rounding error.
     assert!(shape(1.0, 1e-6, 1e-3 * (1.0 + 1e-15)).is_ok());

@@ -7,7 +7,7 @@ use stickslip::influence::Direction::{X, Y, Z};
 use stickslip::influence::{Component, Rectangle};
 use stickslip::{
     Boundary, CellValue, EigenvalueBound, ElasticPair, Field, Grid, HalfSpace, Material,
-    NormalLoad, NormalProblem, Operator, Scratch, surface,
+    NormalLoad, NormalProblem, Operator, Scratch,
 };
 
 use super::{against_rigid, layer, parse_body};
@@ -123,7 +123,7 @@ fn stiff_coating_on_long_grid_has_an_eigenvalue_bound() {
         (100.0, 0.45, [3.0, 1.0]),
     ] {
         let body = base.coated(&[layer(m, nu, 1.0)]).unwrap();
-        let [nx, ny] = kit::thorough([10, 9], [24, 20]);
+        let [nx, ny] = kit::thorough([8, 7], [24, 20]);
         let grid = Grid::new(nx, ny, sides[0], sides[1]).unwrap();
         for cell_value in [CellValue::Uniform, CellValue::Centre] {
             let bodies = HalfSpace::new(grid, against_rigid(body)).unwrap();
@@ -156,9 +156,8 @@ fn stiff_coating_on_long_grid_has_an_eigenvalue_bound() {
             bodies.tensor_preconditioner([X, Y]).unwrap();
             // A certificate that rests on an estimate is marked as estimated.
             let known = bodies.tensor_operator([Z]).unwrap().eigenvalue_bound();
-            let gap = surface::sphere(grid, 50.0).unwrap();
             let load = NormalLoad::Approach(0.05);
-            let contact = NormalProblem::builder(&bodies, &gap, load).build();
+            let contact = NormalProblem::builder(&bodies, kit::sphere(grid, 50.0), load).build();
             let contact = contact.unwrap().solve().unwrap();
             assert_eq!(contact.report().eigenvalue_bound, known);
             let is_estimated = known == EigenvalueBound::Estimated;

@@ -7,8 +7,8 @@ use stickslip::dense::DenseOperator;
 use stickslip::influence::Component;
 use stickslip::layers::Layer;
 use stickslip::{
-    Boundary, CellValue, EigenvalueBound, ElasticPair, Error, Field, Friction, Grid, HalfSpace,
-    Material, NormalLoad, NormalProblem, Operator, Scratch, TangentialControl, TangentialLoad,
+    Boundary, CellValue, EigenvalueBound, ElasticPair, Error, Field, Grid, HalfSpace, Material,
+    NormalLoad, NormalProblem, Operator, Scratch, TangentialControl, TangentialLoad,
     TangentialModel, TangentialProblem, surface,
 };
 
@@ -266,7 +266,7 @@ fn line_traction_is_independent_of_the_datum() {
         cell_value: CellValue::Uniform,
     };
     let gap = surface::cylinder(strip.grid, 3.0).unwrap();
-    let friction = Friction::coulomb(0.3).unwrap();
+    let friction = kit::coulomb(0.3);
     let datums = [1.2, 3.0, 1e3];
     let pressed = datums.map(|datum| {
         let bodies = strip.bodies(datum);

@@ -37,8 +37,9 @@ use stickslip::rolling::{
 };
 use stickslip::tangential::{TangentialProblemBuilder, TangentialSolver};
 use stickslip::{
-    Boundary, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem,
-    NormalSolution, Operator, Result, TangentialLoad, TangentialProblem, TangentialSolution,
+    Boundary, Contact, ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad,
+    NormalProblem, NormalSolution, Operator, Result, Solver, TangentialControl, TangentialLoad,
+    TangentialProblem, TangentialSolution, surface,
 };
 #[cfg(feature = "serde")]
 pub use {postcard, serde_json};
@@ -110,8 +111,48 @@ fn add_wave(heights: &mut Field, [kx, ky]: [f64; 2], amplitude: f64, phase: f64)
 
 /// Returns two equal bodies of unit contact modulus, for which pressure and traction are uncoupled.
 pub fn unit_pair(poisson_ratio: f64) -> ElasticPair {
-    let each = Material::new(2.0 * (1.0 - poisson_ratio * poisson_ratio), poisson_ratio).unwrap();
-    ElasticPair::new(each, each).unwrap()
+    alike(2.0 * (1.0 - poisson_ratio * poisson_ratio), poisson_ratio)
+}
+
+/// Returns two equal bodies with this Young's modulus and Poisson's ratio.
+pub fn alike(modulus: f64, poisson_ratio: f64) -> ElasticPair {
+    let body = Material::new(modulus, poisson_ratio).unwrap();
+    ElasticPair::new(body, body).unwrap()
+}
+
+/// Returns two equal bodies with this shear modulus and Poisson's ratio.
+pub fn alike_in_shear(shear_modulus: f64, poisson_ratio: f64) -> ElasticPair {
+    let body = Material::from_shear_modulus(shear_modulus, poisson_ratio).unwrap();
+    ElasticPair::new(body, body).unwrap()
+}
+
+/// Returns a body with this Young's modulus and Poisson's ratio on a rigid body.
+pub fn on_rigid(modulus: f64, poisson_ratio: f64) -> ElasticPair {
+    let body = Material::new(modulus, poisson_ratio).unwrap();
+    ElasticPair::new(body, Material::rigid()).unwrap()
+}
+
+/// Returns a square grid with this number of cells along a side of this length.
+pub fn square(cells: usize, side: f64) -> Grid {
+    Grid::square(cells, side).unwrap()
+}
+
+/// Returns the gap of a sphere.
+pub fn sphere(grid: Grid, radius: f64) -> Field {
+    surface::sphere(grid, radius).unwrap()
+}
+
+/// Returns Coulomb friction.
+pub fn coulomb(coefficient: f64) -> Friction {
+    Friction::coulomb(coefficient).unwrap()
+}
+
+/// Returns a spring with its far end at this position.
+pub fn spring(position: f64, stiffness: f64) -> TangentialControl {
+    TangentialControl::Spring {
+        position,
+        stiffness,
+    }
 }
 
 /// Returns all boundaries that a grid may have. For periodic rows the datum is at twice the length of the grid.
@@ -190,6 +231,14 @@ pub fn solve<B: SolvableBuilder>(builder: B) -> B::Solution {
 #[track_caller]
 pub fn solver<B: SolvableBuilder>(builder: B) -> B::Solver {
     builder.build_solver().unwrap()
+}
+
+/// Returns the next solution of a solver.
+#[track_caller]
+pub fn solved<P: Contact>(solver: &mut Solver<P>) -> P::Solution {
+    let mut solution = solver.new_solution();
+    solver.solve_into(&mut solution).unwrap();
+    solution
 }
 
 pub fn press(bodies: &HalfSpace, gap: &Field, load: NormalLoad, tolerance: f64) -> NormalSolution {

@@ -125,26 +125,45 @@ impl Measured {
         ]
     }
 
+    /// Adds the samples of a field in its unit to a group.
+    pub(super) fn add_field(
+        &mut self,
+        pose: &UnitTransform,
+        group: impl Fn(&mut Self) -> &mut Vec<f64>,
+        field: &Field,
+        unit: f64,
+    ) {
+        let samples = pose.cells_back(field).into_iter();
+        group(self).extend(samples.map(|value| value / unit));
+    }
+
+    /// Adds the samples of a vector field in its unit to a group.
+    pub(super) fn add_vectors(
+        &mut self,
+        pose: &UnitTransform,
+        group: impl Fn(&mut Self) -> &mut Vec<f64>,
+        fields: [&Field; 2],
+        unit: f64,
+    ) {
+        for (axis, field) in pose.swapped(fields).into_iter().enumerate() {
+            let sign = pose.swapped(pose.signs)[axis] * pose.side();
+            self.add_field(pose, &group, field, sign * unit);
+        }
+    }
+
     fn add(&mut self, scene: &Scene, pose: &UnitTransform, history: &History) {
         let step = history.last_step().unwrap();
         let (length, pressure) = (pose.length, pose.pressure);
-        let energy = pressure * length * length * scene.depth(pose);
-        let into = |group: &mut Vec<f64>, field: &Field, unit: f64| {
-            group.extend(pose.cells_back(field).into_iter().map(|value| value / unit));
-        };
-        into(&mut self.pressures, history.pressure(), pressure);
-        into(&mut self.lengths, history.accumulated_slip(), length);
-        into(&mut self.lengths, step.slip_distance(), length);
-        into(&mut self.energies, step.dissipation(), energy);
-        let vectors = |fields: [&Field; 2], group: &mut Vec<f64>, unit: f64| {
-            for (axis, field) in pose.swapped(fields).into_iter().enumerate() {
-                let sign = pose.swapped(pose.signs)[axis] * pose.side();
-                into(group, field, sign * unit);
-            }
-        };
-        vectors(history.traction(), &mut self.pressures, pressure);
-        vectors(history.slip(), &mut self.lengths, length);
-        vectors(step.slip(), &mut self.lengths, length);
+        let energy = scene.energy_unit(pose);
+        self.add_field(pose, |of| &mut of.pressures, history.pressure(), pressure);
+        for field in [history.accumulated_slip(), step.slip_distance()] {
+            self.add_field(pose, |of| &mut of.lengths, field, length);
+        }
+        self.add_field(pose, |of| &mut of.energies, step.dissipation(), energy);
+        self.add_vectors(pose, |of| &mut of.pressures, history.traction(), pressure);
+        for fields in [history.slip(), step.slip()] {
+            self.add_vectors(pose, |of| &mut of.lengths, fields, length);
+        }
         self.lengths.push(history.approach() / length);
         let vector = |vector: [f64; 2]| pose.back(vector).map(|value| pose.side() * value);
         self.lengths

@@ -5,6 +5,7 @@
 mod kinds;
 mod measure;
 mod pose;
+mod problem;
 
 use std::sync::Arc;
 
@@ -21,6 +22,7 @@ use stickslip::{
 pub use kinds::scenes;
 pub use measure::{Measured, bits, cells, known};
 pub use pose::UnitTransform;
+pub use problem::{Found, Kind, Problem, ProblemSolver};
 
 /// Boundary of the grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -113,6 +115,11 @@ impl Scene {
         }
     }
 
+    /// Returns the unit of energies and moments.
+    fn energy_unit(&self, pose: &UnitTransform) -> f64 {
+        pose.pressure * pose.length * pose.length * self.depth(pose)
+    }
+
     fn grid(&self, pose: &UnitTransform) -> Grid {
         let [nx, ny] = pose.swapped(self.size);
         let [dx, dy] = pose.swapped(self.sides).map(|side| side * pose.length);
@@ -186,7 +193,7 @@ impl Scene {
             .with_cell_value(self.cell_value)
     }
 
-    fn friction(&self, grid: Grid, pose: &UnitTransform) -> Friction {
+    pub fn friction(&self, grid: Grid, pose: &UnitTransform) -> Friction {
         let friction = match self.slippery {
             Some(differs) => {
                 Friction::per_cell(pose.field(grid, |x, y| self.friction + differs(x, y)))
@@ -201,44 +208,59 @@ impl Scene {
         friction
     }
 
+    pub fn gap(&self, grid: Grid, pose: &UnitTransform) -> Field {
+        pose.field(grid, self.gap).scaled(pose.length)
+    }
+
+    pub fn hardness(&self, grid: Grid, pose: &UnitTransform) -> Option<Hardness> {
+        let limits = pose.field(grid, self.hardness?).scaled(pose.pressure);
+        Some(Hardness::per_cell(limits).unwrap())
+    }
+
+    pub fn bulk_strain(
+        &self,
+        grid: Grid,
+        pose: &UnitTransform,
+        amount: f64,
+    ) -> Option<RelativeDisplacement> {
+        let strain = pose.tensor(self.strain?);
+        let strain = strain.map(|row| row.map(|part| amount * part));
+        Some(RelativeDisplacement::bulk_strain(grid, strain).unwrap())
+    }
+
+    /// Returns whether the tractions change the pressure.
+    pub fn is_fully_coupled(&self) -> bool {
+        let pair = self.pair(&UnitTransform::IN_PLACE, false);
+        self.coupling == Coupling::Full && pair.is_coupled()
+    }
+
     /// Returns the history before its first step.
     pub fn history(&self, bodies: &HalfSpace, pose: &UnitTransform) -> History {
         let grid = bodies.grid();
-        let gap = pose.field(grid, self.gap).scaled(pose.length);
-        let mut builder = History::builder(bodies, &gap, self.friction(grid, pose))
+        let mut builder = History::builder(bodies, self.gap(grid, pose), self.friction(grid, pose))
             .model(self.model)
             .coupling(self.coupling)
             .entry_rule(self.entry_rule)
             .axis(if pose.swaps { Axis::Y } else { Axis::X })
             .tolerance(self.tolerance);
-        if let Some(limit) = self.hardness {
-            let limits = pose.field(grid, limit).scaled(pose.pressure);
-            let hardness = Hardness::per_cell(limits).unwrap();
+        if let Some(hardness) = self.hardness(grid, pose) {
             builder = builder
                 .hardness(hardness)
                 .permanent_set(self.is_set_permanent);
         }
-        if let Some(strain) = self.strain {
-            let strain = pose.tensor(strain);
-            let bulk = RelativeDisplacement::bulk_strain(grid, strain).unwrap();
+        if let Some(bulk) = self.bulk_strain(grid, pose, 1.0) {
             builder = builder.relative_displacement(bulk);
         }
         builder.build().unwrap()
     }
 
-    /// Returns a step of the path, transformed by the pose.
-    pub fn load(&self, step: &Step, pose: &UnitTransform) -> LoadStep {
+    /// Returns the loads of a step, transformed by the pose.
+    fn transformed(&self, step: &Step, pose: &UnitTransform) -> Step {
         let (length, stiffness) = (pose.length, pose.pressure * self.depth(pose));
         let force = stiffness * length;
-        let normal = match step.normal {
-            NormalControl::Force(value) => NormalControl::Force(value * force),
-            NormalControl::Approach(value) => NormalControl::Approach(value * length),
-            other => other,
-        };
-        let shear = step.shear;
         let posed = |axis: usize| {
             let sign = pose.signs[axis] * pose.side();
-            match pose.swapped(shear)[axis] {
+            match pose.swapped(step.shear)[axis] {
                 TangentialControl::Force(value) => TangentialControl::Force(sign * value * force),
                 TangentialControl::Shift(value) => TangentialControl::Shift(sign * value * length),
                 TangentialControl::Spring {
@@ -251,23 +273,46 @@ impl Scene {
                 other => other,
             }
         };
+        Step {
+            normal: match step.normal {
+                NormalControl::Force(value) => NormalControl::Force(value * force),
+                NormalControl::Approach(value) => NormalControl::Approach(value * length),
+                other => other,
+            },
+            shear: [posed(0), posed(1)],
+            twist: step.twist.map(|twist| pose.turn() * twist),
+            strain: step.strain,
+            roll: step.roll.map(|roll| {
+                let creepage = pose.swapped(roll.creepage);
+                Roll {
+                    edge: pose.edge(roll.edge),
+                    creepage: [0, 1].map(|axis| pose.signs[axis] * pose.side() * creepage[axis]),
+                    spin: pose.turn() * roll.spin / length,
+                    ..roll
+                }
+            }),
+        }
+    }
+
+    /// Returns a step of the path, transformed by the pose.
+    pub fn load(&self, step: &Step, pose: &UnitTransform) -> LoadStep {
+        let step = self.transformed(step, pose);
+        let [x, y] = step.shear;
         let mut load = LoadStep::hold()
-            .normal(normal)
-            .tangential(Axis::X, posed(0))
-            .tangential(Axis::Y, posed(1));
+            .normal(step.normal)
+            .tangential(Axis::X, x)
+            .tangential(Axis::Y, y);
         if let Some(twist) = step.twist {
-            load = load.twist(pose.turn() * twist);
+            load = load.twist(twist);
         }
         if let Some(amount) = step.strain {
             load = load.relative_displacement(amount);
         }
         if let Some(roll) = step.roll {
-            let creepage = pose.swapped(roll.creepage);
-            let creepage = [0, 1].map(|axis| pose.signs[axis] * pose.side() * creepage[axis]);
             let rolling = Rolling::new(roll.cells)
-                .leading_edge(pose.edge(roll.edge))
-                .creepage(creepage)
-                .spin(pose.turn() * roll.spin / pose.length);
+                .leading_edge(roll.edge)
+                .creepage(roll.creepage)
+                .spin(roll.spin);
             load = load.roll(rolling);
         }
         load
