@@ -24,7 +24,13 @@ use crate::error::{Result, finite};
 use crate::memory::fallible;
 use crate::numerics::cell_vector::{at, dot, minus, plus, slices, update_cells};
 use crate::numerics::small_matrix::Small;
+use crate::sensitivity::functional::entry;
 use crate::stiffness::System;
+
+/// Returns whether all components are zero.
+pub(super) fn is_zero<const N: usize>(vector: [f64; N]) -> bool {
+    vector.into_iter().all(|part| part == 0.0)
+}
 
 /// Multipliers of the displacements of all cells and of the sums of the tractions.
 pub(super) struct Multipliers<const N: usize> {
@@ -90,14 +96,14 @@ impl<'s, R: Row<N>, const N: usize> Adjoint<'s, R, N> {
     ) -> Result<Multipliers<N>> {
         let layout = self.system.response.layout.clone();
         let mut by_slip = [const { Vec::new() }; N];
-        if reduce::any(&layout, |cell| slip(cell) != [0.0; N]) {
+        if reduce::any(&layout, |cell| !is_zero(slip(cell))) {
             by_slip = self.whole_displacement(&slip, context)?;
         }
         let slipped: [f64; N] = reduce::sum(&layout, &slip);
         let motion = minus(motion, slipped);
-        let total = |cell: usize| match by_slip[0].is_empty() {
-            true => weights(cell),
-            false => plus(weights(cell), 1.0, at(&slices(&by_slip), cell)),
+        let total = |cell: usize| {
+            let by_slip = std::array::from_fn(|c| entry(&by_slip[c], cell));
+            plus(weights(cell), 1.0, by_slip)
         };
         let mut cells = self.response(total, context)?;
         let sums = plus(motion, 1.0, self.sums(&cells));
@@ -180,7 +186,7 @@ impl<'s, R: Row<N>, const N: usize> Adjoint<'s, R, N> {
         context: &mut ResponseContext<'_>,
     ) -> Result<[Vec<f64>; N]> {
         let layout = &self.system.response.layout;
-        if !reduce::any(layout, |cell| weights(cell) != [0.0; N]) {
+        if !reduce::any(layout, |cell| !is_zero(weights(cell))) {
             context.finish_at_once();
             return fallible::vector(layout.cells());
         }

@@ -14,7 +14,7 @@ use crate::numerics::cell_vector::{at, slices};
 use crate::observer::Observer;
 use crate::parallel;
 use crate::report::Report;
-use crate::sensitivity::adjoint::Adjoint;
+use crate::sensitivity::adjoint::{Adjoint, is_zero};
 use crate::sensitivity::functional::{ContactView, Gradient, ShearView};
 use crate::sensitivity::poisson::{Loading, UnitDisplacements};
 use crate::sensitivity::shear::{by_control, by_twist, on_grid, on_region, total_of};
@@ -115,9 +115,10 @@ impl CoupledProblem {
             tractions: [&*cells.pressure, qx, qy],
             pressure: None,
         };
-        let unit = match has_poisson_ratio {
-            true => UnitDisplacements::new(bodies, &region, &loading, context)?,
-            false => None,
+        let unit = if has_poisson_ratio {
+            UnitDisplacements::new(bodies, &region, &loading, context)?
+        } else {
+            None
         };
         let mut all = fallible::with_room(functionals.len())?;
         for functional in functionals {
@@ -158,9 +159,12 @@ impl CoupledProblem {
             [0.0, x, y]
         };
         // The slip of other cells is constant.
-        let slip = |cell: usize| match direction(cell) == [0.0; N] {
-            true => [0.0; N],
-            false => at(&slices(&slip), cell),
+        let slip = |cell: usize| {
+            if is_zero(direction(cell)) {
+                [0.0; N]
+            } else {
+                at(&slices(&slip), cell)
+            }
         };
         let motion = [of.approach, of.shift[0], of.shift[1]];
         let found = adjoint.multipliers(weight, slip, motion, context)?;

@@ -14,6 +14,10 @@ use crate::tangential::{Axis, Zone};
 /// solver of a normal or coupled contact.
 #[derive(Debug, Clone, PartialEq)]
 #[non_exhaustive]
+#[expect(
+    clippy::large_enum_variant,
+    reason = "a program creates few functionals"
+)]
 pub enum Functional {
     /// Generalised mean of the pressure, weighted by the load: $`(\sum p^{k+1} / \sum p)^{1/k}`$ with the exponent k >= 1. The
     /// mean tends to the largest pressure for large k. Cells that come into contact at pressure zero do not change it.
@@ -194,7 +198,7 @@ impl Functional {
             | Self::DissipatedEnergy => (false, true),
             Self::Weighted(weights) => {
                 weights.check(bodies)?;
-                let moves = weights.shift != [0.0; 2];
+                let moves = weights.shift.into_iter().any(|weight| weight != 0.0);
                 let has_fields = weights.traction.is_some() || weights.slip.is_some();
                 (weights.approach != 0.0, moves || has_fields)
             }

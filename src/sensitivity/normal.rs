@@ -178,7 +178,7 @@ impl NormalSolver {
                         quantity: "a sensitivity without a derivative with respect to the pressure",
                         value: found.value,
                         remedy: "chain the sensitivities of a tangential contact",
-                    }))
+                    }));
                 }
             }
             gradients.push(of);

@@ -82,7 +82,9 @@ impl<const N: usize> UnitDisplacements<N> {
                     let component = Component::of(direction, Direction::Z);
                     let operator = host.operator_of([[component]], size)?;
                     operator.apply([pressure], [out], &mut operator.scratch()?);
-                    out.iter_mut().for_each(|u| *u *= shear_modulus);
+                    for u in out {
+                        *u *= shear_modulus;
+                    }
                 }
                 drawn
             }

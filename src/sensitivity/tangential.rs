@@ -1,5 +1,6 @@
 //! Sensitivities of a tangential contact.
 
+use crate::bodies::component::{Component, Direction};
 use crate::bodies::coupling::Coupling;
 use crate::cgm::{Ball, NormBound, Row, reduce};
 use crate::contact::{ResponseContext, Solver};
@@ -9,6 +10,7 @@ use crate::half_space::HalfSpace;
 use crate::memory::fallible;
 use crate::numerics::cell_vector::{at, dot, minus, slices};
 use crate::observer::Observer;
+use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Report;
 use crate::sensitivity::adjoint::Adjoint;
@@ -21,7 +23,7 @@ use crate::stiffness::{
     BallOf, ContactCells, SolvedContact, StiffnessWorkspace, SystemBuffers, SystemOf,
 };
 use crate::tangential::{
-    Axis, Friction, Lifting, PressureOnWindow, RigidMotion, TangentialControl, TangentialProblem,
+    Axis, Friction, PressureOnWindow, RigidMotion, TangentialControl, TangentialProblem,
     TangentialSolution, centre,
 };
 
@@ -116,15 +118,12 @@ impl Sheared<'_> {
         context: &mut ResponseContext<'_>,
     ) -> Result<Vec<Sensitivity>> {
         let cells = &buffers.cells;
-        match axis {
-            Some(axis) => {
-                let with = (cells, &mut buffers.along);
-                self.sensitivities([axis], with, of, moved, context)
-            }
-            None => {
-                let with = (cells, &mut buffers.plane);
-                self.sensitivities([Axis::X, Axis::Y], with, of, moved, context)
-            }
+        if let Some(axis) = axis {
+            let with = (cells, &mut buffers.along);
+            self.sensitivities([axis], with, of, moved, context)
+        } else {
+            let with = (cells, &mut buffers.plane);
+            self.sensitivities([Axis::X, Axis::Y], with, of, moved, context)
         }
     }
 
@@ -216,16 +215,16 @@ impl Sheared<'_> {
         let (friction, own) = (&self.friction.within(region), &self.pressed.pressure);
         let mut pressure = on_region(region, &of.pressure)?;
         if self.is_drawn {
-            let mut lift = fallible::zeros(region.cells())?;
-            let mut parts: [&[f64]; 2] = [&[]; 2];
+            // The displacement by pressure is the transpose of the lift by tractions.
+            let (size, mut lift) = (region.window().size, fallible::zeros(region.cells())?);
             for (axis, part) in axes.iter().zip(&found.cells) {
                 context.notify_observer(region.layout())?;
-                parts[axis.index()] = part;
-            }
-            // The displacement by pressure is the transpose of the lift by tractions.
-            Lifting::new(bodies, region.window().size)?.lift(parts, &mut lift);
-            for (weight, lift) in pressure.iter_mut().zip(lift) {
-                *weight -= lift;
+                let component = Component::of(Direction::Z, axis.direction());
+                let operator = bodies.operator_of([[component]], size)?;
+                operator.apply([part], [&mut lift], &mut operator.scratch()?);
+                for (weight, lift) in pressure.iter_mut().zip(&lift) {
+                    *weight -= lift;
+                }
             }
         }
         let mut by_friction = fallible::zeros(region.cells())?;
