@@ -13,6 +13,7 @@ use crate::tangential::{Axis, Zone};
 /// A functional of tractions, slip or shift requires the solver of a tangential or coupled contact. The approach requires the
 /// solver of a normal or coupled contact.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Functional {
     /// Generalised mean of the pressure, weighted by the load: $`(\sum p^{k+1} / \sum p)^{1/k}`$ with the exponent k >= 1. The
@@ -63,6 +64,7 @@ impl Functional {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[must_use]
 pub struct Weights {
     pressure: Option<Field>,
