@@ -191,7 +191,7 @@ impl LoadStep {
     }
 
     /// Returns the prescribed normal load.
-    pub(super) fn normal_control(&self) -> NormalControl {
+    pub(crate) fn normal_control(&self) -> NormalControl {
         self.normal
     }
 
@@ -201,7 +201,7 @@ impl LoadStep {
     }
 
     /// Returns the rolling of the step, or `None` if the step does not roll.
-    pub(super) fn rolling(&self) -> Option<&Rolling> {
+    pub(crate) fn rolling(&self) -> Option<&Rolling> {
         self.rolling.as_ref()
     }
 
@@ -214,12 +214,12 @@ impl LoadStep {
     }
 
     /// Returns whether a twist is prescribed.
-    pub(super) fn names_twist(&self) -> bool {
+    pub(crate) fn names_twist(&self) -> bool {
         self.twist.is_some()
     }
 
     /// Returns the tangential load. If the step does not prescribe a twist, the load has the twist `last`.
-    pub(super) fn demand(&self, last: f64) -> TangentialTarget {
+    pub(crate) fn demand(&self, last: f64) -> TangentialTarget {
         TangentialTarget {
             controls: self.tangential,
             twist: self.twist.unwrap_or(last),

@@ -91,7 +91,7 @@ impl<'s, R: Row<N>, const N: usize> Adjoint<'s, R, N> {
         let layout = self.system.response.layout.clone();
         let mut by_slip = [const { Vec::new() }; N];
         if reduce::any(&layout, |cell| slip(cell) != [0.0; N]) {
-            by_slip = self.displacement(&slip, context)?;
+            by_slip = self.whole_displacement(&slip, context)?;
         }
         let slipped: [f64; N] = reduce::sum(&layout, &slip);
         let motion = minus(motion, slipped);
@@ -126,7 +126,22 @@ impl<'s, R: Row<N>, const N: usize> Adjoint<'s, R, N> {
         Ok(Multipliers { cells, sums, loads })
     }
 
-    /// Computes the displacement of the cells under these tractions.
+    /// Computes the displacement of the cells under these tractions, including the displacement by their own compliance, with the
+    /// transposed system.
+    fn whole_displacement(
+        &mut self,
+        tractions: impl Fn(usize) -> [f64; N] + Sync,
+        context: &mut ResponseContext<'_>,
+    ) -> Result<[Vec<f64>; N]> {
+        let mut displacement = self.displacement(&tractions, context)?;
+        let system = &*self.system;
+        update_cells(&mut displacement, |cell, u| {
+            system.with_own_displacement(u, cell, tractions(cell))
+        });
+        Ok(displacement)
+    }
+
+    /// Computes the displacement that the operator gives under these tractions.
     pub(super) fn displacement(
         &mut self,
         tractions: impl Fn(usize) -> [f64; N] + Sync,
@@ -148,7 +163,7 @@ impl<'s, R: Row<N>, const N: usize> Adjoint<'s, R, N> {
         context: &mut ResponseContext<'_>,
     ) -> Result<Vec<f64>> {
         let multipliers = slices(&found.cells);
-        let imposed = self.displacement(|cell| at(&multipliers, cell), context)?;
+        let imposed = self.whole_displacement(|cell| at(&multipliers, cell), context)?;
         let imposed = slices(&imposed);
         let by_limit = |cell: usize| {
             let resisted = plus(at(&imposed, cell), 1.0, found.sums);

@@ -2,7 +2,7 @@
 
 use crate::bodies::component::Direction;
 use crate::cgm::cone::TransposedState;
-use crate::cgm::reduce;
+use crate::cgm::{Total, reduce};
 use crate::contact::{ResponseContext, Solver};
 use crate::coupled::{CoupledProblem, CoupledSolution};
 use crate::error::{Error, Result};
@@ -104,7 +104,10 @@ impl CoupledProblem {
         system.hold(bodies, |cell| TransposedState(rows(cell)), &[])?;
         let controls = [Axis::X, Axis::Y].map(|axis| self.tangential.control(axis));
         let [x, y] = controls.map(|control| total_of(bodies, control));
-        let (_, z) = self.normal.to_datum_and_total(bodies, &self.gap);
+        let z = match self.normal {
+            NormalLoad::Force(_) => Total::Sum(0.0),
+            NormalLoad::Approach(_) => Total::Free,
+        };
         let mut adjoint = Adjoint::new(system, [z, x, y], context)?;
         let [qx, qy] = slices(&cells.traction);
         let loading = Loading {

@@ -226,6 +226,16 @@ impl Functional {
         Ok(())
     }
 
+    /// Returns the derivative with respect to the approach.
+    #[cfg(feature = "history")]
+    pub(super) fn by_approach(&self) -> f64 {
+        match self {
+            Self::Approach => 1.0,
+            Self::Weighted(weights) => weights.approach,
+            _ => 0.0,
+        }
+    }
+
     /// Returns the properties that must agree on all ranks: all except the fields of weights.
     pub(super) fn common(&self) -> Self {
         match self {

@@ -34,6 +34,8 @@ mod adjoint;
 #[cfg(feature = "history")]
 mod coupled;
 mod functional;
+#[cfg(feature = "history")]
+mod history;
 mod normal;
 mod poisson;
 mod shear;

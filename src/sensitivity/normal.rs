@@ -2,18 +2,19 @@
 
 use std::ops::ControlFlow;
 
-use crate::cgm::reduce;
+use crate::cgm::{Total, reduce};
 use crate::contact::{ResponseContext, Solver};
 use crate::error::{Error, Result};
 use crate::grid::field::Field;
+use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible;
-use crate::normal::{NormalLoad, NormalProblem, NormalSolution, NormalSolver};
+use crate::normal::{Hardness, NormalLoad, NormalProblem, NormalSolution, NormalSolver};
 use crate::observer::{Observer, unwatched};
 use crate::parallel;
 use crate::report::{Iteration, Report};
 use crate::sensitivity::adjoint::Adjoint;
-use crate::sensitivity::functional::{ContactView, Gradient, ShearView};
+use crate::sensitivity::functional::{ContactView, Gradient, ShearView, entry};
 use crate::sensitivity::shear::on_region;
 use crate::sensitivity::solver::{Linearised, check_converged, check_functionals, with_own_report};
 use crate::sensitivity::{Functional, Sensitivity};
@@ -44,14 +45,34 @@ impl Linearised for NormalProblem {
             };
             let gradients = functionals.iter().map(|one| one.gradient(&view));
             let gradients = gradients.collect::<Result<Vec<_>>>()?;
-            solver.propagate(contact, lift, gradients, buffers, &mut context)
+            let pressed = Pressed::of(solver);
+            pressed.propagate(contact, lift, gradients, buffers, &mut context)
         }))
     }
 }
 
-impl Solver<NormalProblem> {
+/// Normal contact whose sensitivities are computed.
+pub(super) struct Pressed<'a> {
+    pub(super) bodies: &'a HalfSpace,
+    pub(super) hardness: Option<&'a Hardness>,
+    pub(super) load: NormalLoad,
+    /// Window of the solution, if known.
+    pub(super) window: Option<Window>,
+}
+
+impl<'a> Pressed<'a> {
+    fn of(solver: &'a NormalSolver) -> Self {
+        let problem = &solver.problem;
+        Self {
+            bodies: &problem.bodies,
+            hardness: problem.hardness.as_ref(),
+            load: problem.load,
+            window: solver.window(),
+        }
+    }
+
     /// Computes the sensitivities of functionals with these derivatives with respect to pressures and approach. `lift` is the
-    /// displacement along z under the pressure.
+    /// displacement along z under the pressure, or empty if the derivative with respect to the modulus is not used.
     pub(super) fn propagate(
         &self,
         contact: &NormalSolution,
@@ -60,29 +81,23 @@ impl Solver<NormalProblem> {
         buffers: &mut SystemBuffers,
         context: &mut ResponseContext<'_>,
     ) -> Result<Vec<Sensitivity>> {
-        let NormalProblem {
-            bodies,
-            gap,
-            load,
-            hardness,
-            ..
-        } = &self.problem;
+        let (bodies, load) = (self.bodies, self.load);
         let solved = SolvedContact {
-            hardness: hardness.as_ref(),
-            windows: [self.window(), None],
+            hardness: self.hardness,
+            windows: [self.window, None],
             ..SolvedContact::of(bodies)
         };
         let SystemBuffers { normal, cells, .. } = buffers;
         let held = solved.hold_pressure(contact, "a sensitivity", normal, cells)?;
-        let (_, total) = load.to_datum_and_total(bodies, gap);
+        // The prescribed values have no effect on the linear problem.
+        let (total, per_load) = match load {
+            NormalLoad::Force(_) => (Total::Sum(0.0), bodies.grid().cell_area().recip()),
+            NormalLoad::Approach(_) => (Total::Free, 1.0),
+        };
         let mut adjoint = match (held, load) {
             (Some((region, system)), _) => Some((region, Adjoint::new(system, [total], context)?)),
             (None, NormalLoad::Approach(_)) => None,
             (None, NormalLoad::Force(_)) => return Err(Error::EmptyContact),
-        };
-        let per_load = match load {
-            NormalLoad::Force(_) => bodies.grid().cell_area().recip(),
-            NormalLoad::Approach(_) => 1.0,
         };
         let pressure = contact.pressure().as_slice();
         let mut all = fallible::with_room(gradients.len())?;
@@ -101,7 +116,7 @@ impl Solver<NormalProblem> {
             // The compliance times the pressure changes by minus the displacement times the relative change of the modulus.
             let multipliers = by_gap.as_slice();
             let by_scale = reduce::sum(&bodies.grid_layout(), |i| {
-                (multipliers[i] - of.energy * pressure[i]) * lift[i]
+                (multipliers[i] - of.energy * pressure[i]) * entry(lift, i)
             });
             let by_gap = by_gap.scaled(-1.0);
             all.push(Sensitivity {
@@ -176,7 +191,7 @@ impl NormalSolver {
         let (mut context, buffers) = workspace.begin(&mut observer);
         let pressing = bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
             let lift = displacement(gap, contact)?;
-            self.propagate(contact, &lift, gradients, buffers, &mut context)
+            Pressed::of(self).propagate(contact, &lift, gradients, buffers, &mut context)
         }))?;
         let chained = sensitivities.into_iter().zip(pressing);
         Ok(chained.map(|(shear, press)| shear.after(press)).collect())
@@ -185,7 +200,7 @@ impl NormalSolver {
 
 impl Sensitivity {
     /// Adds the derivatives of the normal contact that supplies the pressure.
-    fn after(self, press: Self) -> Self {
+    pub(super) fn after(self, press: Self) -> Self {
         let both = |a: Option<f64>, b: Option<f64>| Some(a? + b?);
         let ratios = self.poisson_ratio.zip(press.poisson_ratio);
         let poisson_ratio = ratios.map(|([a, b], [c, d])| [a + c, b + d]);

@@ -37,7 +37,7 @@ pub struct Sensitivity {
     /// Derivative with respect to a uniform coefficient of friction, the sum over all cells.
     pub friction_coefficient: Option<f64>,
     /// Derivative with respect to the contact modulus E*, if all moduli of both bodies change in proportion at constant Poisson's
-    /// ratios.
+    /// ratios. `None` for steps of histories.
     pub contact_modulus: Option<f64>,
     /// Derivatives with respect to Poisson's ratio of each body at constant Young's moduli. `None` for coatings and kernels. For
     /// tangential and coupled contacts also `None` on ranks and without the

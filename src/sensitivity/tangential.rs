@@ -17,7 +17,9 @@ use crate::sensitivity::poisson::{Loading, UnitDisplacements};
 use crate::sensitivity::shear::{by_control, by_twist, on_grid, on_region, total_of};
 use crate::sensitivity::solver::{Linearised, check_converged, check_functionals, with_own_report};
 use crate::sensitivity::{Functional, Sensitivity};
-use crate::stiffness::{BallOf, ContactCells, SolvedContact, StiffnessWorkspace, SystemOf};
+use crate::stiffness::{
+    BallOf, ContactCells, SolvedContact, StiffnessWorkspace, SystemBuffers, SystemOf,
+};
 use crate::tangential::{
     Axis, Friction, Lifting, PressureOnWindow, RigidMotion, TangentialControl, TangentialProblem,
     TangentialSolution, centre,
@@ -92,44 +94,47 @@ impl Linearised for TangentialProblem {
                 let moved = motion.at(centre(grid, i));
                 [0, 1].map(|axis| moved[axis] + slip[axis])
             };
-            match shear.axis() {
-                Some(axis) => {
-                    let slot = &mut buffers.along;
-                    sheared.sensitivities(
-                        [axis],
-                        (cells, slot),
-                        &view,
-                        functionals,
-                        &moved,
-                        &mut context,
-                    )
-                }
-                None => {
-                    let (axes, slot) = ([Axis::X, Axis::Y], &mut buffers.plane);
-                    sheared.sensitivities(
-                        axes,
-                        (cells, slot),
-                        &view,
-                        functionals,
-                        &moved,
-                        &mut context,
-                    )
-                }
-            }
+            let of = (&view, functionals);
+            sheared.solve(shear.axis(), of, Some(&moved), buffers, &mut context)
         }))
     }
 }
 
+/// Displacement of a local cell of the grid.
+pub(super) type Displacement<'a> = &'a (dyn Fn(usize) -> [f64; 2] + Sync);
+
 impl Sheared<'_> {
-    /// Computes the sensitivities of functionals for the states in `cells`. `moved` returns the displacement of a local cell of
-    /// the grid by pressure and tractions.
+    /// Computes the sensitivities of functionals for the states in the buffers, in the scalar model along an axis or in the vector
+    /// model. `moved` returns the displacement by pressure and tractions. Without it there is no derivative with respect to the
+    /// modulus.
+    pub(super) fn solve(
+        &self,
+        axis: Option<Axis>,
+        of: (&ContactView<'_>, &[Functional]),
+        moved: Option<Displacement<'_>>,
+        buffers: &mut SystemBuffers,
+        context: &mut ResponseContext<'_>,
+    ) -> Result<Vec<Sensitivity>> {
+        let cells = &buffers.cells;
+        match axis {
+            Some(axis) => {
+                let with = (cells, &mut buffers.along);
+                self.sensitivities([axis], with, of, moved, context)
+            }
+            None => {
+                let with = (cells, &mut buffers.plane);
+                self.sensitivities([Axis::X, Axis::Y], with, of, moved, context)
+            }
+        }
+    }
+
+    /// Computes the sensitivities like [`Self::solve`], for tractions along these axes.
     fn sensitivities<const N: usize>(
         &self,
         axes: [Axis; N],
         (cells, slot): (&ContactCells, &mut Option<SystemOf<BallOf<N>, N>>),
-        view: &ContactView<'_>,
-        functionals: &[Functional],
-        moved: &(impl Fn(usize) -> [f64; 2] + Sync),
+        (view, functionals): (&ContactView<'_>, &[Functional]),
+        moved: Option<Displacement<'_>>,
         context: &mut ResponseContext<'_>,
     ) -> Result<Vec<Sensitivity>>
     where
@@ -188,7 +193,7 @@ impl Sheared<'_> {
         cells: &ContactCells,
         (view, of): (&ContactView<'_>, &Gradient),
         adjoint: &mut Adjoint<'_, R, N>,
-        moved: &(impl Fn(usize) -> [f64; 2] + Sync),
+        moved: Option<Displacement<'_>>,
         context: &mut ResponseContext<'_>,
     ) -> Result<(Sensitivity, [Vec<f64>; N])> {
         let (bodies, region) = (self.bodies, &self.pressed.region);
@@ -225,6 +230,12 @@ impl Sheared<'_> {
         }
         let mut by_friction = fallible::zeros(region.cells())?;
         for (cell, by_limit) in by_limit.iter().enumerate() {
+            // The entry compliance decreases as the pressure grows.
+            let multiplier = at(&slices(&found.cells), cell);
+            let lag = dot(multiplier, cells.entry_lag(axes, cell));
+            if lag != 0.0 {
+                pressure[cell] += lag / own[cell];
+            }
             pressure[cell] += friction.slope(cell, own[cell]) * by_limit;
             by_friction[cell] = friction.slope_by_coefficient(cell, own[cell]) * by_limit;
         }
@@ -236,10 +247,14 @@ impl Sheared<'_> {
         let may_turn = N == 2 && bodies.boundary().may_turn();
         let twist = may_turn.then(|| by_twist(bodies, &multipliers));
         let multipliers = multipliers.each_ref().map(Field::as_slice);
-        let by_scale = reduce::sum(&bodies.grid_layout(), |i| {
-            let [q, stored] = [view.shear.traction, view.shear.displacement];
-            let stored = dot(pair_at(&q, i), pair_at(&stored, i));
-            dot(pair_at(&multipliers, i), moved(i)) - of.energy * stored
+        let by_scale = moved.map(|moved| {
+            let by_scale = |i: usize| {
+                let [q, stored] = [view.shear.traction, view.shear.displacement];
+                let stored = dot(pair_at(&q, i), pair_at(&stored, i));
+                dot(pair_at(&multipliers, i), moved(i)) - of.energy * stored
+            };
+            let sum: f64 = reduce::sum(&bodies.grid_layout(), by_scale);
+            sum / bodies.pair().contact_modulus()
         });
         let mut tangential_load = [None; 2];
         for (axis, load) in axes.iter().zip(found.loads) {
@@ -253,7 +268,7 @@ impl Sheared<'_> {
             twist,
             friction: Some(on_grid(bodies, region, &by_friction)?),
             friction_coefficient,
-            contact_modulus: Some(by_scale / bodies.pair().contact_modulus()),
+            contact_modulus: by_scale,
             ..Sensitivity::of(of.value)
         };
         Ok((sensitivity, found.cells))

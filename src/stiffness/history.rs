@@ -60,13 +60,24 @@ impl History {
         workspace: &mut StiffnessWorkspace,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<ContactStiffness> {
+        let contact = self.solved_contact(workspace.is_of_next_step());
+        let pressing = (self.normal(), self.friction());
+        if self.state.is_joint() {
+            contact.coupled_stiffness(pressing, workspace, &mut observer)
+        } else {
+            contact.stiffness(pressing, workspace, &mut observer)
+        }
+    }
+
+    /// Returns the contact with the states of the cells in the last step, or at the start of the next step.
+    pub(crate) fn solved_contact(&self, is_of_next_step: bool) -> SolvedContact<'_> {
         let grid = self.grid();
         let memory = self.state.contact.as_ref();
         // Without contact the state contains no last step. In the stiffness of the next step, no cell has slipped or come into
         // contact yet.
-        let step = memory.filter(|_| !workspace.is_of_next_step());
+        let step = memory.filter(|_| !is_of_next_step);
         let window = memory.map_or(Window::whole(grid), |memory| memory.window);
-        let contact = SolvedContact {
+        SolvedContact {
             hardness: self.state.hardness.as_ref(),
             axis: self.axis(),
             zones: self.zones(),
@@ -77,12 +88,6 @@ impl History {
             windows: [self.state.press_window, memory.map(|memory| memory.window)],
             is_drawn: self.state.coupling.is_one_way(self.bodies.pair()),
             ..SolvedContact::of(&self.bodies)
-        };
-        let pressing = (self.normal(), self.friction());
-        if self.state.is_joint() {
-            contact.coupled_stiffness(pressing, workspace, &mut observer)
-        } else {
-            contact.stiffness(pressing, workspace, &mut observer)
         }
     }
 }

@@ -37,7 +37,7 @@ use crate::contact::{LinearResponse, ResponseColumn, ResponseContext};
 use crate::error::Result;
 use crate::half_space::{Compliance, ElasticOperator, HalfSpace};
 use crate::memory::fallible;
-use crate::numerics::cell_vector::{at, dot, slices, slices_mut};
+use crate::numerics::cell_vector::{at, dot, plus, slices, slices_mut};
 use crate::numerics::small_matrix::Small;
 use crate::operator::Operator;
 use crate::report::Status;
@@ -243,6 +243,18 @@ impl<R: Row<N>, const N: usize> System<R, N> {
             }
         });
         slices(&self.forced)
+    }
+
+    /// Returns a displacement of a cell plus the displacement by its own compliance under these tractions.
+    pub(crate) fn with_own_displacement(
+        &self,
+        displacement: [f64; N],
+        cell: usize,
+        tractions: [f64; N],
+    ) -> [f64; N] {
+        let own = CellCompliance::isotropic(&self.own);
+        let displacement = own.added(displacement, 1.0, cell, tractions);
+        plus(displacement, 1.0, self.response.linear.lag(cell, tractions))
     }
 
     /// Computes the displacement caused by the imposed tractions.

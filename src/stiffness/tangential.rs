@@ -53,6 +53,12 @@ impl ContactCells {
         axes.map(|axis| self.traction[axis.index()][cell])
     }
 
+    /// Returns the displacement of a cell by its entry compliance.
+    pub(crate) fn entry_lag<const N: usize>(&self, axes: [Axis; N], cell: usize) -> [f64; N] {
+        let q = self.traction(axes, cell);
+        q.map(|q| self.entered[cell] * q)
+    }
+
     /// Returns the unit direction of the traction that the friction limit of a slipping cell imposes, or zero in other cells.
     pub(crate) fn slip_direction<const N: usize>(&self, axes: [Axis; N], cell: usize) -> [f64; N] {
         let q = self.traction(axes, cell);

@@ -2,6 +2,7 @@
 
 mod cost;
 mod coupled;
+mod history;
 mod normal;
 mod tangential;
 

@@ -195,6 +195,15 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
         self.moving.places(&mut f);
     }
 
+    /// Returns the additional displacement of a cell that its row adds under these tractions.
+    pub(crate) fn lag(&self, cell: usize, tractions: [f64; N]) -> [f64; N] {
+        if R::HAS_LAG {
+            self.rows[cell].lag(tractions)
+        } else {
+            [0.0; N]
+        }
+    }
+
     /// Computes `C x` for any tractions.
     pub(crate) fn displace(
         &mut self,

@@ -57,7 +57,7 @@ fn derivatives_of_coupled_contacts_match_differences() {
         case.assert_coupled_differences(&format!("coupled, {name}"), None);
         case.twist = 0.01;
         case.strain = 0.005;
-        case.cap = Some(0.1);
+        case.cap = Some(0.02);
         let name = format!("coupled with twist, strain and cap, {name}");
         case.assert_coupled_differences(&name, None);
     }

@@ -8,7 +8,7 @@ use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
     Axis, CellValue, Error, Field, Friction, Grid, HalfSpace, Iteration, NormalLoad, NormalProblem,
     NormalSolution, NormalSolver, TangentialControl, TangentialLoad, TangentialModel,
-    TangentialProblem, TangentialSolution, TangentialSolver,
+    TangentialProblem, TangentialSolution, TangentialSolver, Zone,
 };
 
 use super::{Bodies, Surface, along, assert_differences, random_field};
@@ -26,6 +26,18 @@ pub(super) struct ShearCase {
     pub(super) twist: f64,
     pub(super) model: TangentialModel,
     pub(super) strain: f64,
+}
+
+/// Results from which values are computed.
+pub(super) struct Shown<'a> {
+    /// Elastic and dissipated energy.
+    pub(super) energies: [f64; 2],
+    pub(super) traction: [&'a Field; 2],
+    pub(super) slip: [&'a Field; 2],
+    pub(super) zones: &'a [Zone],
+    pub(super) shift: [f64; 2],
+    /// Force along x.
+    pub(super) force: f64,
 }
 
 /// Input that a test changes.
@@ -180,49 +192,66 @@ impl ShearCase {
         energy: f64,
         normal: &NormalSolution,
         shear: &TangentialSolution,
-    ) -> (Vec<f64>, Vec<stickslip::Zone>) {
-        let grid = shear.grid();
+    ) -> (Vec<f64>, Vec<Zone>) {
+        let shown = Shown {
+            energies: [energy, shear.dissipated_energy()],
+            traction: shear.traction(),
+            slip: shear.slip(),
+            zones: shear.zones(),
+            shift: shear.shift(),
+            force: shear.force()[0],
+        };
+        self.values_from(normal, &shown)
+    }
+
+    pub(super) fn values_from(
+        &self,
+        normal: &NormalSolution,
+        shear: &Shown<'_>,
+    ) -> (Vec<f64>, Vec<Zone>) {
+        let grid = normal.grid();
         let sum = |seed: u64, field: &Field| along(Some(&random_field(grid, seed)), field);
-        let [qx, qy] = shear.traction();
-        let [sx, sy] = shear.slip();
-        let [dx, dy] = shear.shift();
+        let [qx, qy] = shear.traction;
+        let [sx, sy] = shear.slip;
+        let [dx, dy] = shear.shift;
         let weighted = sum(9, normal.pressure()) + sum(20, qx) + sum(21, qy) + sum(30, sx);
         let weighted = weighted + sum(31, sy) + 0.7 * dx - 0.4 * dy;
-        let zones = shear.zones().iter().zip(qx.as_slice());
-        let sticking = zones.filter(|(zone, _)| **zone == stickslip::Zone::Stick);
+        let zones = shear.zones.iter().zip(qx.as_slice());
+        let sticking = zones.filter(|(zone, _)| **zone == Zone::Stick);
         let pressure = normal.pressure().as_slice().iter();
         let powers: f64 = pressure.map(|p| p.powi(4)).sum();
         let values = vec![
-            energy,
+            shear.energies[0],
             sticking.map(|(_, q)| q * grid.cell_area()).sum(),
-            shear.dissipated_energy(),
+            shear.energies[1],
             weighted,
             (powers / normal.contact_cells() as f64).powf(0.25),
             match self.load.control(Axis::X) {
                 TangentialControl::Force(_) => dx,
-                _ => shear.force()[0],
+                _ => shear.force,
             },
         ];
-        (values, shear.zones().to_vec())
+        (values, shear.zones.to_vec())
     }
 
-    fn values(&self) -> (Vec<f64>, Vec<stickslip::Zone>) {
+    fn values(&self) -> (Vec<f64>, Vec<Zone>) {
         let bodies = self.surface.bodies();
         let (_, contact) = self.pressed(&bodies);
         let (_, shear) = self.sheared(&bodies, &contact);
         self.values_of(shear.elastic_energy(&bodies).unwrap(), &contact, &shear)
     }
 
-    /// Compares all derivatives with differences of the values that `solved` returns.
+    /// Compares all derivatives with differences of the values that `solved` returns. The gap is changed by a small part of
+    /// `depth`, or not if this is zero.
     pub(super) fn compare(
         &self,
         name: &str,
         found: &[Sensitivity],
         depth: f64,
-        solved: &dyn Fn(&Self) -> (Vec<f64>, Vec<stickslip::Zone>),
+        solved: &dyn Fn(&Self) -> (Vec<f64>, Vec<Zone>),
     ) {
         let (values, zones) = solved(self);
-        for zone in [stickslip::Zone::Stick, stickslip::Zone::Slip] {
+        for zone in [Zone::Stick, Zone::Slip] {
             assert!(zones.contains(&zone), "{name}: no {zone:?}");
         }
         for (n, (found, value)) in found.iter().zip(values).enumerate() {
@@ -238,9 +267,11 @@ impl ShearCase {
             let solved = |by: f64| solved(&self.moved(input, by));
             assert_differences(&what, 1e-5 * size, found, of, solved);
         };
-        check("gap", Input::Gap(&direction), depth, &|found| {
-            along(found.gap.as_ref(), &direction)
-        });
+        if depth > 0.0 {
+            check("gap", Input::Gap(&direction), depth, &|found| {
+                along(found.gap.as_ref(), &direction)
+            });
+        }
         check("normal load", Input::NormalLoad, self.force, &|found| {
             found.normal_load.unwrap()
         });
@@ -262,6 +293,9 @@ impl ShearCase {
         check("coefficient", Input::Coefficient, 0.3, &|found| {
             found.friction_coefficient.unwrap()
         });
+        if found[0].contact_modulus.is_none() {
+            return;
+        }
         check("modulus", Input::Scale, 1.0, &|found| {
             modulus * found.contact_modulus.unwrap()
         });
@@ -322,7 +356,7 @@ fn derivatives_of_vector_model_match_differences() {
         case.assert_differences(&format!("vector, {name}"));
         case.twist = 0.01;
         case.strain = 0.005;
-        case.cap = Some(0.1);
+        case.cap = Some(0.02);
         case.assert_differences(&format!("vector with twist, strain and cap, {name}"));
     }
 }
