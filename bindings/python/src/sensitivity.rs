@@ -290,7 +290,7 @@ readers! { Sensitivity (numbers, object => &object.numbers):
     /// Derivative with respect to a uniform coefficient of friction, the sum over all cells.
     friction_coefficient: Option<f64>,
     /// Derivative with respect to the contact modulus E*, if all moduli of both bodies change in proportion at constant
-    /// Poisson's ratios.
+    /// Poisson's ratios. ``None`` for steps of histories.
     contact_modulus: Option<f64>,
 }
 
@@ -383,21 +383,35 @@ impl Sensitivity {
     }
 }
 
+/// Returns a workspace with these options.
+pub(crate) fn workspace(
+    py: Python<'_>,
+    tolerance: Option<Real>,
+    poisson_ratio: bool,
+) -> PyResult<StiffnessWorkspace> {
+    let workspace = StiffnessWorkspace::new().poisson_ratio(poisson_ratio);
+    match tolerance {
+        None => Ok(workspace),
+        Some(Real(tolerance)) => workspace.tolerance(tolerance).or_raise(py),
+    }
+}
+
 /// Computes sensitivities with a solver, which a signal can end.
 pub(crate) fn computed<S: Solver>(
     py: Python<'_>,
     solver: &Reused<S>,
-    (tolerance, poisson_ratio): (Option<Real>, bool),
+    mut workspace: StiffnessWorkspace,
     work: impl FnOnce(&S, &mut StiffnessWorkspace, Observer<'_>) -> stickslip::Result<Vec<Found>> + Send,
 ) -> PyResult<Vec<Sensitivity>> {
-    let mut workspace = StiffnessWorkspace::new().poisson_ratio(poisson_ratio);
-    if let Some(Real(tolerance)) = tolerance {
-        workspace = workspace.tolerance(tolerance).or_raise(py)?;
-    }
     let found = solver.observed(py, None, |solver, observer| {
         work(solver, &mut workspace, observer)
-    })?;
-    Ok(found.into_iter().map(Sensitivity::from).collect())
+    });
+    found.map(objects)
+}
+
+/// Returns sensitivities as objects.
+pub(crate) fn objects(found: Vec<Found>) -> Vec<Sensitivity> {
+    found.into_iter().map(Sensitivity::from).collect()
 }
 
 /// Functionals in the form of the crate.
@@ -479,11 +493,16 @@ macro_rules! sensitive {
             ) -> pyo3::PyResult<Vec<crate::sensitivity::Sensitivity>> {
                 let solution = solution.get();
                 let functionals = crate::sensitivity::contents(functionals);
-                let options = (tolerance, poisson_ratio);
-                crate::sensitivity::computed(py, &self.0, options, |solver, workspace, observer| {
-                    let observer = crate::work::watch(observer);
-                    solver.sensitivities_with(solution, &functionals, workspace, observer)
-                })
+                let workspace = crate::sensitivity::workspace(py, tolerance, poisson_ratio)?;
+                crate::sensitivity::computed(
+                    py,
+                    &self.0,
+                    workspace,
+                    |solver, workspace, observer| {
+                        let observer = crate::work::watch(observer);
+                        solver.sensitivities_with(solution, &functionals, workspace, observer)
+                    },
+                )
             }
         }
     };

@@ -238,6 +238,8 @@ class Scene:
             "Functional.weighted": {"pressure": ball},
             "Friction.limit": {"pressure": 1e8},
             "History.from_bytes": {"bytes": history.to_bytes()},
+            "History.sensitivities": {"load": load},
+            "History.sensitivity": {"load": load},
             "History.step": {"normal_force": 100.0, "force_x": 20.0},
             "HertzLine": {"load": 1e4},
             "HertzLine.stress": {"depth": 1e-5},

@@ -130,7 +130,11 @@ METHODS = {
     "cgm::Settings": {"check": "the class"},
     "dense::DenseOperator": {"from_rows": "the class"},
     "history::Cycle": {"dissipation": "dissipated_energy"},
-    "history::History": {"dissipation": "dissipated_energy", "stiffness_with": "stiffness"},
+    "history::History": {
+        "dissipation": "dissipated_energy",
+        "sensitivities_with": "sensitivities",
+        "stiffness_with": "stiffness",
+    },
     "history::LoadPath": {"table": "the class"},
     "history::LoadStep": {
         "hold": "LoadStep()",

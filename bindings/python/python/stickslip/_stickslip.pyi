@@ -3258,6 +3258,14 @@ class History:
         """
         Saves the state to a file. An existing file is replaced completely or not at all.
         """
+    def sensitivities(self, /, load: LoadStep, functionals: Sequence[Functional], *, tolerance: float | None = None) -> list[Sensitivity]:
+        """
+        x
+        """
+    def sensitivity(self, /, load: LoadStep, functional: Functional, *, tolerance: float | None = None) -> Sensitivity:
+        """
+        x
+        """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
         Sets the friction of later steps.

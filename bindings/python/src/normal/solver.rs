@@ -12,7 +12,7 @@ use crate::half_space::HalfSpace;
 use crate::load;
 use crate::normal::{AnyHardness, NormalProblem, NormalSolution};
 use crate::real::{Count, Real};
-use crate::sensitivity::{Sensitivity, computed, sensitive};
+use crate::sensitivity::{Sensitivity, computed, sensitive, workspace};
 use crate::settings::Settings;
 use crate::solution_pool::lock;
 use crate::solver::{Reused, solver};
@@ -268,8 +268,8 @@ impl NormalSolver {
     ) -> PyResult<Vec<Sensitivity>> {
         let solution = solution.get();
         let sensitivities = sensitivities.into_iter().map(Into::into).collect();
-        let options = (tolerance, false);
-        computed(py, &self.0, options, |solver, workspace, observer| {
+        let workspace = workspace(py, tolerance, false)?;
+        computed(py, &self.0, workspace, |solver, workspace, observer| {
             solver.chain_with(solution, sensitivities, workspace, watch(observer))
         })
     }
