@@ -82,15 +82,33 @@ def jacobian(parameters):
 
 found, own_solves = fit(True, jacobian)
 differences, their_solves = fit(False, "2-point")
-deviation = np.abs(found.jac / np.where(differences.jac == 0.0, 1.0, differences.jac) - 1.0)
 # The covariance of the parameters follows from the Jacobian at the solution.
 uncertainty = NOISE * np.sqrt(np.diag(np.linalg.inv(found.jac.T @ found.jac)))
 
-print("                        true   initial              fitted   fitted with differences")
-for name, true, initial, value, error, other in zip(
-    ("friction coefficient", "contact modulus, GPa"), TRUE, INITIAL, found.x, uncertainty, differences.x
-):
-    print(f"{name:20} {true:7.3f}   {initial:7.3f}   {value:8.4f} +- {error:.4f}   {other:23.4f}")
+print("                           true   initial   fitted, with standard error   fitted with differences")
+names = ("friction coefficient", "contact modulus, GPa")
+for name, *values, error, other in zip(names, TRUE, INITIAL, found.x, uncertainty, differences.x):
+    true, initial, value = values
+    print(f"{name:20}   {true:8.3f}  {initial:8.3f}   {value:14.4f} +- {error:9.4f}   {other:23.4f}")
 for name, count in (("exact Jacobian", own_solves), ("differences", their_solves)):
-    print(f"{name}: {count['normal']} normal and {count['tangential']} tangential solves")
+    print(f"{name:14}: {count['normal']} normal and {count['tangential']} tangential solves")
+difference = np.abs(found.jac - differences.jac).max(axis=0) / np.abs(found.jac).max(axis=0)
+print(f"largest difference between the Jacobians: {difference.max():.1e} of the largest entry of a column")
 assert (np.abs(found.x - TRUE) < 3.0 * uncertainty).all()
+assert np.allclose(found.x, differences.x, rtol=1e-4)
+
+# %% Plot
+# The plot shows the measured forces with the curves of the initial and the fitted parameters.
+
+try:
+    import matplotlib.pyplot as pyplot
+except ImportError:
+    print("no matplotlib, no picture")
+else:
+    pyplot.plot(shifts * 1e6, measured, "o", label="measured")
+    pyplot.plot(shifts * 1e6, curve(*INITIAL, False)[0], "--", label="initial parameters")
+    pyplot.plot(shifts * 1e6, curve(*found.x, False)[0], label="fitted parameters")
+    pyplot.xlabel("shift, µm")
+    pyplot.ylabel("tangential force, N")
+    pyplot.legend()
+    pyplot.savefig("fit.png")

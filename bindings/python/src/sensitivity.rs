@@ -347,7 +347,7 @@ impl Sensitivity {
         Ok(numbers)
     }
 
-    /// Returns the numbers of :meth:`to_dict` as a :class:`pandas.Series` (requires pandas).
+    /// Returns the numbers of :meth:`to_dict` as a series of pandas, which must be installed.
     fn to_series<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
         table(slf.py(), "to_series", (Self::to_dict(slf)?, "Sensitivity"))
     }
