@@ -13,6 +13,7 @@ use crate::tangential::{Axis, Zone};
 /// A functional of tractions, slip or shift requires the solver of a tangential or coupled contact. The approach requires the
 /// solver of a normal or coupled contact.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 #[expect(
     clippy::large_enum_variant,
@@ -67,6 +68,7 @@ impl Functional {
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, Clone, PartialEq, Default)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[must_use]
 pub struct Weights {
     pressure: Option<Field>,

@@ -16,6 +16,7 @@ use crate::stiffness::StiffnessWorkspace;
 /// A derivative is `None` if the problem does not have this input. Derivatives with respect to fields are per value of a cell,
 /// and zero outside the contact.
 #[derive(Debug, Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub struct Sensitivity {
     /// Value J of the functional.

@@ -16,6 +16,7 @@ use stickslip::influence::{Component, Rectangle};
 use stickslip::layers::Layer;
 use stickslip::normal::Hardness;
 use stickslip::rolling::{RollingProblem, RollingSolution};
+use stickslip::sensitivity::{Functional, Weights};
 use stickslip::surface::{self, Amplitudes, GaussianFilter, PowerSpectrum, SelfAffine, Statistics};
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
@@ -127,6 +128,29 @@ fn loads_and_options_survive_serialisation() {
     for component in Component::ALL {
         assert_survives(&component);
     }
+}
+
+#[test]
+fn sensitivities_survive_serialisation() {
+    let weights = Field::from_fn(grid(), |x, y| x - 0.1 * y);
+    let pair = [weights.clone(), weights.clone()];
+    let weighted = Weights::new().pressure(weights).traction(pair.clone());
+    let weighted = weighted.slip(pair).approach(0.1).shift([0.2, 0.3]);
+    for functional in [
+        Functional::PressureNorm { exponent: 8.0 },
+        Functional::StickForce(Axis::Y),
+        Functional::Weighted(weighted),
+    ] {
+        assert_survives(&functional);
+    }
+    let ball = surface::sphere(Grid::square(16, 3.0).unwrap(), 10.0);
+    let bodies = unit_bodies(Grid::square(16, 3.0).unwrap(), 0.3);
+    let problem = NormalProblem::builder(&bodies, &ball.unwrap(), NormalLoad::Force(0.1));
+    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut contact = solver.new_solution();
+    solver.solve_into(&mut contact).unwrap();
+    let found = solver.sensitivity(&contact, &Functional::Approach);
+    assert_survives(&found.unwrap());
 }
 
 #[test]

@@ -41,6 +41,8 @@ due! {
     Creepages([f64; 2]): "creepage must be a pair (x, y)", "for a creepage along x give (creepage, 0.0)";
     /// Shift along both axes.
     Shift([f64; 2]): "shift must be a pair (x, y)", "for a shift along one axis give shift_x= or shift_y=";
+    /// Weights of the shifts along both axes.
+    ShiftWeights([f64; 2]): "shift must be a pair (x, y) of weights";
     /// Springs along both axes.
     Springs(([f64; 2], f64)): "spring must be ((x, y), stiffness)", "for a spring along one axis give spring_x= or spring_y=";
     /// Spring along one axis.

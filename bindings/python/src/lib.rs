@@ -35,6 +35,7 @@ mod readers;
 mod real;
 mod report;
 mod rolling;
+mod sensitivity;
 mod sequence;
 mod settings;
 mod solution_pool;
@@ -118,6 +119,7 @@ mod _stickslip {
             CoupledRollingSolver, CreepForce, CreepForces, RollingProblem, RollingSolution,
             RollingSolver,
         },
+        sensitivity::{Functional, Sensitivity},
         settings::Settings,
         spots::{ContactSpots, Spot},
         stiffness::{ContactStiffness, NormalStiffness, TangentialStiffness},

@@ -215,6 +215,8 @@ kinds!(
     crate::surface::WithoutOutliers,
     crate::edges::Edges,
     crate::edges::TangentialEdges,
+    crate::sensitivity::Functional,
+    crate::sensitivity::Sensitivity,
     crate::stiffness::NormalStiffness,
     crate::stiffness::TangentialStiffness,
     crate::stiffness::ContactStiffness,

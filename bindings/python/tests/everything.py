@@ -92,6 +92,9 @@ class Scene:
         contact_stiffness = ss.stiffness.ContactStiffness(bodies, normal, 0.5, shear)
         rectangle = ss.influence.Rectangle(1.0, 2.0)
         coupled = problem.solve()
+        functional = ss.sensitivity.Functional.tangential_force("x")
+        shearer = ss.TangentialProblem(bodies, normal, 0.5, shift_x=1e-7).solver()
+        sensitivity = shearer.sensitivity(shearer.solve(), functional)
         dense = ss.dense.DenseOperator.of_half_space(self.few, "zz")
         linear = -np.ones(64)
         extent = (-0.15e-3, 0.15e-3)
@@ -145,6 +148,8 @@ class Scene:
             "Principal": response.stress.principal,
             "ContactStiffness": contact_stiffness,
             "NormalStiffness": contact_stiffness.normal,
+            "Functional": functional,
+            "Sensitivity": sensitivity,
             "TangentialStiffness": contact_stiffness.tangential,
             "Edges": normal.edges(),
             "TangentialEdges": shear.edges(normal, 0.5),
@@ -186,8 +191,9 @@ class Scene:
             "column": 1, "columns": (0, 8), "comm": Alone(), "component": "zz", "cone": ss.analytical.Cone(pair, slope=slope, load=100.0),
             "contact": normal, "contact_radius": 1e-4, "count": 2, "creepage": 1e-3,
             "curvatures": (1.0, 0.0, 1.0), "cycle": cycle, "datum": 1.0, "depth": ball, "depths": [0.0, 1e-5],
-            "dx": 1e-6, "dy": 1e-6, "energy": ball, "field": ball,
+            "dx": 1e-6, "dy": 1e-6, "energy": ball, "exponent": 4.0, "field": ball,
             "fields": {"gap": ball}, "finer": accurate, "flat": 5e-5, "force": 20.0, "form": 3, "friction": 0.5, "full": normal,
+            "functional": ss.sensitivity.Functional.normal_force(), "functionals": [ss.sensitivity.Functional.normal_force()],
             "gap": ball, "grid": grid, "heights": ball, "hertz": hertz, "histories": [history], "history": history,
             "i": 1, "index": 0, "ix": 0, "iy": 0, "j": 1, "k": 1e3, "layers": [layer], "limit": 1e10, "linear": -np.ones(cells * cells),
             "load": 100.0, "loads": [load], "lower": ball, "height": 0.0, "material": steel, "material_ratio": 0.3, "mean_pressure": 1e8,
@@ -197,6 +203,7 @@ class Scene:
             "pressure": normal, "quantity": "pressure", "r": [0.0, 1e-4], "radius": 3.5e-3, "radius_x": 3e-3, "radius_y": 4e-3, "ratio": 0.5,
             "recess": 1e-3, "region": region,
             "reduced_pressure": 0.1, "relative": strain, "rms_slope": slope, "row": 1, "rows": (0, 8), "samples": ball,
+            "sensitivities": [sensitivity],
             "settings": ss.Settings(), "shear": shear, "shear_modulus": 80e9, "side": 1e-3, "slip_distance": ball,
             "slope": slope, "spots": normal.spots, "springs": (1e7, 1e7), "state": history.state(), "steps": 8, "stick": light,
             "stick_radius": 5e-5, "strain": ((1e-6, 0.0), (0.0, 0.0)), "stress": 1e8, "threshold": 0.0,
@@ -220,6 +227,8 @@ class Scene:
             "Convolution.apply": {"x": vector},
             "CoupledProblem": {"bodies": self.dissimilar, "normal_force": 100.0, "force_x": 20.0},
             "CoupledSolution.stiffness": {"bodies": self.dissimilar},
+            "CoupledSolver.sensitivities": {"solution": coupled},
+            "CoupledSolver.sensitivity": {"solution": coupled},
             "CoupledSolver.set_load": {"load": self.still, "normal_force": 100.0},
             "CycleJump": {"max_residual": 0.9},
             "DenseOperator": {"rows": np.eye(3)},
@@ -227,8 +236,11 @@ class Scene:
             "DenseOperator.minimise": {"linear": linear, "lower": np.zeros(64)},
             "DenseOperator.of_half_space": {"bodies": self.few},
             "FlatPunch": {"radius": 1e-4},
+            "Functional.weighted": {"pressure": ball},
             "Friction.limit": {"pressure": 1e8},
             "History.from_bytes": {"bytes": history.to_bytes()},
+            "History.sensitivities": {"load": load},
+            "History.sensitivity": {"load": load},
             "History.step": {"normal_force": 100.0, "force_x": 20.0},
             "HertzLine": {"load": 1e4},
             "HertzLine.stress": {"depth": 1e-5},
@@ -241,6 +253,9 @@ class Scene:
             "NoSlipPunch": {"radius": 1e-4},
             "NormalProblem": {"force": 100.0},
             "NormalSolver": {"force": 100.0},
+            "NormalSolver.chain": {"solution": normal},
+            "NormalSolver.sensitivities": {"solution": normal},
+            "NormalSolver.sensitivity": {"solution": normal},
             "NormalSolver.set_load": {"force": 100.0},
             "NormalSolver.solve": {"force": 100.0},
             "Planes.write_vti": {"path": f"{self.folder}/planes.vti"},
@@ -260,6 +275,8 @@ class Scene:
             "PvdWriter": {"path": f"{self.folder}/series.pvd"},
             "State.from_bytes": {"bytes": history.state().to_bytes()},
             "TangentialProblem": {"force_x": 20.0},
+            "TangentialSolver.sensitivities": {"solution": shear},
+            "TangentialSolver.sensitivity": {"solution": shear},
             "TangentialSolver.solve": {"force_x": 20.0},
             "TensorOperator.apply": {"tractions": [vector] * 3},
             "VermeulenJohnson": {"hertz": ellipse, "creepage": (1e-3, 0.0)},

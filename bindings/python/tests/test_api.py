@@ -38,6 +38,7 @@ ELSEWHERE = {
     "struct io::csv::Options": "io.csv.read",  # missing=, skip_rows= and others
     "struct io::xyz::Options": "io.xyz.read",  # missing= and skip_rows=
     "struct edges::EdgeCell": "edges.Edges",  # arrays: cells, covered, is_fitted
+    "struct sensitivity::Weights": "sensitivity.Functional.weighted",  # keywords
     "struct subsurface::Tractions": "subsurface.at_points",  # a solution or fields
     "enum cgm::Total": "cgm.minimise",  # total= and spring=
     "struct cgm::Problem": "cgm.minimise",
@@ -129,7 +130,11 @@ METHODS = {
     "cgm::Settings": {"check": "the class"},
     "dense::DenseOperator": {"from_rows": "the class"},
     "history::Cycle": {"dissipation": "dissipated_energy"},
-    "history::History": {"dissipation": "dissipated_energy", "stiffness_with": "stiffness"},
+    "history::History": {
+        "dissipation": "dissipated_energy",
+        "sensitivities_with": "sensitivities",
+        "stiffness_with": "stiffness",
+    },
     "history::LoadPath": {"table": "the class"},
     "history::LoadStep": {
         "hold": "LoadStep()",

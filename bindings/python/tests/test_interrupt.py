@@ -142,6 +142,10 @@ LONG = {
         "contact = ss.NormalProblem(bodies, gap, force=0.02).solve()",
         "[contact.stiffness(bodies) for _ in range(100)]",
     ),
+    "sensitivity": (
+        "solver = ss.NormalSolver(bodies, gap, force=0.02); contact = solver.solve()",
+        "solver.sensitivities(contact, [ss.sensitivity.Functional.elastic_energy()] * 1000)",
+    ),
     "planes": (
         "planes = ss.subsurface.Planes(bodies, [0.01 * k for k in range(100)])",
         "planes.solve_all('one', history)",

@@ -34,9 +34,9 @@ it chooses. Use ``help`` on a class for its parameters, units, defaults and exce
 The submodules correspond to the modules of the Rust crate: :mod:`~stickslip.adaptive`, :mod:`~stickslip.analytical`,
 :mod:`~stickslip.cgm`, :mod:`~stickslip.coupled`, :mod:`~stickslip.dense`, :mod:`~stickslip.edges`, :mod:`~stickslip.errors`,
 :mod:`~stickslip.fft`, :mod:`~stickslip.history`, :mod:`~stickslip.influence`, :mod:`~stickslip.io`,
-:mod:`~stickslip.layers`, :mod:`~stickslip.normal`, :mod:`~stickslip.rolling`, :mod:`~stickslip.stiffness`,
-:mod:`~stickslip.subsurface`, :mod:`~stickslip.surface`, :mod:`~stickslip.tangential`, :mod:`~stickslip.wear`;
-:mod:`~stickslip.plot` draws with matplotlib.
+:mod:`~stickslip.layers`, :mod:`~stickslip.normal`, :mod:`~stickslip.rolling`, :mod:`~stickslip.sensitivity`,
+:mod:`~stickslip.stiffness`, :mod:`~stickslip.subsurface`, :mod:`~stickslip.surface`, :mod:`~stickslip.tangential`,
+:mod:`~stickslip.wear`; :mod:`~stickslip.plot` draws with matplotlib.
 """
 
 from . import (
@@ -55,6 +55,7 @@ from . import (
     normal,
     plot,
     rolling,
+    sensitivity,
     stiffness,
     subsurface,
     surface,
@@ -158,6 +159,7 @@ __all__ = [
     "normal",
     "plot",
     "rolling",
+    "sensitivity",
     "num_threads",
     "set_num_threads",
     "stiffness",

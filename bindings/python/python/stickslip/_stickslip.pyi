@@ -47,6 +47,7 @@ __all__ = [
     "Filtered",
     "FlatPunch",
     "Friction",
+    "Functional",
     "Grid",
     "GridRecord",
     "HalfSpace",
@@ -99,6 +100,7 @@ __all__ = [
     "RoughSurface",
     "RoundedPunch",
     "SelfAffine",
+    "Sensitivity",
     "Settings",
     "SpencePressing",
     "Spot",
@@ -1625,6 +1627,14 @@ class CoupledSolver:
         """
         Discards the last solution, so that the next solve starts like the first.
         """
+    def sensitivities(self, /, solution: CoupledSolution, functionals: Sequence[Functional], *, tolerance: float | None = None, poisson_ratio: bool = False) -> list[Sensitivity]:
+        """
+        x
+        """
+    def sensitivity(self, /, solution: CoupledSolution, functional: Functional, *, tolerance: float | None = None, poisson_ratio: bool = False) -> Sensitivity:
+        """
+        x
+        """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
         Sets the friction of the next solve.
@@ -2515,6 +2525,66 @@ class Friction:
         """
 
 @final
+class Functional:
+    """
+    x
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
+    def __repr__(self, /) -> str: ...
+    @staticmethod
+    def approach() -> Functional:
+        """
+        x
+        """
+    @staticmethod
+    def dissipated_energy() -> Functional:
+        """
+        x
+        """
+    @staticmethod
+    def elastic_energy() -> Functional:
+        """
+        x
+        """
+    @staticmethod
+    def normal_force() -> Functional:
+        """
+        x
+        """
+    @staticmethod
+    def pressure_norm(exponent: float) -> Functional:
+        """
+        x
+        """
+    @staticmethod
+    def rms_pressure() -> Functional:
+        """
+        x
+        """
+    @staticmethod
+    def shift(axis: Axis | str) -> Functional:
+        """
+        x
+        """
+    @staticmethod
+    def stick_force(axis: Axis | str) -> Functional:
+        """
+        x
+        """
+    @staticmethod
+    def tangential_force(axis: Axis | str) -> Functional:
+        """
+        x
+        """
+    @staticmethod
+    def weighted(*, pressure: Field | ArrayLike | None = None, traction: Sequence[Field | ArrayLike] | None = None, slip: Sequence[Field | ArrayLike] | None = None, approach: float = 0.0, shift: Sequence[float] | NDArray[Any] = (0.0, 0.0), grid: Grid | None = None) -> Functional:
+        """
+        x
+        """
+
+@final
 class Grid:
     """
     A rectangular grid of equal cells, centred on the origin.
@@ -3230,6 +3300,14 @@ class History:
     def save(self, /, path: str | PathLike[str]) -> None:
         """
         Saves the state to a file. An existing file is replaced completely or not at all.
+        """
+    def sensitivities(self, /, load: LoadStep, functionals: Sequence[Functional], *, tolerance: float | None = None) -> list[Sensitivity]:
+        """
+        x
+        """
+    def sensitivity(self, /, load: LoadStep, functional: Functional, *, tolerance: float | None = None) -> Sensitivity:
+        """
+        x
         """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
@@ -4715,9 +4793,21 @@ class NormalSolver:
     """
     def __new__(cls, /, bodies: HalfSpace, gap: Field | ArrayLike, *, force: float | None = None, approach: float | None = None, hardness: Hardness | float | ArrayLike | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> NormalSolver: ...
     def __repr__(self, /) -> str: ...
+    def chain(self, /, solution: NormalSolution, sensitivities: Sequence[Sensitivity], *, tolerance: float | None = None) -> list[Sensitivity]:
+        """
+        x
+        """
     def reset(self, /) -> None:
         """
         Discards the last solution, so that the next solve starts like the first.
+        """
+    def sensitivities(self, /, solution: NormalSolution, functionals: Sequence[Functional], *, tolerance: float | None = None, poisson_ratio: bool = False) -> list[Sensitivity]:
+        """
+        x
+        """
+    def sensitivity(self, /, solution: NormalSolution, functional: Functional, *, tolerance: float | None = None, poisson_ratio: bool = False) -> Sensitivity:
+        """
+        x
         """
     def set_gap(self, /, gap: Field | ArrayLike) -> None:
         """
@@ -6021,6 +6111,79 @@ class PvdWriter:
         """
 
 @final
+class Sensitivity:
+    """
+    x
+    """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
+    def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
+    def __repr__(self, /) -> str: ...
+    @property
+    def contact_modulus(self, /) -> float | None:
+        """
+        x
+        """
+    @property
+    def friction(self, /) -> Field | None:
+        """
+        x
+        """
+    @property
+    def friction_coefficient(self, /) -> float | None:
+        """
+        x
+        """
+    @property
+    def gap(self, /) -> Field | None:
+        """
+        x
+        """
+    @property
+    def normal_load(self, /) -> float | None:
+        """
+        x
+        """
+    @property
+    def poisson_ratio(self, /) -> tuple[float, float] | None:
+        """
+        x
+        """
+    @property
+    def pressure(self, /) -> Field | None:
+        """
+        x
+        """
+    @property
+    def report(self, /) -> Report:
+        """
+        x
+        """
+    @property
+    def tangential_load(self, /) -> tuple[float | None, float | None]:
+        """
+        x
+        """
+    def to_dict(self, /) -> dict[str, Any]:
+        """
+        x
+        """
+    def to_series(self, /) -> Any:
+        """
+        x
+        """
+    @property
+    def twist(self, /) -> float | None:
+        """
+        x
+        """
+    @property
+    def value(self, /) -> float:
+        """
+        x
+        """
+
+@final
 class Settings:
     """
     Method, tolerance and limits of an iteration. Every problem, solver and history accepts them together as ``settings``,
@@ -7025,6 +7188,14 @@ class TangentialSolver:
     def reset(self, /) -> None:
         """
         Discards the last solution, so that the next solve starts like the first.
+        """
+    def sensitivities(self, /, solution: TangentialSolution, functionals: Sequence[Functional], *, tolerance: float | None = None, poisson_ratio: bool = False) -> list[Sensitivity]:
+        """
+        x
+        """
+    def sensitivity(self, /, solution: TangentialSolution, functional: Functional, *, tolerance: float | None = None, poisson_ratio: bool = False) -> Sensitivity:
+        """
+        x
         """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """

@@ -25,6 +25,12 @@ use crate::work::{observed_on, watch};
 #[derive(PartialEq)]
 pub(crate) struct CoupledSolution(pub(crate) Arc<stickslip::CoupledSolution>);
 
+impl CoupledSolution {
+    pub(crate) fn get(&self) -> &stickslip::CoupledSolution {
+        &self.0
+    }
+}
+
 impl From<Arc<stickslip::CoupledSolution>> for CoupledSolution {
     fn from(solution: Arc<stickslip::CoupledSolution>) -> Self {
         Self(solution)

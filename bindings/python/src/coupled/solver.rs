@@ -8,6 +8,7 @@ use crate::field::Samples;
 use crate::friction::AnyFriction;
 use crate::load::{self, TangentialArgument};
 use crate::real::Real;
+use crate::sensitivity::sensitive;
 use crate::solver::{Reused, solver};
 
 /// Solves coupled contacts repeatedly, each time from the last solution; created by :meth:`CoupledProblem.solver`.
@@ -25,6 +26,7 @@ impl CoupledSolver {
 }
 
 solver!(CoupledSolver: CoupledSolution);
+sensitive!(CoupledSolver: CoupledSolution);
 
 #[pymethods]
 impl CoupledSolver {

@@ -8,6 +8,7 @@ mod cycle;
 mod path;
 mod rolling;
 mod saving;
+mod sensitivity;
 mod state;
 mod step;
 mod stepping;

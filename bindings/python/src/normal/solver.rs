@@ -13,10 +13,11 @@ use crate::half_space::HalfSpace;
 use crate::load;
 use crate::normal::{AnyHardness, NormalProblem, NormalSolution};
 use crate::real::{Count, Real};
+use crate::sensitivity::{Sensitivity, computed, sensitive, workspace};
 use crate::settings::Settings;
 use crate::solution_pool::lock;
 use crate::solver::{Reused, solver};
-use crate::work::unobserved_on;
+use crate::work::{unobserved_on, watch};
 
 /// Solves normal contacts on one grid repeatedly, each time from the last solution. The arguments are those of
 /// :class:`NormalProblem`; load and gap may change between calls.
@@ -118,6 +119,7 @@ impl NormalSolver {
 }
 
 solver!(NormalSolver: NormalSolution);
+sensitive!(NormalSolver: NormalSolution);
 
 #[pymethods]
 impl NormalSolver {
@@ -217,5 +219,60 @@ impl NormalSolver {
     /// Sets the gap of the next solve, for example after wear.
     fn set_gap(&self, py: Python<'_>, gap: Samples<'_>) -> PyResult<()> {
         self.change(py, None, Some(gap))
+    }
+
+    /// Continues sensitivities of a tangential contact through the normal contact that supplies its pressure.
+    ///
+    /// The results also contain the derivatives with respect to the gap and the normal load. The derivatives with respect to
+    /// the modulus include the change of the pressure.
+    ///
+    /// Parameters
+    /// ----------
+    /// solution : NormalSolution
+    ///     The solution of the present problem of this solver.
+    /// sensitivities : sequence of Sensitivity
+    ///     Results of :meth:`TangentialSolver.sensitivities`.
+    /// tolerance : float, optional
+    ///     Relative residual at which a linear problem counts as solved; 1e-11 by default.
+    ///
+    /// Returns
+    /// -------
+    /// list of Sensitivity
+    ///
+    /// Raises
+    /// ------
+    /// UnsupportedByModel
+    ///     If a sensitivity has no derivative with respect to the pressure.
+    /// GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, NotPositive, EmptyContact, NotFinite, NotConverged
+    ///     See :meth:`sensitivity`.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import stickslip
+    /// >>> from stickslip.sensitivity import Functional
+    /// >>> grid = stickslip.Grid.square(48, 0.3e-3)
+    /// >>> steel = stickslip.Material(213e9, 0.29)
+    /// >>> bodies = stickslip.HalfSpace(grid, (steel, steel))
+    /// >>> presser = stickslip.NormalSolver(bodies, stickslip.surface.sphere(grid, 3.5e-3), force=100.0)
+    /// >>> normal = presser.solve()
+    /// >>> shearer = stickslip.TangentialProblem(bodies, normal, 0.5, shift_x=5e-7).solver()
+    /// >>> found = shearer.sensitivities(shearer.solve(), [Functional.tangential_force("x")])
+    /// >>> [chained] = presser.chain(normal, found)
+    /// >>> chained.normal_load > 0.0 and chained.friction_coefficient > 0.0
+    /// True
+    #[pyo3(signature = (solution, sensitivities, *, tolerance=None))]
+    fn chain(
+        &self,
+        py: Python<'_>,
+        solution: &NormalSolution,
+        sensitivities: Vec<Sensitivity>,
+        tolerance: Option<Real>,
+    ) -> PyResult<Vec<Sensitivity>> {
+        let solution = solution.get();
+        let sensitivities = sensitivities.into_iter().map(Into::into).collect();
+        let workspace = workspace(py, tolerance, false)?;
+        computed(py, &self.0, workspace, |solver, workspace, observer| {
+            solver.chain_with(solution, sensitivities, workspace, watch(observer))
+        })
     }
 }

@@ -7,6 +7,7 @@ use crate::error::OrRaise;
 use crate::friction::AnyFriction;
 use crate::load::{Keywords, TangentialArgument};
 use crate::real::Real;
+use crate::sensitivity::sensitive;
 use crate::solver::{Reused, solver};
 use crate::tangential::pressure::Pressure;
 use crate::tangential::{RelativeDisplacement, TangentialSolution};
@@ -28,6 +29,7 @@ impl TangentialSolver {
 }
 
 solver!(TangentialSolver: TangentialSolution);
+sensitive!(TangentialSolver: TangentialSolution);
 
 #[pymethods]
 impl TangentialSolver {
