@@ -157,20 +157,22 @@ impl<T: Real> Plan<T> {
         let count = forward.len();
         let whole = count - count % BLOCK;
         let (a, b) = (&mut a[..count], &mut b[..count]);
+        let of = |z: Complex<T>, y: Complex<T>| {
+            (
+                Complex::new(z.re + y.re, z.im - y.im),
+                Complex::new(z.im + y.im, y.re - z.re),
+            )
+        };
         let blocks = a.chunks_exact_mut(BLOCK).zip(b.chunks_exact_mut(BLOCK));
         let waves = forward.chunks_exact(BLOCK);
         let waves = waves.zip(backward.rchunks_exact(BLOCK));
         for ((a, b), (z, y)) in blocks.zip(waves) {
             for k in 0..BLOCK {
-                let y = y[BLOCK - 1 - k];
-                a[k] = Complex::new(z[k].re + y.re, z[k].im - y.im);
-                b[k] = Complex::new(z[k].im + y.im, y.re - z[k].re);
+                (a[k], b[k]) = of(z[k], y[BLOCK - 1 - k]);
             }
         }
         for k in whole..count {
-            let (z, y) = (forward[k], backward[count - 1 - k]);
-            a[k] = Complex::new(z.re + y.re, z.im - y.im);
-            b[k] = Complex::new(z.im + y.im, y.re - z.re);
+            (a[k], b[k]) = of(forward[k], backward[count - 1 - k]);
         }
     }
 
@@ -244,14 +246,17 @@ impl<T: Real> Plan<T> {
             *z = Complex::new(a.re - b.im, a.im + b.re);
         }
         let (backward, count) = (&mut waves[back], inner.len());
-        let blocks = a[..count].chunks_exact(BLOCK).zip(b[..count].chunks_exact(BLOCK));
+        let of = |a: Complex<T>, b: Complex<T>| Complex::new(a.re + b.im, b.re - a.im);
+        let blocks = a[..count]
+            .chunks_exact(BLOCK)
+            .zip(b[..count].chunks_exact(BLOCK));
         for ((a, b), y) in blocks.zip(backward.rchunks_exact_mut(BLOCK)) {
             for k in 0..BLOCK {
-                y[BLOCK - 1 - k] = Complex::new(a[k].re + b[k].im, b[k].re - a[k].im);
+                y[BLOCK - 1 - k] = of(a[k], b[k]);
             }
         }
         for k in count - count % BLOCK..count {
-            backward[count - 1 - k] = Complex::new(a[k].re + b[k].im, b[k].re - a[k].im);
+            backward[count - 1 - k] = of(a[k], b[k]);
         }
         if columns.start == 0 {
             waves[0] = ends(0);
