@@ -89,6 +89,17 @@ impl ChunkCells<'_> {
         }
         lanes.into_iter().fold(T::ZERO, T::plus)
     }
+
+    /// Sums `f(item, position in the compressed part, position in the chunk)` like [`sums`](Self::sums), where `items` are the
+    /// entries of compressed vectors. One bounds check per cell covers all these vectors.
+    #[inline]
+    pub(in crate::cgm) fn sums_of<I, T: Reduction>(
+        &self,
+        mut items: impl Iterator<Item = I>,
+        mut f: impl FnMut(I, usize, usize) -> T,
+    ) -> T {
+        self.sums(|k, place| items.next().map_or(T::ZERO, |item| f(item, k, place)))
+    }
 }
 
 impl FreeCells {

@@ -357,9 +357,10 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         );
         w.linear.moving.sweep(data, |entries, (mut x, motions)| {
             let mut changed = 0_usize;
+            let gradient = within(&gradient, &entries.chunk);
             entries.visit::<MotionOf<K, N>, N>(|kept, place| {
                 let cell = entries.chunk.start + place;
-                let g = minus(at(&gradient, cell), multiplier);
+                let g = minus(at(&gradient, place), multiplier);
                 let was = motions.items[kept];
                 let set = problem.constraint.of(cell);
                 let weighing = [self_compliance, problem.own.mean(cell)];

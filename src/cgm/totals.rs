@@ -388,7 +388,9 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         let products: [f64; N] = w.linear.moving.sweep((), |entries, ()| {
             let spread = &w.linear.spread[entries.range.clone()];
             let gradient = within(&gradient, &entries.chunk);
-            entries.sums(|k, place| spread[k].map(|w| dot(w, at(&gradient, place))))
+            entries.sums_of(spread.iter(), |spread, _, place| {
+                spread.map(|w| dot(w, at(&gradient, place)))
+            })
         });
         let mean = system.patterns.solve(products, prescribed);
         if system.has_spring() == [false; N] {

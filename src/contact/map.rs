@@ -6,7 +6,6 @@ use crate::contact::contact_counts::ContactCounts;
 use crate::error::Result;
 use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
-use crate::grid::neighbours::neighbours;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible::unwrap_or_abort;
 use crate::warning::{Resolution, Warning};
@@ -74,14 +73,23 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
         if let Some(counted) = self.counted {
             return counted.switches;
         }
-        let contains = &self.contains;
-        (0..self.grid.cells())
-            .map(|i| {
-                let [left, below, ..] = self.neighbours(i);
-                let others = [left, below].into_iter().flatten();
-                others.filter(|&j| contains(i) != contains(j)).count()
-            })
-            .sum()
+        let ([columns, rows], repeats) = (self.grid.size(), self.repeats);
+        let switch = |i: usize, j: usize| usize::from((self.contains)(i) != (self.contains)(j));
+        // Whole rows take fewer instructions than the neighbours of single cells.
+        let switches_of = |row: usize| {
+            let (first, last) = (row * columns, (row + 1) * columns - 1);
+            let along: usize = (first..last).map(|i| switch(i, i + 1)).sum();
+            let across_edge = if repeats[0] { switch(first, last) } else { 0 };
+            let below = match row.checked_sub(1) {
+                None => repeats[1].then(|| (rows - 1) * columns),
+                Some(below) => Some(below * columns),
+            };
+            let across: usize = below.map_or(0, |below| {
+                (0..columns).map(|i| switch(below + i, first + i)).sum()
+            });
+            along + across_edge + across
+        };
+        (0..rows).map(switches_of).sum()
     }
 
     /// Returns all warnings.
@@ -132,10 +140,6 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
             (cells / std::f64::consts::PI).sqrt()
         };
         Ok((radius, counts.spots.all))
-    }
-
-    fn neighbours(&self, i: usize) -> [Option<usize>; 4] {
-        neighbours(i, self.grid.size(), self.repeats)
     }
 
     /// Returns the number of contact cells on the edges across which the grid is not periodic.

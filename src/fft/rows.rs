@@ -24,6 +24,9 @@ const PAIRS: usize = TILE_ROWS / 2;
 /// Number of columns of a tile in single precision, which is larger than the number in double precision.
 const MOST_COLUMNS: usize = f32::TILE_COLUMNS;
 
+/// Number of waves in a block. The compiler unrolls loops over a block and reverses its order with vector instructions.
+const BLOCK: usize = 8;
+
 #[derive(Debug, Clone)]
 pub(super) struct RowScratch<T> {
     /// Pairs of a band, and later their waves. The first wave of each pair is repeated after its last.
@@ -150,10 +153,26 @@ impl<T: Real> Plan<T> {
     ) {
         let torus = self.frame.torus[0];
         let back = torus + 1 - columns.end..torus + 1 - columns.start;
-        let waves = waves[columns].iter().zip(waves[back].iter().rev());
-        for ((a, b), (z, y)) in a.iter_mut().zip(b).zip(waves) {
-            *a = Complex::new(z.re + y.re, z.im - y.im);
-            *b = Complex::new(z.im + y.im, y.re - z.re);
+        let (forward, backward) = (&waves[columns], &waves[back]);
+        let count = forward.len();
+        let whole = count - count % BLOCK;
+        let (a, b) = (&mut a[..count], &mut b[..count]);
+        let of = |z: Complex<T>, y: Complex<T>| {
+            (
+                Complex::new(z.re + y.re, z.im - y.im),
+                Complex::new(z.im + y.im, y.re - z.re),
+            )
+        };
+        let blocks = a.chunks_exact_mut(BLOCK).zip(b.chunks_exact_mut(BLOCK));
+        let waves = forward.chunks_exact(BLOCK);
+        let waves = waves.zip(backward.rchunks_exact(BLOCK));
+        for ((a, b), (z, y)) in blocks.zip(waves) {
+            for k in 0..BLOCK {
+                (a[k], b[k]) = of(z[k], y[BLOCK - 1 - k]);
+            }
+        }
+        for k in whole..count {
+            (a[k], b[k]) = of(forward[k], backward[count - 1 - k]);
         }
     }
 
@@ -226,8 +245,18 @@ impl<T: Real> Plan<T> {
         for ((z, a), b) in waves[inner.clone()].iter_mut().zip(a).zip(b) {
             *z = Complex::new(a.re - b.im, a.im + b.re);
         }
-        for ((y, a), b) in waves[back].iter_mut().rev().zip(a).zip(b) {
-            *y = Complex::new(a.re + b.im, b.re - a.im);
+        let (backward, count) = (&mut waves[back], inner.len());
+        let of = |a: Complex<T>, b: Complex<T>| Complex::new(a.re + b.im, b.re - a.im);
+        let blocks = a[..count]
+            .chunks_exact(BLOCK)
+            .zip(b[..count].chunks_exact(BLOCK));
+        for ((a, b), y) in blocks.zip(backward.rchunks_exact_mut(BLOCK)) {
+            for k in 0..BLOCK {
+                y[BLOCK - 1 - k] = of(a[k], b[k]);
+            }
+        }
+        for k in count - count % BLOCK..count {
+            backward[count - 1 - k] = of(a[k], b[k]);
         }
         if columns.start == 0 {
             waves[0] = ends(0);

@@ -109,8 +109,10 @@ pub(super) fn gather<T: Real>(
         for (c, column) in columns.chunks_exact_mut(stride).enumerate() {
             let target = &mut column[row..row + TILE_ROWS];
             if occupied {
-                for (value, values) in target.iter_mut().zip(tile.chunks_exact(T::TILE_COLUMNS)) {
-                    *value = values[c];
+                // A slice of the accessed length avoids bounds checks in the loop.
+                let values = &tile[c..=c + (TILE_ROWS - 1) * T::TILE_COLUMNS];
+                for (r, value) in target.iter_mut().enumerate() {
+                    *value = values[r * T::TILE_COLUMNS];
                 }
             } else {
                 target.fill(Complex::new(T::zero(), T::zero()));
@@ -130,8 +132,9 @@ pub(super) fn scatter<T: Real>(
         let tile = tile.of_mut::<T>();
         for (c, column) in columns.chunks_exact(stride).enumerate() {
             let source = &column[row..row + TILE_ROWS];
-            for (values, value) in tile.chunks_exact_mut(T::TILE_COLUMNS).zip(source) {
-                values[c] = *value;
+            let values = &mut tile[c..=c + (TILE_ROWS - 1) * T::TILE_COLUMNS];
+            for (r, value) in source.iter().enumerate() {
+                values[r * T::TILE_COLUMNS] = *value;
             }
         }
     }

@@ -18,13 +18,23 @@ pub(crate) fn coarsened([nx, ny]: [usize; 2], fine: &[f64]) -> Result<Vec<f64>> 
     let mut coarse = fallible::zeros(width * height)?;
     parallel::rows(&mut coarse, width, |j, row| {
         let rows = &fine[2 * j * nx..(2 * j + 2).min(ny) * nx];
-        for (i, mean) in row.iter_mut().enumerate() {
+        let mean_of = |i: usize| {
             let columns = 2 * i..(2 * i + 2).min(nx);
             let cells = columns.len() * (rows.len() / nx);
             let sums = rows
                 .chunks_exact(nx)
                 .map(|row| row[columns.clone()].iter().sum::<f64>());
-            *mean = sums.sum::<f64>() / cells as f64;
+            sums.sum::<f64>() / cells as f64
+        };
+        // Blocks of four cells need no division by their number.
+        let (upper, lower) = rows.split_at(nx);
+        let blocks = upper.chunks_exact(2).zip(lower.chunks_exact(2));
+        let whole = blocks.len();
+        for (mean, (upper, lower)) in row.iter_mut().zip(blocks) {
+            *mean = ((upper[0] + upper[1]) + (lower[0] + lower[1])) / 4.0;
+        }
+        for (i, mean) in row.iter_mut().enumerate().skip(whole) {
+            *mean = mean_of(i);
         }
     });
     Ok(coarse)
@@ -39,23 +49,27 @@ pub(crate) fn refined(
     first: usize,
 ) -> Result<Vec<f64>> {
     let [width, height] = halved([nx, ny]);
-    // Along each axis the weight of the nearer coarse cell is 3/4 and the weight of the farther cell is 1/4.
-    let neighbours = |i: usize, cells: usize| {
-        let near = i / 2;
-        let far = if i % 2 == 0 {
-            near.saturating_sub(1)
-        } else {
-            (near + 1).min(cells - 1)
-        };
-        [near, far]
-    };
+    // Along each axis the weight of the nearer coarse cell is 3/4 and the weight of the farther cell is 1/4. The farther cell is
+    // before or after the nearer one.
+    let before = |near: usize| near.saturating_sub(1);
+    let after = |near: usize, cells: usize| (near + 1).min(cells - 1);
     by_rows(nx, rows, |j, row| {
-        let [near, beyond] =
-            neighbours(j, height).map(|row| &coarse[(row - first) * width..][..width]);
-        for (i, value) in row.iter_mut().enumerate() {
-            let [x, beyond_x] = neighbours(i, width);
+        let near = j / 2;
+        let far = if j % 2 == 0 {
+            before(near)
+        } else {
+            after(near, height)
+        };
+        let [near, beyond] = [near, far].map(|row| &coarse[(row - first) * width..][..width]);
+        let value = |x: usize, beyond_x: usize| {
             let corners = [near[x], near[beyond_x] + beyond[x], beyond[beyond_x]];
-            *value = (9.0 * corners[0] + 3.0 * corners[1] + corners[2]) / 16.0;
+            (9.0 * corners[0] + 3.0 * corners[1] + corners[2]) / 16.0
+        };
+        for (x, values) in row.chunks_mut(2).enumerate() {
+            values[0] = value(x, before(x));
+            if let Some(second) = values.get_mut(1) {
+                *second = value(x, after(x, width));
+            }
         }
     })
 }

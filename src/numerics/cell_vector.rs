@@ -22,6 +22,13 @@ pub(crate) fn norm<const N: usize>(v: [f64; N]) -> f64 {
     if N == 1 { v[0].abs() } else { dot(v, v).sqrt() }
 }
 
+/// Returns the length of a vector in the plane without overflow or underflow. Vectors along x, as in the scalar model, take only
+/// a few instructions.
+#[inline]
+pub(crate) fn length([x, y]: [f64; 2]) -> f64 {
+    if y == 0.0 { x.abs() } else { x.hypot(y) }
+}
+
 /// Returns `a + scale b`.
 #[inline]
 pub(crate) fn plus<const N: usize>(a: [f64; N], scale: f64, b: [f64; N]) -> [f64; N] {

@@ -311,17 +311,17 @@ impl TangentialIncrement {
         let (limits, own) = (&limits.cells, region.own());
         let grid = self.bodies.grid().whole();
         let largest = reduce::least(region.layout(), |cell| {
-            let centre = centre(grid, own.index(cell));
-            Some((-limits[cell], (at(&self.offsets.cells, cell), centre)))
+            let offset = at(&self.offsets.cells, cell);
+            Some((-limits[cell], (offset, own.index(cell))))
         });
-        let Some((_, (shift, centre))) = largest else {
+        let Some((_, (shift, cell))) = largest else {
             return [0.0; 2];
         };
         let motion = RigidMotion {
             shift,
             ..self.motion
         };
-        motion.at(centre).map(|motion| -motion)
+        motion.at(centre(grid, cell)).map(|motion| -motion)
     }
 
     /// Sets the linear term so that every cell follows the motion from its offset.
@@ -332,7 +332,12 @@ impl TangentialIncrement {
             let offset = &self.offsets.cells[axis];
             parallel::update(&mut self.linear[axis], |first, chunk| {
                 for (k, linear) in (first..).zip(chunk) {
-                    let moved = motion.at(centre(grid, own.index(k)))[axis];
+                    // Without rotation, the position of the cell does not matter.
+                    let moved = if motion.twist == 0.0 {
+                        motion.shift[axis]
+                    } else {
+                        motion.at(centre(grid, own.index(k)))[axis]
+                    };
                     *linear = -(offset[k] + moved);
                 }
             });

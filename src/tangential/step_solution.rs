@@ -1,7 +1,7 @@
 //! Solution of a step in the cells of a window.
 
 use crate::half_space::Region;
-use crate::numerics::cell_vector::{dot, minus, slices};
+use crate::numerics::cell_vector::{dot, length, minus, slices};
 use crate::tangential::friction_limits::is_at_limit;
 use crate::tangential::traction_solver::at;
 use crate::tangential::{Axis, Offsets, PressureOnWindow, RigidMotion, Zone};
@@ -125,7 +125,6 @@ impl<'a> StepSolution<'a> {
 
     /// Returns whether a cell is at its friction limit.
     pub(crate) fn is_at_limit(&self, cell: usize) -> bool {
-        let [x, y] = self.traction(cell);
-        is_at_limit(x.hypot(y), self.limits[cell])
+        is_at_limit(length(self.traction(cell)), self.limits[cell])
     }
 }

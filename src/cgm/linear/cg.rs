@@ -143,32 +143,38 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
                         }
                     }
                 }
-                let directions = &directions[entries.range.clone()];
+                let directions = directions[entries.range.clone()].iter();
                 let (spread, last) = (&spread[entries.range.clone()], &last[entries.range.clone()]);
-                entries.sums(|k, place| {
-                    let (motion, u) = (entries.row(motions, k, place), at(&images, place));
-                    if let Some(&DirectionStep { length, .. }) = step {
-                        let moved = plus(held(&x, place), length, directions[k]);
-                        put(&mut x, place, moved);
-                        if MotionOf::<K, N>::IS_STEADY {
-                            let g = plus(held(&gradient, place), length, u);
-                            put(&mut gradient, place, g);
+                let items = directions.zip(spread).zip(last).zip(residual.items);
+                entries.sums_of(
+                    items,
+                    |(((direction, spread), last), residual), k, place| {
+                        let (motion, u) = (entries.row(motions, k, place), at(&images, place));
+                        if let Some(&DirectionStep { length, .. }) = step {
+                            let moved = plus(held(&x, place), length, *direction);
+                            put(&mut x, place, moved);
+                            if MotionOf::<K, N>::IS_STEADY {
+                                let g = plus(held(&gradient, place), length, u);
+                                put(&mut gradient, place, g);
+                            }
                         }
-                    }
-                    let r = match step {
-                        // With a curved bound the residual is not the negative gradient. Therefore each step updates the
-                        // residual.
-                        Some(&DirectionStep { length, change }) if MotionOf::<K, N>::IS_CURVED => {
-                            let moved = motion.restrict(plus(change, -length, u));
-                            let bend = motion.bend(directions[k]);
-                            std::array::from_fn(|c| last[k][c] + moved[c] - length * bend[c])
-                        }
-                        _ => motion.restrict(minus(multiplier, held(&gradient, place))),
-                    };
-                    residual.items[k] = r;
-                    put(&mut full, place, motion.weighted(r));
-                    (r, dot(r, r), spread[k].map(|w| dot(w, r)))
-                })
+                        let r = match step {
+                            // With a curved bound the residual is not the negative gradient. Therefore each step updates the
+                            // residual.
+                            Some(&DirectionStep { length, change })
+                                if MotionOf::<K, N>::IS_CURVED =>
+                            {
+                                let moved = motion.restrict(plus(change, -length, u));
+                                let bend = motion.bend(*direction);
+                                std::array::from_fn(|c| last[c] + moved[c] - length * bend[c])
+                            }
+                            _ => motion.restrict(minus(multiplier, held(&gradient, place))),
+                        };
+                        *residual = r;
+                        put(&mut full, place, motion.weighted(r));
+                        (r, dot(r, r), spread.map(|w| dot(w, r)))
+                    },
+                )
             },
         );
         let change = totals.remove_mean(products);
@@ -197,10 +203,11 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
                     &residual[entries.range.clone()],
                     &last[entries.range.clone()],
                 );
-                entries.sums(|k, place| {
+                let items = residual.iter().zip(last);
+                entries.sums_of(items, |(residual, last), k, place| {
                     let motion = entries.row(motions, k, place);
-                    let z = motion.preconditioned(at(&image, place), residual[k]);
-                    (z, dot(z, residual[k]), dot(z, last[k]))
+                    let z = motion.preconditioned(at(&image, place), *residual);
+                    (z, dot(z, *residual), dot(z, *last))
                 })
             });
         let change = totals.balance(sum);
@@ -231,20 +238,21 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
                 let residual = &residual[entries.range.clone()];
                 let image = within(&image, &entries.chunk);
                 let spread = &spread[entries.range.clone()];
-                entries.sums(|k, place| {
+                let items = residual.iter().zip(spread).zip(compressed.items);
+                entries.sums_of(items, |((residual, spread), compressed), k, place| {
                     let motion = entries.row(motions, k, place);
-                    let mut d = motion.preconditioned(at(&image, place), residual[k]);
+                    let mut d = motion.preconditioned(at(&image, place), *residual);
                     if has_change {
-                        for (change, w) in change.iter().zip(spread[k]) {
+                        for (change, w) in change.iter().zip(*spread) {
                             d = plus(d, *change, w);
                         }
                     }
                     if let Some(conjugation) = conjugation {
-                        d = plus(d, conjugation, compressed.items[k]);
+                        d = plus(d, conjugation, *compressed);
                     }
-                    compressed.items[k] = d;
+                    *compressed = d;
                     put(&mut full, place, d);
-                    dot(d, plus(residual[k], 1.0, at_once))
+                    dot(d, plus(*residual, 1.0, at_once))
                 })
             })
     }
@@ -260,8 +268,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         w.linear.moving.sweep((), |entries, ()| {
             let directions = &direction[entries.range.clone()];
             let image = within(&image, &entries.chunk);
-            entries.sums(|k, place| {
-                let d = directions[k];
+            entries.sums_of(directions.iter(), |&d, k, place| {
                 let bend = entries.row(motions, k, place).bend(d);
                 (dot(d, plus(at(&image, place), 1.0, bend)), dot(d, d))
             })

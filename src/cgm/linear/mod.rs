@@ -258,10 +258,10 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         let data = w.moving.compressed(&mut w.spread);
         w.moving.sweep(data, |entries, spread| {
             let image = within(&image, &entries.chunk);
-            entries.sums(|k, place| {
+            entries.sums_of(spread.items.iter_mut(), |spread, k, place| {
                 let row = entries.row(rows, k, place);
                 let z = row.preconditioned(at(&image, place), row.restrict(unit));
-                spread.items[k][a] = z;
+                spread[a] = z;
                 row.extend(z)
             })
         })

@@ -1,8 +1,6 @@
 //! Commit of a solved step to the state and the results.
 
 use crate::cgm::reduce::Reduction;
-use crate::grid::Grid;
-use crate::grid::window::Window;
 use crate::history::state::State;
 use crate::history::state::memory::Memory;
 use crate::history::state::permanent_set::update_permanent_set;
@@ -11,12 +9,12 @@ use crate::history::step::diagnostics::StepDiagnostics;
 use crate::history::step::solve::StepInput;
 use crate::history::{EnergyBalance, History, StepResult};
 use crate::normal::{NormalControl, NormalSolution};
-use crate::numerics::cell_vector::{dot, minus, plus, slices};
+use crate::numerics::cell_vector::{dot, length, minus, plus, slices};
 use crate::parallel::Blocks;
 use crate::parallel::ranks::WireFormat;
 use crate::report::Report;
 use crate::rolling::RollingShift;
-use crate::tangential::{RigidMotion, StepSolution, Zone, at, centre};
+use crate::tangential::{RigidMotion, StepSolution, Zone, at};
 use crate::warning::{Resolution, Warning};
 
 impl History {
@@ -182,8 +180,7 @@ fn enter(
     let (grid, held) = (state.grid(), answer.region.held());
     let taken = CommittedStep {
         answer,
-        grid,
-        held,
+        cell_area: grid.cell_area(),
         motion: state.motion,
         change: state.motion.since(before),
         middle: back.map(|back| 0.5 * back),
@@ -216,10 +213,13 @@ fn enter(
         let [path, energy, distance, dissipated, mid_step] = numbers;
         let [mut offset, mut trend, mut last_slip] = own;
         let mut totals = StepTotals::ZERO;
+        let start = row * columns.len();
+        let y = grid.y(held.index(start) / grid.nx());
         for (own, i) in columns.clone().enumerate() {
             let offsets = offset.each_ref().map(|part| &*part.items);
             let q = traction.each_ref().map(|part| part.items[i]);
-            let cell = taken.cell(row * columns.len() + own, q, at(&offsets, own));
+            let (place, before) = ((start + own, [grid.x(i), y]), (q, at(&offsets, own)));
+            let cell = taken.cell(place, before);
             write(&mut offset, own, cell.offset);
             let last = if taken.is_rolled {
                 at(&trend.each_ref().map(|part| &*part.items), own)
@@ -234,7 +234,7 @@ fn enter(
                 slip[axis].items[i] = cell.slip[axis];
             }
             zones.items[i] = cell.zone;
-            distance.items[i] = cell.slip[0].hypot(cell.slip[1]);
+            distance.items[i] = length(cell.slip);
             path.items[i] += distance.items[i];
             dissipated.items[i] = cell.energy.dissipated_energy;
             energy.items[i] += dissipated.items[i];
@@ -279,8 +279,7 @@ type RowParts<'a> = (
 /// Values of a committed step on which the results of its cells depend.
 struct CommittedStep<'a> {
     answer: &'a StepSolution<'a>,
-    grid: Grid,
-    held: Window,
+    cell_area: f64,
     /// Motion of body 2 at the end of the step. `change` is its motion in the step.
     motion: RigidMotion,
     change: RigidMotion,
@@ -293,10 +292,13 @@ struct CommittedStep<'a> {
 }
 
 impl CommittedStep<'_> {
-    /// Computes the result of the step in a cell with this earlier traction and offset.
-    fn cell(&self, k: usize, before: [f64; 2], offset_before: [f64; 2]) -> CellStep {
-        let (answer, cell_area) = (self.answer, self.grid.cell_area());
-        let centre = centre(self.grid, self.held.index(k));
+    /// Computes the result of the step in a cell with this centre, earlier traction and earlier offset.
+    fn cell(
+        &self,
+        (k, centre): (usize, [f64; 2]),
+        (before, offset_before): ([f64; 2], [f64; 2]),
+    ) -> CellStep {
+        let (answer, cell_area) = (self.answer, self.cell_area);
         let (traction, u) = (answer.traction(k), answer.displacement(k));
         let relative = minus(u, self.motion.at(centre));
         let is_contact = answer.pressure[k] > 0.0;
