@@ -1629,11 +1629,48 @@ class CoupledSolver:
         """
     def sensitivities(self, /, solution: CoupledSolution, functionals: Sequence[Functional], *, tolerance: float | None = None, poisson_ratio: bool = False) -> list[Sensitivity]:
         """
-        x
+        Computes the sensitivities of several functionals, in their order. They share the responses to prescribed
+        forces. The options and the exceptions are those of :meth:`sensitivity`.
         """
     def sensitivity(self, /, solution: CoupledSolution, functional: Functional, *, tolerance: float | None = None, poisson_ratio: bool = False) -> Sensitivity:
         """
-        x
+        Computes the derivatives of a functional with respect to the input of the problem: gap, loads, friction and
+        moduli.
+
+        The derivatives of all cells together cost about one linear solve on the contact cells (the adjoint). The
+        sets of contact, stick and slip cells are constant in the derivatives.
+
+        Parameters
+        ----------
+        solution : CoupledSolution
+            The solution of the present problem of this solver.
+        functional : Functional
+            The functional; see :class:`stickslip.sensitivity.Functional`.
+        tolerance : float, optional
+            Relative residual at which a linear problem counts as solved; 1e-11 by default.
+        poisson_ratio : bool, default False
+            Whether to compute the derivatives with respect to Poisson's ratios of tangential and coupled contacts,
+            which require further operators. Normal contacts always have them.
+
+        Returns
+        -------
+        Sensitivity
+
+        Raises
+        ------
+        GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch
+            If the solution belongs to other bodies, or if weights have a different grid.
+        UnsupportedByModel
+            If the functional depends on a quantity that the problem does not have.
+        BelowMinimum, Sample, NotPositive
+            If a number of the functional or the tolerance is invalid.
+        EmptyContact
+            If no cell carries pressure under a prescribed force.
+        NotFinite
+            If a number of the functional is not finite, if a periodic contact is closed everywhere, or if the contact
+            cannot resist a change of the prescribed force, as in sliding.
+        NotConverged
+            If the solution has not converged, or if a linear solve fails.
         """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
@@ -2527,7 +2564,16 @@ class Friction:
 @final
 class Functional:
     """
-    x
+    Number that depends on the solution of a contact; created by its static methods.
+
+    A functional of tractions, slips or shifts needs the solver of a tangential or coupled contact. The approach needs the
+    solver of a normal or coupled contact.
+
+    Examples
+    --------
+    >>> from stickslip.sensitivity import Functional
+    >>> Functional.tangential_force("x")
+    Functional.tangential_force('x')
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -2536,52 +2582,88 @@ class Functional:
     @staticmethod
     def approach() -> Functional:
         """
-        x
+        Returns the approach of the bodies.
         """
     @staticmethod
     def dissipated_energy() -> Functional:
         """
-        x
+        Returns the energy dissipated by the step, computed from the tractions at its end (force times length).
         """
     @staticmethod
     def elastic_energy() -> Functional:
         """
-        x
+        Returns the elastic energy (force times length): of the pressure in a normal contact, of the tractions in a
+        tangential contact, and of both in a coupled contact.
         """
     @staticmethod
     def normal_force() -> Functional:
         """
-        x
+        Returns the normal force.
         """
     @staticmethod
     def pressure_norm(exponent: float) -> Functional:
         """
-        x
+        Returns the generalised mean of the pressure, weighted by the load: ``(sum(p**(k + 1)) / sum(p))**(1 / k)``.
+
+        The mean tends to the largest pressure for a large exponent k. Cells that come into contact at pressure zero do not
+        change it.
+
+        Parameters
+        ----------
+        exponent : float
+            The exponent k, at least 1.
         """
     @staticmethod
     def rms_pressure() -> Functional:
         """
-        x
+        Returns the root mean square of the pressure, weighted by the load: ``pressure_norm(2.0)``.
         """
     @staticmethod
     def shift(axis: Axis | str) -> Functional:
         """
-        x
+        Returns the shift along an axis.
         """
     @staticmethod
     def stick_force(axis: Axis | str) -> Functional:
         """
-        x
+        Returns the part of the tangential force along an axis that the sticking cells carry.
         """
     @staticmethod
     def tangential_force(axis: Axis | str) -> Functional:
         """
-        x
+        Returns the tangential force along an axis.
         """
     @staticmethod
     def weighted(*, pressure: Field | ArrayLike | None = None, traction: Sequence[Field | ArrayLike] | None = None, slip: Sequence[Field | ArrayLike] | None = None, approach: float = 0.0, shift: Sequence[float] | NDArray[Any] = (0.0, 0.0), grid: Grid | None = None) -> Functional:
         """
-        x
+        Returns a weighted sum of the unknowns of all cells, of the approach and of the shifts.
+
+        The result to be differentiated need not be linear: with its derivatives at the solution as weights, the sensitivity
+        is the derivative of any smooth result.
+
+        Parameters
+        ----------
+        pressure : Field or array_like of shape (ny, nx), optional
+            Weights of the pressures; zero by default.
+        traction, slip : pair of Field or array_like of shape (ny, nx), optional
+            Weights of the tractions and the slips along x and y; zero by default.
+        approach : float, default 0
+            Weight of the approach.
+        shift : pair of float, default (0, 0)
+            Weights of the shifts along x and y.
+        grid : Grid, optional
+            Grid of the weights; required for arrays, because only Fields have their own grid.
+
+        Raises
+        ------
+        Shape
+
+        Examples
+        --------
+        >>> import numpy as np, stickslip
+        >>> grid = stickslip.Grid.square(32, 8.0)
+        >>> x, _ = np.meshgrid(grid.x, grid.y)
+        >>> moment = stickslip.sensitivity.Functional.weighted(pressure=-x * grid.cell_area, grid=grid)
         """
 
 @final
@@ -3303,11 +3385,52 @@ class History:
         """
     def sensitivities(self, /, load: LoadStep, functionals: Sequence[Functional], *, tolerance: float | None = None) -> list[Sensitivity]:
         """
-        x
+        Computes the sensitivities of several functionals of the last step, in their order. The options and the exceptions
+        are those of :meth:`sensitivity`.
         """
     def sensitivity(self, /, load: LoadStep, functional: Functional, *, tolerance: float | None = None) -> Sensitivity:
         """
-        x
+        Computes the derivatives of a functional of the last step with respect to the input of this step: its load, its
+        friction and its gap.
+
+        The state before the step is fixed. It includes the offsets of the cells, and the gaps that cells close when they come
+        into contact. A program that differentiates several steps adds the effects of earlier steps itself. The elastic energy
+        is the energy of shear.
+
+        Parameters
+        ----------
+        load : LoadStep
+            The load of the last step.
+        functional : Functional
+            The functional; see :class:`stickslip.sensitivity.Functional`.
+        tolerance : float, optional
+            Relative residual at which a linear problem counts as solved; 1e-11 by default.
+
+        Returns
+        -------
+        Sensitivity
+
+        Raises
+        ------
+        EmptyContact
+            If the bodies do not touch.
+        UnsupportedByModel
+            For a step that rolls, for full coupling of dissimilar bodies, or if the history has not taken the step itself.
+        BelowMinimum, GridMismatch, NotConverged, NotFinite, NotPositive, Sample
+            See :meth:`TangentialSolver.sensitivity`.
+
+        Examples
+        --------
+        >>> import stickslip as ss
+        >>> grid = ss.Grid.square(32, 0.3e-3)
+        >>> steel = ss.Material(213e9, 0.29)
+        >>> history = ss.History(ss.HalfSpace(grid, (steel, steel)), ss.surface.sphere(grid, 3.5e-3), 0.5)
+        >>> done = history.step(normal_force=100.0)
+        >>> drag = ss.LoadStep(force_x=30.0)
+        >>> done = history.step(drag)
+        >>> found = history.sensitivity(drag, ss.sensitivity.Functional.shift("x"))
+        >>> found.tangential_load[0] > 0.0 > found.friction_coefficient
+        True
         """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
@@ -4795,7 +4918,45 @@ class NormalSolver:
     def __repr__(self, /) -> str: ...
     def chain(self, /, solution: NormalSolution, sensitivities: Sequence[Sensitivity], *, tolerance: float | None = None) -> list[Sensitivity]:
         """
-        x
+        Continues sensitivities of a tangential contact through the normal contact that supplies its pressure.
+
+        The results also contain the derivatives with respect to the gap and the normal load. The derivatives with respect to
+        the modulus include the change of the pressure.
+
+        Parameters
+        ----------
+        solution : NormalSolution
+            The solution of the present problem of this solver.
+        sensitivities : sequence of Sensitivity
+            Results of :meth:`TangentialSolver.sensitivities`.
+        tolerance : float, optional
+            Relative residual at which a linear problem counts as solved; 1e-11 by default.
+
+        Returns
+        -------
+        list of Sensitivity
+
+        Raises
+        ------
+        UnsupportedByModel
+            If a sensitivity has no derivative with respect to the pressure.
+        GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, NotPositive, EmptyContact, NotFinite, NotConverged
+            See :meth:`sensitivity`.
+
+        Examples
+        --------
+        >>> import stickslip
+        >>> from stickslip.sensitivity import Functional
+        >>> grid = stickslip.Grid.square(48, 0.3e-3)
+        >>> steel = stickslip.Material(213e9, 0.29)
+        >>> bodies = stickslip.HalfSpace(grid, (steel, steel))
+        >>> presser = stickslip.NormalSolver(bodies, stickslip.surface.sphere(grid, 3.5e-3), force=100.0)
+        >>> normal = presser.solve()
+        >>> shearer = stickslip.TangentialProblem(bodies, normal, 0.5, shift_x=5e-7).solver()
+        >>> found = shearer.sensitivities(shearer.solve(), [Functional.tangential_force("x")])
+        >>> [chained] = presser.chain(normal, found)
+        >>> chained.normal_load > 0.0 and chained.friction_coefficient > 0.0
+        True
         """
     def reset(self, /) -> None:
         """
@@ -4803,11 +4964,48 @@ class NormalSolver:
         """
     def sensitivities(self, /, solution: NormalSolution, functionals: Sequence[Functional], *, tolerance: float | None = None, poisson_ratio: bool = False) -> list[Sensitivity]:
         """
-        x
+        Computes the sensitivities of several functionals, in their order. They share the responses to prescribed
+        forces. The options and the exceptions are those of :meth:`sensitivity`.
         """
     def sensitivity(self, /, solution: NormalSolution, functional: Functional, *, tolerance: float | None = None, poisson_ratio: bool = False) -> Sensitivity:
         """
-        x
+        Computes the derivatives of a functional with respect to the input of the problem: gap, loads, friction and
+        moduli.
+
+        The derivatives of all cells together cost about one linear solve on the contact cells (the adjoint). The
+        sets of contact, stick and slip cells are constant in the derivatives.
+
+        Parameters
+        ----------
+        solution : NormalSolution
+            The solution of the present problem of this solver.
+        functional : Functional
+            The functional; see :class:`stickslip.sensitivity.Functional`.
+        tolerance : float, optional
+            Relative residual at which a linear problem counts as solved; 1e-11 by default.
+        poisson_ratio : bool, default False
+            Whether to compute the derivatives with respect to Poisson's ratios of tangential and coupled contacts,
+            which require further operators. Normal contacts always have them.
+
+        Returns
+        -------
+        Sensitivity
+
+        Raises
+        ------
+        GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch
+            If the solution belongs to other bodies, or if weights have a different grid.
+        UnsupportedByModel
+            If the functional depends on a quantity that the problem does not have.
+        BelowMinimum, Sample, NotPositive
+            If a number of the functional or the tolerance is invalid.
+        EmptyContact
+            If no cell carries pressure under a prescribed force.
+        NotFinite
+            If a number of the functional is not finite, if a periodic contact is closed everywhere, or if the contact
+            cannot resist a change of the prescribed force, as in sliding.
+        NotConverged
+            If the solution has not converged, or if a linear solve fails.
         """
     def set_gap(self, /, gap: Field | ArrayLike) -> None:
         """
@@ -6113,7 +6311,10 @@ class PvdWriter:
 @final
 class Sensitivity:
     """
-    x
+    Derivatives of a functional with respect to the input of a contact, at fixed sets of contact, stick and slip cells.
+
+    A derivative is ``None`` if the problem does not have this input. Derivatives with respect to fields are per value of a
+    cell, and zero outside the contact.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -6122,65 +6323,71 @@ class Sensitivity:
     @property
     def contact_modulus(self, /) -> float | None:
         """
-        x
+        Derivative with respect to the contact modulus E*, if all moduli of both bodies change in proportion at constant
+        Poisson's ratios. ``None`` for steps of histories.
         """
     @property
     def friction(self, /) -> Field | None:
         """
-        x
+        Derivative with respect to the coefficient of friction of each cell. It is zero in cells that do not slip, and in
+        cells at the largest shear stress of the friction.
         """
     @property
     def friction_coefficient(self, /) -> float | None:
         """
-        x
+        Derivative with respect to a uniform coefficient of friction, the sum over all cells.
         """
     @property
     def gap(self, /) -> Field | None:
         """
-        x
+        Derivative with respect to the gap of each cell.
         """
     @property
     def normal_load(self, /) -> float | None:
         """
-        x
+        Derivative with respect to the prescribed normal force or approach.
         """
     @property
     def poisson_ratio(self, /) -> tuple[float, float] | None:
         """
-        x
+        Derivatives with respect to Poisson's ratio of each body at constant Young's moduli. ``None`` for coatings and
+        kernels. For tangential and coupled contacts also ``None`` on ranks and without ``poisson_ratio=True``.
         """
     @property
     def pressure(self, /) -> Field | None:
         """
-        x
+        Derivative with respect to the pressure of each cell, for a tangential contact.
         """
     @property
     def report(self, /) -> Report:
         """
-        x
+        Termination and cost of the linear problem of this functional. The report excludes the responses to prescribed
+        forces, which all functionals share. The time is not measured.
         """
     @property
     def tangential_load(self, /) -> tuple[float | None, float | None]:
         """
-        x
+        Derivatives with respect to the prescribed loads along x and y: forces, shifts, or positions of the far ends of
+        springs.
         """
     def to_dict(self, /) -> dict[str, Any]:
         """
-        x
+        Returns the numbers by name; a pair (x, y) becomes two numbers with the endings ``_x`` and ``_y``, and Poisson's
+        ratios of the bodies have the endings ``_1`` and ``_2``. Fields are not included.
         """
     def to_series(self, /) -> Any:
         """
-        x
+        Returns the numbers of :meth:`to_dict` as a :class:`pandas.Series` (requires pandas).
         """
     @property
     def twist(self, /) -> float | None:
         """
-        x
+        Derivative with respect to the prescribed twist (per radian).
         """
     @property
     def value(self, /) -> float:
         """
-        x
+        Value of the functional.
         """
 
 @final
@@ -7191,11 +7398,48 @@ class TangentialSolver:
         """
     def sensitivities(self, /, solution: TangentialSolution, functionals: Sequence[Functional], *, tolerance: float | None = None, poisson_ratio: bool = False) -> list[Sensitivity]:
         """
-        x
+        Computes the sensitivities of several functionals, in their order. They share the responses to prescribed
+        forces. The options and the exceptions are those of :meth:`sensitivity`.
         """
     def sensitivity(self, /, solution: TangentialSolution, functional: Functional, *, tolerance: float | None = None, poisson_ratio: bool = False) -> Sensitivity:
         """
-        x
+        Computes the derivatives of a functional with respect to the input of the problem: gap, loads, friction and
+        moduli.
+
+        The derivatives of all cells together cost about one linear solve on the contact cells (the adjoint). The
+        sets of contact, stick and slip cells are constant in the derivatives.
+
+        Parameters
+        ----------
+        solution : TangentialSolution
+            The solution of the present problem of this solver.
+        functional : Functional
+            The functional; see :class:`stickslip.sensitivity.Functional`.
+        tolerance : float, optional
+            Relative residual at which a linear problem counts as solved; 1e-11 by default.
+        poisson_ratio : bool, default False
+            Whether to compute the derivatives with respect to Poisson's ratios of tangential and coupled contacts,
+            which require further operators. Normal contacts always have them.
+
+        Returns
+        -------
+        Sensitivity
+
+        Raises
+        ------
+        GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch
+            If the solution belongs to other bodies, or if weights have a different grid.
+        UnsupportedByModel
+            If the functional depends on a quantity that the problem does not have.
+        BelowMinimum, Sample, NotPositive
+            If a number of the functional or the tolerance is invalid.
+        EmptyContact
+            If no cell carries pressure under a prescribed force.
+        NotFinite
+            If a number of the functional is not finite, if a periodic contact is closed everywhere, or if the contact
+            cannot resist a change of the prescribed force, as in sliding.
+        NotConverged
+            If the solution has not converged, or if a linear solve fails.
         """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
