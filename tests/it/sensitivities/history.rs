@@ -167,6 +167,6 @@ fn steps_without_derivatives_return_errors() {
     let restored = History::from_state(&bodies, history.state().clone()).unwrap();
     unsupported(restored.sensitivity(&now.load(), &functional));
     let full = case(Bodies::Homogeneous, 4.0, load, TangentialModel::Vector);
-    let full = full.history(&[full.clone()], Coupling::Full);
+    let full = full.history(std::slice::from_ref(&full), Coupling::Full);
     unsupported(full.sensitivity(&now.load(), &functional));
 }
