@@ -172,7 +172,7 @@ fn different_functionals_on_ranks_return_errors() {
     let outcomes =
         crate::rank_contacts::on_ranks(2, grid, Boundary::NonPeriodic, |bodies, rank| {
             let load = NormalLoad::Force(0.5);
-            let mut press = kit::solver(NormalProblem::builder(bodies, &ball(bodies), load));
+            let mut press = kit::solver(NormalProblem::builder(bodies, ball(bodies), load));
             let mut normal = press.new_solution();
             press.solve_into(&mut normal).unwrap();
             let exponent = 2.0 + rank as f64;

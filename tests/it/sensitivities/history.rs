@@ -174,6 +174,6 @@ fn steps_without_derivatives_return_errors() {
     let found = changed.sensitivity(&now.load(), &functional);
     assert!(matches!(found, Err(Error::OutdatedSolution { .. })));
     let full = case(Bodies::Homogeneous, 4.0, load, TangentialModel::Vector);
-    let full = full.history(&[full.clone()], Coupling::Full);
+    let full = full.history(std::slice::from_ref(&full), Coupling::Full);
     unsupported(full.sensitivity(&now.load(), &functional));
 }
