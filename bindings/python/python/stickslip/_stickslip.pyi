@@ -4952,7 +4952,7 @@ class NormalSolver:
         >>> bodies = stickslip.HalfSpace(grid, (steel, steel))
         >>> presser = stickslip.NormalSolver(bodies, stickslip.surface.sphere(grid, 3.5e-3), force=100.0)
         >>> normal = presser.solve()
-        >>> shearer = stickslip.TangentialProblem(bodies, normal, 0.5, shift_x=5e-7).solver()
+        >>> shearer = stickslip.TangentialProblem(bodies, normal, 0.5, shift_x=1.5e-6).solver()
         >>> found = shearer.sensitivities(shearer.solve(), [Functional.tangential_force("x")])
         >>> [chained] = presser.chain(normal, found)
         >>> chained.normal_load > 0.0 and chained.friction_coefficient > 0.0
@@ -6377,7 +6377,7 @@ class Sensitivity:
         """
     def to_series(self, /) -> Any:
         """
-        Returns the numbers of :meth:`to_dict` as a :class:`pandas.Series` (requires pandas).
+        Returns the numbers of :meth:`to_dict` as a series of pandas, which must be installed.
         """
     @property
     def twist(self, /) -> float | None:
