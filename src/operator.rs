@@ -96,7 +96,7 @@ pub trait Operator<const N: usize = 1>: Sync {
     ///
     /// The bound converts a residual to a certified error. The error is relative to the minimum or, in the second case,
     /// to the minimum under the totals of the iterate. The default, zero, states only that the operator is positive
-    /// semi-definite. The certificate is then the duality gap. A negative bound or NaN counts as zero.
+    /// semi-definite. The certificate is then the duality gap. A bound that is negative, infinite or NaN counts as zero.
     fn lower_bound(&self) -> f64 {
         0.0
     }

@@ -144,8 +144,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
             constraint: &self.constraint,
             totals: self.totals,
             lower_bound: LowerBound {
-                // A bound that is NaN or negative carries no information.
-                value: self.operator.lower_bound().max(0.0),
+                value: usable_bound(self.operator.lower_bound()),
                 known: self.operator.eigenvalue_bound(),
                 mean: MeanBound::Operator,
             },
@@ -420,4 +419,13 @@ fn iterate<K: Constraint<N>, const N: usize>(run: &mut ActiveSetSolve<'_, '_, K,
         }
     }
     once(run).unwrap_or_else(|| run.by_proximal_points())
+}
+
+/// Returns a bound on the smallest eigenvalue, or zero for a bound without information: NaN, negative or infinite.
+fn usable_bound(bound: f64) -> f64 {
+    if bound.is_finite() {
+        bound.max(0.0)
+    } else {
+        0.0
+    }
 }

@@ -135,7 +135,7 @@ impl Error {
             | Self::NoWaveInBand { .. }
             | Self::StepsPerCycle(_)
             | Self::EmptyPath
-            | Self::StepAlreadyCounted { .. }
+            | Self::StepOutOfOrder { .. }
             | Self::NoLastStep
             | Self::OutdatedSolution { .. } => ErrorKind::Argument,
         }
@@ -163,5 +163,5 @@ debug_with_names! {
     Bounds Total RepeatedDirection EmptyContact BeyondFrictionCapacity BeyondFrictionMoment BeyondHardness Yielded
     ObliqueLoad UnsupportedByModel MaterialMismatch ApproachBeyondMeanGap TooManyCells NotPositiveDefinite Undetermined
     Degree Range BeyondSamples Hurst BelowMinimum GridTooShort NoWaveInBand HeightMomentsNotReached File Format
-    StepsPerCycle EmptyPath StepAlreadyCounted NoLastStep OutdatedSolution CycleNotClosed StepTooLong Ranks NotConverged
+    StepsPerCycle EmptyPath StepOutOfOrder NoLastStep OutdatedSolution CycleNotClosed StepTooLong Ranks NotConverged
 }

@@ -505,14 +505,14 @@ pub enum Error {
     /// The number of steps per cycle is not a positive multiple of 4. No step would end at a turning point.
     #[error("the number of steps per cycle must be a positive multiple of 4, got {0}")]
     StepsPerCycle(usize),
-    /// A load path has no steps.
-    #[error("the load path has no steps: give at least one step")]
+    /// A load path or a cycle has no steps.
+    #[error("the load path or cycle has no steps: at least one step is needed")]
     EmptyPath,
-    /// The cycle already contains the steps of its history up to the step `last`, and the step `step` does not come after it.
+    /// A cycle contains the steps of its history up to the step `last`, and the step `step` is not the next one.
     #[error(
-        "step {step} of the history does not follow step {last}, the last step of the cycle: add each step once, in order"
+        "step {step} of the history does not follow step {last}, the last step of the cycle: add every step once, in order, after it is accepted"
     )]
-    StepAlreadyCounted {
+    StepOutOfOrder {
         /// The number of the step, counted from 1, or zero before the first step.
         step: u64,
         /// The number of the last step that the cycle contains, or after which it begins.

@@ -35,7 +35,7 @@ variants! { Error:
     Bounds Total RepeatedDirection EmptyContact BeyondFrictionCapacity BeyondFrictionMoment BeyondHardness Yielded
     ObliqueLoad UnsupportedByModel MaterialMismatch ApproachBeyondMeanGap TooManyCells NotPositiveDefinite Undetermined
     Degree Range BeyondSamples Hurst BelowMinimum GridTooShort NoWaveInBand HeightMomentsNotReached File Format
-    StepsPerCycle EmptyPath StepAlreadyCounted NoLastStep OutdatedSolution CycleNotClosed StepTooLong Ranks NotConverged
+    StepsPerCycle EmptyPath StepOutOfOrder NoLastStep OutdatedSolution CycleNotClosed StepTooLong Ranks NotConverged
 }
 
 variants! { RankFailure:
@@ -438,11 +438,11 @@ fn every_error_has_its_text() {
         ),
         (
             Error::EmptyPath,
-            "the load path has no steps: give at least one step",
+            "the load path or cycle has no steps: at least one step is needed",
         ),
         (
-            Error::StepAlreadyCounted { step: 3, last: 5 },
-            "step 3 of the history does not follow step 5, the last step of the cycle: add each step once, in order",
+            Error::StepOutOfOrder { step: 3, last: 5 },
+            "step 3 of the history does not follow step 5, the last step of the cycle: add every step once, in order, after it is accepted",
         ),
         (
             Error::NoLastStep,

@@ -134,7 +134,7 @@ impl EnergyBalance {
         self.residual += next.residual;
     }
 
-    /// Returns the imbalance, which is due to round-off only.
+    /// Returns the imbalance, which is due to round-off only if the balance contains every step of its interval.
     #[must_use]
     pub fn imbalance(&self) -> f64 {
         let lost = self.dissipated_energy_midpoint + self.released + self.residual;

@@ -34,8 +34,8 @@ pub struct LoadStep {
 }
 
 impl LoadStep {
-    /// Holds pressure, shift and twist. The tangential force is not held. It decreases if the friction under a lower
-    /// pressure or a lower coefficient cannot carry it
+    /// Holds pressure, shift and twist. The tangential force is not held. Under a lower pressure or a lower coefficient,
+    /// cells at the edge of the contact slip and the force decreases. A loss of more than half of the force is a warning
     /// ([`Warning::HeldShiftLostForce`](crate::Warning::HeldShiftLostForce)).
     pub fn hold() -> Self {
         Self {

@@ -18,10 +18,11 @@ use crate::sensitivity::adjoint::{Adjoint, is_zero};
 use crate::sensitivity::functional::{ContactView, Gradient, ShearView};
 use crate::sensitivity::poisson::{Loading, UnitDisplacements};
 use crate::sensitivity::shear::{by_control, by_twist, on_grid, on_region, total_of};
-use crate::sensitivity::solver::{Linearised, check_converged, check_functionals, with_own_report};
+use crate::sensitivity::solver::{Linearised, check_functionals, with_own_report};
 use crate::sensitivity::{Functional, Sensitivity};
 use crate::stiffness::{
-    ContactCells, SolvedContact, StiffnessWorkspace, SystemBuffers, check_open, joint_system,
+    ContactCells, SolvedContact, StiffnessWorkspace, SystemBuffers, check_converged, check_open,
+    joint_system,
 };
 use crate::tangential::Axis;
 

@@ -16,9 +16,9 @@ use crate::report::{Iteration, Report};
 use crate::sensitivity::adjoint::Adjoint;
 use crate::sensitivity::functional::{ContactView, Gradient, ShearView, entry};
 use crate::sensitivity::shear::on_region;
-use crate::sensitivity::solver::{Linearised, check_converged, check_functionals, with_own_report};
+use crate::sensitivity::solver::{Linearised, check_functionals, with_own_report};
 use crate::sensitivity::{Functional, Sensitivity};
-use crate::stiffness::{SolvedContact, StiffnessWorkspace, SystemBuffers};
+use crate::stiffness::{SolvedContact, StiffnessWorkspace, SystemBuffers, check_converged};
 
 impl Linearised for NormalProblem {
     fn sensitivities(

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::contact::{Contact, ResponseContext, Solver, with_counts_of};
-use crate::error::{Error, Result};
+use crate::error::Result;
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::observer::{Observer, unwatched};
@@ -166,15 +166,6 @@ pub(super) fn check_functionals(
         checked.and_then(|()| all.try_for_each(|one| one.check(bodies, has_approach, has_shear)));
     let common: Vec<Functional> = functionals.iter().map(Functional::common).collect();
     bodies.collective_result_checked(checked, &[("functionals", &common)])
-}
-
-/// Returns an error unless a solution has converged.
-pub(super) fn check_converged(report: &Report) -> Result<()> {
-    if report.is_converged() {
-        Ok(())
-    } else {
-        Err(Error::NotConverged(Box::new(report.clone())))
-    }
 }
 
 /// Computes the result of one functional with its own report, which is added to the report of the context.

@@ -17,10 +17,11 @@ use crate::sensitivity::adjoint::Adjoint;
 use crate::sensitivity::functional::{ContactView, Gradient, ShearView, pair_at};
 use crate::sensitivity::poisson::{Loading, UnitDisplacements};
 use crate::sensitivity::shear::{by_control, by_twist, on_grid, on_region, total_of};
-use crate::sensitivity::solver::{Linearised, check_converged, check_functionals, with_own_report};
+use crate::sensitivity::solver::{Linearised, check_functionals, with_own_report};
 use crate::sensitivity::{Functional, Sensitivity};
 use crate::stiffness::{
     BallOf, ContactCells, SolvedContact, StiffnessWorkspace, SystemBuffers, SystemOf,
+    check_converged,
 };
 use crate::tangential::{
     Axis, Friction, PressureOnWindow, RigidMotion, TangentialControl, TangentialProblem,

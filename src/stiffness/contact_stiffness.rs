@@ -9,7 +9,7 @@ use crate::normal::NormalSolution;
 use crate::numerics::small_matrix::Small;
 use crate::observer::{Observer, unwatched};
 use crate::parallel;
-use crate::report::{Iteration, Report, Status};
+use crate::report::{Iteration, Report};
 use crate::stiffness::contact::{Pressing, SolvedContact};
 use crate::stiffness::motions::kinds;
 use crate::stiffness::system::times;
@@ -123,11 +123,12 @@ impl TangentialStiffness {
     }
 }
 
-/// Returns an error for a solution that no solve has filled. Its fields are zero, as without contact.
-pub(super) fn check_solved(report: &Report) -> Result<()> {
-    match report.status {
-        Status::Unsolved => Err(Error::NotConverged(Box::new(report.clone()))),
-        _ => Ok(()),
+/// Returns an error for a solution that has not converged, or that no solve has filled.
+pub(crate) fn check_converged(report: &Report) -> Result<()> {
+    if report.is_converged() {
+        Ok(())
+    } else {
+        Err(Error::NotConverged(Box::new(report.clone())))
     }
 }
 
@@ -162,7 +163,7 @@ impl NormalSolution {
         bodies: &HalfSpace,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<NormalStiffness> {
-        bodies.collective_result(check_solved(self.report()))?;
+        bodies.collective_result(check_converged(self.report()))?;
         let contact = SolvedContact::of(bodies);
         let mut workspace = StiffnessWorkspace::new();
         let (mut context, SystemBuffers { normal, cells, .. }) = workspace.begin(&mut observer);
@@ -205,7 +206,7 @@ impl TangentialSolution {
         let checked = self
             .check_bodies(bodies)
             .and_then(|()| self.check_uncoupled())
-            .and_then(|()| check_solved(self.report()));
+            .and_then(|()| check_converged(self.report()));
         bodies.collective_result(checked)?;
         let contact = SolvedContact::sheared(bodies, self);
         let mut workspace = StiffnessWorkspace::new();
@@ -247,8 +248,8 @@ impl ContactStiffness {
         let checked = shear
             .check_bodies(bodies)
             .and_then(|()| shear.check_uncoupled())
-            .and_then(|()| check_solved(normal.report()))
-            .and_then(|()| check_solved(shear.report()));
+            .and_then(|()| check_converged(normal.report()))
+            .and_then(|()| check_converged(shear.report()));
         bodies.collective_result(checked)?;
         let contact = SolvedContact::sheared(bodies, shear);
         let workspace = &mut StiffnessWorkspace::new();

@@ -15,7 +15,7 @@ use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Iteration;
 use crate::stiffness::contact::{ContactCells, Pressing, SolvedContact, check_open, collect};
-use crate::stiffness::contact_stiffness::check_solved;
+use crate::stiffness::contact_stiffness::check_converged;
 use crate::stiffness::motions::kinds;
 use crate::stiffness::system::System;
 use crate::stiffness::workspace::SystemBuffers;
@@ -189,7 +189,7 @@ impl CoupledSolution {
         let (normal, tangential) = (self.normal(), self.tangential());
         let checked = normal.check_bodies(bodies);
         let checked = checked.and_then(|()| normal.check_elastic("the stiffness"));
-        let checked = checked.and_then(|()| check_solved(&self.report().work));
+        let checked = checked.and_then(|()| check_converged(&self.report().work));
         bodies.collective_result(checked.and_then(|()| friction.check(bodies.grid())))?;
         let contact = SolvedContact::sheared(bodies, tangential);
         let workspace = &mut StiffnessWorkspace::new();

@@ -8,8 +8,8 @@ use stickslip::Iteration;
 use stickslip::cgm::{self, AbsBound, Method, NonNegative, Problem};
 use stickslip::influence::Component;
 use stickslip::{
-    Axis, Boundary, Coupling, Error, Field, Grid, HalfSpace, History, LoadStep, NormalLoad, Status,
-    TangentialControl, TangentialModel,
+    Axis, Boundary, Coupling, Error, Field, Grid, HalfSpace, History, LoadStep, NormalLoad,
+    NormalProblem, Status, TangentialControl, TangentialModel,
 };
 
 type Observer<'a> = &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send);
@@ -85,6 +85,19 @@ fn coupled_bodies(grid: Grid) -> HalfSpace {
 fn sphere_gap(cells: usize) -> (Grid, Field) {
     let grid = kit::square(cells, 3.0);
     (grid, kit::sphere(grid, 2.0))
+}
+
+/// The tractions of a cancelled solve have no stiffness.
+#[test]
+fn cancelled_solution_has_no_stiffness() {
+    let (grid, gap) = sphere_gap(24);
+    let bodies = unit_bodies(grid, 0.3);
+    let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(1.0));
+    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    let mut contact = solver.new_solution();
+    let cancelled = solver.solve_observed(&mut contact, |_| ControlFlow::Break(()));
+    assert!(cancelled.is_err() && contact.report().status == Status::Cancelled);
+    kit::assert_refused! { contact.stiffness(&bodies) => Error::NotConverged(_) }
 }
 
 /// Covers steps in which the starts from coarser grids take most of the calls, and steps on a line of cells.

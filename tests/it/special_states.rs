@@ -221,7 +221,7 @@ fn warnings_can_be_compared() {
         kit::coulomb(0.5),
         load,
     ));
-    assert_eq!(shear.warnings(), point.warnings());
+    assert_eq!(shear.warnings(), point.warnings()[..2]);
     assert!(press(&kit::sphere(grid, 1.0), 0.01).warnings().is_empty());
 }
 

@@ -432,7 +432,7 @@ module stickslip_bindings
     ! Some cells (index: their number) are at their hardness, but the requested operation requires an elastic contact.
     integer(c_int32_t), parameter, public :: STICKSLIP_YIELDED = 10
     ! The history has taken no step since the last step of the cycle.
-    integer(c_int32_t), parameter, public :: STICKSLIP_STEP_ALREADY_COUNTED = 11
+    integer(c_int32_t), parameter, public :: STICKSLIP_STEP_OUT_OF_ORDER = 11
     ! The cycle does not close: its cyclic residual (value) exceeds the limit (limit) for a cycle that represents the
     ! following cycles.
     integer(c_int32_t), parameter, public :: STICKSLIP_CYCLE_NOT_CLOSED = 12
@@ -2033,7 +2033,7 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_cycle_begin
 
-        ! Adds the last step of the history. Returns STICKSLIP_STEP_ALREADY_COUNTED unless the history has taken a step since
+        ! Adds the last step of the history. Returns STICKSLIP_STEP_OUT_OF_ORDER unless the history has taken a step since
         ! the last added step or the start of the cycle. Returns STICKSLIP_NO_LAST_STEP if the state of the history was set since its
         ! last step.
         function stickslip_cycle_add(cycle, history) result(answer) bind(c)

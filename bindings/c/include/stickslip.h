@@ -379,7 +379,7 @@
 #define STICKSLIP_YIELDED 10
 
 // The history has taken no step since the last step of the cycle.
-#define STICKSLIP_STEP_ALREADY_COUNTED 11
+#define STICKSLIP_STEP_OUT_OF_ORDER 11
 
 // The cycle does not close: its cyclic residual (value) exceeds the limit (limit) for a cycle that represents the
 // following cycles.
@@ -1812,7 +1812,7 @@ stickslip_status stickslip_cycle_free(stickslip_cycle *cycle);
 // Restarts the cycle at the current state of a history.
 stickslip_status stickslip_cycle_begin(stickslip_cycle *cycle, const stickslip_history *history);
 
-// Adds the last step of the history. Returns STICKSLIP_STEP_ALREADY_COUNTED unless the history has taken a step since
+// Adds the last step of the history. Returns STICKSLIP_STEP_OUT_OF_ORDER unless the history has taken a step since
 // the last added step or the start of the cycle. Returns STICKSLIP_NO_LAST_STEP if the state of the history was set since its
 // last step.
 stickslip_status stickslip_cycle_add(stickslip_cycle *cycle,

@@ -103,7 +103,7 @@ pub unsafe extern "C" fn stickslip_cycle_begin(
     })
 }
 
-/// Adds the last step of the history. Returns STICKSLIP_STEP_ALREADY_COUNTED unless the history has taken a step since
+/// Adds the last step of the history. Returns STICKSLIP_STEP_OUT_OF_ORDER unless the history has taken a step since
 /// the last added step or the start of the cycle. Returns STICKSLIP_NO_LAST_STEP if the state of the history was set since its
 /// last step.
 #[unsafe(no_mangle)]

@@ -153,7 +153,7 @@ fn code_of(error: &Error) -> stickslip_status {
         Error::ObliqueLoad { .. } => STICKSLIP_OBLIQUE_LOAD,
         Error::StepTooLong { .. } => STICKSLIP_STEP_TOO_LONG,
         Error::Yielded { .. } => STICKSLIP_YIELDED,
-        Error::StepAlreadyCounted { .. } => STICKSLIP_STEP_ALREADY_COUNTED,
+        Error::StepOutOfOrder { .. } => STICKSLIP_STEP_OUT_OF_ORDER,
         Error::CycleNotClosed { .. } => STICKSLIP_CYCLE_NOT_CLOSED,
         Error::NoLastStep => STICKSLIP_NO_LAST_STEP,
         Error::OutdatedSolution { .. } => STICKSLIP_OUTDATED_SOLUTION,

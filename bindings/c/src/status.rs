@@ -30,7 +30,7 @@ pub const STICKSLIP_STEP_TOO_LONG: i32 = 9;
 /// Some cells (index: their number) are at their hardness, but the requested operation requires an elastic contact.
 pub const STICKSLIP_YIELDED: i32 = 10;
 /// The history has taken no step since the last step of the cycle.
-pub const STICKSLIP_STEP_ALREADY_COUNTED: i32 = 11;
+pub const STICKSLIP_STEP_OUT_OF_ORDER: i32 = 11;
 /// The cycle does not close: its cyclic residual (value) exceeds the limit (limit) for a cycle that represents the
 /// following cycles.
 pub const STICKSLIP_CYCLE_NOT_CLOSED: i32 = 12;

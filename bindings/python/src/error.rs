@@ -163,7 +163,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         GridTooShort { side, needed, found }
         NoWaveInBand { longest, shortest }
         HeightMomentsNotReached { skewness, kurtosis, reached }
-        StepAlreadyCounted { step, last }
+        StepOutOfOrder { step, last }
         OutdatedSolution { quantity, changed, remedy }
         CycleNotClosed { residual, limit }
         StepTooLong { part, error, tolerance }

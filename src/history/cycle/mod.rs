@@ -189,7 +189,8 @@ impl Cycle {
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid of the history differs.
     /// - [`Error::NoLastStep`] if the history has taken no step since it was created or since [`History::set_state`].
-    /// - [`Error::StepAlreadyCounted`] if the history has not taken a step since the last added step or the start of the cycle.
+    /// - [`Error::StepOutOfOrder`] if the last step of the history is not the step after the last added one, or after the start of
+    ///   the cycle. A call that takes several steps, such as [`History::press`], adds none of them: use its observer.
     ///   The check compares only [`History::steps`]. It does not detect a step of a different history with a larger step
     ///   number.
     /// - [`Error::Ranks`] if ranks fail.
@@ -198,13 +199,13 @@ impl Cycle {
     pub fn add(&mut self, history: &History) -> Result<()> {
         let (bodies, step) = (&history.bodies, &history.step);
         let (number, last) = (history.steps(), self.last_step);
-        let is_new = if number > last {
+        let is_next = if number == last + 1 {
             Ok(())
         } else {
-            Err(Error::StepAlreadyCounted { step: number, last })
+            Err(Error::StepOutOfOrder { step: number, last })
         };
         let has_step = history.last_step().map(|_| ());
-        bodies.collective_result(self.check(history).and(has_step).and(is_new))?;
+        bodies.collective_result(self.check(history).and(has_step).and(is_next))?;
         // The collective reductions come first, so that the cycle is unchanged if a rank fails.
         let [largest_traction, traction_change] = self.compare_traction(history);
         let regime = self.regime_with(history);

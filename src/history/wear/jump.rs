@@ -119,14 +119,19 @@ impl CycleJump {
     /// # Errors
     /// - [`Error::GridMismatch`] if the grids differ.
     /// - [`Error::Sample`] at a depth that is negative or not finite.
+    /// - [`Error::EmptyPath`] if the cycle has no steps.
     /// - [`Error::NotPositive`] for user-defined operators without a lower bound.
     /// - Errors of [`HalfSpace::operator`].
     /// - [`Error::Ranks`] if ranks fail.
     pub fn new(bodies: &HalfSpace, cycle: &Cycle, depth: &Field) -> Result<Self> {
         let (grid, slip_pressure) = (bodies.grid(), cycle.slip_pressure());
-        let checked = check("pressure of the cycle", slip_pressure, grid);
-        bodies
-            .collective_result(checked.and_then(|()| check("depth of the cycle", depth, grid)))?;
+        let checked = check("pressure of the cycle", slip_pressure, grid)
+            .and_then(|()| check("depth of the cycle", depth, grid))
+            .and_then(|()| match cycle.steps() {
+                0 => Err(Error::EmptyPath),
+                _ => Ok(()),
+            });
+        bodies.collective_result(checked)?;
         let (pressure, removed) = (slip_pressure.as_slice(), depth.as_slice());
         let layout = bodies.grid_layout();
         let rate = reduce::max(&layout, |i| {

@@ -95,11 +95,8 @@ impl NormalCase {
     fn values(&self) -> (Vec<f64>, Vec<u8>) {
         let (_, contact) = self.solved();
         let pressure = contact.pressure().as_slice();
-        let count = contact.contact_cells() as f64;
-        let mean = |k: i32| {
-            let sum: f64 = pressure.iter().map(|p| p.powi(k)).sum();
-            (sum / count).powf(1.0 / f64::from(k))
-        };
+        let powers = |k: i32| pressure.iter().map(|p| p.powi(k)).sum::<f64>();
+        let mean = |k: i32| (powers(k + 1) / powers(1)).powf(1.0 / f64::from(k));
         let weights = random_field(contact.grid(), 9);
         let values = vec![
             mean(8),

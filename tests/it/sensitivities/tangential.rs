@@ -221,14 +221,14 @@ impl ShearCase {
         let weighted = weighted + sum(31, sy) + 0.7 * dx - 0.4 * dy;
         let zones = shear.zones.iter().zip(qx.as_slice());
         let sticking = zones.filter(|(zone, _)| **zone == Zone::Stick);
-        let pressure = normal.pressure().as_slice().iter();
-        let powers: f64 = pressure.map(|p| p.powi(4)).sum();
+        let pressure = normal.pressure().as_slice();
+        let powers = |k: i32| pressure.iter().map(|p| p.powi(k)).sum::<f64>();
         let values = vec![
             shear.energies[0],
             sticking.map(|(_, q)| q * grid.cell_area()).sum(),
             shear.energies[1],
             weighted,
-            (powers / normal.contact_cells() as f64).powf(0.25),
+            (powers(5) / powers(1)).powf(0.25),
             match self.load.control(Axis::X) {
                 TangentialControl::Force(_) => dx,
                 _ => shear.force,

@@ -1806,7 +1806,7 @@ class Cycle:
         ------
         NoLastStep
             If the history has taken no step since it was created or since :meth:`History.set_state`.
-        StepAlreadyCounted
+        StepOutOfOrder
             If the step has already been added, or is not later than the start of the cycle.
         GridMismatch
         """

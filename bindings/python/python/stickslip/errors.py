@@ -555,7 +555,7 @@ class EmptyPath(StickslipError, ValueError):
     """A load path has no steps."""
 
 
-class StepAlreadyCounted(StickslipError, ValueError):
+class StepOutOfOrder(StickslipError, ValueError):
     """A cycle already contains the steps of its history up to a certain step, and the added step does not follow it."""
 
     step: int
