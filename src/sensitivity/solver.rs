@@ -89,20 +89,20 @@ impl<P: Linearised> Solver<P> {
     /// constant in the derivative.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`],
-    ///   [`Error::CellValueMismatch`] or
-    ///   [`Error::MaterialMismatch`] if the solution belongs to other bodies, or if weights have
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch),
+    ///   [`Error::CellValueMismatch`](crate::Error::CellValueMismatch) or
+    ///   [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) if the solution belongs to other bodies, or if weights have
     ///   a different grid.
-    /// - [`Error::NotConverged`] if the solution has not converged, or if a linear solve fails or is
+    /// - [`Error::NotConverged`](crate::Error::NotConverged) if the solution has not converged, or if a linear solve fails or is
     ///   cancelled.
-    /// - [`Error::UnsupportedByModel`] if the functional depends on a quantity that the problem
+    /// - [`Error::UnsupportedByModel`](crate::Error::UnsupportedByModel) if the functional depends on a quantity that the problem
     ///   does not have.
-    /// - [`Error::BelowMinimum`], [`Error::NotFinite`] or
-    ///   [`Error::Sample`] if a number of the functional is invalid.
-    /// - [`Error::NotFinite`] if a periodic contact is closed everywhere, or if the contact cannot
+    /// - [`Error::BelowMinimum`](crate::Error::BelowMinimum), [`Error::NotFinite`](crate::Error::NotFinite) or
+    ///   [`Error::Sample`](crate::Error::Sample) if a number of the functional is invalid.
+    /// - [`Error::NotFinite`](crate::Error::NotFinite) if a periodic contact is closed everywhere, or if the contact cannot
     ///   resist a change of the prescribed force. Examples are sliding contacts and contacts without a cell below its hardness.
-    /// - [`Error::EmptyContact`] if no cell carries pressure under a prescribed force.
-    /// - [`Error::Ranks`] if ranks fail or pass different input.
+    /// - [`Error::EmptyContact`](crate::Error::EmptyContact) if no cell carries pressure under a prescribed force.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail or pass different input.
     /// - The errors of [`HalfSpace::operator`].
     #[doc(alias = "adjoint")]
     #[doc(alias = "gradient")]

@@ -7,7 +7,7 @@ use stickslip::history::wear::{self, CycleJump};
 use stickslip::history::{Cycle, LoadPath};
 use stickslip::io::{csv, npy};
 use stickslip::surface::{self, PowerSpectrum, SelfAffine, Statistics};
-use stickslip::{Error, Field, Grid, History};
+use stickslip::{Error, Field, Grid, History, LoadStep};
 
 fn grid() -> Grid {
     Grid::new(12, 9, 0.5, 0.7).unwrap()
@@ -192,8 +192,10 @@ fn wear_law_rejected_input_leaves_depth_unchanged() {
 fn cycle_jumps_with_invalid_limits_are_rejected() {
     let bodies = unit_bodies(grid(), 0.3);
     let (gap, friction) = (Field::zeros(grid()), kit::coulomb(0.5));
-    let history = History::builder(&bodies, &gap, friction).build().unwrap();
-    let cycle = Cycle::new(&history);
+    let mut history = History::builder(&bodies, &gap, friction).build().unwrap();
+    let mut cycle = Cycle::new(&history);
+    history.step(&LoadStep::hold()).unwrap();
+    cycle.add(&history).unwrap();
     let jump = CycleJump::new(&bodies, &cycle, &Field::constant(grid(), 4e-9)).unwrap();
     kit::assert_all_checked! {
         NonNegative "largest depth" => |depth| jump.largest_depth(depth).cycles_left(1000.0).cycles(),

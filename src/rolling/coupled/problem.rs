@@ -133,6 +133,12 @@ impl CoupledRollingProblem {
             _ => Ok(()),
         }
     }
+
+    /// Checks a friction and a normal load like [`Self::check`], with the present motion.
+    pub(super) fn check_capacity(&self, friction: &Friction, normal: NormalLoad) -> Result<()> {
+        let RollingOptions { controls, spin, .. } = self.options;
+        self.check(friction, normal, controls, spin)
+    }
 }
 
 impl CoupledRollingProblemBuilder {

@@ -70,8 +70,7 @@ pub(crate) struct CoupledRollingEngine {
     pub(super) rolling: Option<RollingSolver>,
     /// Operator of the lift on the whole grid, or `None` for bodies that are not coupled.
     pub(super) lifting: Option<Lifting>,
-    /// Bound on the coupling between the energy norms, multiplied by the square root of the largest tangential
-    /// eigenvalue.
+    /// Bound on the coupling between the energy norms, times the square root of the largest tangential eigenvalue.
     reach: f64,
     /// Tractions whose lift the gap contains.
     traction: [Vec<f64>; 2],
@@ -215,13 +214,12 @@ impl CoupledRollingSolver {
     ///
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`] or [`Error::ApproachBeyondMeanGap`].
-    /// - [`Error::BeyondFrictionCapacity`] as for [`set_load`](Self::set_load): set the new forces first.
+    /// - [`Error::BeyondFrictionCapacity`] as for [`set_load`](Self::set_load): lower forces before the load, raise them after it.
     ///
     /// The load is unchanged after an error.
     pub fn set_normal_load(&mut self, normal: NormalLoad) -> Result<()> {
-        let RollingOptions { controls, spin, .. } = self.problem.options;
-        let problem = &self.problem;
-        problem.check(&problem.friction, normal, controls, spin)?;
+        self.problem
+            .check_capacity(&self.problem.friction, normal)?;
         if std::mem::replace(&mut self.problem.normal, normal) != normal {
             self.engine.changed = Some("the normal load");
         }
@@ -253,10 +251,8 @@ impl CoupledRollingSolver {
     /// The friction is unchanged after an error.
     pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
         friction.check(self.problem.bodies.grid())?;
-        let RollingOptions { controls, spin, .. } = self.problem.options;
-        let problem = &mut self.problem;
-        problem.check(friction, problem.normal, controls, spin)?;
-        problem.friction.try_clone_from(friction)?;
+        self.problem.check_capacity(friction, self.problem.normal)?;
+        self.problem.friction.try_clone_from(friction)?;
         self.engine.changed = Some("the friction");
         Ok(())
     }

@@ -91,7 +91,9 @@ impl Compliance {
         let centre = |v: &mut [f64]| {
             for part in v.chunks_mut(self.cells) {
                 let mean = part.iter().sum::<f64>() / part.len() as f64;
-                part.iter_mut().for_each(|v| *v -= mean);
+                for v in part {
+                    *v -= mean;
+                }
             }
         };
         let mut entries = Vec::with_capacity(len * len);
@@ -108,9 +110,9 @@ impl Compliance {
         for (k, row) in entries.chunks_mut(len).enumerate() {
             let part = k / self.cells * self.cells;
             let uniform = trace / self.cells as f64;
-            row[part..part + self.cells]
-                .iter_mut()
-                .for_each(|u| *u += uniform);
+            for u in &mut row[part..part + self.cells] {
+                *u += uniform;
+            }
         }
         let matrix = DenseOperator::from_rows(len, entries);
         matrix.map_or(0.0, |matrix| matrix.lower_bound())
