@@ -134,7 +134,7 @@ fn pressed_sphere(pair: &ElasticPair, friction: f64, steps: u32) -> Result<(Hist
 
 fn stepwise_sphere() -> Result<Vec<Row>> {
     let (history, _) = pressed_sphere(&with_beta(BETA)?, ROUND[1], 32)?;
-    let error = relative(history.last_step().unwrap().stick_ratio().sqrt(), ROUND[0]);
+    let error = relative(history.last_step()?.stick_ratio().sqrt(), ROUND[0]);
     Ok(rows(
         "sphere, ring elements and the similarity of Spence (1968)",
         "65 x 65",

@@ -153,10 +153,7 @@ fn twist() -> Result<Vec<Row>> {
         ("moment", relative(history.moment(), exact.moment())),
         (
             "stick ratio",
-            relative(
-                history.last_step().unwrap().stick_ratio(),
-                exact.stick_ratio(),
-            ),
+            relative(history.last_step()?.stick_ratio(), exact.stick_ratio()),
         ),
     ];
     let test = "history_vector_model::twist_matches_lubkin";
