@@ -145,7 +145,7 @@ fn sensitivities_survive_serialisation() {
     }
     let ball = surface::sphere(Grid::square(16, 3.0).unwrap(), 10.0);
     let bodies = unit_bodies(Grid::square(16, 3.0).unwrap(), 0.3);
-    let problem = NormalProblem::builder(&bodies, &ball.unwrap(), NormalLoad::Force(0.1));
+    let problem = NormalProblem::builder(&bodies, ball.unwrap(), NormalLoad::Force(0.1));
     let mut solver = problem.build().unwrap().into_solver().unwrap();
     let mut contact = solver.new_solution();
     solver.solve_into(&mut contact).unwrap();
