@@ -1,4 +1,5 @@
 //! Scaling of solves and of batches of small contacts with the number of threads of a pool, as a table of milliseconds.
+//! Arguments are numbers of cells along the side of the single contacts, in place of 512, 1024 and 2048.
 
 #![allow(clippy::print_stdout, reason = "a table is printed")]
 
@@ -15,26 +16,36 @@ use stickslip::{
 /// Numbers of cells along the side of a single contact. For a batch: number of cells along the side, and number of
 /// contacts.
 struct Sizes {
-    sides: &'static [u16],
+    sides: Vec<u16>,
     batches: &'static [(usize, usize)],
     repeats: usize,
 }
 
-const SIZES: Sizes = Sizes {
-    sides: &[512, 1024, 2048],
-    batches: &[(16, 4000), (64, 1000)],
-    repeats: 5,
-};
-const QUICK: Sizes = Sizes {
-    sides: &[64],
-    batches: &[(16, 4)],
-    repeats: 1,
-};
 const TOLERANCE: f64 = 1e-6;
 
 fn main() -> Result<()> {
-    let is_quick = std::env::args().any(|argument| argument == "--test");
-    let sizes = if is_quick { QUICK } else { SIZES };
+    let arguments: Vec<String> = std::env::args().collect();
+    let sides: Vec<u16> = arguments
+        .iter()
+        .filter_map(|argument| argument.parse().ok())
+        .collect();
+    let sizes = if arguments.iter().any(|argument| argument == "--test") {
+        Sizes {
+            sides: vec![64],
+            batches: &[(16, 4)],
+            repeats: 1,
+        }
+    } else {
+        Sizes {
+            sides: if sides.is_empty() {
+                vec![512, 1024, 2048]
+            } else {
+                sides
+            },
+            batches: &[(16, 4000), (64, 1000)],
+            repeats: 5,
+        }
+    };
     let cores = std::thread::available_parallelism().map_or(1, usize::from);
     let counts = [1, 2, 4, 8, 16, 32, 64];
     println!("{:26}{:>8}{:>10}{:>10}", "", "threads", "least", "median");
@@ -52,7 +63,7 @@ fn measure(pool: &ThreadPool, sizes: &Sizes) -> Result<()> {
         let (threads, median) = (pool.current_num_threads(), times[times.len() / 2]);
         println!("{what:26}{threads:8}{:10.2}{median:10.2}", times[0]);
     };
-    for &side in sizes.sides {
+    for &side in &sizes.sides {
         let [_, rough, _] = benchmark::rough(side)?;
         for scene in [benchmark::ball(side)?, rough] {
             let mut press = scene.normal(Method::ActiveSet, TOLERANCE)?.into_solver()?;
