@@ -1,45 +1,3 @@
-"""Wear over many cycles: limits, endings, resumption and interruption of ``wear.run``, and progress of loops."""
-
-import os
-import pickle
-import signal
-import subprocess
-import sys
-
-import numpy as np
-import pytest
-
-import stickslip as ss
-
-FORCE, COEFFICIENT = 100.0, 1e-13
-TIMEOUT = 120
-
-GRID = ss.Grid.square(32, 0.3e-3)
-STEEL = ss.Material(213e9, 0.29)
-BODIES = ss.HalfSpace(GRID, (STEEL, STEEL))
-
-
-def load(shift):
-    return ss.LoadStep(normal_force=FORCE, shift=shift)
-
-
-def loop(amplitude=1e-6, steps=8):
-    return ss.history.FrettingLoop(ss.history.LoadPath.triangle((amplitude, 0.0), steps), load)
-
-
-def history():
-    history = ss.History(BODIES, ss.surface.sphere(GRID, 3.5e-3), 0.5, tolerance=1e-6)
-    history.step(normal_force=FORCE)
-    return history
-
-
-def five_percent(history):
-    return 0.05 * history.approach
-
-
-LAW = ss.wear.EnergyLaw(COEFFICIENT)
-
-
 def test_wear_agrees_with_loop_written_by_hand():
     worn, by_hand = history(), history()
     result = ss.wear.run(worn, loop(), LAW, 2000, largest_depth=five_percent, settling=2, max_residual=0.2)
@@ -203,6 +161,36 @@ def test_snapshot_resumes_with_its_law_and_loop_only():
     assert rest.cycles == 200 and ss.wear.run(worn, loop(), LAW, 200, resume=rest.snapshot).cycles == 200
     by_name = ss.wear.run(history(), loop(), per_cell, 50)
     assert by_name.snapshot.law == f"{__name__}.per_cell"
+
+
+def test_digest_of_loop_contains_exact_loads():
+    worn = history()
+    snapshot = ss.wear.run(worn, loop(), LAW, 100).snapshot
+    heavier = ss.history.FrettingLoop(
+        loop()._path, lambda shift: ss.LoadStep(normal_force=np.nextafter(FORCE, 2.0 * FORCE), shift=shift)
+    )
+    with pytest.raises(ss.errors.SnapshotMismatch, match="the loop of the snapshot"):
+        ss.wear.run(worn, heavier, LAW, 200, resume=snapshot)
+
+
+def test_load_function_without_return_is_rejected():
+    def forgotten(shift):
+        ss.LoadStep(normal_force=FORCE, shift=shift)
+
+    worn, path = history(), loop()._path
+    before = worn.to_bytes()
+    without = ss.history.FrettingLoop(path, forgotten)
+    message = "load function .*forgotten must return a LoadStep, got None: end it with return LoadStep"
+    for call in (
+        lambda: without.run(worn, 2),
+        lambda: without.cycle(worn, ss.history.Cycle(worn)),
+        lambda: ss.wear.run(worn, without, LAW, 100),
+    ):
+        with pytest.raises(TypeError, match=message):
+            call()
+    with pytest.raises(TypeError, match="got an object of the class tuple"):
+        ss.history.FrettingLoop(path, lambda shift: shift).run(worn, 2)
+    assert worn.to_bytes() == before
 
 
 def test_ctrl_c_ends_wear_with_state_after_last_jump(tmp_path):

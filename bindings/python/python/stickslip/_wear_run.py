@@ -398,8 +398,9 @@ def _law_in_words(law: Callable[[History, Cycle], ArrayLike]) -> str:
 def _loop_in_words(loop: FrettingLoop) -> str:
     """Returns the number of steps, and a digest of the path and of the loads along it."""
     values = loop._path.cycles(1)
-    loads = "".join(repr(loop._load(value)) for value in values)
-    return f"{len(values)} steps of digest {_digest(np.asarray(values, dtype=float).tobytes() + loads.encode())}"
+    # The last argument of the reduced form contains the exact numbers; `repr` rounds them.
+    loads = b"".join(loop._step(value).__reduce__()[1][-1] for value in values)  # type: ignore[index]
+    return f"{len(values)} steps of digest {_digest(np.asarray(values, dtype=float).tobytes() + loads)}"
 
 
 def _digest(content: bytes) -> str:
