@@ -1532,6 +1532,9 @@ class CoupledRollingSolver:
         """
         Solves for the given creepages, forces, spin or moment, or for the last ones if none is given.
 
+        The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
+        leave it unchanged.
+
         Parameters
         ----------
         creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
@@ -5040,6 +5043,9 @@ class NormalSolver:
         NormalSolution
 
         Raises
+        The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
+        leave it unchanged.
+
         ------
         GridMismatch, Shape, Sample, NegativeOrNotFinite, NotFinite, ApproachBeyondMeanGap, BeyondHardness
             If the load or the gap is invalid; both are then unchanged.
@@ -6062,6 +6068,9 @@ class RollingSolver:
         Raises
         ------
         NotFinite, UnsupportedByModel, BeyondFrictionCapacity, BeyondFrictionMoment
+        The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
+        leave it unchanged.
+
             If the prescribed values are invalid; they are then unchanged.
         NotConverged
             The exception has the attributes ``report`` and ``last_iterate``.
@@ -7478,6 +7487,9 @@ class TangentialSolver:
         Raises
         ------
         NotFinite, NotPositive, ObliqueLoad, UnsupportedByModel, BeyondFrictionCapacity
+        The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
+        leave it unchanged.
+
             If the load is invalid; it is then unchanged.
         NotConverged
             The exception has the attributes ``report`` and ``last_iterate``.
