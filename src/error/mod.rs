@@ -510,7 +510,7 @@ pub enum Error {
     EmptyPath,
     /// The cycle already contains the steps of its history up to the step `last`, and the step `step` does not come after it.
     #[error(
-        "step {step} of the history does not follow step {last}, the last step of the cycle: add each step once, in order"
+        "step {step} of the history does not follow step {last}, the last step of the cycle: add each step once, in order, and copy the cycle before a step that may be rejected"
     )]
     StepAlreadyCounted {
         /// The number of the step, counted from 1, or zero before the first step.

@@ -442,7 +442,7 @@ fn every_error_has_its_text() {
         ),
         (
             Error::StepAlreadyCounted { step: 3, last: 5 },
-            "step 3 of the history does not follow step 5, the last step of the cycle: add each step once, in order",
+            "step 3 of the history does not follow step 5, the last step of the cycle: add each step once, in order, and copy the cycle before a step that may be rejected",
         ),
         (
             Error::NoLastStep,

@@ -1,3 +1,46 @@
+"""Wear over many cycles: limits, endings, resumption and interruption of ``wear.run``, and progress of loops."""
+
+import copy
+import os
+import pickle
+import signal
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+import stickslip as ss
+
+FORCE, COEFFICIENT = 100.0, 1e-13
+TIMEOUT = 120
+
+GRID = ss.Grid.square(32, 0.3e-3)
+STEEL = ss.Material(213e9, 0.29)
+BODIES = ss.HalfSpace(GRID, (STEEL, STEEL))
+
+
+def load(shift):
+    return ss.LoadStep(normal_force=FORCE, shift=shift)
+
+
+def loop(amplitude=1e-6, steps=8):
+    return ss.history.FrettingLoop(ss.history.LoadPath.triangle((amplitude, 0.0), steps), load)
+
+
+def history():
+    history = ss.History(BODIES, ss.surface.sphere(GRID, 3.5e-3), 0.5, tolerance=1e-6)
+    history.step(normal_force=FORCE)
+    return history
+
+
+def five_percent(history):
+    return 0.05 * history.approach
+
+
+LAW = ss.wear.EnergyLaw(COEFFICIENT)
+
+
 def test_wear_agrees_with_loop_written_by_hand():
     worn, by_hand = history(), history()
     result = ss.wear.run(worn, loop(), LAW, 2000, largest_depth=five_percent, settling=2, max_residual=0.2)
@@ -191,6 +234,38 @@ def test_load_function_without_return_is_rejected():
     with pytest.raises(TypeError, match="got an object of the class tuple"):
         ss.history.FrettingLoop(path, lambda shift: shift).run(worn, 2)
     assert worn.to_bytes() == before
+
+
+def test_cycle_rejects_history_on_other_bodies():
+    pressed = history()
+    cycle = ss.history.Cycle(pressed)
+    soft = ss.Material(100e9, 0.29)
+    for bodies, error in (
+        (ss.HalfSpace(GRID, (soft, soft)), ss.errors.MaterialMismatch),
+        (ss.HalfSpace(GRID, (STEEL, STEEL), boundary="periodic"), ss.errors.BoundaryMismatch),
+    ):
+        other = ss.History(bodies, ss.surface.sphere(GRID, 3.5e-3), 0.5)
+        other.step(normal_force=FORCE, warn=False)
+        other.step(force_x=20.0, warn=False)
+        with pytest.raises(error, match="history of the cycle"):
+            cycle.add(other)
+    assert cycle.steps == 0
+    with pytest.raises(ss.errors.StepAlreadyCounted, match="copy the cycle before a step that may be rejected"):
+        cycle.add(pressed)
+
+
+def test_rejected_step_stays_in_cycle_unless_cycle_is_copied():
+    pressed = history()
+    cycle = ss.history.Cycle(pressed)
+    before, kept = pressed.state(), copy.copy(cycle)
+    pressed.step(force_x=45.0)
+    cycle.add(pressed)
+    pressed.set_state(before)
+    pressed.step(force_x=20.0)
+    with pytest.raises(ss.errors.StepAlreadyCounted):
+        cycle.add(pressed)
+    kept.add(pressed)
+    assert np.allclose(kept.points.force[0], [0.0, 20.0], atol=1e-6)
 
 
 def test_ctrl_c_ends_wear_with_state_after_last_jump(tmp_path):

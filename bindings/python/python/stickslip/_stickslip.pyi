@@ -1805,17 +1805,27 @@ class Cycle:
         """
         Adds the last step of the history; call it once after each step.
 
+        Add a step only after it is accepted. :meth:`History.set_state` does not remove an added step from the cycle. Copy the
+        cycle by ``copy.copy`` before a step that may be rejected after it is added.
+
         Raises
         ------
         NoLastStep
             If the history has taken no step since it was created or since :meth:`History.set_state`.
         StepAlreadyCounted
-            If the step has already been added, or is not later than the start of the cycle.
-        GridMismatch
+            If the step has already been added, or is not later than the start of the cycle. The check compares step numbers, so
+            that it does not detect a later step of a different history.
+        GridMismatch, BoundaryMismatch, MaterialMismatch
+            If the history has other bodies than the history of the cycle.
         """
     def begin(self, /, history: History) -> None:
         """
         Discards all steps and restarts the cycle in the present state of the history.
+
+        Raises
+        ------
+        GridMismatch, BoundaryMismatch, MaterialMismatch
+            If the history has other bodies than the history of the cycle.
         """
     @property
     def cyclic_residual(self, /) -> float:
