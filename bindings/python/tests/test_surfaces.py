@@ -313,3 +313,9 @@ def test_units_of_coordinates_of_xarray_are_converted():
         ss.io.from_xarray(array(None, "mm", "mm"))
 
 
+def test_float_labels_of_csv_are_rejected_and_comments_state_missing_values():
+    with pytest.raises(ss.errors.Format, match="skip_rows = 1"):
+        ss.io.csv.parse(b"0.0,1.0,2.0\n.1,.2,.15\n.3,.1,.2\n", cell=(1.0, 1.0))
+    for comment in (b"NODATA_value -9999", b"nodata: -9999", b"missing = -9999", b"void -9999"):
+        field = ss.io.csv.parse(b"# " + comment + b"\n.1,-9999\n.3,.1\n", cell=(1.0, 1.0))
+        assert np.isnan(field.array[0, 1]) and field.array[1, 1] == 0.1, comment

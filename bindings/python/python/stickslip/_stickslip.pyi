@@ -8036,7 +8036,8 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
     A cell is missing (NaN) if it is empty, consists of stars, or is one of these words in upper or lower case: ``nan``,
     ``BAD``, ``No Data``, ``no_data``, ``no-data``, ``N/A``, ``#N/A``, ``NA``, ``null``, ``none``, ``void``, ``invalid``,
     ``missing`` and ``--``. Any other text is rejected with its line and column. Numbers that may be labels are also
-    rejected: a first row or column 0, 1, 2, ..., and evenly spaced coordinates in the first row and column.
+    rejected: a first row or column 0, 1, 2, ..., also as 0.0, 1.0, 2.0, ... next to other decimals, and evenly spaced coordinates in the first row and
+    column.
 
     Parameters
     ----------
@@ -8045,7 +8046,10 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
     cell, size : pair of float
         Side lengths of a cell or of the grid; exactly one of the two is required.
     missing : float, optional
-        The value that marks a missing point (default: the value that a comment states, or none).
+        The value that marks a missing point (default: the value that a comment states, or none). Such a comment consists of
+        a name, then ``=``, ``:`` or a space, and a number, as ``# NODATA_value -9999``. The name is ``missing``, ``missing
+        value``, ``no data``, ``no data value``, ``bad value``, ``invalid value``, ``void`` or ``void value``, in upper or
+        lower case, with any separators between words or none.
     skip_rows : int, default 0
         Number of rows before the matrix.
     skip_columns : int, default 0
@@ -8068,12 +8072,13 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
 
 def csv_to_bytes(field: Field | ArrayLike) -> bytes:
     """
-    Returns a field as the text of a matrix.
+    Returns a field as the text of a matrix, without its unit and cell sides.
     """
 
 def csv_write(path: str | PathLike[str], field: Field | ArrayLike) -> None:
     """
-    Writes a field to a text file as a matrix.
+    Writes a field to a text file as a matrix. The file contains neither the unit nor the cell sides: give them again on reading
+    by ``unit=`` and ``cell=``.
     """
 
 def cylinder(grid: Grid, radius: float) -> Field:
