@@ -583,10 +583,10 @@ class OutdatedSolution(StickslipError, ValueError):
 
 
 class SnapshotMismatch(StickslipError, ValueError):
-    """A run of wear resumes with another law or another loop than the run of its snapshot."""
+    """A run of wear resumes with another law, loop or history than the run of its snapshot."""
 
     argument: str
-    """Name of the argument that differs."""
+    """The quantity that differs: law, loop, axis, friction, hardness or settings."""
 
 
 class CycleNotClosed(StickslipError):
