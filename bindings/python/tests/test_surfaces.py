@@ -313,6 +313,15 @@ def test_units_of_coordinates_of_xarray_are_converted():
         ss.io.from_xarray(array(None, "mm", "mm"))
 
 
+def test_resampling_to_grid_in_other_unit_is_rejected():
+    rough = ss.Field(ss.Grid(32, 24, 1.0, 1.0), np.random.default_rng(0).random((24, 32)), "um")
+    with pytest.raises(ValueError, match="smaller than one cell of the heights, .* unit of the heights, in um"):
+        ss.surface.resample(rough, ss.Grid(64, 48, 0.5e-6, 0.5e-6))
+    assert ss.surface.resample(rough, ss.Grid(64, 48, 0.5, 0.5)).unit == "um"
+    # A profile along x lies within one row of the heights.
+    assert ss.surface.resample(rough, ss.Grid(64, 1, 0.5, 0.1)).array.shape == (1, 64)
+
+
 def test_float_labels_of_csv_are_rejected_and_comments_state_missing_values():
     with pytest.raises(ss.errors.Format, match="skip_rows = 1"):
         ss.io.csv.parse(b"0.0,1.0,2.0\n.1,.2,.15\n.3,.1,.2\n", cell=(1.0, 1.0))

@@ -8427,7 +8427,8 @@ def remove_outliers(heights: Field | ArrayLike, *, threshold: float = ..., radiu
 
 def resample(heights: Field | ArrayLike, grid: Grid) -> Field:
     """
-    Interpolates a surface at the cell centres of another grid, with cubic interpolation along x and y.
+    Interpolates a surface at the cell centres of another grid, with cubic interpolation along x and y. The sides of the grid
+    are in the unit of the heights.
 
     Raises
     ------
@@ -8436,6 +8437,8 @@ def resample(heights: Field | ArrayLike, grid: Grid) -> Field:
 
 def sdf_parse(bytes: bytes) -> Field:
     """
+    ValueError
+        If the whole grid is smaller than one cell of the heights, as a grid in another unit would be.
     Reads a surface from the bytes of an SDF file (lengths in metres).
     """
 
