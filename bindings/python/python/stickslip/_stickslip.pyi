@@ -3459,10 +3459,12 @@ class History:
         """
     def set_state(self, /, state: State) -> None:
         """
-        Restores a state of this history or of a history on equal bodies.
+        Restores a state of this history or of a history on equal bodies. Gap, friction, hardness, permanent set, settings
+        and model (scalar, vector or coupled) of the state replace those of the history.
 
         The history then has no :attr:`last_step` until its next step. Until then, :meth:`Cycle.add` raises ``NoLastStep``. In a
-        retry, restore the state, take a smaller step, and add this step to the cycle.
+        retry, restore the state, take a smaller step, and add this step to the cycle. A rejected step that was added stays in
+        the cycle: add a step only after it is accepted.
         """
     @property
     def settings(self, /) -> Settings:
