@@ -293,6 +293,23 @@ def test_surfaces_convert_to_datasets_and_images(tmp_path):
             ss.io.vti.to_bytes(wrong)
 
 
+def test_xarray_arrays_convert_to_surfaces():
+    xarray = pytest.importorskip("xarray")
+    heights = np.arange(12.0).reshape(3, 4)
+    x, y = 5.0 + 0.5 * np.arange(4), 0.25 * np.arange(3)
+    array = xarray.DataArray(heights, {"y": y, "x": x}, ("y", "x"), attrs={"units": "um"})
+    field = ss.io.from_xarray(array)
+    assert field.grid == ss.Grid(4, 3, 0.5, 0.25) and field.unit == "um" and np.array_equal(field.array, heights)
+    assert ss.io.from_xarray(array.T) == field
+    dataset = ss.io.to_xarray(field)
+    assert dataset["values"].attrs["units"] == dataset.x.attrs["units"] == "um"
+    assert ss.io.from_xarray(dataset["values"]) == field
+    with pytest.raises(ValueError, match="evenly"):
+        ss.io.from_xarray(array.assign_coords(x=x**2))
+    with pytest.raises(ValueError, match="dimensions"):
+        ss.io.from_xarray(array[0])
+
+
 def test_units_of_coordinates_of_xarray_are_converted():
     xarray = pytest.importorskip("xarray")
 

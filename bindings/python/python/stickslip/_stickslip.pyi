@@ -3229,7 +3229,7 @@ class History:
     hardness : Hardness, float or array_like of shape (ny, nx), optional
         The largest pressure that the cells can carry; no limit by default.
     permanent_set : bool, default False
-        Whether the yielded depth remains and is added to the gap of later steps.
+        Whether the yielded depth remains and is added to the gap of later steps; requires ``hardness``.
     settings : Settings, optional
         Method, tolerance and limits; ``Settings()`` by default.
     tolerance, method, max_iterations, time_limit : optional
@@ -3238,6 +3238,8 @@ class History:
     Raises
     ------
     GridMismatch, Shape, Sample, UnsupportedByModel, Method, Tolerance, IterationLimit
+    ValueError
+        If ``permanent_set`` is true without ``hardness``.
 
     Examples
     --------
@@ -4067,7 +4069,7 @@ class LoadStep:
     force_x, force_y, shift_x, shift_y : float, optional
         Force or shift along one axis.
     spring_x, spring_y : (position, stiffness), optional
-        Spring along one axis.
+        Spring along one axis: first the position (a length), then the stiffness (a force over a length).
     twist : float, optional
         Rotation of body 2 relative to body 1 since the start (radians, positive from x to y). Only the vector model
         supports a twist.
@@ -5041,6 +5043,9 @@ class NormalSolver:
         """
         Solves for the given load and gap; an omitted load or gap keeps its last value.
 
+        The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
+        leave it unchanged.
+
         Parameters
         ----------
         force, approach : float, optional
@@ -5055,9 +5060,6 @@ class NormalSolver:
         NormalSolution
 
         Raises
-        The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
-        leave it unchanged.
-
         ------
         GridMismatch, Shape, Sample, NegativeOrNotFinite, NotFinite, ApproachBeyondMeanGap, BeyondHardness
             If the load or the gap is invalid; both are then unchanged.
@@ -6066,6 +6068,9 @@ class RollingSolver:
         """
         Solves for the given creepages, forces, spin or moment, or for the last ones if none is given.
 
+        The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
+        leave it unchanged.
+
         Parameters
         ----------
         creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
@@ -6080,9 +6085,6 @@ class RollingSolver:
         Raises
         ------
         NotFinite, UnsupportedByModel, BeyondFrictionCapacity, BeyondFrictionMoment
-        The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
-        leave it unchanged.
-
             If the prescribed values are invalid; they are then unchanged.
         NotConverged
             The exception has the attributes ``report`` and ``last_iterate``.
@@ -6988,7 +6990,7 @@ class StepResult:
     def warnings(self, /) -> list[Warning]:
         """
         Warnings of the step: ``no_contact``, ``contact_at_edge``, ``beyond_hardness``, ``stale_pressure``,
-        ``single_load_step``, and the warnings about contacts and zones of too few cells. Warnings about contact spots
+        ``single_load_step``, ``held_shift_lost_force``, and the warnings about contacts and zones of too few cells. Warnings about contact spots
         are in ``history.normal.warnings``, because a step does not search for spots.
         """
 
@@ -7188,7 +7190,7 @@ class TangentialLoad:
     force_x, force_y, shift_x, shift_y : float, optional
         Force or shift along one axis.
     spring_x, spring_y : (position, stiffness), optional
-        Spring along one axis.
+        Spring along one axis: first the position (a length), then the stiffness (a force over a length).
     twist : float, default 0
         Rotation of body 2 relative to body 1 about the origin of the grid (radians, positive from x to y). Only the
         vector model supports a twist.
@@ -7485,6 +7487,9 @@ class TangentialSolver:
         """
         Solves for the given load, or for the last load if none is given.
 
+        The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
+        leave it unchanged.
+
         Parameters
         ----------
         load, force, shift, spring, force_x, ... : optional
@@ -7499,9 +7504,6 @@ class TangentialSolver:
         Raises
         ------
         NotFinite, NotPositive, ObliqueLoad, UnsupportedByModel, BeyondFrictionCapacity
-        The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
-        leave it unchanged.
-
             If the load is invalid; it is then unchanged.
         NotConverged
             The exception has the attributes ``report`` and ``last_iterate``.
@@ -8435,12 +8437,12 @@ def resample(heights: Field | ArrayLike, grid: Grid) -> Field:
     Raises
     ------
     Sample, BeyondSamples, Memory
+    ValueError
+        If the whole grid is smaller than one cell of the heights, as a grid in another unit would be.
     """
 
 def sdf_parse(bytes: bytes) -> Field:
     """
-    ValueError
-        If the whole grid is smaller than one cell of the heights, as a grid in another unit would be.
     Reads a surface from the bytes of an SDF file (lengths in metres).
     """
 
