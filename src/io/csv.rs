@@ -17,12 +17,14 @@ use crate::grid::field::Field;
 const FORMAT: Format = Format("CSV");
 
 /// Names that introduce the value of missing points in a comment, in lower-case letters and digits.
-const MISSING: [&str; 6] = [
+const MISSING: [&str; 8] = [
+    "missing",
     "missingvalue",
     "nodata",
     "nodatavalue",
     "badvalue",
     "invalidvalue",
+    "void",
     "voidvalue",
 ];
 
@@ -217,50 +219,75 @@ fn rejected(
 #[derive(Debug)]
 struct Spelling {
     corner: Corner,
-    /// Whether all cells of the first line, apart from the corner, consist of digits only.
-    is_line_whole: bool,
-    /// Whether all cells of the first column, apart from the corner, consist of digits only.
-    is_column_whole: bool,
+    /// Form of the cells of the first line, apart from the corner.
+    line: Form,
+    /// Form of the cells of the first column, apart from the corner.
+    column: Form,
     /// Number of cells outside the first line and column.
     others: usize,
     /// Number of cells outside the first line and column that consist of digits only.
     whole_others: usize,
+    /// Number of cells outside the first line and column that are whole numbers, with or without decimals of zero.
+    integral_others: usize,
 }
 
 /// First cell of the first line.
 #[derive(Debug, PartialEq)]
 enum Corner {
     Empty,
-    /// Digits only.
+    Number(Form),
+}
+
+/// Form of a number, or the least special form of several numbers.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Form {
+    /// Digits only, or empty. An empty cell becomes NaN, which interrupts the count.
     Whole,
+    /// Digits, a decimal point and zeros.
+    Integral,
     Other,
+}
+
+impl Form {
+    fn of(cell: &str) -> Self {
+        let has_digits = |text: &str| text.bytes().all(|byte| byte.is_ascii_digit());
+        match cell.split_once(['.', ',']) {
+            None if has_digits(cell) => Self::Whole,
+            Some((digits, zeros))
+                if has_digits(digits) && zeros.bytes().all(|byte| byte == b'0') =>
+            {
+                Self::Integral
+            }
+            _ => Self::Other,
+        }
+    }
 }
 
 impl Default for Spelling {
     fn default() -> Self {
         Self {
-            corner: Corner::Other,
-            is_line_whole: true,
-            is_column_whole: true,
+            corner: Corner::Number(Form::Other),
+            line: Form::Whole,
+            column: Form::Whole,
             others: 0,
             whole_others: 0,
+            integral_others: 0,
         }
     }
 }
 
 impl Spelling {
     fn read(&mut self, is_first_line: bool, column: usize, cell: &str) {
-        // An empty cell becomes NaN, which interrupts the count.
-        let is_whole = cell.bytes().all(|byte| byte.is_ascii_digit());
+        let form = Form::of(cell);
         match (is_first_line, column) {
             (true, 0) if cell.is_empty() => self.corner = Corner::Empty,
-            (true, 0) if is_whole => self.corner = Corner::Whole,
-            (true, 0) => self.corner = Corner::Other,
-            (true, _) => self.is_line_whole &= is_whole,
-            (false, 0) => self.is_column_whole &= is_whole,
+            (true, 0) => self.corner = Corner::Number(form),
+            (true, _) => self.line = self.line.max(form),
+            (false, 0) => self.column = self.column.max(form),
             (false, _) => {
                 self.others += 1;
-                self.whole_others += usize::from(is_whole);
+                self.whole_others += usize::from(form == Form::Whole);
+                self.integral_others += usize::from(form != Form::Other);
             }
         }
     }
@@ -270,7 +297,8 @@ impl Spelling {
     /// Next to an empty corner, labels count 0, 1, 2 or 1, 2, 3, or are evenly spaced coordinates on both axes. Three or
     /// more coordinates on both axes are also labels next to a number that does not continue them, unless the lines below
     /// rise like the first line. Other labels are whole numbers that count while the other numbers do not count or have
-    /// decimals. Two numbers are labels only if all others have decimals.
+    /// decimals. Two numbers are labels only if all others have decimals. Labels with decimals of zero are
+    /// three or more, count from zero, and require other numbers with decimals that are not zero.
     fn labels(&self, samples: &[f64], width: usize) -> [bool; 2] {
         let height = samples.len() / width;
         let line = |row: usize, from: usize| (from..width).map(move |ix| samples[row * width + ix]);
@@ -278,8 +306,8 @@ impl Spelling {
             |ix: usize, from: usize| (from..height).map(move |iy| samples[iy * width + ix]);
         let spacings = spacing(line(0, 1)).zip(spacing(column(0, 1)));
         if self.corner == Corner::Empty {
-            let does_line_count = self.is_line_whole && counts(line(0, 1));
-            let does_column_count = self.is_column_whole && counts(column(0, 1));
+            let does_line_count = self.line != Form::Other && counts(line(0, 1));
+            let does_column_count = self.column != Form::Other && counts(column(0, 1));
             let is_pair = does_line_count && does_column_count || spacings.is_some();
             let is_long = does_line_count && width > 3 || does_column_count && height > 3;
             return [is_pair || is_long; 2];
@@ -292,17 +320,24 @@ impl Spelling {
                 return [true; 2];
             }
         }
-        if self.corner != Corner::Whole {
+        let Corner::Number(corner) = self.corner else {
             return [false; 2];
-        }
+        };
         let least = if self.whole_others > 0 { 3 } else { 2 };
         let have_decimals = self.whole_others < self.others;
-        let is_line = self.is_line_whole
-            && (width >= least && height > 1)
+        // Whole numbers with decimals of zero may be heights of a file that writes all numbers in this form.
+        let are_floats = samples[0] == 0.0 && self.integral_others < self.others;
+        let may_be = |labels: Form, count: usize| match labels.max(corner) {
+            Form::Whole => count >= least,
+            Form::Integral => count >= 3 && are_floats,
+            Form::Other => false,
+        };
+        let is_line = may_be(self.line, width)
+            && height > 1
             && counts(line(0, 0))
             && (have_decimals || (1..height).any(|row| !steps_by_one(line(row, 0))));
-        let is_column = self.is_column_whole
-            && (height >= least && width > 1)
+        let is_column = may_be(self.column, height)
+            && width > 1
             && counts(column(0, 0))
             && (have_decimals || (1..width).any(|ix| !steps_by_one(column(ix, 0))));
         [is_line, is_column]
@@ -346,9 +381,10 @@ fn is_equal(difference: f64, step: f64) -> bool {
 }
 
 /// Returns the value of missing points if a comment contains it, as `# missing value = -32768` or
-/// `# NODATA_value: -9999`.
+/// `# NODATA_value -9999`.
 pub(super) fn missing_value(comment: &str) -> Option<f64> {
-    let (name, value) = comment.split_once(['=', ':'])?;
+    let by_space = || comment.trim_end().rsplit_once(char::is_whitespace);
+    let (name, value) = comment.split_once(['=', ':']).or_else(by_space)?;
     let letters = name.chars().filter(char::is_ascii_alphanumeric);
     let name: String = letters.collect::<String>().to_ascii_lowercase();
     let value = value.trim().parse().ok()?;
@@ -372,9 +408,10 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 ///   in this order, that occurs in the first line. Commas within numbers in white space (`1,5 2,5`) are decimal commas.
 /// - A decimal comma counts as a point unless commas separate the cells.
 /// - Blank lines and lines that begin with `#` or `%` are skipped. A comment such as `# missing value = -32768` or
-///   `# NODATA_value: -9999` sets the value of missing points. Such a comment consists of a name, `=` or `:`, and a
-///   single number. The name is `missing value`, `no data`, `no data value`, `bad value`, `invalid value` or
-///   `void value`, in upper or lower case and with any separators between words. All other comments are ignored. Use
+///   `# NODATA_value -9999` sets the value of missing points. Such a comment consists of a name, then `=`, `:` or a space,
+///   and a single number. The name is `missing`, `missing value`, `no data`, `no data value`, `bad value`,
+///   `invalid value`, `void` or `void value`. It may be in upper or lower case, with any separators between words or none,
+///   such as `nodata` and `NODATA_value`. All other comments are ignored. Use
 ///   [`Options::missing`] if a comment of a different form contains the value of missing points.
 /// - A cell is missing (NaN) if it is empty, consists of stars (`***`) or is `--`. It is also missing if it is one of
 ///   these words in upper or lower case: `nan`, `-nan`, `BAD`, `No Data`, `no_data`, `no-data`, `N/A`, `#N/A`,
@@ -382,7 +419,8 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 /// - A separator at the end of every line adds no cell.
 /// - Names of columns and rows are rejected. [`Options::skip_rows`] and [`Options::skip_columns`] skip them.
 /// - Numbers that may be labels are also rejected. A first line or column may be labels if it counts 0, 1, 2 or 1, 2, 3
-///   in whole numbers, whereas the other numbers do not count or have decimals. Evenly spaced coordinates on both axes are
+///   in whole numbers, whereas the other numbers do not count or have decimals. Three or more numbers
+///   0.0, 1.0, 2.0 are also labels if other numbers have decimals that are not zero. Evenly spaced coordinates on both axes are
 ///   also labels, after an empty first cell or after a number that does not continue them. With
 ///   [`Options::without_labels`] all of these numbers are read as heights.
 ///
@@ -414,7 +452,8 @@ pub fn write(path: impl AsRef<Path>, field: &Field) -> Result<()> {
 }
 
 /// Returns the bytes of a file with a field. Commas separate the cells, each number has enough digits to be restored
-/// exactly, and missing values are `NaN`. The cell sides are not stored.
+/// exactly, and missing values are `NaN`. The cell sides are not stored. If the first line or column counts 0, 1, 2, read
+/// the file with [`Options::without_labels`].
 #[must_use]
 pub fn to_bytes(field: &Field) -> Vec<u8> {
     let mut text = String::new();

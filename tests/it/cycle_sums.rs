@@ -4,7 +4,8 @@ use kit::{max_abs, max_difference, rough, unit_bodies, unit_pair};
 use stickslip::analytical::{HertzSphere, MindlinDeresiewicz};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath, Regime, wear};
 use stickslip::{
-    Axis, Error, Field, History, LoadStep, NormalLoad, TangentialControl, TangentialModel,
+    Axis, Boundary, Error, Field, HalfSpace, History, LoadStep, NormalLoad, TangentialControl,
+    TangentialModel,
 };
 
 const FRICTION: f64 = 0.4;
@@ -282,6 +283,36 @@ fn cycle_rejects_history_on_a_different_grid() {
         assert!(matches!(outcome, Err(Error::GridMismatch { .. })));
     }
     assert_eq!(cycle, untouched);
+}
+
+#[test]
+fn cycle_rejects_history_of_other_bodies() {
+    let history = ball_history(1e-6);
+    let (grid, gap) = (history.grid(), history.gap());
+    let mut cycle = Cycle::new(&history);
+    let untouched = cycle.clone();
+    let materials = unit_bodies(grid, 0.2);
+    let periodic = HalfSpace::with_boundary(grid, unit_pair(0.3), Boundary::Periodic).unwrap();
+    let drag = LoadStep::force([0.5 * LIMIT, 0.0]);
+    let stepped = |bodies: &HalfSpace| {
+        let builder = History::builder(bodies, gap, kit::coulomb(FRICTION));
+        let mut other = builder.tolerance(1e-6).build().unwrap();
+        let press = LoadStep::force([0.0; 2]).normal(NormalLoad::Force(LOAD));
+        other.step(&press).unwrap();
+        other.step(&drag).unwrap();
+        other
+    };
+    let quantity = "history of the cycle";
+    for (bodies, error) in [
+        (materials, Error::MaterialMismatch { quantity }),
+        (periodic, Error::BoundaryMismatch { quantity }),
+    ] {
+        let other = stepped(&bodies);
+        assert_eq!(cycle.add(&other), Err(error.clone()));
+        assert_eq!(cycle.begin(&other), Err(error));
+    }
+    assert_eq!(cycle, untouched);
+    assert_eq!(cycle.add(&stepped(&unit_bodies(grid, 0.3))), Ok(()));
 }
 
 /// Each step is added once, in order. No step is skipped or added twice, and no step is added before it has been taken.

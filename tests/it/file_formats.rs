@@ -268,6 +268,13 @@ fn asc_header_determines_sides_unit_and_missing_points() {
 fn csv_comments_of_missing_values_and_column_names_are_handled() {
     for comment in [
         "# NODATA_value: -9999",
+        "# NODATA_value -9999",
+        "# nodata: -9999",
+        "#nodata=-9999",
+        "% No Data Value -9999",
+        "# missing -9999",
+        "# Missing: -9999",
+        "# void = -9999",
         "% missing value = -9999",
         "\u{feff}#bad value=-9999.0",
     ] {
@@ -325,6 +332,18 @@ fn csv_labels_of_pandas_are_rejected_with_the_option() {
         // Either the row numbers or the column numbers are absent.
         ("0,1,2\n1.5,2.5,3.5\n4.5,5.5,6.5\n", "skip_rows = 1,"),
         ("0,1.5,2.5\n1,4.5,5.5\n2,6.5,7.5\n", "skip_columns = 1,"),
+        // The numbers of the columns or rows are written with decimals.
+        ("0.0,1.0,2.0\n.1,.2,.15\n.3,.1,.2\n", "skip_rows = 1,"),
+        ("0.,1.,2.,3.\n1.5,2,2,2\n", "skip_rows = 1,"),
+        ("0,0;1,0;2,0\n1,5;2,5;3,5\n", "skip_rows = 1,"),
+        (
+            "0.0,1.5,2.5\n1.0,4.5,5.5\n2.0,6.5,7.5\n",
+            "skip_columns = 1,",
+        ),
+        (
+            ",0.0,1.0,2.0\n0,1.5,2.5,3.5\n1,4.5,5.5,6.5\n",
+            "skip_rows = 1 and skip_columns = 1",
+        ),
         // The labels are names.
         (",c0,c1\nr0,1.5,2.5\n", "skip_rows = 1"),
         ("r0,1.5,2.5\nr1,1,2\n", "skip_columns = 1"),
@@ -355,6 +374,9 @@ fn csv_ramps_and_floats_that_count_are_heights() {
         "0,1,2\n1,2,3\n2,3,4\n",
         "0,0\n1,1\n2,2\n",
         "0.0,1.0,2.0\n3.0,1.0,5.0\n",
+        "0.0,1.0\n1.5,2.5\n",
+        "1.0,2.0,3.0\n1.5,2.5,3.5\n",
+        "0.0,1.0,2.5\n1.5,2.5,3.5\n",
         ",5,7\n3,4,9\n",
         "1 2 3\n",
         // A plane with a spike in its corner, and an edge that continues through the corner.

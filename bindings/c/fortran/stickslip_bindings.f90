@@ -2033,9 +2033,9 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_cycle_begin
 
-        ! Adds the last step of the history. Returns STICKSLIP_STEP_OUT_OF_ORDER unless the history has taken a step since
-        ! the last added step or the start of the cycle. Returns STICKSLIP_NO_LAST_STEP if the state of the history was set since its
-        ! last step.
+        ! Adds the last step of the history. Returns STICKSLIP_STEP_OUT_OF_ORDER unless this step is the step after the
+        ! last added one, or after the start of the cycle. Returns STICKSLIP_NO_LAST_STEP if the state of the history was
+        ! set since its last step.
         function stickslip_cycle_add(cycle, history) result(answer) bind(c)
             import
             type(stickslip_cycle), value :: cycle

@@ -128,9 +128,9 @@ contains
         call report_status(code, status)
     end subroutine cycle_begin
 
-    ! Adds the last step of the history. Returns STICKSLIP_STEP_OUT_OF_ORDER unless the history has taken a step
-    ! since the last added step or the start of the cycle. Returns STICKSLIP_NO_LAST_STEP if the state of the history
-    ! was set since its last step.
+    ! Adds the last step of the history. Returns STICKSLIP_STEP_OUT_OF_ORDER unless this step is the step after the last
+    ! added one, or after the start of the cycle. Returns STICKSLIP_NO_LAST_STEP if the state of the history was set
+    ! since its last step.
     subroutine cycle_add(this, history, status)
         class(contact_cycle), intent(in) :: this
         class(contact_history), intent(in) :: history

@@ -1812,11 +1812,10 @@ stickslip_status stickslip_cycle_free(stickslip_cycle *cycle);
 // Restarts the cycle at the current state of a history.
 stickslip_status stickslip_cycle_begin(stickslip_cycle *cycle, const stickslip_history *history);
 
-// Adds the last step of the history. Returns STICKSLIP_STEP_OUT_OF_ORDER unless the history has taken a step since
-// the last added step or the start of the cycle. Returns STICKSLIP_NO_LAST_STEP if the state of the history was set since its
-// last step.
-stickslip_status stickslip_cycle_add(stickslip_cycle *cycle,
-                                     const stickslip_history *history);
+// Adds the last step of the history. Returns STICKSLIP_STEP_OUT_OF_ORDER unless this step is the step after the
+// last added one, or after the start of the cycle. Returns STICKSLIP_NO_LAST_STEP if the state of the history was
+// set since its last step.
+stickslip_status stickslip_cycle_add(stickslip_cycle *cycle, const stickslip_history *history);
 
 // Writes the scalar results of the cycle.
 stickslip_status stickslip_cycle_result_of(const stickslip_cycle *cycle, stickslip_cycle_result *result);

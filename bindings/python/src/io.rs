@@ -226,7 +226,8 @@ fn options(
 /// A cell is missing (NaN) if it is empty, consists of stars, or is one of these words in upper or lower case: ``nan``,
 /// ``BAD``, ``No Data``, ``no_data``, ``no-data``, ``N/A``, ``#N/A``, ``NA``, ``null``, ``none``, ``void``, ``invalid``,
 /// ``missing`` and ``--``. Any other text is rejected with its line and column. Numbers that may be labels are also
-/// rejected: a first row or column 0, 1, 2, ..., and evenly spaced coordinates in the first row and column.
+/// rejected: a first row or column 0, 1, 2, ..., also as 0.0, 1.0, 2.0, ... next to other decimals, and evenly spaced coordinates in the first row and
+/// column.
 ///
 /// Parameters
 /// ----------
@@ -235,7 +236,10 @@ fn options(
 /// cell, size : pair of float
 ///     Side lengths of a cell or of the grid; exactly one of the two is required.
 /// missing : float, optional
-///     The value that marks a missing point (default: the value that a comment states, or none).
+///     The value that marks a missing point (default: the value that a comment states, or none). Such a comment consists of
+///     a name, then ``=``, ``:`` or a space, and a number, as ``# NODATA_value -9999``. The name is ``missing``, ``missing
+///     value``, ``no data``, ``no data value``, ``bad value``, ``invalid value``, ``void`` or ``void value``, in upper or
+///     lower case, with any separators between words or none.
 /// skip_rows : int, default 0
 ///     Number of rows before the matrix.
 /// skip_columns : int, default 0
@@ -305,14 +309,15 @@ pub(crate) fn csv_parse(
         .map(|field| units.of_surface(field))
 }
 
-/// Writes a field to a text file as a matrix.
+/// Writes a field to a text file as a matrix. The file contains neither the unit nor the cell sides: give them again on reading
+/// by ``unit=`` and ``cell=``.
 #[pyfunction]
 pub(crate) fn csv_write(py: Python<'_>, path: PathBuf, field: Samples<'_>) -> PyResult<()> {
     let field = field.alone("field")?;
     py.detach(|| io::csv::write(&path, &field)).or_raise(py)
 }
 
-/// Returns a field as the text of a matrix.
+/// Returns a field as the text of a matrix, without its unit and cell sides.
 #[pyfunction]
 pub(crate) fn csv_to_bytes<'py>(
     py: Python<'py>,

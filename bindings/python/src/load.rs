@@ -266,7 +266,7 @@ fn one_of<T>(object: Option<T>, is_without_keywords: bool, by_keywords: T) -> Py
 /// force_x, force_y, shift_x, shift_y : float, optional
 ///     Force or shift along one axis.
 /// spring_x, spring_y : (position, stiffness), optional
-///     Spring along one axis.
+///     Spring along one axis: first the position (a length), then the stiffness (a force over a length).
 /// twist : float, default 0
 ///     Rotation of body 2 relative to body 1 about the origin of the grid (radians, positive from x to y). Only the
 ///     vector model supports a twist.
@@ -405,7 +405,7 @@ fn keywords(
 /// force_x, force_y, shift_x, shift_y : float, optional
 ///     Force or shift along one axis.
 /// spring_x, spring_y : (position, stiffness), optional
-///     Spring along one axis.
+///     Spring along one axis: first the position (a length), then the stiffness (a force over a length).
 /// twist : float, optional
 ///     Rotation of body 2 relative to body 1 since the start (radians, positive from x to y). Only the vector model
 ///     supports a twist.

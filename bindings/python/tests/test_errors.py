@@ -210,6 +210,17 @@ def test_solver_rejected_load_keeps_previous_load(scene):
     assert solver.solve().force == pytest.approx(FORCE)
 
 
+def test_permanent_set_requires_hardness():
+    grid = ss.Grid.square(24, 0.3e-3)
+    steel = ss.Material(213e9, 0.29)
+    bodies, ball = ss.HalfSpace(grid, (steel, steel)), ss.surface.sphere(grid, 3.5e-3)
+    with pytest.raises(ValueError, match="permanent_set=True has no effect without a hardness: .* hardness="):
+        ss.History(bodies, ball, 0.5, permanent_set=True)
+    history = ss.History(bodies, ball, 0.5, hardness=2e9, permanent_set=True)
+    history.step(normal_force=100.0, warn=False)
+    assert history.state().yielded.max() > 0.0
+
+
 def test_solver_sets_load_and_gap_together_or_neither():
     grid = ss.Grid.square(16, 1.0)
     bodies = ss.HalfSpace(grid, (ss.Material(1.0, 0.3), ss.Material.rigid()), boundary="periodic")

@@ -173,6 +173,17 @@ def test_cancelled_solve_keeps_iterate_and_calls_back_no_more(small):
     assert len(calls) == 4 and caught.value.last_iterate.pressure.max() > 0.0
 
 
+def test_input_of_cancelled_solve_is_kept_and_invalid_input_is_not(small):
+    solver = ss.NormalSolver(small.bodies, small.ball, force=FORCE)
+    solver.solve()
+    with pytest.raises(ss.errors.NotConverged):
+        solver.solve(force=50.0, progress=lambda iteration: False)
+    assert solver.solve().force == pytest.approx(50.0)
+    with pytest.raises(ss.errors.NegativeOrNotFinite):
+        solver.solve(force=-1.0)
+    assert solver.solve().force == pytest.approx(50.0)
+
+
 @pytest.mark.parametrize("cells", [24, 96])
 def test_cancelled_creep_curve_keeps_finished_points(cells):
     scene = Scene(cells, 0.4e-3)

@@ -308,3 +308,40 @@ def test_xarray_arrays_convert_to_surfaces():
         ss.io.from_xarray(array.assign_coords(x=x**2))
     with pytest.raises(ValueError, match="dimensions"):
         ss.io.from_xarray(array[0])
+
+
+def test_units_of_coordinates_of_xarray_are_converted():
+    xarray = pytest.importorskip("xarray")
+
+    def array(heights, x, y):
+        axis = lambda name, count, unit: (name, 0.5 * np.arange(count), {} if unit is None else {"units": unit})
+        coordinates = {"x": axis("x", 4, x), "y": axis("y", 3, y)}
+        attributes = {} if heights is None else {"units": heights}
+        return xarray.DataArray(np.arange(12.0).reshape(3, 4), coordinates, ("y", "x"), attrs=attributes)
+
+    field = ss.io.from_xarray(array("um", "mm", "nm"))
+    assert field.grid == ss.Grid(4, 3, 500.0, 0.5e-3) and field.unit == "um" and field.array[2, 3] == 11.0
+    assert ss.io.from_xarray(array("um", None, "um")).grid == ss.Grid(4, 3, 0.5, 0.5)
+    assert ss.io.from_xarray(array(None, None, None)).unit is None
+    for units in (("furlong", None, None), ("um", "furlong", "mm"), ("um", "mm", "degree")):
+        with pytest.raises(ValueError, match="is not a unit of length"):
+            ss.io.from_xarray(array(*units))
+    with pytest.raises(ValueError, match="the heights have none: set array.attrs"):
+        ss.io.from_xarray(array(None, "mm", "mm"))
+
+
+def test_resampling_to_grid_in_other_unit_is_rejected():
+    rough = ss.Field(ss.Grid(32, 24, 1.0, 1.0), np.random.default_rng(0).random((24, 32)), "um")
+    with pytest.raises(ValueError, match="smaller than one cell of the heights, .* unit of the heights, in um"):
+        ss.surface.resample(rough, ss.Grid(64, 48, 0.5e-6, 0.5e-6))
+    assert ss.surface.resample(rough, ss.Grid(64, 48, 0.5, 0.5)).unit == "um"
+    # A profile along x lies within one row of the heights.
+    assert ss.surface.resample(rough, ss.Grid(64, 1, 0.5, 0.1)).array.shape == (1, 64)
+
+
+def test_float_labels_of_csv_are_rejected_and_comments_state_missing_values():
+    with pytest.raises(ss.errors.Format, match="skip_rows = 1"):
+        ss.io.csv.parse(b"0.0,1.0,2.0\n.1,.2,.15\n.3,.1,.2\n", cell=(1.0, 1.0))
+    for comment in (b"NODATA_value -9999", b"nodata: -9999", b"missing = -9999", b"void -9999"):
+        field = ss.io.csv.parse(b"# " + comment + b"\n.1,-9999\n.3,.1\n", cell=(1.0, 1.0))
+        assert np.isnan(field.array[0, 1]) and field.array[1, 1] == 0.1, comment

@@ -1,5 +1,6 @@
 """Wear over many cycles: limits, endings, resumption and interruption of ``wear.run``, and progress of loops."""
 
+import copy
 import os
 import pickle
 import signal
@@ -203,6 +204,140 @@ def test_snapshot_resumes_with_its_law_and_loop_only():
     assert rest.cycles == 200 and ss.wear.run(worn, loop(), LAW, 200, resume=rest.snapshot).cycles == 200
     by_name = ss.wear.run(history(), loop(), per_cell, 50)
     assert by_name.snapshot.law == f"{__name__}.per_cell"
+
+
+def test_history_that_differs_from_snapshot_is_rejected():
+    snapshot = ss.wear.run(history(), loop(), LAW, 100).snapshot
+    others = {"friction": history(), "settings": history(), "hardness": None, "axis": None}
+    others["friction"].set_friction(0.2)
+    others["settings"].settings = ss.Settings(tolerance=1e-7)
+    for name, argument in (("hardness", {"hardness": 5e9}), ("axis", {"axis": "y"})):
+        others[name] = ss.History(BODIES, ss.surface.sphere(GRID, 3.5e-3), 0.5, tolerance=1e-6, **argument)
+    for name, other in others.items():
+        before = other.to_bytes()
+        with pytest.raises(ss.errors.SnapshotMismatch, match=f"the {name} of the snapshot .* resume.restored") as caught:
+            ss.wear.run(other, loop(), LAW, 200, resume=snapshot)
+        assert caught.value.argument == name and other.to_bytes() == before
+    assert ss.wear.run(history(), loop(), LAW, 200, resume=snapshot).cycles == 200
+
+
+def test_digest_of_loop_contains_exact_loads():
+    worn = history()
+    snapshot = ss.wear.run(worn, loop(), LAW, 100).snapshot
+    heavier = ss.history.FrettingLoop(
+        loop()._path, lambda shift: ss.LoadStep(normal_force=np.nextafter(FORCE, 2.0 * FORCE), shift=shift)
+    )
+    with pytest.raises(ss.errors.SnapshotMismatch, match="the loop of the snapshot"):
+        ss.wear.run(worn, heavier, LAW, 200, resume=snapshot)
+
+
+def test_arguments_of_wrong_type_are_named():
+    worn = history()
+    before = worn.to_bytes()
+    wrong = [
+        ("loop", "must be a FrettingLoop, got an object of the class EnergyLaw", (worn, LAW, loop(), 10), {}),
+        ("history", "must be a History, got an object of the class FrettingLoop", (loop(), worn, LAW, 10), {}),
+        ("law", "got an object of the class float", (worn, loop(), 1e-13, 10), {}),
+        ("law", "got the class EnergyLaw: give .* EnergyLaw\\(coefficient\\)", (worn, loop(), ss.wear.EnergyLaw, 10), {}),
+        ("cycles", "must be a whole number, got an object of the class str", (worn, loop(), LAW, "10"), {}),
+        ("cycles", "must be a whole number, got None", (worn, loop(), LAW, None), {}),
+        ("largest_jump", "must be a whole number", (worn, loop(), LAW, 10), {"largest_jump": ""}),
+        ("max_depth", "must be a number", (worn, loop(), LAW, 10), {"max_depth": "1e-6"}),
+        ("max_residual", "must be a number", (worn, loop(), LAW, 10), {"max_residual": None}),
+        ("progress", "got an object of the class int", (worn, loop(), LAW, 10), {"progress": 5}),
+        ("resume", "must be a WearSnapshot, got an object of the class str", (worn, loop(), LAW, 10), {"resume": "a.npz"}),
+    ]
+    for name, message, arguments, keywords in wrong:
+        with pytest.raises(ss.errors.ArgumentType, match=f"^{name} .*{message}") as caught:
+            ss.wear.run(*arguments, **keywords)
+        assert caught.value.argument == name
+    for value in (float("nan"), float("inf")):
+        with pytest.raises(ss.errors.ArgumentRange, match="cycles must be a whole number") as caught:
+            ss.wear.run(worn, loop(), LAW, value)
+        assert caught.value.argument == "cycles"
+    assert worn.to_bytes() == before
+
+
+def test_file_without_a_snapshot_is_named(tmp_path):
+    file, whole = tmp_path / "wrong.npz", tmp_path / "whole.npz"
+    ss.wear.run(history(), loop(), LAW, 10).snapshot.save(whole)
+    content = whole.read_bytes()
+    np.savez(tmp_path / "other.npz", a=1.0)
+    damaged = bytearray(content)
+    damaged[len(content) // 2] ^= 255
+    others = [b"", b"text", content[:1000], content[:-30], bytes(damaged), (tmp_path / "other.npz").read_bytes()]
+    for bytes_of_file in others:
+        file.write_bytes(bytes_of_file)
+        with pytest.raises(ss.errors.Format, match="wrong.npz: the file is not a snapshot") as caught:
+            ss.wear.WearSnapshot.load(file)
+        assert caught.value.file == str(file)
+    np.save(tmp_path / "array.npy", np.zeros(3))
+    with pytest.raises(ss.errors.Format, match="array.npy"):
+        ss.wear.WearSnapshot.load(tmp_path / "array.npy")
+    with pytest.raises(FileNotFoundError):
+        ss.wear.WearSnapshot.load(tmp_path / "absent.npz")
+
+
+def test_load_function_without_return_is_rejected():
+    def forgotten(shift):
+        ss.LoadStep(normal_force=FORCE, shift=shift)
+
+    worn, path = history(), loop()._path
+    before = worn.to_bytes()
+    without = ss.history.FrettingLoop(path, forgotten)
+    message = "load function .*forgotten must return a LoadStep, got None: end it with return LoadStep"
+    for call in (
+        lambda: without.run(worn, 2),
+        lambda: without.cycle(worn, ss.history.Cycle(worn)),
+        lambda: ss.wear.run(worn, without, LAW, 100),
+    ):
+        with pytest.raises(TypeError, match=message):
+            call()
+    with pytest.raises(TypeError, match="got an object of the class tuple"):
+        ss.history.FrettingLoop(path, lambda shift: shift).run(worn, 2)
+    assert worn.to_bytes() == before
+
+
+def test_cycle_rejects_history_on_other_bodies():
+    pressed = history()
+    cycle = ss.history.Cycle(pressed)
+    soft = ss.Material(100e9, 0.29)
+    for bodies, error in (
+        (ss.HalfSpace(GRID, (soft, soft)), ss.errors.MaterialMismatch),
+        (ss.HalfSpace(GRID, (STEEL, STEEL), boundary="periodic"), ss.errors.BoundaryMismatch),
+    ):
+        other = ss.History(bodies, ss.surface.sphere(GRID, 3.5e-3), 0.5)
+        other.step(normal_force=FORCE, warn=False)
+        other.step(force_x=20.0, warn=False)
+        with pytest.raises(error, match="history of the cycle"):
+            cycle.add(other)
+    assert cycle.steps == 0
+    with pytest.raises(ss.errors.StepOutOfOrder, match="after it is accepted"):
+        cycle.add(pressed)
+
+
+def test_rejected_step_stays_in_cycle_unless_cycle_is_copied():
+    pressed = history()
+    cycle = ss.history.Cycle(pressed)
+    before, kept = pressed.state(), copy.copy(cycle)
+    pressed.step(force_x=45.0)
+    cycle.add(pressed)
+    pressed.set_state(before)
+    pressed.step(force_x=20.0)
+    with pytest.raises(ss.errors.StepOutOfOrder):
+        cycle.add(pressed)
+    kept.add(pressed)
+    assert np.allclose(kept.points.force[0], [0.0, 20.0], atol=1e-6)
+
+
+def test_state_replaces_settings_friction_hardness_and_model():
+    target = history()
+    source = ss.History(
+        BODIES, ss.surface.sphere(GRID, 3.5e-3), 0.3, model="vector", hardness=5e9, settings=ss.Settings(tolerance=1e-7)
+    )
+    target.set_state(source.state())
+    assert target.friction == ss.Friction(0.3) and target.settings == source.settings and target.axis is None
+    assert target.state().hardness == source.state().hardness is not None
 
 
 def test_ctrl_c_ends_wear_with_state_after_last_jump(tmp_path):

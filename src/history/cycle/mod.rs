@@ -1,9 +1,11 @@
 //! Results accumulated over the steps of a cycle.
 
+use crate::bodies::material::ElasticPair;
 use crate::cgm::reduce;
 #[cfg(feature = "serde")]
 use crate::error::positive;
 use crate::error::{Error, Result};
+use crate::grid::boundary::Boundary;
 use crate::grid::field::Field;
 use crate::grid::record::checked_struct;
 use crate::history::cycle::hysteresis::{LoopPoint, half_range, part_of};
@@ -74,6 +76,8 @@ checked_struct! {
         pub(super) remarks: StepDiagnostics,
         /// Number of the last step in the cycle, or of the last step before it.
         last_step: u64,
+        pair: ElasticPair,
+        boundary: Boundary,
     }
     #[serde(remote = "Cycle")]
     check(read) {
@@ -143,6 +147,8 @@ impl Cycle {
             regime: Regime::FullStick,
             remarks: StepDiagnostics::default(),
             last_step: 0,
+            pair: *history.bodies.pair(),
+            boundary: history.bodies.boundary(),
         };
         cycle.restart(history);
         Ok(cycle)
@@ -152,6 +158,8 @@ impl Cycle {
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid of the history differs.
+    /// - [`Error::BoundaryMismatch`] if its boundary condition differs.
+    /// - [`Error::MaterialMismatch`] if its materials differ.
     /// - [`Error::Ranks`] if ranks fail.
     ///
     /// The cycle is unchanged after an error.
@@ -186,8 +194,13 @@ impl Cycle {
 
     /// Adds the last step of the history. Call this method once after each step. Steps that are not added do not count.
     ///
+    /// Add a step only after it is accepted. [`History::set_state`] does not remove an added step from the cycle. Copy the
+    /// cycle before a step that may be rejected after it is added.
+    ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid of the history differs.
+    /// - [`Error::BoundaryMismatch`] if its boundary condition differs.
+    /// - [`Error::MaterialMismatch`] if its materials differ.
     /// - [`Error::NoLastStep`] if the history has taken no step since it was created or since [`History::set_state`].
     /// - [`Error::StepOutOfOrder`] if the last step of the history is not the step after the last added one, or after the start of
     ///   the cycle. A call that takes several steps, such as [`History::press`], adds none of them: use its observer.
@@ -239,7 +252,15 @@ impl Cycle {
 
     fn check(&self, history: &History) -> Result<()> {
         let grid = self.sums.slip_distance.grid();
-        grid.check_equal("history of the cycle", history.grid())
+        let (bodies, quantity) = (&history.bodies, "history of the cycle");
+        grid.check_equal(quantity, history.grid())?;
+        if self.boundary != bodies.boundary() {
+            return Err(Error::BoundaryMismatch { quantity });
+        }
+        if self.pair != *bodies.pair() {
+            return Err(Error::MaterialMismatch { quantity });
+        }
+        Ok(())
     }
 
     /// Returns the regime of the cycle including the last step.

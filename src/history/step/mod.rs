@@ -159,14 +159,15 @@ impl History {
         &self.state
     }
 
-    /// Restores a state of this history, or of another history on equal bodies, including its gap, friction and
-    /// settings. The state is copied into the existing buffers. The function allocates memory if the contact has moved to a
+    /// Restores a state of this history, or of another history on equal bodies. Gap, friction, hardness, settings and model
+    /// of the state replace those of the history. The state is copied into the existing buffers. The function allocates memory if the contact has moved to a
     /// different window since the state was saved. It also allocates memory if only one of the two states has a relative
     /// displacement.
     ///
     /// The history then has no [last step](Self::last_step) until its next step, because a state does not contain the result of
     /// the step that led to it. [`Cycle::add`](crate::history::Cycle::add) returns [`Error::NoLastStep`] until then. In a retry,
-    /// restore the state, take a smaller step, and add this step to the cycle.
+    /// restore the state, take a smaller step, and add this step to the cycle. A rejected step that was added stays in the
+    /// cycle.
     ///
     /// # Errors
     /// Errors of [`History::from_state`]. The history is unchanged after an error.

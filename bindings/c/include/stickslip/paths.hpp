@@ -59,9 +59,9 @@ class Cycle {
         : own_(detail::made<Own>([&](auto **out) { return stickslip_cycle_new(history.get(), out); })) {}
     /// Restarts the cycle at the current state of a history.
     void begin(const History &history) { check(stickslip_cycle_begin(get(), history.get())); }
-    /// Adds the last step of the history. Throws STICKSLIP_STEP_OUT_OF_ORDER unless the history has taken a step
-    /// since the last added step or the start of the cycle. Throws STICKSLIP_NO_LAST_STEP if the state of the history
-    /// was set since its last step.
+    /// Adds the last step of the history. Throws STICKSLIP_STEP_OUT_OF_ORDER unless this step is the step after the
+    /// last added one, or after the start of the cycle. Throws STICKSLIP_NO_LAST_STEP if the state of the history was
+    /// set since its last step.
     void add(const History &history) { check(stickslip_cycle_add(get(), history.get())); }
     /// Returns the scalar results of the cycle.
     stickslip_cycle_result result() const {

@@ -1532,6 +1532,9 @@ class CoupledRollingSolver:
         """
         Solves for the given creepages, forces, spin or moment, or for the last ones if none is given.
 
+        The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
+        leave it unchanged.
+
         Parameters
         ----------
         creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
@@ -1802,17 +1805,27 @@ class Cycle:
         """
         Adds the last step of the history; call it once after each step.
 
+        Add a step only after it is accepted. :meth:`History.set_state` does not remove an added step from the cycle. Copy the
+        cycle by ``copy.copy`` before a step that may be rejected after it is added.
+
         Raises
         ------
         NoLastStep
             If the history has taken no step since it was created or since :meth:`History.set_state`.
         StepOutOfOrder
-            If the step has already been added, or is not later than the start of the cycle.
-        GridMismatch
+            If the last step of the history is not the next step of the cycle: skipped, already added, or not later than its start.
+            Step numbers do not identify a different history.
+        GridMismatch, BoundaryMismatch, MaterialMismatch
+            If the history has other bodies than the history of the cycle.
         """
     def begin(self, /, history: History) -> None:
         """
         Discards all steps and restarts the cycle in the present state of the history.
+
+        Raises
+        ------
+        GridMismatch, BoundaryMismatch, MaterialMismatch
+            If the history has other bodies than the history of the cycle.
         """
     @property
     def cyclic_residual(self, /) -> float:
@@ -3216,7 +3229,7 @@ class History:
     hardness : Hardness, float or array_like of shape (ny, nx), optional
         The largest pressure that the cells can carry; no limit by default.
     permanent_set : bool, default False
-        Whether the yielded depth remains and is added to the gap of later steps.
+        Whether the yielded depth remains and is added to the gap of later steps; requires ``hardness``.
     settings : Settings, optional
         Method, tolerance and limits; ``Settings()`` by default.
     tolerance, method, max_iterations, time_limit : optional
@@ -3225,6 +3238,8 @@ class History:
     Raises
     ------
     GridMismatch, Shape, Sample, UnsupportedByModel, Method, Tolerance, IterationLimit
+    ValueError
+        If ``permanent_set`` is true without ``hardness``.
 
     Examples
     --------
@@ -3446,10 +3461,12 @@ class History:
         """
     def set_state(self, /, state: State) -> None:
         """
-        Restores a state of this history or of a history on equal bodies.
+        Restores a state of this history or of a history on equal bodies. Gap, friction, hardness, permanent set, settings
+        and model (scalar, vector or coupled) of the state replace those of the history.
 
         The history then has no :attr:`last_step` until its next step. Until then, :meth:`Cycle.add` raises ``NoLastStep``. In a
-        retry, restore the state, take a smaller step, and add this step to the cycle.
+        retry, restore the state, take a smaller step, and add this step to the cycle. A rejected step that was added stays in
+        the cycle: add a step only after it is accepted.
         """
     @property
     def settings(self, /) -> Settings:
@@ -4052,7 +4069,7 @@ class LoadStep:
     force_x, force_y, shift_x, shift_y : float, optional
         Force or shift along one axis.
     spring_x, spring_y : (position, stiffness), optional
-        Spring along one axis.
+        Spring along one axis: first the position (a length), then the stiffness (a force over a length).
     twist : float, optional
         Rotation of body 2 relative to body 1 since the start (radians, positive from x to y). Only the vector model
         supports a twist.
@@ -5025,6 +5042,9 @@ class NormalSolver:
     def solve(self, /, *, force: float | None = None, approach: float | None = None, gap: Field | ArrayLike | None = None, progress: Any | None = None, warn: bool = True) -> NormalSolution:
         """
         Solves for the given load and gap; an omitted load or gap keeps its last value.
+
+        The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
+        leave it unchanged.
 
         Parameters
         ----------
@@ -6048,6 +6068,9 @@ class RollingSolver:
         """
         Solves for the given creepages, forces, spin or moment, or for the last ones if none is given.
 
+        The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
+        leave it unchanged.
+
         Parameters
         ----------
         creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
@@ -6967,7 +6990,7 @@ class StepResult:
     def warnings(self, /) -> list[Warning]:
         """
         Warnings of the step: ``no_contact``, ``contact_at_edge``, ``beyond_hardness``, ``stale_pressure``,
-        ``single_load_step``, and the warnings about contacts and zones of too few cells. Warnings about contact spots
+        ``single_load_step``, ``held_shift_lost_force``, and the warnings about contacts and zones of too few cells. Warnings about contact spots
         are in ``history.normal.warnings``, because a step does not search for spots.
         """
 
@@ -7167,7 +7190,7 @@ class TangentialLoad:
     force_x, force_y, shift_x, shift_y : float, optional
         Force or shift along one axis.
     spring_x, spring_y : (position, stiffness), optional
-        Spring along one axis.
+        Spring along one axis: first the position (a length), then the stiffness (a force over a length).
     twist : float, default 0
         Rotation of body 2 relative to body 1 about the origin of the grid (radians, positive from x to y). Only the
         vector model supports a twist.
@@ -7463,6 +7486,9 @@ class TangentialSolver:
     def solve(self, /, load: TangentialLoad | None = None, *, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, progress: Any | None = None, warn: bool = True) -> TangentialSolution:
         """
         Solves for the given load, or for the last load if none is given.
+
+        The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
+        leave it unchanged.
 
         Parameters
         ----------
@@ -8014,7 +8040,8 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
     A cell is missing (NaN) if it is empty, consists of stars, or is one of these words in upper or lower case: ``nan``,
     ``BAD``, ``No Data``, ``no_data``, ``no-data``, ``N/A``, ``#N/A``, ``NA``, ``null``, ``none``, ``void``, ``invalid``,
     ``missing`` and ``--``. Any other text is rejected with its line and column. Numbers that may be labels are also
-    rejected: a first row or column 0, 1, 2, ..., and evenly spaced coordinates in the first row and column.
+    rejected: a first row or column 0, 1, 2, ..., also as 0.0, 1.0, 2.0, ... next to other decimals, and evenly spaced coordinates in the first row and
+    column.
 
     Parameters
     ----------
@@ -8023,7 +8050,10 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
     cell, size : pair of float
         Side lengths of a cell or of the grid; exactly one of the two is required.
     missing : float, optional
-        The value that marks a missing point (default: the value that a comment states, or none).
+        The value that marks a missing point (default: the value that a comment states, or none). Such a comment consists of
+        a name, then ``=``, ``:`` or a space, and a number, as ``# NODATA_value -9999``. The name is ``missing``, ``missing
+        value``, ``no data``, ``no data value``, ``bad value``, ``invalid value``, ``void`` or ``void value``, in upper or
+        lower case, with any separators between words or none.
     skip_rows : int, default 0
         Number of rows before the matrix.
     skip_columns : int, default 0
@@ -8046,12 +8076,13 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
 
 def csv_to_bytes(field: Field | ArrayLike) -> bytes:
     """
-    Returns a field as the text of a matrix.
+    Returns a field as the text of a matrix, without its unit and cell sides.
     """
 
 def csv_write(path: str | PathLike[str], field: Field | ArrayLike) -> None:
     """
-    Writes a field to a text file as a matrix.
+    Writes a field to a text file as a matrix. The file contains neither the unit nor the cell sides: give them again on reading
+    by ``unit=`` and ``cell=``.
     """
 
 def cylinder(grid: Grid, radius: float) -> Field:
@@ -8400,11 +8431,14 @@ def remove_outliers(heights: Field | ArrayLike, *, threshold: float = ..., radiu
 
 def resample(heights: Field | ArrayLike, grid: Grid) -> Field:
     """
-    Interpolates a surface at the cell centres of another grid, with cubic interpolation along x and y.
+    Interpolates a surface at the cell centres of another grid, with cubic interpolation along x and y. The sides of the grid
+    are in the unit of the heights.
 
     Raises
     ------
     Sample, BeyondSamples, Memory
+    ValueError
+        If the whole grid is smaller than one cell of the heights, as a grid in another unit would be.
     """
 
 def sdf_parse(bytes: bytes) -> Field:

@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import hashlib
 import os
+import zipfile
+import zlib
 from collections.abc import Callable
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Any
+from numbers import Integral, Real
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,10 +18,13 @@ from ._enums import WearEnding
 from ._progress import cycle_bar, is_stop
 from ._stickslip import CycleJump, Cycle, Field, HalfSpace, History, State, archard, energy
 from ._tables import to_frame
-from .errors import ArgumentRange, EmptyContact, SnapshotMismatch
+from .errors import ArgumentRange, ArgumentType, EmptyContact, Format, SnapshotMismatch, StickslipError
 
 if TYPE_CHECKING:
     from .history import FrettingLoop
+
+# Exceptions of NumPy for a file that is not an archive of arrays, or is damaged.
+_DAMAGE = (ValueError, TypeError, LookupError, AttributeError, EOFError, zipfile.BadZipFile, zlib.error)
 
 
 @dataclass(frozen=True)
@@ -108,7 +114,10 @@ class WearHistory:
 
 @dataclass(frozen=True, eq=False)
 class WearSnapshot:
-    """State of a run between two cycles, from which :func:`run` resumes with bitwise identical results.
+    """State of a run between two cycles, from which :func:`run` resumes.
+
+    The results are bitwise identical to those of an uninterrupted run, provided that its jumps were not shortened. The last
+    jump of a run is shortened to the requested number of cycles, so that a continuation with more cycles has other jumps.
 
     Snapshots can be pickled, and saved to a file by :meth:`save`.
     """
@@ -151,17 +160,32 @@ class WearSnapshot:
 
     @staticmethod
     def load(path: str | os.PathLike[str]) -> WearSnapshot:
-        """Loads a snapshot written by :meth:`save`."""
-        with np.load(path, allow_pickle=False) as file:
-            return WearSnapshot(
-                State.from_bytes(file["state"].tobytes()),
-                int(file["cycles"]),
-                file["depth"],
-                float(file["dissipated_energy"]),
-                tuple(tuple(map(float, row)) for row in file["rows"]),
-                str(file["law"]),
-                str(file["loop"]),
-            )
+        """Loads a snapshot written by :meth:`save`.
+
+        Raises
+        ------
+        Format
+            If the file is not a snapshot or is damaged. The attribute ``file`` is its path.
+        OSError
+            If the file cannot be read.
+        """
+        with open(path, "rb") as opened:
+            try:
+                with np.load(opened, allow_pickle=False) as file:
+                    return WearSnapshot(
+                        State.from_bytes(file["state"].tobytes()),
+                        int(file["cycles"]),
+                        file["depth"],
+                        float(file["dissipated_energy"]),
+                        tuple(tuple(map(float, row)) for row in file["rows"]),
+                        str(file["law"]),
+                        str(file["loop"]),
+                    )
+            except (*_DAMAGE, StickslipError) as cause:
+                name, problem = os.fspath(path), "the file is not a snapshot of wear.run, or it is damaged"
+                error = Format(f"{name}: {problem}: give a file written by WearSnapshot.save")
+                error.file, error.format, error.place, error.problem = str(name), "snapshot", "file", problem
+                raise error from cause
 
     def restored(self, bodies: HalfSpace) -> History:
         """Returns a history in the state of the snapshot, on the same bodies."""
@@ -257,7 +281,8 @@ def run(
         ``True`` shows a progress bar of the cycles (requires tqdm).
     resume : WearSnapshot, optional
         A snapshot from which the run continues. The state of the history is replaced by that of the snapshot. The law and the
-        steps of the loop must be those of the snapshot. The limits, such as ``largest_depth`` and ``settling``, may differ.
+        steps of the loop must be those of the snapshot. Friction, settings, hardness and axis of the history must be those of
+        the snapshot too; ``resume.restored(bodies)`` is such a history. The limits, such as ``largest_depth`` and ``settling``, may differ.
         Laws other than :class:`EnergyLaw` and :class:`ArchardLaw` are compared by their names only.
 
     Returns
@@ -266,13 +291,16 @@ def run(
 
     Raises
     ------
+    ArgumentType
+        If an argument has a wrong type, for example if ``loop`` and ``law`` are swapped.
     ArgumentRange
         If the number of cycles, ``settling``, ``largest_jump`` or ``snapshot_every`` is out of range, or if the snapshot
         contains more cycles.
     EmptyContact
         If the history is not in contact, for example because it has not been pressed.
     SnapshotMismatch
-        If the law or the steps of the loop differ from those of the snapshot.
+        If the law, the steps of the loop, or friction, settings, hardness or axis of the history differ from those of the
+        snapshot.
     CycleNotClosed
         If no cycle closed among the cycles computed on a gap.
     NoWholeCycle
@@ -282,6 +310,9 @@ def run(
     -----
     After an exception, also after Ctrl-C, the history is in the state after the last jump, and the attribute ``snapshot``
     of the exception contains it. Pass it as ``resume`` to continue.
+
+    A resumed run equals an uninterrupted run bitwise, except that the last jump of a complete run is shortened to the
+    requested number of cycles. With more cycles, an uninterrupted run would have made this jump in full.
 
     Examples
     --------
@@ -296,7 +327,11 @@ def run(
     >>> result.cycles, str(result.ending), bool(result.history.worn_volume[-1] > 0.0)
     (2000, 'cycle_limit', True)
     """
+    _check_types(history, loop, law, progress, resume)
     _check(cycles, settling, largest_jump, snapshot_every)
+    for name, value in (("max_depth", max_depth), ("max_residual", max_residual)):
+        if not isinstance(value, Real) and not (name == "max_depth" and value is None):
+            _refuse_type(name, f"must be a number, got {_kind(value)}")
     if max_depth is not None and not max_depth >= 0.0:
         error = ArgumentRange(f"max_depth must not be negative, got {max_depth}")
         error.argument = "max_depth"
@@ -307,7 +342,7 @@ def run(
         done, rows, total_energy = 0, [], 0.0
         depth = np.zeros(history.grid.shape)
     else:
-        _check_resume(resume, cycles, given)
+        _check_resume(resume, cycles, given, history)
         history.set_state(resume.state)
         done, rows, total_energy = resume.cycles, list(resume.rows), resume.dissipated_energy
         depth = resume.depth.copy()
@@ -351,12 +386,44 @@ def run(
             raise
 
 
+def _kind(value: object) -> str:
+    if isinstance(value, type):
+        return f"the class {value.__name__}"
+    return "None" if value is None else f"an object of the class {type(value).__name__}"
+
+
+def _refuse_type(name: str, problem: str) -> NoReturn:
+    error = ArgumentType(f"{name} {problem}")
+    error.argument = name
+    raise error
+
+
+def _check_types(history: object, loop: object, law: object, progress: object, resume: object) -> None:
+    from .history import FrettingLoop  # this module is imported by `history`
+
+    if not isinstance(history, History):
+        _refuse_type("history", f"must be a History, got {_kind(history)}")
+    if not isinstance(loop, FrettingLoop):
+        _refuse_type("loop", f"must be a FrettingLoop, got {_kind(loop)}: the order is history, loop, law, cycles")
+    if isinstance(law, type) or not callable(law):
+        remedy = "give a function of history and cycle, such as EnergyLaw(coefficient)"
+        _refuse_type("law", f"must be a function that returns the depth, got {_kind(law)}: {remedy}")
+    if not (progress is None or isinstance(progress, (bool, np.bool_)) or callable(progress)):
+        _refuse_type("progress", f"must be a function, True or None, got {_kind(progress)}")
+    if not (resume is None or isinstance(resume, WearSnapshot)):
+        remedy = "give result.snapshot or WearSnapshot.load(path)"
+        _refuse_type("resume", f"must be a WearSnapshot, got {_kind(resume)}: {remedy}")
+
+
 def _check(cycles: int, settling: int, largest_jump: int | None, snapshot_every: int | None) -> None:
-    least = {"cycles": (cycles, 0), "settling": (settling, 1)}
-    least |= {"largest_jump": (largest_jump or 1, 1) if largest_jump != 0 else (0, 1)}
-    least |= {"snapshot_every": (snapshot_every or 1, 1) if snapshot_every != 0 else (0, 1)}
+    least: dict[str, tuple[object, int]] = {"cycles": (cycles, 0), "settling": (settling, 1)}
+    optional = {"largest_jump": largest_jump, "snapshot_every": snapshot_every}
+    least |= {name: (value, 1) for name, value in optional.items() if value is not None}
     for name, (value, smallest) in least.items():
-        if value < smallest or value != int(value):
+        if isinstance(value, bool) or not isinstance(value, Real):
+            _refuse_type(name, f"must be a whole number, got {_kind(value)}")
+        is_whole = isinstance(value, Integral) or float(value).is_integer()
+        if not is_whole or value < smallest:
             error = ArgumentRange(f"{name} must be a whole number of at least {smallest}, got {value}")
             error.argument = name
             raise error
@@ -367,7 +434,7 @@ def _check_contact(contact: NDArray[Any]) -> None:
         raise EmptyContact("the history is not in contact: press it by a step with a normal load before the run")
 
 
-def _check_resume(resume: WearSnapshot, cycles: int, given: dict[str, str]) -> None:
+def _check_resume(resume: WearSnapshot, cycles: int, given: dict[str, str], history: History) -> None:
     if cycles < resume.cycles:
         range_error = ArgumentRange(
             f"cycles must be at least {resume.cycles}, the number of cycles of the snapshot, got {cycles}"
@@ -380,6 +447,19 @@ def _check_resume(resume: WearSnapshot, cycles: int, given: dict[str, str]) -> N
             mismatch = SnapshotMismatch(
                 f"the {name} of the snapshot is {expected}, got {found}: "
                 f"resume with the same {name}, or start a new run from resume.restored(bodies)"
+            )
+            mismatch.argument = name
+            raise mismatch
+    state = history.state()
+    for name in ("axis", "friction", "hardness", "settings"):
+        kept, own = getattr(resume.state, name), getattr(state, name)
+        if kept != own:
+            shown = f"is {kept!r}, that of the history is {own!r}"
+            if repr(kept) == repr(own):
+                shown = f"{kept!r} differs from that of the history"
+            mismatch = SnapshotMismatch(
+                f"the {name} of the snapshot {shown}: resume with resume.restored(bodies) as history, "
+                "or start a new run from it after the change"
             )
             mismatch.argument = name
             raise mismatch
@@ -398,8 +478,9 @@ def _law_in_words(law: Callable[[History, Cycle], ArrayLike]) -> str:
 def _loop_in_words(loop: FrettingLoop) -> str:
     """Returns the number of steps, and a digest of the path and of the loads along it."""
     values = loop._path.cycles(1)
-    loads = "".join(repr(loop._load(value)) for value in values)
-    return f"{len(values)} steps of digest {_digest(np.asarray(values, dtype=float).tobytes() + loads.encode())}"
+    # The last argument of the reduced form contains the exact numbers; `repr` rounds them.
+    loads = b"".join(loop._step(value).__reduce__()[1][-1] for value in values)  # type: ignore[index]
+    return f"{len(values)} steps of digest {_digest(np.asarray(values, dtype=float).tobytes() + loads)}"
 
 
 def _digest(content: bytes) -> str:

@@ -556,7 +556,7 @@ class EmptyPath(StickslipError, ValueError):
 
 
 class StepOutOfOrder(StickslipError, ValueError):
-    """A cycle already contains the steps of its history up to a certain step, and the added step does not follow it."""
+    """A cycle contains the steps of its history up to a certain step, and the added step is not the next one."""
 
     step: int
     """The number of the step, counted from 1; zero before the first step."""
@@ -583,10 +583,10 @@ class OutdatedSolution(StickslipError, ValueError):
 
 
 class SnapshotMismatch(StickslipError, ValueError):
-    """A run of wear resumes with another law or another loop than the run of its snapshot."""
+    """A run of wear resumes with another law, loop or history than the run of its snapshot."""
 
     argument: str
-    """Name of the argument that differs."""
+    """The quantity that differs: law, loop, axis, friction, hardness or settings."""
 
 
 class CycleNotClosed(StickslipError):

@@ -53,7 +53,7 @@ class FrettingLoop:
     path : LoadPath
         The values (x, y) at the ends of the steps of a cycle (forces or lengths, as ``load`` uses them).
     load : callable
-        A function that converts a value to a :class:`~stickslip.LoadStep`. In a loop that changes the gap, it must
+        A function that returns the :class:`~stickslip.LoadStep` of a value. In a loop that changes the gap, it must
         prescribe the normal load in every step; otherwise the pressure remains that of the previous gap. Apply the normal
         load before the loop. If the first step presses and shears simultaneously, shear remains in the cells that touched
         during the step, and the loop is not centred.
@@ -64,6 +64,8 @@ class FrettingLoop:
     Raises
     ------
     Tolerance
+    TypeError
+        In a cycle, if ``load`` returns no :class:`~stickslip.LoadStep`, for example without a ``return``.
 
     Examples
     --------
@@ -151,6 +153,18 @@ class FrettingLoop:
                     return FrettingResult(done, StopReason.STOPPED, last)
         return FrettingResult(cycles, StopReason.CYCLE_LIMIT, last)
 
+    def _step(self, value: tuple[float, float]) -> LoadStep:
+        """Returns the step that the load function returns for a value."""
+        step = self._load(value)
+        if not isinstance(step, LoadStep):
+            name = getattr(self._load, "__qualname__", None) or type(self._load).__qualname__
+            found = "None" if step is None else f"an object of the class {type(step).__name__}"
+            raise TypeError(
+                f"the load function {name} must return a LoadStep, got {found}: end it with return LoadStep(...), "
+                "for example return LoadStep(shift=value)"
+            )
+        return step
+
     # FrettingLoop::run_observed of the crate is not used here. It borrows the history, so an observer could not change
     # the gap through its argument. It also has no observer of products, so Ctrl-C would take effect only after a step.
     def _pass(
@@ -161,7 +175,7 @@ class FrettingLoop:
     ) -> bool:
         cycle.begin(history)
         for value in self._path.cycles(1):
-            history.step(self._load(value), warn=False)
+            history.step(self._step(value), warn=False)
             cycle.add(history)
             if observer is not None and is_stop(observer(history, cycle)):
                 return False

@@ -2,6 +2,7 @@
 
 use std::sync::Mutex;
 
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use stickslip::history::{EntryRule, StepResult as Step};
 use stickslip::{Axis, Coupling, TangentialModel, cgm};
@@ -49,7 +50,7 @@ use crate::work::unobserved_on;
 /// hardness : Hardness, float or array_like of shape (ny, nx), optional
 ///     The largest pressure that the cells can carry; no limit by default.
 /// permanent_set : bool, default False
-///     Whether the yielded depth remains and is added to the gap of later steps.
+///     Whether the yielded depth remains and is added to the gap of later steps; requires ``hardness``.
 /// settings : Settings, optional
 ///     Method, tolerance and limits; ``Settings()`` by default.
 /// tolerance, method, max_iterations, time_limit : optional
@@ -58,6 +59,8 @@ use crate::work::unobserved_on;
 /// Raises
 /// ------
 /// GridMismatch, Shape, Sample, UnsupportedByModel, Method, Tolerance, IterationLimit
+/// ValueError
+///     If ``permanent_set`` is true without ``hardness``.
 ///
 /// Examples
 /// --------
@@ -168,6 +171,11 @@ impl History {
         time_limit: Option<Real>,
     ) -> PyResult<Self> {
         let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
+        if permanent_set && hardness.is_none() {
+            return Err(PyValueError::new_err(
+                "permanent_set=True has no effect without a hardness: give the largest pressure by hardness=",
+            ));
+        }
         let grid = bodies.0.grid();
         let gap = gap.per_cell(py, "gap", grid)?;
         let friction = friction.on(py, grid)?;

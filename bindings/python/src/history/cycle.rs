@@ -149,6 +149,11 @@ impl Cycle {
     }
 
     /// Discards all steps and restarts the cycle in the present state of the history.
+    ///
+    /// Raises
+    /// ------
+    /// GridMismatch, BoundaryMismatch, MaterialMismatch
+    ///     If the history has other bodies than the history of the cycle.
     fn begin(&self, py: Python<'_>, history: Object<History>) -> PyResult<()> {
         let mut cycle = self.lock()?;
         history.read(|history| cycle.begin(history))?.or_raise(py)
@@ -156,13 +161,18 @@ impl Cycle {
 
     /// Adds the last step of the history; call it once after each step.
     ///
+    /// Add a step only after it is accepted. :meth:`History.set_state` does not remove an added step from the cycle. Copy the
+    /// cycle by ``copy.copy`` before a step that may be rejected after it is added.
+    ///
     /// Raises
     /// ------
     /// NoLastStep
     ///     If the history has taken no step since it was created or since :meth:`History.set_state`.
     /// StepOutOfOrder
-    ///     If the step has already been added, or is not later than the start of the cycle.
-    /// GridMismatch
+    ///     If the last step of the history is not the next step of the cycle: skipped, already added, or not later than its start.
+    ///     Step numbers do not identify a different history.
+    /// GridMismatch, BoundaryMismatch, MaterialMismatch
+    ///     If the history has other bodies than the history of the cycle.
     fn add(&self, py: Python<'_>, history: Object<History>) -> PyResult<()> {
         let mut cycle = self.lock()?;
         history.read(|history| cycle.add(history))?.or_raise(py)

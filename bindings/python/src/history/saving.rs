@@ -23,10 +23,12 @@ impl History {
         self.read(|history| State(Arc::new(history.state().clone())))
     }
 
-    /// Restores a state of this history or of a history on equal bodies.
+    /// Restores a state of this history or of a history on equal bodies. Gap, friction, hardness, permanent set, settings
+    /// and model (scalar, vector or coupled) of the state replace those of the history.
     ///
     /// The history then has no :attr:`last_step` until its next step. Until then, :meth:`Cycle.add` raises ``NoLastStep``. In a
-    /// retry, restore the state, take a smaller step, and add this step to the cycle.
+    /// retry, restore the state, take a smaller step, and add this step to the cycle. A rejected step that was added stays in
+    /// the cycle: add a step only after it is accepted.
     fn set_state(&self, py: Python<'_>, state: Object<State>) -> PyResult<()> {
         self.change(py, |history| history.set_state(&state.0))
     }

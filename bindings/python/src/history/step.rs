@@ -244,7 +244,7 @@ impl StepResult {
     }
 
     /// Warnings of the step: ``no_contact``, ``contact_at_edge``, ``beyond_hardness``, ``stale_pressure``,
-    /// ``single_load_step``, and the warnings about contacts and zones of too few cells. Warnings about contact spots
+    /// ``single_load_step``, ``held_shift_lost_force``, and the warnings about contacts and zones of too few cells. Warnings about contact spots
     /// are in ``history.normal.warnings``, because a step does not search for spots.
     #[getter]
     fn warnings(&self) -> Vec<Warning> {

@@ -162,6 +162,9 @@ impl NormalSolver {
 
     /// Solves for the given load and gap; an omitted load or gap keeps its last value.
     ///
+    /// The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
+    /// leave it unchanged.
+    ///
     /// Parameters
     /// ----------
     /// force, approach : float, optional

@@ -208,6 +208,9 @@ solver!(rolling::CoupledRollingSolver as CoupledRollingSolver:
 impl CoupledRollingSolver {
     /// Solves for the given creepages, forces, spin or moment, or for the last ones if none is given.
     ///
+    /// The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
+    /// leave it unchanged.
+    ///
     /// Parameters
     /// ----------
     /// creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional

@@ -1,12 +1,12 @@
 //! Preparation of surfaces before they are pressed together.
 
-use pyo3::exceptions::PyTypeError;
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use stickslip::surface;
 
 use crate::argument::Object;
 use crate::conversion;
-use crate::digits::short;
+use crate::digits::{short, tuple};
 use crate::error::OrRaise;
 use crate::field::{Field, Samples, one_unit};
 use crate::grid::Grid;
@@ -84,11 +84,14 @@ pub(crate) fn crop(
     Ok(Field::made(cropped.or_raise(py)?, unit))
 }
 
-/// Interpolates a surface at the cell centres of another grid, with cubic interpolation along x and y.
+/// Interpolates a surface at the cell centres of another grid, with cubic interpolation along x and y. The sides of the grid
+/// are in the unit of the heights.
 ///
 /// Raises
 /// ------
 /// Sample, BeyondSamples, Memory
+/// ValueError
+///     If the whole grid is smaller than one cell of the heights, as a grid in another unit would be.
 #[pyfunction]
 pub(crate) fn resample(
     py: Python<'_>,
@@ -96,6 +99,19 @@ pub(crate) fn resample(
     grid: Object<Grid>,
 ) -> PyResult<Field> {
     let (unit, heights) = (heights.unit()?, heights.alone("heights")?);
+    let sides =
+        |grid: stickslip::Grid| [grid.nx() as f64 * grid.dx(), grid.ny() as f64 * grid.dy()];
+    let (cell, whole) = ([heights.grid().dx(), heights.grid().dy()], sides(grid.0));
+    if whole[0] < cell[0] && whole[1] < cell[1] {
+        let unit = unit.as_deref().map(|unit| format!(", in {unit}"));
+        let message = format!(
+            "the sides of the grid, {}, are smaller than one cell of the heights, {}: give the grid in the unit of the heights{}",
+            tuple(&whole),
+            tuple(&cell),
+            unit.unwrap_or_default()
+        );
+        return Err(PyValueError::new_err(message));
+    }
     // The work is done for the cells of the new grid; wrong samples are among the given cells.
     let outcome = solve(py, grid.0.cells(), Progress::none(), |_| {
         surface::resample(&heights, grid.0)

@@ -35,6 +35,9 @@ sensitive!(TangentialSolver: TangentialSolution);
 impl TangentialSolver {
     /// Solves for the given load, or for the last load if none is given.
     ///
+    /// The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
+    /// leave it unchanged.
+    ///
     /// Parameters
     /// ----------
     /// load, force, shift, spring, force_x, ... : optional

@@ -135,6 +135,9 @@ def _halves_of(solution: Any) -> tuple[Any, ...]:
 def from_xarray(array: xarray.DataArray) -> Field:
     """Converts an array of xarray with the heights of a surface to a field, with the unit in its attribute ``units``.
 
+    Coordinates with an attribute ``units`` are converted to the unit of the heights. Coordinates without it have the unit of
+    the heights.
+
     Parameters
     ----------
     array : xarray.DataArray
@@ -143,20 +146,36 @@ def from_xarray(array: xarray.DataArray) -> Field:
     Raises
     ------
     ValueError
-        If the array has different dimensions, or if its coordinates are not evenly spaced and increasing.
+        If the array has different dimensions, if its coordinates are not evenly spaced and increasing, if a unit is not a
+        unit of length, or if the coordinates have units and the heights have none.
     """
     if set(array.dims) != {"x", "y"}:
         raise ValueError(f"the array has the dimensions {tuple(array.dims)}, expected y and x")
+    own, along = array.attrs.get("units"), [array[axis].attrs.get("units") for axis in ("x", "y")]
+    if own is None and along != [None, None]:
+        raise ValueError(
+            f"the coordinates have the units {along[0]} along x and {along[1]} along y, but the heights have none: "
+            "set array.attrs['units'] to the unit of the heights"
+        )
+    if own is not None:
+        _factor(own, own)  # an unknown unit is rejected
     sides = []
     for axis in ("x", "y"):
         steps = np.diff(np.asarray(array[axis], dtype=float))
         side = float(steps.mean()) if steps.size else 0.0
         if not side > 0.0 or np.abs(steps - side).max() > 1e-6 * side:
             raise ValueError(f"the coordinates along {axis} must be evenly spaced and increasing")
-        sides.append(side)
+        unit = array[axis].attrs.get("units")
+        sides.append(side if unit is None or own is None else side * _factor(unit, own))
     samples = np.ascontiguousarray(array.transpose("y", "x"), dtype=float)
     grid = Grid(samples.shape[1], samples.shape[0], sides[0], sides[1])
-    return Field(grid, samples, array.attrs.get("units"))
+    return Field(grid, samples, own)
+
+
+def _factor(unit: str, into: str) -> float:
+    """Returns the factor that converts lengths from one unit to another."""
+    one = Field(Grid(1, 1, 1.0, 1.0), np.ones((1, 1)), unit).to_unit(into)
+    return float(one.array[0, 0])
 
 
 def _values(solution: Any) -> Iterator[tuple[str, Any, str]]:
