@@ -334,7 +334,7 @@ fn csv_labels_of_pandas_are_rejected_with_the_option() {
         ("0,1.5,2.5\n1,4.5,5.5\n2,6.5,7.5\n", "skip_columns = 1,"),
         // The numbers of the columns or rows are written with decimals.
         ("0.0,1.0,2.0\n.1,.2,.15\n.3,.1,.2\n", "skip_rows = 1,"),
-        ("0.,1.,2.,3.\n1.5,2,2,2\n", "skip_rows = 1,"),
+        ("0.,1.,2.,3.\n1.5,2.5,2,2\n", "skip_rows = 1,"),
         ("0,0;1,0;2,0\n1,5;2,5;3,5\n", "skip_rows = 1,"),
         (
             "0.0,1.5,2.5\n1.0,4.5,5.5\n2.0,6.5,7.5\n",
