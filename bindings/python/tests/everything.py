@@ -326,6 +326,10 @@ class Scene:
 
     def call(self, name, function):
         positional, keywords = self.arguments(name, function)
+        if name == "Cycle.add":
+            # The added step is the first step after the start of the cycle.
+            self.cycle.begin(self.history)
+            self.history.step(self.load)
         try:
             return function(*positional, **keywords)
         except ss.StickslipError:
