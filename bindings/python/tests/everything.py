@@ -326,10 +326,12 @@ class Scene:
 
     def call(self, name, function):
         positional, keywords = self.arguments(name, function)
-        if name == "Cycle.add":
-            # The added step is the first step after the start of the cycle.
+        if name in {"Cycle.add", "CycleJump"}:
+            # The added step is the first step after the start of the cycle. A jump requires a cycle with steps.
             self.cycle.begin(self.history)
             self.history.step(self.load)
+        if name == "CycleJump":
+            self.cycle.add(self.history)
         try:
             return function(*positional, **keywords)
         except ss.StickslipError:
