@@ -65,6 +65,7 @@ INCLUDED = {
     "methods/stiffness": ("src/stiffness/mod.rs",),
     "methods/subsurface": ("src/subsurface/mod.rs",),
     "methods/adaptive": ("src/adaptive/mod.rs",),
+    "methods/sensitivity": ("src/sensitivity/mod.rs",),
 }
 TITLES = {
     "python": "Python",
@@ -86,6 +87,7 @@ TITLES = {
     "methods/stiffness": "Stiffness",
     "methods/subsurface": "Stresses and displacements",
     "methods/adaptive": "Contacts of required accuracy",
+    "methods/sensitivity": "Sensitivities",
 }
 RUST = (
     "The code on this page is in Rust. The [tutorials]({up}tutorials/press.md), the [Python reference]({up}api/index.md) and the "

@@ -22,6 +22,15 @@ pub(super) fn size(bytes: u128) -> String {
     format!("{value:.decimals$} {unit}")
 }
 
+/// Returns the text for a given value, or an empty text for zero, which stands for no value.
+pub(super) fn given(value: f64) -> String {
+    if value == 0.0 {
+        String::new()
+    } else {
+        format!(", got {value:?}")
+    }
+}
+
 /// Returns a count with its noun in the singular or the plural.
 pub(crate) fn counted(count: usize, noun: &str) -> String {
     match noun.strip_suffix('y') {

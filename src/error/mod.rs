@@ -334,7 +334,7 @@ pub enum Error {
         y: f64,
     },
     /// A model does not include this load, or this property of an operator.
-    #[error("{model} does not support {quantity}, got {value:?}: {remedy}")]
+    #[error("{model} does not support {quantity}{}: {remedy}", messages::given(*value))]
     #[non_exhaustive]
     UnsupportedByModel {
         /// The model, in words.

@@ -291,6 +291,15 @@ fn every_error_has_its_text() {
             "the model of this contact does not support twist, got 0.25: use the vector model",
         ),
         (
+            Error::UnsupportedByModel {
+                model: "a normal contact",
+                quantity: "a functional of tractions",
+                value: 0.0,
+                remedy: "use the solver of a tangential contact",
+            },
+            "a normal contact does not support a functional of tractions: use the solver of a tangential contact",
+        ),
+        (
             Error::MaterialMismatch {
                 quantity: "normal solution",
             },
