@@ -25,7 +25,7 @@ autodoc_default_options = {"members": True, "imported-members": True}
 napoleon_google_docstring = False
 napoleon_use_rtype = napoleon_use_param = False  # types are plain text, not references
 nitpicky = True
-nitpick_ignore_regex = [("py:class", r"Axes|(collections|xarray)\..*"), ("py:func", r"numpy\..*")]  # of other packages
+nitpick_ignore_regex = [("py:class", r"Axes|ArrayLike|(collections|numpy|os|pandas|xarray)\..*"), ("py:func", r"numpy\..*")]  # of other packages
 
 
 def found_by_its_end(app, env, node, contnode):

@@ -17,7 +17,7 @@ all inputs, such as the gap of each cell, with one linear solve. The method ``se
 (48, 48)
 
 The sets of the cells are constant in the derivatives: contact, stick and slip. If a cell is exactly on the boundary of its set,
-the derivative is valid on one side only. A tangential contact has a given pressure; :meth:`stickslip.NormalSolver.chain`
+the derivative is valid on one side only. A tangential contact has a given pressure; :meth:`NormalSolver.chain`
 continues its sensitivities to the gap and the normal load.
 """
 
