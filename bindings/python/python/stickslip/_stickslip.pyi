@@ -3454,6 +3454,9 @@ class History:
     def set_gap(self, /, gap: Field | ArrayLike) -> None:
         """
         Sets the gap of later steps (lengths), for example after wear.
+
+        With ``permanent_set=True``, :attr:`gap` contains the yielded depth already. Subtract ``state().yielded`` before the gap is
+        set again.
         """
     def set_relative_displacement(self, /, pattern: RelativeDisplacement) -> None:
         """

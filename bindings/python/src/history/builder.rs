@@ -207,6 +207,9 @@ impl History {
     }
 
     /// Sets the gap of later steps (lengths), for example after wear.
+    ///
+    /// With ``permanent_set=True``, :attr:`gap` contains the yielded depth already. Subtract ``state().yielded`` before the gap is
+    /// set again.
     fn set_gap(&self, py: Python<'_>, gap: Samples<'_>) -> PyResult<()> {
         let gap = gap.per_cell(py, "gap", self.grid())?;
         self.change(py, |history| history.set_gap(&gap))
