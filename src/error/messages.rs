@@ -22,7 +22,7 @@ pub(super) fn size(bytes: u128) -> String {
     format!("{value:.decimals$} {unit}")
 }
 
-/// Returns the text for a given value, or an empty text for zero, which stands for no value.
+/// Returns the text for a given value, or an empty text for zero, the number of an absent value.
 pub(super) fn given(value: f64) -> String {
     if value == 0.0 {
         String::new()

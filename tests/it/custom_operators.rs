@@ -246,6 +246,24 @@ fn one_unknown_per_cell_satisfies_minimum_conditions() {
     }
 }
 
+/// An infinite bound on the eigenvalues would certify any iterate. It counts as no bound.
+#[test]
+fn infinite_lower_bound_certifies_nothing() {
+    let mut random = Random(7);
+    let mut matrix = DenseMatrix::random(6, 2, &mut random);
+    let solved = |matrix: &DenseMatrix| {
+        let problem = Problem::new(matrix, [&[-1.0; 6], &[0.5; 6]], Discs(vec![0.1; 6]));
+        let (mut x, mut y) = ([0.0; 6], [0.0; 6]);
+        let settings = Settings::default();
+        let found = cgm::minimise(&problem, &settings, [&mut x, &mut y]).unwrap();
+        assert!(found.report.iterations > 0);
+        [x, y]
+    };
+    let expected = solved(&matrix);
+    matrix.lower_bound = f64::INFINITY;
+    assert_eq!(solved(&matrix), expected);
+}
+
 /// The difference from the solution, in the norm of the symmetric part, is within the certificate.
 #[test]
 fn certificate_of_asymmetric_operator_bounds_error() {
