@@ -104,7 +104,7 @@ pub trait Operator<const N: usize = 1>: Sync {
     /// Returns the origin of [`Self::lower_bound`]. The default is [stated](EigenvalueBound::Stated) for a positive
     /// bound. An operator that returns the bound of a different operator should also return the origin of that bound.
     fn eigenvalue_bound(&self) -> EigenvalueBound {
-        if self.lower_bound() > 0.0 {
+        if usable_bound(self.lower_bound()) > 0.0 {
             EigenvalueBound::Stated
         } else {
             EigenvalueBound::Unknown
@@ -115,7 +115,7 @@ pub trait Operator<const N: usize = 1>: Sync {
     /// scale for the local compliances of cells. The default is five times the [lower bound](Self::lower_bound), as for
     /// elastic half-spaces.
     fn self_compliance(&self) -> f64 {
-        SELF_COMPLIANCE * self.lower_bound()
+        SELF_COMPLIANCE * usable_bound(self.lower_bound())
     }
 
     /// Returns whether `x' C y = y' C x` (default: true). The engine also accepts operators that are not symmetric if
@@ -204,6 +204,15 @@ impl<const N: usize> Operator<N> for Identity {
 
     fn eigenvalue_bound(&self) -> EigenvalueBound {
         EigenvalueBound::Proven
+    }
+}
+
+/// Returns a bound on the smallest eigenvalue, or zero for a bound without information: NaN, negative or infinite.
+pub(crate) fn usable_bound(bound: f64) -> f64 {
+    if bound.is_finite() {
+        bound.max(0.0)
+    } else {
+        0.0
     }
 }
 

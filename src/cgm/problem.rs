@@ -14,7 +14,7 @@ use crate::cgm::{Constraint, InitialGuess, Method, Settings, Workspace, law};
 use crate::error::{Error, Result, all_finite, all_non_negative, finite, length, positive};
 use crate::numerics::cell_vector::{at, minus};
 use crate::observer::Observer;
-use crate::operator::{Identity, LowerBound, MeanBound, Operator};
+use crate::operator::{Identity, LowerBound, MeanBound, Operator, usable_bound};
 use crate::parallel;
 use crate::parallel::layout::Layout;
 use crate::report::{Iteration, Report, Status};
@@ -419,13 +419,4 @@ fn iterate<K: Constraint<N>, const N: usize>(run: &mut ActiveSetSolve<'_, '_, K,
         }
     }
     once(run).unwrap_or_else(|| run.by_proximal_points())
-}
-
-/// Returns a bound on the smallest eigenvalue, or zero for a bound without information: NaN, negative or infinite.
-fn usable_bound(bound: f64) -> f64 {
-    if bound.is_finite() {
-        bound.max(0.0)
-    } else {
-        0.0
-    }
 }
