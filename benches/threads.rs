@@ -1,5 +1,5 @@
 //! Scaling of solves and of batches of small contacts with the number of threads of a pool, as a table of milliseconds.
-//! Arguments are numbers of cells along the side of the single contacts, in place of 512, 1024 and 2048.
+//! Arguments are the numbers of cells along the side of the single contacts (512, 1024 and 2048 by default).
 
 #![allow(clippy::print_stdout, reason = "a table is printed")]
 

@@ -238,6 +238,10 @@ impl Sheared<'_> {
             }
             pressure[cell] += friction.slope(cell, own[cell]) * by_limit;
             by_friction[cell] = friction.slope_by_coefficient(cell, own[cell]) * by_limit;
+            if own[cell] <= 0.0 {
+                // The set of contact cells is fixed.
+                pressure[cell] = 0.0;
+            }
         }
 
         let mut multipliers = fallible::try_each(|_| Field::try_zeros(grid))?;

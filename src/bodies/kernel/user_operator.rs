@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::bodies::component::{Component, Direction};
 use crate::error::{Result, memory};
 use crate::memory::fallible::zeros;
-use crate::operator::{Operator, Scratch};
+use crate::operator::{Operator, Scratch, usable_bound};
 use crate::parallel::layout::Layout;
 use crate::report::EigenvalueBound;
 
@@ -44,7 +44,7 @@ impl<T: Operator<N> + Send, const N: usize> DynOperator for DynOperatorImpl<T, N
     }
 
     fn lower_bound(&self) -> f64 {
-        self.0.lower_bound().max(0.0)
+        usable_bound(self.0.lower_bound())
     }
 
     fn eigenvalue_bound(&self) -> EigenvalueBound {

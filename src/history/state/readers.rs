@@ -176,8 +176,7 @@ impl History {
 
     /// Computes the displacement of the surface of body 1 relative to the surface of body 2 due to the tractions
     /// (lengths). The result covers all cells, inside and outside the contact. The bodies cache the operators that this
-    /// call creates. With [`Coupling::Full`] the result includes the displacement due to the
-    /// pressure.
+    /// call creates. The displacement due to the pressure is part of the result under [`Coupling::Full`].
     ///
     /// # Errors
     /// - Errors of [`HalfSpace::operator`](crate::HalfSpace::operator).

@@ -437,3 +437,34 @@ fn derivative_of_force_is_loading_stiffness() {
     let unsupported = solver.sensitivity(&shear, &Functional::Approach);
     assert!(matches!(unsupported, Err(Error::UnsupportedByModel { .. })));
 }
+
+/// The set of contact cells is fixed, so a pressure in other cells is not an input.
+#[test]
+fn derivative_by_pressure_is_zero_outside_the_contact() {
+    let grid = kit::square(24, 3.0);
+    let bodies = kit::unit_bodies(grid, 0.3);
+    let gap = kit::sphere(grid, 2.0);
+    let normal = kit::solve(NormalProblem::builder(
+        &bodies,
+        &gap,
+        NormalLoad::Force(0.5),
+    ));
+    let load = TangentialLoad::force([0.1, 0.0]);
+    let builder = TangentialProblem::builder(&bodies, &normal, kit::coulomb(0.4), load);
+    let mut solver = builder.build().unwrap().into_solver().unwrap();
+    let mut shear = solver.new_solution();
+    solver.solve_into(&mut shear).unwrap();
+    let found = solver
+        .sensitivity(&shear, &Functional::NormalForce)
+        .unwrap();
+    let derivative = found.pressure.unwrap();
+    for (derivative, pressure) in derivative.iter().zip(normal.pressure().iter()) {
+        let expected = if *pressure > 0.0 {
+            grid.cell_area()
+        } else {
+            0.0
+        };
+        assert_eq!(*derivative, expected);
+    }
+    assert!(derivative.iter().any(|derivative| *derivative == 0.0));
+}
