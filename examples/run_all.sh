@@ -4,7 +4,9 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 cargo build --release -p stickslip-examples --examples
-for source in examples/*.rs examples/*/main.rs; do
+printf '\n== sphere\n'
+cargo run --release -p stickslip-sphere
+for source in examples/*.rs examples/{distributed,study}/main.rs; do
     # An example is a file, or a folder with main.rs.
     example=${source#examples/}
     example=${example%/main.rs}

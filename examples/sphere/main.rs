@@ -3,6 +3,7 @@
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
+#[path = "../support/mod.rs"]
 mod support;
 
 use std::error::Error;
