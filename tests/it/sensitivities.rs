@@ -105,36 +105,82 @@ fn along(derivative: Option<&Field>, direction: &Field) -> f64 {
         .sum()
 }
 
-/// Asserts that a derivative equals the extrapolated central difference with this step. `solved` returns the values of all
-/// functionals and a description of the sets for a change of the input.
+/// Input of a scene, the size of its changes, and the derivative with respect to it.
+struct Change<'a, I> {
+    name: &'a str,
+    input: I,
+    size: f64,
+    derivative: Box<dyn Fn(&Sensitivity) -> f64 + 'a>,
+}
+
+impl<'a, I> Change<'a, I> {
+    fn new(
+        name: &'a str,
+        input: I,
+        size: f64,
+        derivative: impl Fn(&Sensitivity) -> f64 + 'a,
+    ) -> Self {
+        Self {
+            name,
+            input,
+            size,
+            derivative: Box::new(derivative),
+        }
+    }
+}
+
+/// Asserts that the derivatives along all changes at once equal extrapolated central differences with this relative step. If
+/// they do not, each change is compared alone, so that the message names the wrong one.
+///
+/// `solved` returns the values of all functionals and a description of the sets after changes of the inputs.
 #[track_caller]
-fn assert_differences<S: PartialEq>(
-    what: &str,
+fn assert_differences<I: Copy, S: PartialEq>(
+    name: &str,
     step: f64,
     found: &[Sensitivity],
-    derivative: impl Fn(&Sensitivity) -> f64,
-    solved: impl Fn(f64) -> (Vec<f64>, S),
+    changes: &[Change<'_, I>],
+    solved: impl Fn(&[(I, f64)]) -> (Vec<f64>, S),
 ) {
-    let (_, sets) = solved(0.0);
-    let slopes = |step: f64| {
-        let [more, less] = [step, -step].map(|step| {
-            let (values, moved) = solved(step);
-            assert!(moved == sets, "{what}: the sets differ");
-            values
-        });
-        let pairs = more.into_iter().zip(less);
-        pairs.map(move |(more, less)| (more - less) / (2.0 * step))
+    let (_, sets) = solved(&[]);
+    let fault = |changes: &[Change<'_, I>]| {
+        let slopes = |step: f64| {
+            let [more, less] = [step, -step].map(|step| {
+                let moves = changes
+                    .iter()
+                    .map(|change| (change.input, step * change.size));
+                let (values, moved) = solved(&moves.collect::<Vec<_>>());
+                (moved == sets).then_some(values)
+            });
+            let pairs = more?.into_iter().zip(less?);
+            Some(pairs.map(move |(more, less)| (more - less) / (2.0 * step)))
+        };
+        let (Some(narrow), Some(wide)) = (slopes(step), slopes(2.0 * step)) else {
+            return Some("the sets differ".to_owned());
+        };
+        let mut compared = found.iter().zip(narrow.zip(wide)).enumerate();
+        compared.find_map(|(n, (found, (narrow, wide)))| {
+            let expected = (4.0 * narrow - wide) / 3.0;
+            let parts = changes
+                .iter()
+                .map(|change| change.size * (change.derivative)(found));
+            let derivative: f64 = parts.sum();
+            // A derivative that vanishes is compared with the round-off of the difference.
+            let round_off = 1e-12 * found.value.abs() / step;
+            let error = (derivative - expected).abs();
+            (error > ALLOWED * expected.abs() + round_off)
+                .then(|| format!("{derivative:e} of functional {n} for {expected:e}"))
+        })
     };
-    let slopes = slopes(step).zip(slopes(2.0 * step));
-    for (n, (found, (narrow, wide))) in found.iter().zip(slopes).enumerate() {
-        let expected = (4.0 * narrow - wide) / 3.0;
-        let derivative = derivative(found);
-        // A derivative that vanishes is compared with the round-off of the difference.
-        let round_off = 1e-12 * found.value.abs() / step;
-        let error = (derivative - expected).abs();
-        assert!(
-            error <= ALLOWED * expected.abs() + round_off,
-            "{what} of functional {n}: {derivative:e} for {expected:e}"
-        );
+    if let Some(message) = fault(changes) {
+        for change in changes {
+            let alone = fault(std::slice::from_ref(change));
+            assert!(
+                alone.is_none(),
+                "{name}: {}: {}",
+                change.name,
+                alone.unwrap_or_default()
+            );
+        }
+        panic!("{name}: all changes at once: {message}");
     }
 }

@@ -1,14 +1,14 @@
 //! Normal contacts.
 
 use stickslip::normal::Hardness;
-use stickslip::sensitivity::{Functional, Sensitivity, Weights};
+use stickslip::sensitivity::{Functional, Weights};
 use stickslip::stiffness::StiffnessWorkspace;
 use stickslip::{
     Axis, Boundary, CellValue, Error, Field, Grid, HalfSpace, NormalLoad, NormalProblem,
     NormalSolution, NormalSolver, surface,
 };
 
-use super::{Bodies, SOLVE, Surface, along, assert_differences, random_field};
+use super::{Bodies, Change, SOLVE, Surface, along, assert_differences, random_field};
 
 #[derive(Debug, Clone)]
 struct NormalCase {
@@ -59,20 +59,19 @@ impl NormalCase {
         }
     }
 
-    fn moved(&self, input: Input<'_>, by: f64) -> Self {
+    fn moved(&self, inputs: &[(Input<'_>, f64)]) -> Self {
         let mut moved = self.clone();
         let surface = &mut moved.surface;
-        match input {
-            Input::Gap(direction) => surface.gap.add_scaled(by, direction).unwrap(),
-            Input::Load => {
-                moved.load = match self.load {
-                    NormalLoad::Force(force) => NormalLoad::Force(force + by),
-                    NormalLoad::Approach(approach) => NormalLoad::Approach(approach + by),
+        for &(input, by) in inputs {
+            match input {
+                Input::Gap(direction) => surface.gap.add_scaled(by, direction).unwrap(),
+                Input::Load => match &mut moved.load {
+                    NormalLoad::Force(value) | NormalLoad::Approach(value) => *value += by,
                     _ => unreachable!(),
-                }
+                },
+                Input::Scale => surface.scale *= 1.0 + by,
+                Input::PoissonRatio(body) => surface.poisson_ratios[body] += by,
             }
-            Input::Scale => surface.scale *= 1.0 + by,
-            Input::PoissonRatio(body) => surface.poisson_ratios[body] += by,
         }
         moved
     }
@@ -129,33 +128,30 @@ impl NormalCase {
         }
         let direction = random_field(contact.grid(), 5);
         let modulus = self.surface.bodies().pair().contact_modulus();
-        let check = |what: &str, input: Input<'_>, size: f64, of: &dyn Fn(&Sensitivity) -> f64| {
-            let what = format!("{name}: {what}");
-            let values = |by: f64| self.moved(input, by).values();
-            assert_differences(&what, 2e-6 * size, &found, of, values);
-        };
         let depth = contact.approach().abs();
-        check("gap", Input::Gap(&direction), depth, &|found| {
-            along(found.gap.as_ref(), &direction)
-        });
-        check("load", Input::Load, self.value(), &|found| {
-            found.normal_load.unwrap()
-        });
-        check("modulus", Input::Scale, 1.0, &|found| {
-            modulus * found.contact_modulus.unwrap()
-        });
+        let mut changes = vec![
+            Change::new("gap", Input::Gap(&direction), depth, |found| {
+                along(found.gap.as_ref(), &direction)
+            }),
+            Change::new("load", Input::Load, self.value(), |found| {
+                found.normal_load.unwrap()
+            }),
+            Change::new("modulus", Input::Scale, 1.0, |found| {
+                modulus * found.contact_modulus.unwrap()
+            }),
+        ];
         if matches!(self.surface.bodies, Bodies::Homogeneous | Bodies::Equal) {
-            for body in [0, 1] {
-                check(
-                    "Poisson's ratio",
-                    Input::PoissonRatio(body),
-                    1.0,
-                    &|found| found.poisson_ratio.unwrap()[body],
-                );
-            }
+            changes.extend([0, 1].map(|body| {
+                let input = Input::PoissonRatio(body);
+                Change::new("Poisson's ratio", input, 1.0, move |found| {
+                    found.poisson_ratio.unwrap()[body]
+                })
+            }));
         } else {
             assert!(found.iter().all(|found| found.poisson_ratio.is_none()));
         }
+        let solved = |inputs: &[(Input<'_>, f64)]| self.moved(inputs).values();
+        assert_differences(name, 2e-6, &found, &changes, solved);
     }
 }
 

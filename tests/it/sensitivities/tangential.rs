@@ -11,7 +11,7 @@ use stickslip::{
     TangentialProblem, TangentialSolution, TangentialSolver, Zone,
 };
 
-use super::{Bodies, Surface, along, assert_differences, random_field};
+use super::{Bodies, Change, Surface, along, assert_differences, random_field};
 
 const SOLVE: f64 = 1e-12;
 
@@ -45,7 +45,7 @@ pub(super) struct Shown<'a> {
 
 /// Input that a test changes.
 #[derive(Debug, Clone, Copy)]
-pub(super) enum Input<'a> {
+enum Input<'a> {
     Gap(&'a Field),
     NormalLoad,
     Load(Axis),
@@ -115,42 +115,41 @@ impl ShearCase {
         (solver, shear)
     }
 
-    pub(super) fn moved(&self, input: Input<'_>, by: f64) -> Self {
+    fn moved(&self, inputs: &[(Input<'_>, f64)]) -> Self {
         let mut moved = self.clone();
-        match input {
-            Input::Gap(direction) => moved.surface.gap.add_scaled(by, direction).unwrap(),
-            Input::NormalLoad => moved.force += by,
-            Input::Load(axis) => {
-                let control = match self.load.control(axis) {
-                    TangentialControl::Force(force) => TangentialControl::Force(force + by),
-                    TangentialControl::Shift(shift) => TangentialControl::Shift(shift + by),
-                    TangentialControl::Spring {
-                        position,
-                        stiffness,
-                    } => TangentialControl::Spring {
-                        position: position + by,
-                        stiffness,
-                    },
-                    _ => unreachable!(),
-                };
-                moved.load = self.load.along(axis, control);
-            }
-            Input::Twist => moved.twist += by,
-            Input::Friction(direction) => {
-                moved.coefficients.add_scaled(by, direction).unwrap();
-            }
-            Input::Coefficient => {
-                for value in moved.coefficients.as_mut_slice() {
-                    *value += by;
+        for &(input, by) in inputs {
+            match input {
+                Input::Gap(direction) => moved.surface.gap.add_scaled(by, direction).unwrap(),
+                Input::NormalLoad => moved.force += by,
+                Input::Load(axis) => {
+                    let mut control = moved.load.control(axis);
+                    match &mut control {
+                        TangentialControl::Force(value)
+                        | TangentialControl::Shift(value)
+                        | TangentialControl::Spring {
+                            position: value, ..
+                        } => *value += by,
+                        _ => unreachable!(),
+                    }
+                    moved.load = moved.load.along(axis, control);
                 }
+                Input::Twist => moved.twist += by,
+                Input::Friction(direction) => {
+                    moved.coefficients.add_scaled(by, direction).unwrap();
+                }
+                Input::Coefficient => {
+                    for value in moved.coefficients.as_mut_slice() {
+                        *value += by;
+                    }
+                }
+                Input::Scale => moved.surface.scale *= 1.0 + by,
+                Input::PoissonRatio(body) => moved.surface.poisson_ratios[body] += by,
             }
-            Input::Scale => moved.surface.scale *= 1.0 + by,
-            Input::PoissonRatio(body) => moved.surface.poisson_ratios[body] += by,
         }
         moved
     }
 
-    pub(super) fn value(&self, axis: Axis) -> f64 {
+    fn value(&self, axis: Axis) -> f64 {
         match self.load.control(axis) {
             TangentialControl::Force(value)
             | TangentialControl::Shift(value)
@@ -269,53 +268,57 @@ impl ShearCase {
         let grid = self.surface.gap.grid();
         let (direction, friction) = (random_field(grid, 5), random_field(grid, 6));
         let modulus = self.surface.bodies().pair().contact_modulus();
-        let check = |what: &str, input: Input<'_>, size: f64, of: &dyn Fn(&Sensitivity) -> f64| {
-            let what = format!("{name}: {what}");
-            let solved = |by: f64| solved(&self.moved(input, by));
-            assert_differences(&what, 5e-6 * size, found, of, solved);
-        };
+        let mut changes = Vec::new();
         if depth > 0.0 {
-            check("gap", Input::Gap(&direction), depth, &|found| {
-                along(found.gap.as_ref(), &direction)
-            });
+            let gap = |found: &Sensitivity| along(found.gap.as_ref(), &direction);
+            changes.push(Change::new("gap", Input::Gap(&direction), depth, gap));
         }
-        check("normal load", Input::NormalLoad, self.force, &|found| {
-            found.normal_load.unwrap()
-        });
+        let by_load = |found: &Sensitivity| found.normal_load.unwrap();
+        changes.push(Change::new(
+            "normal load",
+            Input::NormalLoad,
+            self.force,
+            by_load,
+        ));
         for axis in [Axis::X, Axis::Y] {
             if self.value(axis) != 0.0 {
                 let size = self.value(axis).abs();
-                check("load", Input::Load(axis), size, &|found| {
+                changes.push(Change::new("load", Input::Load(axis), size, move |found| {
                     found.tangential_load[axis.index()].unwrap()
-                });
+                }));
             }
         }
         if self.twist != 0.0 {
-            let twist = |found: &Sensitivity| found.twist.unwrap();
-            check("twist", Input::Twist, self.twist, &twist);
+            let by_twist = |found: &Sensitivity| found.twist.unwrap();
+            changes.push(Change::new("twist", Input::Twist, self.twist, by_twist));
         }
-        check("friction", Input::Friction(&friction), 0.3, &|found| {
-            along(found.friction.as_ref(), &friction)
-        });
-        check("coefficient", Input::Coefficient, 0.3, &|found| {
-            found.friction_coefficient.unwrap()
-        });
-        if found[0].contact_modulus.is_none() {
-            return;
+        changes.push(Change::new(
+            "friction",
+            Input::Friction(&friction),
+            0.3,
+            |found| along(found.friction.as_ref(), &friction),
+        ));
+        changes.push(Change::new(
+            "coefficient",
+            Input::Coefficient,
+            0.3,
+            |found| found.friction_coefficient.unwrap(),
+        ));
+        if found[0].contact_modulus.is_some() {
+            changes.push(Change::new("modulus", Input::Scale, 1.0, move |found| {
+                modulus * found.contact_modulus.unwrap()
+            }));
+            let is_homogeneous = self.surface.bodies != Bodies::Coated;
+            assert_eq!(found[0].poisson_ratio.is_some(), is_homogeneous);
+            for body in [0, 1].into_iter().filter(|_| is_homogeneous) {
+                let input = Input::PoissonRatio(body);
+                changes.push(Change::new("Poisson's ratio", input, 1.0, move |found| {
+                    found.poisson_ratio.unwrap()[body]
+                }));
+            }
         }
-        check("modulus", Input::Scale, 1.0, &|found| {
-            modulus * found.contact_modulus.unwrap()
-        });
-        let is_homogeneous = self.surface.bodies != Bodies::Coated;
-        assert_eq!(found[0].poisson_ratio.is_some(), is_homogeneous);
-        for body in [0, 1].into_iter().filter(|_| is_homogeneous) {
-            check(
-                "Poisson's ratio",
-                Input::PoissonRatio(body),
-                1.0,
-                &|found| found.poisson_ratio.unwrap()[body],
-            );
-        }
+        let solved = |inputs: &[(Input<'_>, f64)]| solved(&self.moved(inputs));
+        assert_differences(name, 5e-6, found, &changes, solved);
     }
 
     fn assert_differences(&self, name: &str) {
