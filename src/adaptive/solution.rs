@@ -130,9 +130,10 @@ impl AdaptiveSolution {
     /// Returns the tangential contact, or `None` without [`shear`](super::AdaptiveProblemBuilder::shear).
     #[must_use]
     pub fn tangential(&self) -> Option<&TangentialSolution> {
-        match &self.contact {
-            SolvedContact::Sheared(both) => Some(&both.1),
-            _ => None,
+        if let SolvedContact::Sheared(both) = &self.contact {
+            Some(&both.1)
+        } else {
+            None
         }
     }
 
