@@ -220,7 +220,7 @@ fn weights(y: f64) -> impl Iterator<Item = (usize, f64)> {
     let k = (1..=POINTS).find(|&k| y <= point(k));
     k.into_iter().flat_map(move |k| {
         let part = (y - point(k - 1)) / (point(k) - point(k - 1));
-        // The parameter of a point has the index of the point minus one.
+        // Point k has the parameter with the index k - 1.
         let inner = (k > 1).then(|| (k - 2, 1.0 - part));
         inner.into_iter().chain([(k - 1, part)])
     })

@@ -41,7 +41,7 @@
 //! [accuracy](crate::guide::accuracy#rough-surfaces) lists smaller errors, for three periodic surfaces by number of cells per
 //! wave.
 //!
-//! Tests were run with 600 ellipses of any shape, angle and position. The pressure error of the fit exceeded the error of the raw
+//! The tests used 600 ellipses of random shape, angle and position. The pressure error of the fit exceeded the error of the raw
 //! cells for two ellipses. Both were three cells across, with 20 and 29 cells in total. The median ratio of the error of the fit
 //! to the error of the raw cells was 0.36.
 //!

@@ -17,7 +17,8 @@ pub(super) struct SingleProduct<const N: usize> {
     scale: f64,
 }
 
-/// Buffers of products in single precision only. They take 4 bytes per component and per cell of the grid of the preconditioner.
+/// Buffers used only for products in single precision. They take 4 bytes per component and per cell of the grid of the
+/// preconditioner.
 #[derive(Debug, Clone)]
 pub(super) struct SingleScratch<const N: usize> {
     pub(super) tiles: Tiles<N>,

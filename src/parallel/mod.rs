@@ -4,7 +4,8 @@
 //! identical for any number of threads. Only `rayon::join` is used, which runs in the caller's pool and allocates no memory.
 //!
 //! Work enters a pool through [`enter`], or through [`enter_with`] if it has more than [`SERIAL_CELL_LIMIT`] cells. All other
-//! functions share their tasks in the pool of the current thread. On a thread outside a pool they run the tasks sequentially.
+//! functions distribute their tasks over the pool of the current thread. On a thread outside a pool they run the tasks
+//! sequentially.
 
 pub(crate) mod layout;
 pub mod ranks;

@@ -165,7 +165,8 @@ impl CoupledSolution {
     ///
     /// # Errors
     /// - [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
-    ///   [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) if the solution belongs to other bodies or another friction.
+    ///   [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) if the solution was computed for other bodies or another
+    ///   friction.
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if a periodic contact is closed everywhere.
     /// - [`Error::NotConverged`](crate::Error::NotConverged) for a solution that has not been solved, or if a linear solve fails or is cancelled.
     /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail or pass different input.

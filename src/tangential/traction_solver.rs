@@ -52,7 +52,7 @@ pub(super) struct TangentialRequest<'a> {
 
 /// Interface of the tangential solver for any number of components.
 pub(super) trait TangentialEngine: Debug + Send + Sync {
-    /// Minimises in place, starting from `traction`.
+    /// Minimises the energy in place, starting from `traction`.
     fn minimise(
         &mut self,
         task: TangentialRequest<'_>,

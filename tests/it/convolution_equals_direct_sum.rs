@@ -247,7 +247,7 @@ proptest! {
             let own = dense.get(0, 0).unwrap();
             let entry = |n: usize| dense.get(n / cells, n % cells).unwrap() + own;
             let raised = DenseOperator::from_rows(cells, (0..cells * cells).map(entry).collect()).unwrap();
-            // After raising, the mean has the largest eigenvalue, which determines the round-off.
+            // The raised mean has the largest eigenvalue, which determines the round-off.
             let round_off = 1e-13 * own * cells as f64;
             prop_assert!((bound - raised.lower_bound()).abs() <= round_off + 1e-9 * bound);
         }

@@ -1,4 +1,4 @@
-//! Bodies, kernels and states are equal if their physics is equal, whatever is in their caches.
+//! Bodies, kernels and states are equal if their physics is equal, regardless of the contents of their caches.
 
 use kit::{unit_bodies, unit_pair};
 use stickslip::history::State;

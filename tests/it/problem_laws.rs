@@ -349,7 +349,7 @@ fn check_stopped(
     }
 }
 
-/// An observer stops a solve only once. A solve can also be stopped by the limits of iterations and of time, and at any
+/// The observer stops each solve once. A solve can also be stopped by the limits of iterations and of time, and at any
 /// grid of a nested start. The solver then continues from its iterate.
 #[test]
 fn problem_stopped_anywhere_is_feasible_and_continues() {

@@ -407,7 +407,7 @@ impl Kernel {
     /// - [`Error::UnsupportedByModel`] if an operator is not symmetric or has a coupling that `near` does not have. An operator
     ///   counts as not symmetric if the work of each of two test fields on the displacements of the other differs by more than
     ///   1e-9 of the energies.
-    /// - [`Error::BelowMinimum`] if the energy of a test field is smaller than the lower bound states.
+    /// - [`Error::BelowMinimum`] if the energy of a test field is smaller than the lower bound allows.
     /// - [`Error::Memory`] if memory runs out.
     pub fn operators(near: ElasticPair, operators: Operators) -> Result<Self> {
         near.check_homogeneous(NEAR_IS, NEAR_REMEDY)?;

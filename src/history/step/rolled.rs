@@ -124,8 +124,8 @@ impl Rolling {
         length: f64,
     ) -> TangentialTarget {
         for (axis, control) in demand.controls.iter_mut().enumerate() {
-            // An axis with zero creepage keeps a held shift, so that the start of the solve can distinguish it from a
-            // motion.
+            // The shift along an axis with zero creepage stays constant, so that the start of the solve can distinguish this axis
+            // from a moving one.
             if *control == TangentialControl::Hold && self.creepage[axis] != 0.0 {
                 let shift = state.motion.shift[axis] + length * self.creepage[axis];
                 *control = TangentialControl::Shift(shift);

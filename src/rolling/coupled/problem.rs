@@ -20,7 +20,7 @@ use crate::tangential::{Axis, Friction, TangentialModel};
 /// Bodies, gap, friction and loads of steady rolling in which the tractions change the pressure.
 ///
 /// Between bodies of different materials tractions lift the surfaces, and the pressure changes. A
-/// [`RollingProblem`](crate::rolling::RollingProblem) requires a given pressure, which ignores the lift. This problem
+/// [`RollingProblem`](crate::rolling::RollingProblem) uses a given pressure and neglects the lift. This problem
 /// solves for pressure and tractions together. Each pass of the solve adds the lift to the gap and solves for the pressure and
 /// the tractions again. The passes end when the tractions no longer change. For bodies that [are not
 /// coupled](crate::ElasticPair::is_coupled) one pass is exact. Its results are bitwise identical to the results of a

@@ -160,7 +160,7 @@ impl Model<CoupledRollingSolution> for CoupledRollingProblem {
         let mut observer = cancellation.watch(observer);
         let settings = solver.problem.options.settings;
         let mut conditions = SolveContext::new(&settings, &mut observer);
-        // A solve without an iterate leaves neither the earlier solution nor a new one.
+        // If a solve ends without an iterate, neither the earlier solution nor a new one is available.
         solver.engine.changed = Some("the input");
         let outcome = solver.solve_passes(solution, &mut conditions);
         let outcome = cancellation.applied(&solver.problem.bodies, outcome, || {

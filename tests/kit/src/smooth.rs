@@ -115,7 +115,7 @@ impl Smooth {
 
     /// Returns the ratio of stick radius to contact radius, for a force that is this fraction of the sliding force.
     pub fn stick_radius(&self, part: f64) -> f64 {
-        // Forces of similar contacts are proportional to their radii to the powers 3 and 5.
+        // The forces of similar contacts are proportional to the third and fifth power of their radii.
         let power = if self.name == "quartic" { 5.0 } else { 3.0 };
         (1.0 - part).powf(1.0 / power)
     }

@@ -60,7 +60,7 @@ pub(crate) fn relative(found: f64, expected: f64) -> f64 {
     (found / expected - 1.0).abs()
 }
 
-/// Raises the largest errors so far to the errors of one position.
+/// Updates the largest errors so far with the errors at one position.
 pub(crate) fn raise<const N: usize>(largest: &mut [f64; N], errors: [f64; N]) {
     for (largest, error) in largest.iter_mut().zip(errors) {
         *largest = largest.max(error);
