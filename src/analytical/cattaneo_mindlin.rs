@@ -47,8 +47,8 @@ pub struct CattaneoMindlin {
 }
 
 impl CattaneoMindlin {
-    /// Creates the contact `hertz` with the coefficient of friction `friction`, under the tangential force `force` on
-    /// body 1 along x (a force, of either sign).
+    /// Creates the solution for the contact `hertz` with the coefficient of friction `friction`. The tangential force `force` acts
+    /// on body 1 along x (a force, of either sign).
     ///
     /// A force equal to $`\mu W`$ to within rounding counts as the onset of gross sliding: the stick radius is zero.
     /// Without friction the stick radius is also zero. The coupling between pressure and traction of dissimilar bodies
@@ -249,8 +249,8 @@ pub struct CattaneoMindlinEllipse {
 }
 
 impl CattaneoMindlinEllipse {
-    /// Creates the contact `hertz` with the coefficient of friction `friction`, under the tangential force `force` on
-    /// body 1 along x (a force, of either sign).
+    /// Creates the solution for the contact `hertz` with the coefficient of friction `friction`. The tangential force `force` acts
+    /// on body 1 along x (a force, of either sign).
     ///
     /// A force equal to $`\mu W`$ to within rounding counts as the onset of gross sliding: the stick ellipse vanishes.
     /// Without friction the stick ellipse also vanishes. The coupling between pressure and traction of dissimilar
