@@ -4,7 +4,7 @@ use pyo3::exceptions::PyTypeError;
 #[cfg(feature = "stubs")]
 use pyo3::inspect::PyStaticExpr;
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{IntoPyDict, PyTuple};
 use stickslip::{
     Axis, LoadStep as Step, NormalControl, NormalLoad, TangentialControl, TangentialLoad as Load,
 };
@@ -12,7 +12,7 @@ use stickslip::{
 use crate::argument::by_value;
 use crate::choice::Choice;
 use crate::conversion::{self, kind_of};
-use crate::digits::{short, tuple};
+use crate::digits::short;
 use crate::history::{Rolling, as_keywords};
 use crate::pickle::{parts, picklable};
 use crate::real::Real;
@@ -260,13 +260,13 @@ fn one_of<T>(object: Option<T>, is_without_keywords: bool, by_keywords: T) -> Py
 ///     Components along x and y, of either sign: the force that body 2 exerts on body 1, or the shift (lengths).
 ///     The shift is the rigid motion of body 2 relative to body 1 far from the contact, the relative rigid
 ///     tangential displacement.
-/// spring : ((x, y), stiffness), optional
-///     Springs along both axes that drag body 2, given by the position of their far ends (lengths) and their stiffness (a
-///     force over a length, positive). The force is stiffness (position - shift).
+/// spring : Spring, optional
+///     Springs along both axes that drag body 2: ``Spring(position=(x, y), stiffness=...)``, with the position of their far
+///     ends (lengths) and their stiffness (a force over a length, positive). The force is stiffness (position - shift).
 /// force_x, force_y, shift_x, shift_y : float, optional
 ///     Force or shift along one axis.
-/// spring_x, spring_y : (position, stiffness), optional
-///     Spring along one axis: first the position (a length), then the stiffness (a force over a length).
+/// spring_x, spring_y : Spring, optional
+///     Spring along one axis: ``Spring(position=..., stiffness=...)``, with a length and a force over a length.
 /// twist : float, default 0
 ///     Rotation of body 2 relative to body 1 about the origin of the grid (radians, positive from x to y). Only the
 ///     vector model supports a twist.
@@ -308,7 +308,7 @@ impl TangentialLoad {
     }
 
     /// Returns the control along an axis: ``("force", value)``, ``("shift", value)`` or
-    /// ``("spring", (position, stiffness))``.
+    /// ``("spring", Spring(position=..., stiffness=...))``.
     fn control<'py>(
         &self,
         py: Python<'py>,
@@ -323,7 +323,10 @@ impl TangentialLoad {
                 stiffness,
             } => (
                 "spring",
-                (position, stiffness).into_pyobject(py)?.into_any(),
+                py.import("stickslip._spring")?.getattr("Spring")?.call(
+                    (),
+                    Some(&[("position", position), ("stiffness", stiffness)].into_py_dict(py)?),
+                )?,
             ),
             _ => ("hold", py.None().into_bound(py)),
         })
@@ -370,7 +373,11 @@ fn keywords(
             TangentialControl::Spring {
                 position,
                 stiffness,
-            } => shown.push(format!("spring_{axis}={}", tuple(&[position, stiffness]))),
+            } => shown.push(format!(
+                "spring_{axis}=Spring(position={}, stiffness={})",
+                short(position),
+                short(stiffness)
+            )),
             _ => {}
         }
     }
@@ -398,14 +405,14 @@ fn keywords(
 ///     Components along x and y, of either sign, as totals since the start of the history: the force that body 2
 ///     exerts on body 1, or the shift (lengths). The shift is the rigid motion of body 2 relative to body 1 far
 ///     from the contact, the relative rigid tangential displacement.
-/// spring : ((x, y), stiffness), optional
-///     Springs along both axes that drag body 2, given by the position of their far ends (lengths since the start
-///     of the history) and their stiffness (a force over a length, positive). The force is stiffness (position -
-///     shift). A later step without a spring holds the shift, not the far end.
+/// spring : Spring, optional
+///     Springs along both axes that drag body 2: ``Spring(position=(x, y), stiffness=...)``, with the position of their far
+///     ends (lengths since the start of the history) and their stiffness (a force over a length, positive). The force is
+///     stiffness (position - shift). A later step without a spring holds the shift, not the far end.
 /// force_x, force_y, shift_x, shift_y : float, optional
 ///     Force or shift along one axis.
-/// spring_x, spring_y : (position, stiffness), optional
-///     Spring along one axis: first the position (a length), then the stiffness (a force over a length).
+/// spring_x, spring_y : Spring, optional
+///     Spring along one axis: ``Spring(position=..., stiffness=...)``, with a length and a force over a length.
 /// twist : float, optional
 ///     Rotation of body 2 relative to body 1 since the start (radians, positive from x to y). Only the vector model
 ///     supports a twist.

@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_union};
 
 use crate::argument::by_value;
-use crate::conversion::{entries, kind_of};
+use crate::conversion::{Layers, entries, kind_of};
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::kernel::Kernel;
@@ -106,9 +106,8 @@ impl Material {
     /// Raises
     /// ------
     /// TooManyLayers
-    fn coated(&self, py: Python<'_>, layers: Vec<Layer>) -> PyResult<Self> {
-        let layers: Vec<_> = layers.into_iter().map(|layer| layer.0).collect();
-        self.0.coated(&layers).or_raise(py).map(Self)
+    fn coated(&self, py: Python<'_>, layers: Layers) -> PyResult<Self> {
+        self.0.coated(&layers.0).or_raise(py).map(Self)
     }
 
     /// The layers of a coated body, outermost first.

@@ -27,7 +27,7 @@ def test_values_round_trip(scene):
         ss.Boundary.periodic_along_y(3.0),
         scene.ball,
         ss.Settings(tolerance=1e-5, time_limit=2.5),
-        ss.LoadStep(normal_force=1.0, shift_x=2.0, spring_y=(1.0, 2.0), twist=0.1),
+        ss.LoadStep(normal_force=1.0, shift_x=2.0, spring_y=ss.Spring(position=1.0, stiffness=2.0), twist=0.1),
         ss.LoadStep(force_x=1.0, roll=ss.history.Rolling(2, creepage_y=0.1)),
         ss.history.Rolling(2, creepage=(0.1, 0.2), spin=0.3, leading_edge="minus_y"),
         ss.TangentialLoad(force=(1.0, 2.0)),
