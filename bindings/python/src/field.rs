@@ -612,7 +612,7 @@ impl Samples<'_> {
         match self.number() {
             Some(value) => Ok(Spread::Uniform(value)),
             None => self
-                .on(py, quantity, grid_of(grid.as_deref(), &[self])?)
+                .on(py, quantity, grid_of(grid, &[self])?)
                 .map(Spread::PerCell),
         }
     }
