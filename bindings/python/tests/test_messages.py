@@ -12,7 +12,7 @@ import stickslip as ss
 from conftest import FORCE
 
 STEEL = ss.Material(213e9, 0.29)
-STEEL, OXIDE = ss.Material(213e9, 0.29), ss.layers.Layer(380e9, 0.22, 5e-6)
+STEEL, OXIDE = ss.Material(213e9, 0.29), ss.layers.Layer(380e9, 0.22, thickness=5e-6)
 SPRING = ss.Spring(position=1e-6, stiffness=1e7)
 LOOP = ss.history.FrettingLoop(ss.history.LoadPath.sine((1e-7, 0.0), 4), lambda shift: ss.LoadStep(shift=shift))
 
@@ -30,6 +30,10 @@ LOOP = ss.history.FrettingLoop(ss.history.LoadPath.sine((1e-7, 0.0), 4), lambda 
         (lambda scene: ss.Spring(1.0, 2.0), "positional argument"),
         (lambda scene: STEEL.coated(OXIDE), r"layers must be a sequence of Layer, got Layer: give \[layer\]"),
         (lambda scene: STEEL.coated([OXIDE, 5e-6]), r"layers must be a sequence of Layer, got list with the entry 5e-06: .*Layer\("),
+        (lambda scene: ss.layers.Layer(380e9, 5e-6, 0.22), "positional argument"),
+        (lambda scene: ss.HalfSpace(scene.grid, (OXIDE, STEEL)), r"pair must be .*, got \(Layer, Material\)"),
+        (lambda scene: ss.surface.level(scene.ball, "plain"), r"form must be .*, got 'plain'"),
+        (lambda scene: ss.surface.level(scene.ball, -1), r"form must be .*, got -1"),
         (lambda scene: STEEL.coated(5), r"layers must be a sequence of Layer, got int"),
         (lambda scene: ss.TangentialProblem(scene.bodies, scene.ball, 0.5, force=1.0), "force must be a pair"),
         (lambda scene: scene.history().step(force=1.0), "force must be a pair"),

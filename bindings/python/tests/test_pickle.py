@@ -22,7 +22,7 @@ def test_values_round_trip(scene):
         scene.grid,
         ss.Material(1.0, 0.3, hardness=0.1),
         ss.Material.rigid(),
-        ss.Material(1.0, 0.3).coated([ss.layers.Layer(2.0, 0.2, 0.1)]),
+        ss.Material(1.0, 0.3).coated([ss.layers.Layer(2.0, 0.2, thickness=0.1)]),
         scene.bodies.pair,
         ss.Boundary.periodic_along_y(3.0),
         scene.ball,

@@ -26,7 +26,7 @@ import stickslip as ss
 
 steel = ss.Material(210e3, 0.3)
 thickness = 0.03
-coated = steel.coated([ss.layers.Layer(420e3, 0.3, thickness)])
+coated = steel.coated([ss.layers.Layer(420e3, 0.3, thickness=thickness)])
 grid = ss.Grid.square(48, 0.6)
 bodies = ss.HalfSpace(grid, (coated, steel))
 contact = ss.NormalProblem(bodies, ss.surface.sphere(grid, 10.0), force=100.0).solve()

@@ -3745,7 +3745,7 @@ class Kernel:
     --------
     >>> import stickslip as ss
     >>> rigid, steel = ss.Material.rigid(), ss.Material(210e9, 0.3)
-    >>> coated = ss.ElasticPair(steel.coated([ss.layers.Layer(400e9, 0.25, 2e-6)]), rigid)
+    >>> coated = ss.ElasticPair(steel.coated([ss.layers.Layer(400e9, 0.25, thickness=2e-6)]), rigid)
     >>> def response(k):
     ...     found = coated.response(k)
     ...     return found.normal, found.along, found.across, found.coupling
@@ -3878,7 +3878,9 @@ class Layer:
     poisson_ratio : float
         Poisson's ratio, in (-1, 0.5].
     thickness : float
-        Thickness (a length), positive.
+        Thickness (a length), positive, in the same unit as the sides of the grid and the gap. Numbers have no unit: on a grid
+        in millimetres, a coating of 5 micrometres has the thickness 5e-3. It is given by keyword only, because a thickness
+        exchanged with Poisson's ratio would be another valid layer.
 
     Raises
     ------
@@ -3887,7 +3889,7 @@ class Layer:
     Examples
     --------
     >>> import stickslip as ss
-    >>> oxide = ss.layers.Layer(380e9, 0.22, 5e-6)
+    >>> oxide = ss.layers.Layer(380e9, 0.22, thickness=5e-6)
     >>> anodised = ss.Material(70e9, 0.33).coated([oxide])
     >>> anodised.layers[0].thickness
     5e-06
@@ -3898,7 +3900,7 @@ class Layer:
         Equal layers have equal hashes.
         """
     def __ne__(self, value: object, /) -> bool: ...
-    def __new__(cls, /, youngs_modulus: float, poisson_ratio: float, thickness: float) -> Layer: ...
+    def __new__(cls, /, youngs_modulus: float, poisson_ratio: float, *, thickness: float) -> Layer: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -4066,14 +4068,14 @@ class LoadStep:
         Components along x and y, of either sign, as totals since the start of the history: the force that body 2
         exerts on body 1, or the shift (lengths). The shift is the rigid motion of body 2 relative to body 1 far
         from the contact, the relative rigid tangential displacement.
-    spring : ((x, y), stiffness), optional
-        Springs along both axes that drag body 2, given by the position of their far ends (lengths since the start
-        of the history) and their stiffness (a force over a length, positive). The force is stiffness (position -
-        shift). A later step without a spring holds the shift, not the far end.
+    spring : Spring, optional
+        Springs along both axes that drag body 2: ``Spring(position=(x, y), stiffness=...)``, with the position of their far
+        ends (lengths since the start of the history) and their stiffness (a force over a length, positive). The force is
+        stiffness (position - shift). A later step without a spring holds the shift, not the far end.
     force_x, force_y, shift_x, shift_y : float, optional
         Force or shift along one axis.
-    spring_x, spring_y : (position, stiffness), optional
-        Spring along one axis: first the position (a length), then the stiffness (a force over a length).
+    spring_x, spring_y : Spring, optional
+        Spring along one axis: ``Spring(position=..., stiffness=...)``, with a length and a force over a length.
     twist : float, optional
         Rotation of body 2 relative to body 1 since the start (radians, positive from x to y). Only the vector model
         supports a twist.
@@ -5627,9 +5629,11 @@ class Report:
     @property
     def eigenvalue_bound(self, /) -> EigenvalueBound:
         """
-        Origin of the bound on the smallest eigenvalue that :attr:`duality_gap` depends on: "proven"; "stated", given by the
-        caller with a user-defined operator; "estimated", on the safe side, for stiff coatings on long grids; or "unknown". If it is "unknown", the error bound, the square root of
-        the duality gap of the problem, decreases only with the square root of the residual.
+        Origin of the bound on the smallest eigenvalue, on which :attr:`duality_gap` depends.
+
+        "proven" is a computed bound. "stated" is given by the caller with a user-defined operator. "estimated" is an estimate
+        on the safe side, for stiff coatings on long grids. With "unknown", no bound is available, and the error bound
+        decreases only with the square root of the residual.
         """
     @property
     def energy_error_bound(self, /) -> float:
@@ -7188,13 +7192,13 @@ class TangentialLoad:
         Components along x and y, of either sign: the force that body 2 exerts on body 1, or the shift (lengths).
         The shift is the rigid motion of body 2 relative to body 1 far from the contact, the relative rigid
         tangential displacement.
-    spring : ((x, y), stiffness), optional
-        Springs along both axes that drag body 2, given by the position of their far ends (lengths) and their stiffness (a
-        force over a length, positive). The force is stiffness (position - shift).
+    spring : Spring, optional
+        Springs along both axes that drag body 2: ``Spring(position=(x, y), stiffness=...)``, with the position of their far
+        ends (lengths) and their stiffness (a force over a length, positive). The force is stiffness (position - shift).
     force_x, force_y, shift_x, shift_y : float, optional
         Force or shift along one axis.
-    spring_x, spring_y : (position, stiffness), optional
-        Spring along one axis: first the position (a length), then the stiffness (a force over a length).
+    spring_x, spring_y : Spring, optional
+        Spring along one axis: ``Spring(position=..., stiffness=...)``, with a length and a force over a length.
     twist : float, default 0
         Rotation of body 2 relative to body 1 about the origin of the grid (radians, positive from x to y). Only the
         vector model supports a twist.
@@ -7207,7 +7211,7 @@ class TangentialLoad:
     def control(self, /, axis: Axis | str) -> tuple[str, Any]:
         """
         Returns the control along an axis: ``("force", value)``, ``("shift", value)`` or
-        ``("spring", (position, stiffness))``.
+        ``("spring", Spring(position=..., stiffness=...))``.
         """
 
 @final
@@ -8044,8 +8048,9 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
     A cell is missing (NaN) if it is empty, consists of stars, or is one of these words in upper or lower case: ``nan``,
     ``BAD``, ``No Data``, ``no_data``, ``no-data``, ``N/A``, ``#N/A``, ``NA``, ``null``, ``none``, ``void``, ``invalid``,
     ``missing`` and ``--``. Any other text is rejected with its line and column. Numbers that may be labels are also
-    rejected: a first row or column 0, 1, 2, ..., also as 0.0, 1.0, 2.0, ... next to other decimals, and evenly spaced coordinates in the first row and
-    column.
+    rejected: a first row or column 0, 1, 2, ..., also as 0.0, 1.0, 2.0, ... next to other decimals, and evenly spaced
+    coordinates in the first row and column. Evenly spaced coordinates with other decimals in the first row alone, such as 0,
+    0.5, 1, are read as heights, because the first row of an inclined surface has the same form: skip them by ``skip_rows=1``.
 
     Parameters
     ----------

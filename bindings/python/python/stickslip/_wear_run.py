@@ -500,7 +500,7 @@ def _loop_in_words(loop: FrettingLoop) -> str:
     """Returns the number of steps, and a digest of the path and of the loads along it."""
     values = loop._path.cycles(1)
     # The last argument of the reduced form contains the exact numbers; `repr` rounds them.
-    loads = b"".join(loop._step(value).__reduce__()[1][-1] for value in values)  # type: ignore[index]
+    loads = b"".join(loop._step(value).__reduce__()[1][-1] for value in values)
     return f"{len(values)} steps of digest {_digest(np.asarray(values, dtype=float).tobytes() + loads)}"
 
 
