@@ -89,6 +89,10 @@ TITLES = {
     "methods/adaptive": "Contacts of required accuracy",
     "methods/sensitivity": "Sensitivities",
 }
+PYTHON = (
+    "Each program on this page is in Rust, followed by the same program in Python. The [tutorials]({up}tutorials/press.md), the "
+    "[Python reference]({up}api/index.md) and the [C reference]({up}c_reference.md) show further calls."
+)
 RUST = (
     "The code on this page is in Rust. The [tutorials]({up}tutorials/press.md), the [Python reference]({up}api/index.md) and the "
     "[C reference]({up}c_reference.md) show the calls of the other languages."
@@ -146,9 +150,23 @@ def included(folder: pathlib.Path, page: str, file: str, first: str = "", end: s
     parts[::2] = [prose(folder, page, file, re.sub(r"^#", "##", part, flags=re.M) if below else part) for part in parts[::2]]
     parts[1::2] = [code(part) for part in parts[1::2]]
     title = f"# {TITLES[page]}\n\n" if page in TITLES else ""
-    is_rust = any(part.startswith("```rust") for part in parts[1::2])
-    note = f"{RUST.format(up=up(page))}\n\n" if is_rust and page.startswith(("guide/", "methods/")) else ""
+    in_rust = [place for place, part in enumerate(parts) if part.startswith("```rust")]
+    in_python = programs(page)
+    for place, program in zip(in_rust, in_python):
+        parts[place] += f"\n\nIn Python:\n\n```python\n{program}\n```"
+    if in_python and len(in_python) != len(in_rust):
+        sys.exit(f"docs/site/python: {page} has {len(in_rust)} programs in Rust, but {len(in_python)} in Python")
+    note = f"{(PYTHON if in_python else RUST).format(up=up(page))}\n\n"
+    note = note if in_rust and page.startswith(("guide/", "methods/")) else ""
     return title + note + "".join(parts)
+
+
+def programs(page: str) -> list[str]:
+    """Returns the Python programs of a page of the guide, in the order of its programs in Rust."""
+    file = ROOT / "docs" / "site" / "python" / f"{page.removeprefix('guide/')}.py"
+    if not page.startswith("guide/") or not file.exists():
+        return []
+    return [part.strip("\n") for part in re.split(r"^# %%\n", file.read_text(), flags=re.M)[1:]]
 
 
 def docs(folder: pathlib.Path, page: str, file: str, source: str) -> str:

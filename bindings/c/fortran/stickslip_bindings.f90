@@ -641,7 +641,8 @@ module stickslip_bindings
     type, bind(c), public :: stickslip_normal_load
         ! Kind of load: STICKSLIP_HOLD, STICKSLIP_FORCE or STICKSLIP_APPROACH.
         integer(c_int32_t) :: kind = 0
-        ! Force (zero or positive) or approach (a length, positive if the bodies move towards each other).
+        ! Force (zero or positive) or approach (a length, positive if the bodies move towards each other); zero for
+        ! STICKSLIP_HOLD.
         real(c_double) :: value = 0
     end type stickslip_normal_load
 
@@ -650,9 +651,10 @@ module stickslip_bindings
         ! Kind of load: STICKSLIP_HOLD, STICKSLIP_FORCE, STICKSLIP_SHIFT or STICKSLIP_SPRING.
         integer(c_int32_t) :: kind = 0
         ! Force that body 2 exerts on body 1, shift (a length), or position of the far end of the spring (a length). In a
-        ! history, shift and position are measured since its start, and a later step without a spring holds the shift.
+        ! history, shift and position are measured since its start, and a later step without a spring holds the shift. Zero
+        ! for STICKSLIP_HOLD.
         real(c_double) :: value = 0
-        ! Stiffness of the spring (a force over a length).
+        ! Stiffness of the spring (a force over a length); zero for all other kinds.
         real(c_double) :: stiffness = 0
     end type stickslip_control
 
@@ -677,7 +679,8 @@ module stickslip_bindings
     end type stickslip_roll
 
     ! Step of a history: the load prescribed at its end. A step whose members are all zero holds pressure, shift, twist and
-    ! relative displacement.
+    ! relative displacement. A nonzero number without effect, such as a twist without has_twist, returns
+    ! STICKSLIP_INVALID_ARGUMENT.
     !
     ! A held shift does not hold the tangential force, which decreases if a lower pressure or less friction cannot carry it.
     ! To keep the force constant, prescribe it in every step. If pressure and traction are coupled, a step without a normal
@@ -692,11 +695,12 @@ module stickslip_bindings
         type(stickslip_control) :: y
         ! Nonzero to prescribe the twist; zero holds it.
         integer(c_int32_t) :: has_twist = 0
-        ! Rotation of body 2 relative to body 1 since the start (radians, from x to y).
+        ! Rotation of body 2 relative to body 1 since the start (radians, from x to y); zero without has_twist.
         real(c_double) :: twist = 0
         ! Nonzero to prescribe the amount of the relative displacement; zero holds it.
         integer(c_int32_t) :: has_relative_displacement = 0
-        ! Amount of the relative displacement, as a multiple of the pattern of the history.
+        ! Amount of the relative displacement, as a multiple of the pattern of the history; zero without
+        ! has_relative_displacement.
         real(c_double) :: relative_displacement = 0
         ! Rolling of the bodies; all zero if they do not roll.
         type(stickslip_roll) :: roll
@@ -825,7 +829,7 @@ module stickslip_bindings
         real(c_double) :: value = 0
         ! Value of each cell, copied by the call, or NULL.
         type(c_ptr) :: cells = c_null_ptr
-        ! Number of cells; used if cells is not NULL.
+        ! Number of cells; zero if cells is NULL.
         integer(c_size_t) :: count = 0
     end type stickslip_per_cell
 
@@ -1278,7 +1282,8 @@ module stickslip_bindings
     type, bind(c), public :: stickslip_boundary
         ! Kind of boundary: STICKSLIP_NON_PERIODIC, STICKSLIP_PERIODIC or STICKSLIP_PERIODIC_ALONG_Y.
         integer(c_int32_t) :: kind = 0
-        ! Distance along x at which a line load causes no displacement (a length); only for STICKSLIP_PERIODIC_ALONG_Y.
+        ! Distance along x at which a line load causes no displacement (a length); zero for all kinds except
+        ! STICKSLIP_PERIODIC_ALONG_Y.
         real(c_double) :: datum = 0
     end type stickslip_boundary
 
@@ -1335,7 +1340,7 @@ module stickslip_bindings
         integer(c_int32_t) :: entry_rule = 0
         ! Largest pressure that the cells can carry, or NULL (default, no limit).
         type(c_ptr) :: hardness = c_null_ptr
-        ! Nonzero if yielding leaves a permanent set (default 0).
+        ! Nonzero if yielding leaves a permanent set (default 0); zero without a hardness.
         integer(c_int32_t) :: permanent_set = 0
         ! Pattern of a displacement that the contact does not cause, or NULL (default). Each step prescribes a multiple of the
         ! pattern.

@@ -600,7 +600,8 @@ typedef int32_t stickslip_status;
 typedef struct {
     // Kind of load: STICKSLIP_HOLD, STICKSLIP_FORCE or STICKSLIP_APPROACH.
     int32_t kind;
-    // Force (zero or positive) or approach (a length, positive if the bodies move towards each other).
+    // Force (zero or positive) or approach (a length, positive if the bodies move towards each other); zero for
+    // STICKSLIP_HOLD.
     double value;
 } stickslip_normal_load;
 
@@ -609,9 +610,10 @@ typedef struct {
     // Kind of load: STICKSLIP_HOLD, STICKSLIP_FORCE, STICKSLIP_SHIFT or STICKSLIP_SPRING.
     int32_t kind;
     // Force that body 2 exerts on body 1, shift (a length), or position of the far end of the spring (a length). In a
-    // history, shift and position are measured since its start, and a later step without a spring holds the shift.
+    // history, shift and position are measured since its start, and a later step without a spring holds the shift. Zero
+    // for STICKSLIP_HOLD.
     double value;
-    // Stiffness of the spring (a force over a length).
+    // Stiffness of the spring (a force over a length); zero for all other kinds.
     double stiffness;
 } stickslip_control;
 
@@ -636,7 +638,8 @@ typedef struct {
 } stickslip_roll;
 
 // Step of a history: the load prescribed at its end. A step whose members are all zero holds pressure, shift, twist and
-// relative displacement.
+// relative displacement. A nonzero number without effect, such as a twist without has_twist, returns
+// STICKSLIP_INVALID_ARGUMENT.
 //
 // A held shift does not hold the tangential force, which decreases if a lower pressure or less friction cannot carry it.
 // To keep the force constant, prescribe it in every step. If pressure and traction are coupled, a step without a normal
@@ -651,11 +654,12 @@ typedef struct {
     stickslip_control y;
     // Nonzero to prescribe the twist; zero holds it.
     int32_t has_twist;
-    // Rotation of body 2 relative to body 1 since the start (radians, from x to y).
+    // Rotation of body 2 relative to body 1 since the start (radians, from x to y); zero without has_twist.
     double twist;
     // Nonzero to prescribe the amount of the relative displacement; zero holds it.
     int32_t has_relative_displacement;
-    // Amount of the relative displacement, as a multiple of the pattern of the history.
+    // Amount of the relative displacement, as a multiple of the pattern of the history; zero without
+    // has_relative_displacement.
     double relative_displacement;
     // Rolling of the bodies; all zero if they do not roll.
     stickslip_roll roll;
@@ -784,7 +788,7 @@ typedef struct {
     double value;
     // Value of each cell, copied by the call, or NULL.
     const double *cells;
-    // Number of cells; used if cells is not NULL.
+    // Number of cells; zero if cells is NULL.
     size_t count;
 } stickslip_per_cell;
 
@@ -1243,7 +1247,8 @@ typedef struct {
 typedef struct {
     // Kind of boundary: STICKSLIP_NON_PERIODIC, STICKSLIP_PERIODIC or STICKSLIP_PERIODIC_ALONG_Y.
     int32_t kind;
-    // Distance along x at which a line load causes no displacement (a length); only for STICKSLIP_PERIODIC_ALONG_Y.
+    // Distance along x at which a line load causes no displacement (a length); zero for all kinds except
+    // STICKSLIP_PERIODIC_ALONG_Y.
     double datum;
 } stickslip_boundary;
 
@@ -1313,7 +1318,7 @@ typedef struct {
     int32_t entry_rule;
     // Largest pressure that the cells can carry, or NULL (default, no limit).
     const stickslip_per_cell *hardness;
-    // Nonzero if yielding leaves a permanent set (default 0).
+    // Nonzero if yielding leaves a permanent set (default 0); zero without a hardness.
     int32_t permanent_set;
     // Pattern of a displacement that the contact does not cause, or NULL (default). Each step prescribes a multiple of the
     // pattern.

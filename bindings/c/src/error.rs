@@ -5,7 +5,7 @@ use std::ffi::c_char;
 
 use stickslip_rs::{Error, ranks::RankFailure};
 
-use crate::call::call;
+use crate::call::{Outcome, call};
 use crate::pointer::answer;
 use crate::results::stickslip_report;
 use crate::status::*;
@@ -89,6 +89,19 @@ impl Failure {
             format!("the value {value} is not a valid {name}"),
         )
         .with(|numbers| numbers.value = f64::from(value))
+    }
+
+    /// Returns an error if a member without effect is given, that is, not zero. The reason names the member that excludes it,
+    /// and the remedy.
+    pub(crate) fn if_given(member: &str, value: f64, reason: &str) -> Outcome {
+        if value == 0.0 {
+            return Ok(());
+        }
+        Err(Self::new(
+            STICKSLIP_INVALID_ARGUMENT,
+            format!("{member} is {value} but has no effect: {reason}"),
+        )
+        .with(|numbers| numbers.value = value))
     }
 
     pub(crate) fn time_limit(value: f64) -> Self {

@@ -53,7 +53,7 @@ pub struct stickslip_history_options {
     pub entry_rule: i32,
     /// Largest pressure that the cells can carry, or NULL (default, no limit).
     pub hardness: *const stickslip_per_cell,
-    /// Nonzero if yielding leaves a permanent set (default 0).
+    /// Nonzero if yielding leaves a permanent set (default 0); zero without a hardness.
     pub permanent_set: i32,
     /// Pattern of a displacement that the contact does not cause, or NULL (default). Each step prescribes a multiple of the
     /// pattern.
@@ -106,6 +106,10 @@ pub unsafe extern "C" fn stickslip_history_new(
         let mut builder = History::builder(&bodies, gap, friction);
         if let Some(options) = options {
             known("the options", &options.reserved)?;
+            if options.hardness.is_null() {
+                let reason = "hardness is NULL: set hardness, or permanent_set to zero";
+                Failure::if_given("permanent_set", f64::from(options.permanent_set), reason)?;
+            }
             builder = builder
                 .axis(axis(options.axis)?)
                 .model(model(options.model)?)

@@ -108,12 +108,20 @@ pub const STICKSLIP_PERIODIC_ALONG_Y: i32 = 2;
 pub struct stickslip_boundary {
     /// Kind of boundary: STICKSLIP_NON_PERIODIC, STICKSLIP_PERIODIC or STICKSLIP_PERIODIC_ALONG_Y.
     pub kind: i32,
-    /// Distance along x at which a line load causes no displacement (a length); only for STICKSLIP_PERIODIC_ALONG_Y.
+    /// Distance along x at which a line load causes no displacement (a length); zero for all kinds except
+    /// STICKSLIP_PERIODIC_ALONG_Y.
     pub datum: f64,
 }
 
 impl stickslip_boundary {
     pub(crate) fn checked(&self) -> Outcome<Boundary> {
+        if matches!(self.kind, STICKSLIP_NON_PERIODIC | STICKSLIP_PERIODIC) {
+            Failure::if_given(
+                "the datum of the boundary",
+                self.datum,
+                "its kind is not STICKSLIP_PERIODIC_ALONG_Y: set kind to STICKSLIP_PERIODIC_ALONG_Y, or datum to zero",
+            )?;
+        }
         match self.kind {
             STICKSLIP_NON_PERIODIC => Ok(Boundary::NonPeriodic),
             STICKSLIP_PERIODIC => Ok(Boundary::Periodic),
@@ -145,7 +153,7 @@ pub struct stickslip_per_cell {
     pub value: f64,
     /// Value of each cell, copied by the call, or NULL.
     pub cells: *const f64,
-    /// Number of cells; used if cells is not NULL.
+    /// Number of cells; zero if cells is NULL.
     pub count: usize,
 }
 
@@ -156,7 +164,11 @@ impl stickslip_per_cell {
     /// The caller must follow the rule for pointers in [`crate::pointer`].
     pub(crate) unsafe fn cells(&self, name: &str, grid: Grid) -> Outcome<Option<&[f64]>> {
         if self.cells.is_null() {
-            return Ok(None);
+            // A count without an array can be the result of a failed allocation.
+            return match self.count {
+                0 => Ok(None),
+                _ => Err(Failure::pointer(name)),
+            };
         }
         // SAFETY: the caller follows the safety contract of this function.
         unsafe { cells(name, grid, self.cells, self.count) }.map(Some)

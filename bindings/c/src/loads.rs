@@ -26,14 +26,22 @@ pub const STICKSLIP_SPRING: i32 = 4;
 pub struct stickslip_normal_load {
     /// Kind of load: STICKSLIP_HOLD, STICKSLIP_FORCE or STICKSLIP_APPROACH.
     pub kind: i32,
-    /// Force (zero or positive) or approach (a length, positive if the bodies move towards each other).
+    /// Force (zero or positive) or approach (a length, positive if the bodies move towards each other); zero for
+    /// STICKSLIP_HOLD.
     pub value: f64,
 }
 
 impl stickslip_normal_load {
     pub(crate) fn checked(&self) -> Outcome<NormalControl> {
         match self.kind {
-            STICKSLIP_HOLD => Ok(NormalControl::Hold),
+            STICKSLIP_HOLD => {
+                Failure::if_given(
+                    "the value of the normal load",
+                    self.value,
+                    "its kind is STICKSLIP_HOLD: set kind to STICKSLIP_FORCE or STICKSLIP_APPROACH, or value to zero",
+                )?;
+                Ok(NormalControl::Hold)
+            }
             STICKSLIP_FORCE => Ok(NormalControl::Force(self.value)),
             STICKSLIP_APPROACH => Ok(NormalControl::Approach(self.value)),
             other => Err(Failure::option("normal load", other)),
@@ -53,16 +61,35 @@ pub struct stickslip_control {
     /// Kind of load: STICKSLIP_HOLD, STICKSLIP_FORCE, STICKSLIP_SHIFT or STICKSLIP_SPRING.
     pub kind: i32,
     /// Force that body 2 exerts on body 1, shift (a length), or position of the far end of the spring (a length). In a
-    /// history, shift and position are measured since its start, and a later step without a spring holds the shift.
+    /// history, shift and position are measured since its start, and a later step without a spring holds the shift. Zero
+    /// for STICKSLIP_HOLD.
     pub value: f64,
-    /// Stiffness of the spring (a force over a length).
+    /// Stiffness of the spring (a force over a length); zero for all other kinds.
     pub stiffness: f64,
 }
 
 impl stickslip_control {
     fn checked(&self) -> Outcome<TangentialControl> {
+        if matches!(
+            self.kind,
+            STICKSLIP_HOLD | STICKSLIP_FORCE | STICKSLIP_SHIFT
+        ) {
+            Failure::if_given(
+                "the stiffness of a tangential load",
+                self.stiffness,
+                "its kind is not STICKSLIP_SPRING: set kind to STICKSLIP_SPRING, or stiffness to zero",
+            )?;
+        }
         match self.kind {
-            STICKSLIP_HOLD => Ok(TangentialControl::Hold),
+            STICKSLIP_HOLD => {
+                Failure::if_given(
+                    "the value of a tangential load",
+                    self.value,
+                    "its kind is STICKSLIP_HOLD: set kind to STICKSLIP_FORCE, STICKSLIP_SHIFT or STICKSLIP_SPRING, or \
+                     value to zero",
+                )?;
+                Ok(TangentialControl::Hold)
+            }
             STICKSLIP_FORCE => Ok(TangentialControl::Force(self.value)),
             STICKSLIP_SHIFT => Ok(TangentialControl::Shift(self.value)),
             STICKSLIP_SPRING => Ok(TangentialControl::Spring {
@@ -145,7 +172,8 @@ impl stickslip_roll {
 }
 
 /// Step of a history: the load prescribed at its end. A step whose members are all zero holds pressure, shift, twist and
-/// relative displacement.
+/// relative displacement. A nonzero number without effect, such as a twist without has_twist, returns
+/// STICKSLIP_INVALID_ARGUMENT.
 ///
 /// A held shift does not hold the tangential force, which decreases if a lower pressure or less friction cannot carry it.
 /// To keep the force constant, prescribe it in every step. If pressure and traction are coupled, a step without a normal
@@ -162,11 +190,12 @@ pub struct stickslip_load_step {
     pub y: stickslip_control,
     /// Nonzero to prescribe the twist; zero holds it.
     pub has_twist: i32,
-    /// Rotation of body 2 relative to body 1 since the start (radians, from x to y).
+    /// Rotation of body 2 relative to body 1 since the start (radians, from x to y); zero without has_twist.
     pub twist: f64,
     /// Nonzero to prescribe the amount of the relative displacement; zero holds it.
     pub has_relative_displacement: i32,
-    /// Amount of the relative displacement, as a multiple of the pattern of the history.
+    /// Amount of the relative displacement, as a multiple of the pattern of the history; zero without
+    /// has_relative_displacement.
     pub relative_displacement: f64,
     /// Rolling of the bodies; all zero if they do not roll.
     pub roll: stickslip_roll,
@@ -183,9 +212,16 @@ impl stickslip_load_step {
             .tangential(Axis::Y, self.y.checked()?);
         if self.has_twist != 0 {
             load = load.twist(self.twist);
+        } else {
+            let reason = "has_twist is zero: set has_twist to 1, or twist to zero";
+            Failure::if_given("twist", self.twist, reason)?;
         }
         if self.has_relative_displacement != 0 {
             load = load.relative_displacement(self.relative_displacement);
+        } else {
+            let reason =
+                "has_relative_displacement is zero: set it to 1, or relative_displacement to zero";
+            Failure::if_given("relative_displacement", self.relative_displacement, reason)?;
         }
         if let Some(rolling) = self.roll.checked()? {
             load = load.roll(rolling);

@@ -503,6 +503,52 @@ static void loads_are_cut_into_steps(void) {
     OK(stickslip_half_space_free(bodies));
 }
 
+static void step_is_rejected(stickslip_history *history, stickslip_load_step load, double value, const char *remedy) {
+    stickslip_error error;
+    CHECK(stickslip_history_step(history, &load, NULL) == STICKSLIP_INVALID_ARGUMENT);
+    CHECK(strstr(stickslip_last_error_message(), remedy) != NULL);
+    OK(stickslip_last_error(&error));
+    CHECK(error.value == value || (isnan(value) && isnan(error.value)));
+}
+
+/* A number that another member excludes is rejected, not ignored. */
+static void numbers_without_effect_are_rejected(void) {
+    stickslip_half_space *bodies = make_bodies();
+    stickslip_history *history = make_history(bodies), *made = NULL;
+    stickslip_load_step load = press(100.0);
+    load.twist = 1e-3;
+    step_is_rejected(history, load, 1e-3, "set has_twist to 1");
+    load.twist = NAN;
+    step_is_rejected(history, load, NAN, "set has_twist to 1");
+    load = press(100.0), load.relative_displacement = 2.0;
+    step_is_rejected(history, load, 2.0, "has_relative_displacement is zero");
+    load = press(100.0), load.normal.kind = STICKSLIP_HOLD;
+    step_is_rejected(history, load, 100.0, "STICKSLIP_FORCE or STICKSLIP_APPROACH");
+    load = drag(10.0), load.x.kind = STICKSLIP_HOLD;
+    step_is_rejected(history, load, 10.0, "STICKSLIP_SHIFT or STICKSLIP_SPRING");
+    load = drag(10.0), load.y.stiffness = 5.0;
+    step_is_rejected(history, load, 5.0, "set kind to STICKSLIP_SPRING");
+    load = drag(10.0), load.x.stiffness = 5.0;
+    step_is_rejected(history, load, 5.0, "set kind to STICKSLIP_SPRING");
+    load = press(100.0);
+    OK(stickslip_history_step(history, &load, NULL));
+
+    stickslip_boundary boundary = {STICKSLIP_PERIODIC, 1.0};
+    stickslip_half_space *periodic = NULL;
+    CHECK(stickslip_half_space_new(&GRID, &STEEL, &STEEL, &boundary, &periodic) == STICKSLIP_INVALID_ARGUMENT);
+    stickslip_friction friction = stickslip_coulomb(0.5);
+    friction.coefficient.count = CELLS; /* without an array, as after a failed allocation */
+    CHECK(stickslip_history_set_friction(history, &friction) == STICKSLIP_BAD_POINTER);
+    friction.coefficient.count = 0;
+    OK(stickslip_history_set_friction(history, &friction));
+    stickslip_history_options options = stickslip_history_options_default();
+    options.permanent_set = 1;
+    CHECK(stickslip_history_new(bodies, ball, CELLS, &friction, &options, &made) == STICKSLIP_INVALID_ARGUMENT);
+    CHECK(strstr(stickslip_last_error_message(), "hardness is NULL") != NULL);
+    OK(stickslip_history_free(history));
+    OK(stickslip_half_space_free(bodies));
+}
+
 int main(void) {
     CHECK(stickslip_abi_version() == STICKSLIP_ABI_VERSION);
     char version[32];
@@ -515,6 +561,7 @@ int main(void) {
     layers_are_felt();
     a_report_tells_how_the_least_eigenvalue_is_known();
     bad_input_is_refused();
+    numbers_without_effect_are_rejected();
     failed_steps_leave_no_trace();
     fields_are_not_copied();
     rejected_steps_do_not_count();

@@ -23,6 +23,30 @@ static_assert(!std::is_copy_constructible<ss::FieldArgument>::value, "copy of an
 static_assert(std::is_constructible<ss::NormalSolver, ss::HalfSpace &, Vector, stickslip_normal_load>::value,
               "solver of a temporary gap");
 
+// Members of a temporary object return a copy, which does not convert to a view. Members of a stored object return a view.
+template <class Object> using Pressure = decltype(std::declval<Object>().pressure());
+template <class Object> using Any = decltype(std::declval<Object>().field(STICKSLIP_PRESSURE));
+template <class Object> using AllZones = decltype(std::declval<Object>().zones());
+static_assert(std::is_same<Pressure<ss::NormalSolution>, Vector>::value, "pressure of a temporary solution");
+static_assert(std::is_same<Pressure<const ss::NormalSolution>, Vector>::value, "pressure of a constant temporary solution");
+static_assert(!std::is_convertible<Pressure<ss::NormalSolution>, ss::Field>::value, "view of a temporary solution");
+static_assert(std::is_same<Pressure<ss::NormalSolution &>, ss::Field>::value, "view of a solution");
+static_assert(std::is_same<Any<ss::NormalSolution>, Vector>::value, "field of a temporary normal solution");
+static_assert(std::is_same<Any<ss::TangentialSolution>, Vector>::value, "field of a temporary tangential solution");
+static_assert(std::is_same<Any<ss::CoupledSolution>, Vector>::value, "field of a temporary coupled solution");
+static_assert(std::is_same<Any<ss::RollingSolution>, Vector>::value, "field of a temporary rolling solution");
+static_assert(std::is_same<Any<ss::History>, Vector>::value, "field of a temporary history");
+static_assert(std::is_same<Any<ss::Cycle>, Vector>::value, "field of a temporary cycle");
+static_assert(std::is_same<Any<ss::Planes>, Vector>::value, "field of temporary planes");
+static_assert(std::is_same<AllZones<ss::History>, std::vector<std::uint8_t>>::value, "zones of a temporary history");
+static_assert(std::is_same<AllZones<ss::History &>, ss::Zones>::value, "zones of a history");
+// A statement with tractions(solver.solve().pressure()) does not compile.
+template <class Object, class = void> struct HasTractions : std::false_type {};
+template <class Object>
+struct HasTractions<Object, decltype(void(ss::tractions(std::declval<Object>().pressure())))> : std::true_type {};
+static_assert(!HasTractions<ss::NormalSolution>::value, "tractions of a temporary solution");
+static_assert(HasTractions<const ss::NormalSolution &>::value, "tractions of a solution");
+
 static int failures = 0;
 
 static void check(bool condition, const char *what) {
@@ -51,6 +75,17 @@ int main() {
     check(std::fabs(pressed.result().approach / hertz.approach - 1.0) < 5e-3, "approach");
     check(ss::cattaneo_mindlin_sphere(bodies, 5.0, 100.0, 0.5, 50.0).stick_radius < 1e-4, "gross slip");
     fails(STICKSLIP_BEYOND_FRICTION_CAPACITY, [&] { ss::cattaneo_mindlin_sphere(bodies, 5.0, 100.0, 0.5, 60.0); });
+
+    // A temporary solution and a stored one have the same samples, which a copy keeps.
+    ss::NormalSolver presser(bodies, ss::sphere(grid, 5.0), ss::press_by_force(100.0));
+    ss::NormalSolution now = presser.solve();
+    const Vector kept_samples = now.pressure().copy();
+    const auto of_temporary = ss::NormalSolver(bodies, ss::sphere(grid, 5.0), ss::press_by_force(100.0)).solve().pressure();
+    check(of_temporary == kept_samples && of_temporary.size() == n * n, "pressure of a temporary solution");
+    presser.set_load(ss::press_by_force(50.0));
+    presser.solve_into(now);
+    const std::size_t centre = n * n / 2 + n / 2;
+    check(kept_samples[centre] == of_temporary[centre] && now.pressure()[centre] < kept_samples[centre], "copy of a field");
 
     // A layer with the modulus of its body changes nothing, and a harder layer reduces the approach.
     const auto under = [&](double modulus) {

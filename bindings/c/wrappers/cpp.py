@@ -7,6 +7,8 @@ from model import OBJECTS, WIDTH, comment, documentation, ordered, short
 NUMBERS = {"size_t": "std::size_t", "int32_t": "std::int32_t", "uint8_t": "std::uint8_t"}
 # Structs that C++ receives by reference, with a default value instead of nullptr.
 DEFAULTS = {f"stickslip_{name}" for name in ("history_options", "jump_limits", "stiffness_options", "rolling_load")}
+# Results that refer to samples of an object, by the group of the function. A temporary object returns a copy.
+VIEWS = {"field": ("Field", "double"), "zones": ("Zones", "std::uint8_t")}
 CHANGES = [(r"\bReturns (STICKSLIP_\w+) (if|for|unless|before|without)\b", r"Throws \1 \2"),
            (r"\breturns (STICKSLIP_\w+)", r"throws \1"),
            (r"stickslip_last_error_report writes", "Error::report returns")]
@@ -109,10 +111,9 @@ class Wrapper:
     def body(self):
         """Returns the type of the wrapper and the lines of its body."""
         group = self.function.group
-        if group in ("field", "zones"):
-            of = "double" if group == "field" else "std::uint8_t"
-            return ("Field" if group == "field" else "Zones",
-                    [f"return detail::viewed<{of}>([&](std::size_t *count) {{ return {self.call('count')}; }});"])
+        if group in VIEWS:
+            view, of = VIEWS[group]
+            return view, [f"return detail::viewed<{of}>([&](std::size_t *count) {{ return {self.call('count')}; }});"]
         if group:
             types = {"warnings": "std::vector<stickslip_warning>", "spots": "Spots", "edges": "Edges",
                      "bytes": "std::vector<std::uint8_t>"}
@@ -149,6 +150,10 @@ class Wrapper:
         selves = self.function.of("self")
         head += " const" if selves and selves[0].is_const else ""
         start = "" if self.owner else "inline "
+        if self.function.group in VIEWS:
+            names = ", ".join(one.name for one in self.function.of("number"))
+            copy = temporary(VIEWS[self.function.group][1], cpp, arguments, names)
+            return self.notes(indent) + self.define(result + head + " &", body, indent) + copy, []
         if not later:
             return self.notes(indent) + self.define(start + result + head, body, indent), []
         plain = re.sub(r" = [^,)]+(\(\))?", "", head)
@@ -169,6 +174,11 @@ class Wrapper:
         for line in body:
             lines += broken(line, indent + 4)
         return lines + [" " * indent + "}"]
+
+
+def temporary(of, name, parameters="", arguments=""):
+    """Returns the overload of a view for temporary objects, which returns a copy of the samples."""
+    return [f"    std::vector<{of}> {name}({parameters}) const && {{ return {name}({arguments}).copy(); }}"]
 
 
 def solver(c, solution, f):
@@ -213,7 +223,8 @@ def class_of(header, owner, known):
         if name.startswith("slip") and "rolling" in owner.c:
             notes = f"Slip along {name[-1]} per unit length rolled (dimensionless)."
         lines += comment(notes, "/// ", 4)
-        lines.append(f"    Field {name}() const {{ return field(STICKSLIP_{name.upper()}); }}")
+        lines.append(f"    Field {name}() const & {{ return field(STICKSLIP_{name.upper()}); }}")
+        lines += temporary("double", name)
     lines += [f"    {c} *get() const {{ return own_.get(); }}", "", "  private:"]
     if owner.c.endswith("solution"):
         lines.append(f"    friend class {owner.cpp.replace('Solution', 'Solver')};")

@@ -70,15 +70,12 @@ impl<T: PyClass<Frozen = True> + Sync> FromPyObject<'_, '_> for Object<T> {
     const INPUT_TYPE: PyStaticExpr = T::TYPE_HINT;
 
     fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
-        match object.cast::<T>() {
-            Ok(object) => Ok(Self {
-                object: object.to_owned().unbind(),
-            }),
-            Err(_) => {
-                let message = format!("must be of the class {}, got {}", T::NAME, kind_of(&object));
-                Err(unnamed(object.py(), "ArgumentType", &message))
-            }
+        if let Ok(object) = object.cast::<T>() {
+            let object = object.to_owned().unbind();
+            return Ok(Self { object });
         }
+        let message = format!("must be of the class {}, got {}", T::NAME, kind_of(&object));
+        Err(unnamed(object.py(), "ArgumentType", &message))
     }
 }
 

@@ -95,9 +95,10 @@ impl FromPyObject<'_, '_> for Surroundings {
         match object.extract::<String>().as_deref() {
             Ok("non_periodic") => Ok(Self(stickslip::Boundary::NonPeriodic)),
             Ok("periodic") => Ok(Self(stickslip::Boundary::Periodic)),
-            _ => Err(PyValueError::new_err(
-                "boundary must be 'non_periodic', 'periodic', ('periodic_along_y', datum) or a Boundary",
-            )),
+            _ => Err(PyValueError::new_err(format!(
+                "boundary must be 'non_periodic', 'periodic', ('periodic_along_y', datum) or a Boundary, got {}",
+                object.repr()?
+            ))),
         }
     }
 }

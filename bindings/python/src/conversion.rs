@@ -7,7 +7,8 @@ use pyo3::types::{PyList, PyTuple};
 #[cfg(feature = "stubs")]
 use pyo3::{inspect::PyStaticExpr, type_hint_identifier};
 
-use crate::real::is_real;
+use crate::layers::Layer;
+use crate::real::{Real, is_real, unnamed};
 
 /// Declares the class of an argument of a prescribed form: the content, the expected form (starting with the name of the
 /// argument) and, if helpful, an alternative.
@@ -43,10 +44,6 @@ due! {
     Shift([f64; 2]): "shift must be a pair (x, y)", "for a shift along one axis give shift_x= or shift_y=";
     /// Weights of the shifts along both axes.
     ShiftWeights([f64; 2]): "shift must be a pair (x, y) of weights";
-    /// Springs along both axes.
-    Springs(([f64; 2], f64)): "spring must be ((x, y), stiffness)", "for a spring along one axis give spring_x= or spring_y=";
-    /// Spring along one axis.
-    Spring((f64, f64)): "spring_x and spring_y must be pairs (position, stiffness)";
     /// Spring of a minimum.
     FarEnd((f64, f64)): "spring must be a pair (far_end, compliance)";
     /// Springs given by their stiffnesses only.
@@ -81,6 +78,76 @@ due! {
     RegionY([f64; 2]): "y must be a pair (start, end)";
     /// Side lengths of a grid.
     GridSides([f64; 2]): "size must be a pair (x, y)";
+}
+
+/// Declares the class of an argument that is a ``Spring``, with the type and the form of its position.
+macro_rules! springs {
+    ($($(#[$doc:meta])* $name:ident($type:ty): $keyword:literal, $position:literal;)+) => {$(
+        $(#[$doc])*
+        #[derive(Clone, Copy)]
+        pub(crate) struct $name(pub(crate) ($type, f64));
+
+        impl FromPyObject<'_, '_> for $name {
+            type Error = PyErr;
+
+            #[cfg(feature = "stubs")]
+            const INPUT_TYPE: PyStaticExpr = type_hint_identifier!("stickslip._spring", "Spring");
+
+            fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+                let part = |name: &str| object.getattr(name).map_err(|_| PyTypeError::new_err(format!(
+                    concat!($keyword, " must be a Spring, got {}: give Spring(position=..., stiffness=...)"),
+                    kind_of(&object)
+                )));
+                let (position, stiffness) = (part("position")?, part("stiffness")?);
+                let due = concat!("the position of ", $keyword, " must be ", $position);
+                is_real(&position, named_in(due))?;
+                let position = as_due(&position)
+                    .map_err(|error: PyErr| refused(&position, &error, due, ""))?;
+                let stiffness: Real = stiffness.extract()?;
+                Ok(Self((position, stiffness.0)))
+            }
+        }
+    )+};
+}
+
+springs! {
+    /// Springs along both axes.
+    Springs([f64; 2]): "spring", "a pair (x, y)";
+    /// Spring along one axis.
+    Spring(f64): "spring_x or spring_y", "a number";
+}
+
+/// Sequence of layers, outermost first.
+pub(crate) struct Layers(pub(crate) Vec<stickslip::layers::Layer>);
+
+impl FromPyObject<'_, '_> for Layers {
+    type Error = PyErr;
+
+    #[cfg(feature = "stubs")]
+    const INPUT_TYPE: PyStaticExpr = <Vec<Layer> as FromPyObject<'_, '_>>::INPUT_TYPE;
+
+    fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+        if let Ok(layers) = object.extract::<Vec<Layer>>() {
+            return Ok(Self(layers.into_iter().map(|layer| layer.0).collect()));
+        }
+        let is_layer = |entry: &Bound<'_, PyAny>| entry.is_instance_of::<Layer>();
+        let mut entries = object
+            .try_iter()
+            .into_iter()
+            .flatten()
+            .map_while(Result::ok);
+        let found = match entries.find(|entry| !is_layer(entry)) {
+            Some(entry) => format!("{} with the entry {}", kind_of(&object), entry.repr()?),
+            None => kind_of(&object),
+        };
+        let remedy = if is_layer(&object) {
+            "give [layer]"
+        } else {
+            "create layers by Layer(...)"
+        };
+        let message = format!("must be a sequence of Layer, got {found}: {remedy}");
+        Err(unnamed(object.py(), "ArgumentType", &message))
+    }
 }
 
 /// Returns the name of the argument, which precedes the verb in the description of the expected form.

@@ -547,9 +547,13 @@ impl Samples<'_> {
             )));
         }
         if self.has_heights() {
+            // The heights themselves as a gap would press the valleys together instead of the peaks.
+            let remedy = match quantity {
+                "gap" => "convert them to a gap by surface.gap_from_heights(rough.heights)",
+                _ => "give its .heights",
+            };
             return Err(PyTypeError::new_err(format!(
-                "{quantity} is a {}, which has heights: give its .heights, or \
-                 the gap surface.gap_from_heights(rough.heights)",
+                "{quantity} is a {}, which has heights: {remedy}",
                 kind_of(&self.0)
             )));
         }
@@ -612,7 +616,7 @@ impl Samples<'_> {
         match self.number() {
             Some(value) => Ok(Spread::Uniform(value)),
             None => self
-                .on(py, quantity, grid_of(grid.as_deref(), &[self])?)
+                .on(py, quantity, grid_of(grid, &[self])?)
                 .map(Spread::PerCell),
         }
     }

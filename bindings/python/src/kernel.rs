@@ -27,7 +27,7 @@ use crate::real::{Real, is_real, wrong_type};
 /// --------
 /// >>> import stickslip as ss
 /// >>> rigid, steel = ss.Material.rigid(), ss.Material(210e9, 0.3)
-/// >>> coated = ss.ElasticPair(steel.coated([ss.layers.Layer(400e9, 0.25, 2e-6)]), rigid)
+/// >>> coated = ss.ElasticPair(steel.coated([ss.layers.Layer(400e9, 0.25, thickness=2e-6)]), rigid)
 /// >>> def response(k):
 /// ...     found = coated.response(k)
 /// ...     return found.normal, found.along, found.across, found.coupling

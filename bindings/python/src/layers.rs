@@ -19,7 +19,9 @@ use crate::real::Real;
 /// poisson_ratio : float
 ///     Poisson's ratio, in (-1, 0.5].
 /// thickness : float
-///     Thickness (a length), positive.
+///     Thickness (a length), positive, in the same unit as the sides of the grid and the gap. Numbers have no unit: on a grid
+///     in millimetres, a coating of 5 micrometres has the thickness 5e-3. It is given by keyword only, because a thickness
+///     exchanged with Poisson's ratio would be another valid layer.
 ///
 /// Raises
 /// ------
@@ -28,7 +30,7 @@ use crate::real::Real;
 /// Examples
 /// --------
 /// >>> import stickslip as ss
-/// >>> oxide = ss.layers.Layer(380e9, 0.22, 5e-6)
+/// >>> oxide = ss.layers.Layer(380e9, 0.22, thickness=5e-6)
 /// >>> anodised = ss.Material(70e9, 0.33).coated([oxide])
 /// >>> anodised.layers[0].thickness
 /// 5e-06
@@ -52,6 +54,7 @@ by_value!(Layer);
 #[pymethods]
 impl Layer {
     #[new]
+    #[pyo3(signature = (youngs_modulus, poisson_ratio, *, thickness))]
     fn new(
         py: Python<'_>,
         youngs_modulus: Real,

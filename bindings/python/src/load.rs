@@ -4,7 +4,7 @@ use pyo3::exceptions::PyTypeError;
 #[cfg(feature = "stubs")]
 use pyo3::inspect::PyStaticExpr;
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{IntoPyDict, PyTuple};
 use stickslip::{
     Axis, LoadStep as Step, NormalControl, NormalLoad, TangentialControl, TangentialLoad as Load,
 };
@@ -12,7 +12,7 @@ use stickslip::{
 use crate::argument::by_value;
 use crate::choice::Choice;
 use crate::conversion::{self, kind_of};
-use crate::digits::{short, tuple};
+use crate::digits::short;
 use crate::history::{Rolling, as_keywords};
 use crate::pickle::{parts, picklable};
 use crate::real::Real;
@@ -88,13 +88,6 @@ pub(crate) fn by_keyword(class: &str, given: &Bound<'_, PyTuple>, keywords: &str
     )))
 }
 
-/// Force, shift or spring along both axes.
-pub(crate) type Both = (
-    Option<conversion::Force>,
-    Option<conversion::Shift>,
-    Option<conversion::Springs>,
-);
-
 /// Returns the one control that is given along an axis, if any; the parameters are the possible kinds.
 pub(crate) fn one_along<T>(
     axis: usize,
@@ -113,31 +106,37 @@ pub(crate) fn one_along<T>(
 }
 
 /// Keywords of the tangential load, shared by all functions that accept one.
+#[derive(Default)]
 pub(crate) struct Keywords {
-    both: Both,
-    force: [Option<f64>; 2],
-    shift: [Option<f64>; 2],
-    spring: [Option<(f64, f64)>; 2],
-    twist: Option<f64>,
+    /// Force, shift and spring along both axes.
+    pub(crate) both: (
+        Option<conversion::Force>,
+        Option<conversion::Shift>,
+        Option<conversion::Springs>,
+    ),
+    pub(crate) force: [Option<Real>; 2],
+    pub(crate) shift: [Option<Real>; 2],
+    pub(crate) spring: [Option<conversion::Spring>; 2],
+    pub(crate) twist: Option<Real>,
 }
 
-impl Keywords {
-    pub(crate) fn new(
-        both: Both,
-        force: [Option<Real>; 2],
-        shift: [Option<Real>; 2],
-        spring: [Option<conversion::Spring>; 2],
-        twist: Option<Real>,
-    ) -> Self {
-        Self {
-            both,
-            force: force.map(|force| force.map(f64::from)),
-            shift: shift.map(|shift| shift.map(f64::from)),
-            spring: spring.map(|spring| spring.map(|spring| spring.0)),
-            twist: twist.map(f64::from),
+/// Collects the arguments of a function, which PyO3 requires one by one, in the order of the signatures.
+macro_rules! keywords {
+    [$force:expr, $shift:ident, $spring:ident, $force_x:ident, $force_y:ident, $shift_x:ident, $shift_y:ident,
+     $spring_x:ident, $spring_y:ident, $twist:ident] => {
+        $crate::load::Keywords {
+            both: ($force, $shift, $spring),
+            force: [$force_x, $force_y],
+            shift: [$shift_x, $shift_y],
+            spring: [$spring_x, $spring_y],
+            twist: $twist,
         }
-    }
+    };
+}
 
+pub(crate) use keywords;
+
+impl Keywords {
     pub(crate) fn is_empty(&self) -> bool {
         matches!(self.controls(), Ok([None, None])) && self.twist.is_none()
     }
@@ -162,9 +161,9 @@ impl Keywords {
                     .map(|conversion::Springs((position, stiffness))| {
                         spring_to((position[axis], *stiffness))
                     }),
-                self.force[axis].map(TangentialControl::Force),
-                self.shift[axis].map(TangentialControl::Shift),
-                self.spring[axis].map(spring_to),
+                self.force[axis].map(|Real(force)| TangentialControl::Force(force)),
+                self.shift[axis].map(|Real(shift)| TangentialControl::Shift(shift)),
+                self.spring[axis].map(|conversion::Spring(spring)| spring_to(spring)),
             ];
             one_along(axis, given, "force, shift and spring")
         };
@@ -189,7 +188,7 @@ impl Keywords {
             [None, None] => [TangentialControl::Force(0.0); 2],
         };
         let load = Load::force([0.0; 2]).along(Axis::X, x).along(Axis::Y, y);
-        Ok(load.twist(self.twist.unwrap_or(0.0)))
+        Ok(load.twist(self.twist.map_or(0.0, f64::from)))
     }
 
     /// Returns the load from rest given as an object or by these keywords.
@@ -210,7 +209,7 @@ impl Keywords {
                 step = step.tangential(axis, control);
             }
         }
-        if let Some(twist) = self.twist {
+        if let Some(Real(twist)) = self.twist {
             step = step.twist(twist);
         }
         if let Some(Real(amount)) = relative_displacement {
@@ -260,13 +259,13 @@ fn one_of<T>(object: Option<T>, is_without_keywords: bool, by_keywords: T) -> Py
 ///     Components along x and y, of either sign: the force that body 2 exerts on body 1, or the shift (lengths).
 ///     The shift is the rigid motion of body 2 relative to body 1 far from the contact, the relative rigid
 ///     tangential displacement.
-/// spring : ((x, y), stiffness), optional
-///     Springs along both axes that drag body 2, given by the position of their far ends (lengths) and their stiffness (a
-///     force over a length, positive). The force is stiffness (position - shift).
+/// spring : Spring, optional
+///     Springs along both axes that drag body 2: ``Spring(position=(x, y), stiffness=...)``, with the position of their far
+///     ends (lengths) and their stiffness (a force over a length, positive). The force is stiffness (position - shift).
 /// force_x, force_y, shift_x, shift_y : float, optional
 ///     Force or shift along one axis.
-/// spring_x, spring_y : (position, stiffness), optional
-///     Spring along one axis: first the position (a length), then the stiffness (a force over a length).
+/// spring_x, spring_y : Spring, optional
+///     Spring along one axis: ``Spring(position=..., stiffness=...)``, with a length and a force over a length.
 /// twist : float, default 0
 ///     Rotation of body 2 relative to body 1 about the origin of the grid (radians, positive from x to y). Only the
 ///     vector model supports a twist.
@@ -297,18 +296,14 @@ impl TangentialLoad {
         twist: Option<Real>,
     ) -> PyResult<Self> {
         by_keyword("TangentialLoad", positional, "force_x= or shift_x=")?;
-        let keywords = Keywords::new(
-            (force, shift, spring),
-            [force_x, force_y],
-            [shift_x, shift_y],
-            [spring_x, spring_y],
-            twist,
-        );
+        let keywords = keywords![
+            force, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist
+        ];
         keywords.load().map(Self)
     }
 
     /// Returns the control along an axis: ``("force", value)``, ``("shift", value)`` or
-    /// ``("spring", (position, stiffness))``.
+    /// ``("spring", Spring(position=..., stiffness=...))``.
     fn control<'py>(
         &self,
         py: Python<'py>,
@@ -323,7 +318,10 @@ impl TangentialLoad {
                 stiffness,
             } => (
                 "spring",
-                (position, stiffness).into_pyobject(py)?.into_any(),
+                py.import("stickslip._spring")?.getattr("Spring")?.call(
+                    (),
+                    Some(&[("position", position), ("stiffness", stiffness)].into_py_dict(py)?),
+                )?,
             ),
             _ => ("hold", py.None().into_bound(py)),
         })
@@ -339,15 +337,15 @@ impl TangentialLoad {
         let twist = (twist != 0.0).then_some(twist);
         Ok(format!(
             "TangentialLoad({})",
-            keywords(NormalControl::Hold, controls, twist, None).join(", ")
+            shown_keywords(NormalControl::Hold, controls, twist, None).join(", ")
         ))
     }
 }
 
 picklable!(TangentialLoad: Load);
 
-/// Returns the keywords of a load.
-fn keywords(
+/// Returns the keywords of a load as text.
+fn shown_keywords(
     normal: NormalControl,
     tangential: [TangentialControl; 2],
     twist: Option<f64>,
@@ -370,7 +368,11 @@ fn keywords(
             TangentialControl::Spring {
                 position,
                 stiffness,
-            } => shown.push(format!("spring_{axis}={}", tuple(&[position, stiffness]))),
+            } => shown.push(format!(
+                "spring_{axis}=Spring(position={}, stiffness={})",
+                short(position),
+                short(stiffness)
+            )),
             _ => {}
         }
     }
@@ -398,14 +400,14 @@ fn keywords(
 ///     Components along x and y, of either sign, as totals since the start of the history: the force that body 2
 ///     exerts on body 1, or the shift (lengths). The shift is the rigid motion of body 2 relative to body 1 far
 ///     from the contact, the relative rigid tangential displacement.
-/// spring : ((x, y), stiffness), optional
-///     Springs along both axes that drag body 2, given by the position of their far ends (lengths since the start
-///     of the history) and their stiffness (a force over a length, positive). The force is stiffness (position -
-///     shift). A later step without a spring holds the shift, not the far end.
+/// spring : Spring, optional
+///     Springs along both axes that drag body 2: ``Spring(position=(x, y), stiffness=...)``, with the position of their far
+///     ends (lengths since the start of the history) and their stiffness (a force over a length, positive). The force is
+///     stiffness (position - shift). A later step without a spring holds the shift, not the far end.
 /// force_x, force_y, shift_x, shift_y : float, optional
 ///     Force or shift along one axis.
-/// spring_x, spring_y : (position, stiffness), optional
-///     Spring along one axis: first the position (a length), then the stiffness (a force over a length).
+/// spring_x, spring_y : Spring, optional
+///     Spring along one axis: ``Spring(position=..., stiffness=...)``, with a length and a force over a length.
 /// twist : float, optional
 ///     Rotation of body 2 relative to body 1 since the start (radians, positive from x to y). Only the vector model
 ///     supports a twist.
@@ -456,13 +458,9 @@ impl LoadStep {
             positional,
             "normal_force=, force_x= or shift_x=",
         )?;
-        let keywords = Keywords::new(
-            (force, shift, spring),
-            [force_x, force_y],
-            [shift_x, shift_y],
-            [spring_x, spring_y],
-            twist,
-        );
+        let keywords = keywords![
+            force, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist
+        ];
         let normal = normal(normal_force, approach)?;
         keywords.step(normal, relative_displacement, roll).map(Self)
     }
@@ -489,7 +487,7 @@ impl LoadStep {
             relative_displacement,
             rolling,
         } = parts(&self.0)?;
-        let mut shown = keywords(normal, tangential, twist, relative_displacement);
+        let mut shown = shown_keywords(normal, tangential, twist, relative_displacement);
         if let Some(rolling) = rolling {
             shown.push(format!("roll={}", as_keywords(&rolling)?));
         }

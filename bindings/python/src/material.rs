@@ -4,11 +4,12 @@ use std::hash::{DefaultHasher, Hash, Hasher};
 
 use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 #[cfg(feature = "stubs")]
 use pyo3::{PyTypeInfo, inspect::PyStaticExpr, type_hint_union};
 
 use crate::argument::by_value;
-use crate::conversion::{entries, kind_of};
+use crate::conversion::{Layers, entries, kind_of};
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::kernel::Kernel;
@@ -106,9 +107,8 @@ impl Material {
     /// Raises
     /// ------
     /// TooManyLayers
-    fn coated(&self, py: Python<'_>, layers: Vec<Layer>) -> PyResult<Self> {
-        let layers: Vec<_> = layers.into_iter().map(|layer| layer.0).collect();
-        self.0.coated(&layers).or_raise(py).map(Self)
+    fn coated(&self, py: Python<'_>, layers: Layers) -> PyResult<Self> {
+        self.0.coated(&layers.0).or_raise(py).map(Self)
     }
 
     /// The layers of a coated body, outermost first.
@@ -285,9 +285,15 @@ impl FromPyObject<'_, '_> for Bodies {
         let (body_1, body_2): (Material, Material) = bodies.ok_or_else(|| {
             PyTypeError::new_err(format!(
                 "pair must be an ElasticPair, a Kernel or a tuple of two Materials, (material_1, material_2), got {}",
-                kind_of(&object)
+                entries(&object).map_or_else(|| kind_of(&object), |bodies| kinds_of(&bodies))
             ))
         })?;
         ElasticPair::new(object.py(), body_1, body_2).map(|pair| Self(pair.0.into()))
     }
+}
+
+/// Returns the names of the types of the entries of a tuple.
+fn kinds_of(entries: &Bound<'_, PyTuple>) -> String {
+    let kinds: Vec<_> = entries.iter().map(|entry| kind_of(&entry)).collect();
+    format!("({})", kinds.join(", "))
 }

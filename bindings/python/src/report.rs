@@ -75,9 +75,11 @@ readers! { Report.0:
     /// On a periodic grid under a prescribed approach or shift, the bound is relative to the contact under the computed
     /// force and excludes the error of this force.
     energy_error_bound(): f64,
-    /// Origin of the bound on the smallest eigenvalue that :attr:`duality_gap` depends on: "proven"; "stated", given by the
-    /// caller with a user-defined operator; "estimated", on the safe side, for stiff coatings on long grids; or "unknown". If it is "unknown", the error bound, the square root of
-    /// the duality gap of the problem, decreases only with the square root of the residual.
+    /// Origin of the bound on the smallest eigenvalue, on which :attr:`duality_gap` depends.
+    ///
+    /// "proven" is a computed bound. "stated" is given by the caller with a user-defined operator. "estimated" is an estimate
+    /// on the safe side, for stiff coatings on long grids. With "unknown", no bound is available, and the error bound
+    /// decreases only with the square root of the residual.
     eigenvalue_bound: Choice<stickslip::EigenvalueBound> => Choice,
     /// Relative error of the prescribed total; zero if no total is prescribed.
     load_error: f64,

@@ -102,7 +102,7 @@ class Scene:
         # The samples are too far apart for a smaller error.
         chosen = {"friction": 0.5, "first_step": load, "target": 0.2}
         accurate = ss.adaptive.AdaptiveProblem(pair, ball, region, force=100.0, **chosen).solve(warn=False)
-        layer = ss.layers.Layer(400e9, 0.25, 2e-6)
+        layer = ss.layers.Layer(400e9, 0.25, thickness=2e-6)
 
         # Objects of classes that no other call returns, by the name of the class.
         self.objects = {

@@ -375,7 +375,7 @@ def test_repr_states_status_cost_and_errors():
 
 
 def test_coated_bodies_have_stick_ratio_without_edges():
-    coated = ss.ElasticPair(STEEL.coated([ss.layers.Layer(400e9, 0.25, 2e-6)]), STEEL)
+    coated = ss.ElasticPair(STEEL.coated([ss.layers.Layer(400e9, 0.25, thickness=2e-6)]), STEEL)
     problem = AdaptiveProblem(coated, ball, NEAR, force=FORCE, friction=0.5, force_x=20.0, target=0.05)
     contact = problem.solve(warn=False)
     assert contact.stick_ratio == contact.tangential.stick_ratio

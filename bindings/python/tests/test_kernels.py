@@ -10,7 +10,7 @@ import pytest
 import stickslip as ss
 
 RIGID = ss.Material.rigid()
-COATED = ss.ElasticPair(ss.Material(1.0, 0.3).coated([ss.layers.Layer(4.0, 0.2, 0.4)]), RIGID)
+COATED = ss.ElasticPair(ss.Material(1.0, 0.3).coated([ss.layers.Layer(4.0, 0.2, thickness=0.4)]), RIGID)
 OUTERMOST = ss.ElasticPair(ss.Material(4.0, 0.2), RIGID)
 GRID = ss.Grid.square(48, 6.0)
 BALL = ss.surface.sphere(GRID, 4.0)
@@ -29,9 +29,9 @@ def tabulated(sides=(GRID.dx, GRID.dy)):
 
 
 def test_layers_match_crate():
-    layer = ss.layers.Layer(4.0, 0.25, 0.1)
+    layer = ss.layers.Layer(4.0, 0.25, thickness=0.1)
     assert (layer.youngs_modulus, layer.poisson_ratio, layer.thickness, layer.shear_modulus) == (4.0, 0.25, 0.1, 1.6)
-    assert pickle.loads(pickle.dumps(layer)) == layer and hash(layer) == hash(ss.layers.Layer(4.0, 0.25, 0.1))
+    assert pickle.loads(pickle.dumps(layer)) == layer and hash(layer) == hash(ss.layers.Layer(4.0, 0.25, thickness=0.1))
     body = ss.Material(1.0, 0.3).coated([layer, layer])
     assert body.is_coated and body.layers == [layer, layer] and body != ss.Material(1.0, 0.3)
     assert pickle.loads(pickle.dumps(body)) == body and hash(body) == hash(pickle.loads(pickle.dumps(body)))
@@ -41,7 +41,7 @@ def test_layers_match_crate():
     with pytest.raises(ss.errors.TooManyLayers):
         body.coated([layer] * 7)
     with pytest.raises(ss.errors.NotPositive):
-        ss.layers.Layer(4.0, 0.25, 0.0)
+        ss.layers.Layer(4.0, 0.25, thickness=0.0)
     # Short waves have the response of the layer, long waves the response of the base.
     assert COATED.response(1e4).normal * 1e4 == pytest.approx(OUTERMOST.response(1.0).normal, rel=1e-12)
     assert COATED.response(1e-6).normal * 1e-6 == pytest.approx(2 * (1 - 0.3**2), rel=1e-5)

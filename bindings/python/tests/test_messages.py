@@ -12,6 +12,8 @@ import stickslip as ss
 from conftest import FORCE
 
 STEEL = ss.Material(213e9, 0.29)
+STEEL, OXIDE = ss.Material(213e9, 0.29), ss.layers.Layer(380e9, 0.22, thickness=5e-6)
+SPRING = ss.Spring(position=1e-6, stiffness=1e7)
 LOOP = ss.history.FrettingLoop(ss.history.LoadPath.sine((1e-7, 0.0), 4), lambda shift: ss.LoadStep(shift=shift))
 
 
@@ -20,8 +22,19 @@ LOOP = ss.history.FrettingLoop(ss.history.LoadPath.sine((1e-7, 0.0), 4), lambda 
     [
         (lambda scene: ss.LoadStep(force=1.0), r"force must be a pair \(x, y\), got float: .* force_x="),
         (lambda scene: ss.LoadStep(shift=(1.0, 2.0, 3.0)), r"shift must be a pair \(x, y\), got tuple of length 3: .* shift_x="),
-        (lambda scene: ss.LoadStep(spring=(1.0, 2.0)), r"spring must be \(\(x, y\), stiffness\), got tuple of length 2: .* spring_x="),
-        (lambda scene: ss.LoadStep(spring_x=1.0), r"spring_x and spring_y must be pairs \(position, stiffness\), got float"),
+        (lambda scene: ss.LoadStep(spring=((1.0, 2.0), 3.0)), r"spring must be a Spring, got tuple: give Spring\(position=..., stiff"),
+        (lambda scene: ss.LoadStep(spring_x=(1.0, 2.0)), "spring_x or spring_y must be a Spring, got tuple"),
+        (lambda scene: ss.LoadStep(spring=SPRING), r"the position of spring must be a pair \(x, y\), got float"),
+        (lambda scene: ss.LoadStep(spring_y=ss.Spring(position=(1.0, 2.0), stiffness=3.0)), "position .* must be a number, got tuple"),
+        (lambda scene: ss.LoadStep(spring_x=ss.Spring(position=1.0, stiffness="3")), "spring_x must be a real number, got text"),
+        (lambda scene: ss.Spring(1.0, 2.0), "positional argument"),
+        (lambda scene: STEEL.coated(OXIDE), r"layers must be a sequence of Layer, got Layer: give \[layer\]"),
+        (lambda scene: STEEL.coated([OXIDE, 5e-6]), r"layers must be a sequence of Layer, got list with the entry 5e-06: .*Layer\("),
+        (lambda scene: ss.layers.Layer(380e9, 5e-6, 0.22), "positional argument"),
+        (lambda scene: ss.HalfSpace(scene.grid, (OXIDE, STEEL)), r"pair must be .*, got \(Layer, Material\)"),
+        (lambda scene: ss.surface.level(scene.ball, "plain"), r"form must be .*, got 'plain'"),
+        (lambda scene: ss.surface.level(scene.ball, -1), r"form must be .*, got -1"),
+        (lambda scene: STEEL.coated(5), r"layers must be a sequence of Layer, got int"),
         (lambda scene: ss.TangentialProblem(scene.bodies, scene.ball, 0.5, force=1.0), "force must be a pair"),
         (lambda scene: scene.history().step(force=1.0), "force must be a pair"),
         (lambda scene: ss.history.LoadPath.sine(2e-6, 20), r"amplitude must be a pair \(x, y\), got float: .*\(amplitude, 0.0\)"),
@@ -254,7 +267,7 @@ def test_non_real_numbers_are_rejected(scene, number):
             lambda: ss.TangentialProblem(scene.bodies, scene.ball, 0.5, shift_x=number),
             lambda: ss.TangentialProblem(scene.bodies, scene.ball, number, force_x=1.0),
             lambda: ss.LoadStep(twist=number),
-            lambda: ss.LoadStep(spring_x=(number, 1.0)),
+            lambda: ss.LoadStep(spring_x=ss.Spring(position=number, stiffness=1.0)),
             lambda: scene.history().step(normal_force=number),
             lambda: ss.analytical.HertzSphere(scene.bodies.pair, radius=1.0, load=number),
             lambda: ss.wear.energy(number, scene.ball),
@@ -276,9 +289,10 @@ def test_pairs_accept_lists_and_arrays(scene):
     below = [ss.subsurface.at_points(scene.bodies, "one", both, [[0, 0, 1e-5]]) for both in ((contact, shear), [contact, shear])]
     assert below[0] == below[1]
     for kind in (list, np.array):
-        assert ss.LoadStep(spring_x=kind([1e-6, 1e7])) == ss.LoadStep(spring_x=(1e-6, 1e7))
+        springs = ss.Spring(position=kind([1e-6, 0.0]), stiffness=1e7)
+        assert ss.LoadStep(spring=springs) == ss.LoadStep(spring=ss.Spring(position=(1e-6, 0.0), stiffness=1e7))
         assert ss.surface.crop(scene.ball, kind([2, 5]), kind([0, 3])).shape == (3, 3)
-    assert ss.LoadStep(spring=[[1e-6, 0.0], 1e7]) == ss.LoadStep(spring=((1e-6, 0.0), 1e7))
+    assert ss.TangentialLoad(spring_x=SPRING).control("x") == ("spring", SPRING)
     bodies = ss.HalfSpace(scene.grid, list(scene.bodies.pair.bodies), boundary=["periodic_along_y", 3.0])
     assert bodies.pair == scene.bodies.pair and bodies.boundary == ss.Boundary.periodic_along_y(3.0)
     vector = [scene.ball, scene.ball.array]
@@ -320,7 +334,7 @@ def test_sample_message_has_row_column_and_remedy(scene):
 
 def test_surface_instead_of_field_message_names_heights(scene):
     rough = ss.surface.SelfAffine(rms_height=1e-6).generate(scene.grid)
-    with pytest.raises(TypeError, match=r"gap is a RoughSurface, .* \.heights, .*gap_from_heights"):
+    with pytest.raises(TypeError, match=r"gap is a RoughSurface, which has heights: convert them to a gap by surface.gap_from_heights"):
         ss.NormalProblem(scene.bodies, rough, force=1.0)
     with pytest.raises(TypeError, match=r"got RoughSurface: give its \.heights"):
         ss.surface.gap_from_heights(rough)
@@ -368,10 +382,10 @@ def test_repr_of_value_evaluates_to_value(scene):
         ss.Boundary.periodic_along_y(2.5),
         ss.Settings(tolerance=1e-5, time_limit=2.5),
         ss.TangentialLoad(force=(1.0, 2.0)),
-        ss.TangentialLoad(spring_x=(1e-6, 1e7), twist=0.1),
+        ss.TangentialLoad(spring_x=SPRING, twist=0.1),
         ss.LoadStep(),
         ss.LoadStep(normal_force=100.0, shift_x=1e-6),
-        ss.LoadStep(approach=1e-6, spring_y=(1.0, 2.0), twist=0.5, relative_displacement=2.0),
+        ss.LoadStep(approach=1e-6, spring_y=ss.Spring(position=1.0, stiffness=2.0), twist=0.5, relative_displacement=2.0),
         ss.Friction(0.3, max_shear_stress=5.0),
         ss.normal.Hardness(3.0),
         ss.surface.SelfAffine(rms_slope=0.1, seed=7),

@@ -78,7 +78,7 @@ def test_vector_model_supports_twist(scene):
 def test_springs_in_series_share_motion(scene):
     history = scene.history()
     history.step(normal_force=FORCE)
-    step = history.step(spring_x=(1e-6, 1e7))
+    step = history.step(spring_x=ss.Spring(position=1e-6, stiffness=1e7))
     assert step.tangential_force[0] == pytest.approx(1e7 * (1e-6 - step.shift[0]), rel=1e-9)
 
 

@@ -377,3 +377,41 @@ def test_progress_bars_count_cycles(capsys):
     assert "3/3" in capsys.readouterr().err
     ss.wear.run(history(), loop(), LAW, 700, progress=True)
     assert "700/700" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("law", "found"),
+    [
+        (lambda history, cycle: 1e-12, "the number 1e-12"),
+        (lambda history, cycle: np.array(1e-12), "the number 1e-12"),
+        (lambda history, cycle: None, "None"),
+        (lambda history, cycle: np.zeros(32), r"an array of shape \(32,\)"),
+    ],
+)
+def test_law_without_depth_of_each_cell_is_rejected(law, found):
+    worn = history()
+    before = worn.to_bytes()
+    with pytest.raises(ss.errors.Shape, match=rf"wear law must return an array of shape .* = \(32, 32\), got {found}: ") as caught:
+        ss.wear.run(worn, loop(), law, 5)
+    assert caught.value.expected == GRID.shape and worn.to_bytes() == before
+
+
+def test_jump_rejects_single_depth():
+    worn = history()
+    cycle = ss.history.Cycle(worn)
+    loop().cycle(worn, cycle)
+    with pytest.raises(ss.errors.ArgumentType, match="depth must be a Field or an array .*, got the number 1e-12"):
+        ss.wear.CycleJump(BODIES, cycle, 1e-12)
+
+
+def test_loop_without_contact_does_not_become_steady():
+    unpressed = ss.History(BODIES, ss.surface.sphere(GRID, 3.5e-3), 0.5)
+    path = ss.history.LoadPath.triangle((1e-6, 0.0), 8)
+    free = ss.history.FrettingLoop(path, lambda shift: ss.LoadStep(shift=shift), until_steady=1e-3)
+    with pytest.warns(ss.ContactWarning), pytest.raises(ss.EmptyContact, match="no step of cycle 1 is in contact.*normal load"):
+        free.run(unpressed, 10)
+    # A loop that presses the bodies itself, and lifts them at its end, has contact.
+    lifting = ss.history.FrettingLoop(
+        path, lambda shift: ss.LoadStep(normal_force=FORCE * (shift[0] != 0.0), shift=shift), until_steady=1e-3
+    )
+    assert lifting.run(unpressed, 10).ending == ss.history.StopReason.STEADY

@@ -28,13 +28,21 @@ using StiffnessOptions = stickslip_stiffness_options;
 using Iteration = stickslip_iteration;
 
 /// View of the samples of an array of the caller or of a field of an object, row by row with x fastest. The view does not own
-/// the samples, so it cannot be created from a temporary vector: store the vector first.
+/// the samples, so it cannot be created from a temporary vector: store the vector first. Members of a temporary object, such
+/// as `solver.solve().pressure()`, return a vector with a copy of the samples instead of a view.
+///
+/// A view of a field is valid until the object is changed or destroyed. A later solve or step, also one that fails, writes to
+/// the same memory or to a second array that the object exchanges with it. A view from before can then contain the samples of
+/// any of these solves, and it does not detect the change. Call the member again after each solve or step, and store samples
+/// that must remain with copy().
 template <class T> class View {
   public:
     View(const T *data, std::size_t size) : data_(data), size_(size) {}
     View(const std::vector<T> &samples) : View(samples.data(), samples.size()) {}
     View(const std::vector<T> &&) = delete;
 
+    /// Returns a copy of the samples, which remains valid when the object changes.
+    std::vector<T> copy() const { return {begin(), end()}; }
     const T *data() const { return data_; }
     std::size_t size() const { return size_; }
     const T *begin() const { return data_; }

@@ -22,17 +22,19 @@ class CoupledSolver;
 class CoupledSolution {
   public:
     /// Returns a field, STICKSLIP_PRESSURE to STICKSLIP_DISPLACEMENT_Z.
-    Field field(std::int32_t which) const {
+    Field field(std::int32_t which) const & {
         return detail::viewed<double>([&](std::size_t *count) {
             return stickslip_coupled_solution_field(get(), which, count);
         });
     }
+    std::vector<double> field(std::int32_t which) const && { return field(which).copy(); }
     /// Returns the zone of every cell.
-    Zones zones() const {
+    Zones zones() const & {
         return detail::viewed<std::uint8_t>([&](std::size_t *count) {
             return stickslip_coupled_solution_zones(get(), count);
         });
     }
+    std::vector<std::uint8_t> zones() const && { return zones().copy(); }
     /// Returns the scalar results of the normal and the tangential part.
     stickslip_normal_result normal() const {
         stickslip_normal_result found{};
@@ -87,7 +89,8 @@ class CoupledSolution {
         return found;
     }
     /// Pressure, zero outside the contact.
-    Field pressure() const { return field(STICKSLIP_PRESSURE); }
+    Field pressure() const & { return field(STICKSLIP_PRESSURE); }
+    std::vector<double> pressure() const && { return pressure().copy(); }
     stickslip_coupled_solution *get() const { return own_.get(); }
 
   private:

@@ -171,13 +171,15 @@ class History {
     /// Returns a field, STICKSLIP_PRESSURE to STICKSLIP_YIELDED_DEPTH except displacements. The fields of the last
     /// step, STICKSLIP_STEP_SLIP_X to STICKSLIP_STEP_MID_DISSIPATED_ENERGY, fail with STICKSLIP_NO_LAST_STEP without a
     /// last step.
-    Field field(std::int32_t which) const {
+    Field field(std::int32_t which) const & {
         return detail::viewed<double>([&](std::size_t *count) { return stickslip_history_field(get(), which, count); });
     }
+    std::vector<double> field(std::int32_t which) const && { return field(which).copy(); }
     /// Returns the zone of every cell after the last step.
-    Zones zones() const {
+    Zones zones() const & {
         return detail::viewed<std::uint8_t>([&](std::size_t *count) { return stickslip_history_zones(get(), count); });
     }
+    std::vector<std::uint8_t> zones() const && { return zones().copy(); }
     /// Returns the contact spots after the last step with the stick ratio of each, like NormalSolution::spots.
     Spots spots() const {
         return detail::spotted(cells(), [&](auto... to) { return stickslip_history_spots(get(), to...); });
@@ -207,11 +209,14 @@ class History {
         check(stickslip_wear_threshold_energy(get(), &coefficient, threshold, depth.data(), depth.size()));
     }
     /// Pressure, zero outside the contact.
-    Field pressure() const { return field(STICKSLIP_PRESSURE); }
+    Field pressure() const & { return field(STICKSLIP_PRESSURE); }
+    std::vector<double> pressure() const && { return pressure().copy(); }
     /// Shear traction along x that body 2 exerts on body 1 (pressures).
-    Field traction_x() const { return field(STICKSLIP_TRACTION_X); }
+    Field traction_x() const & { return field(STICKSLIP_TRACTION_X); }
+    std::vector<double> traction_x() const && { return traction_x().copy(); }
     /// Shear traction along y.
-    Field traction_y() const { return field(STICKSLIP_TRACTION_Y); }
+    Field traction_y() const & { return field(STICKSLIP_TRACTION_Y); }
+    std::vector<double> traction_y() const && { return traction_y().copy(); }
     stickslip_history *get() const { return own_.get(); }
 
   private:

@@ -22,11 +22,12 @@ class NormalSolver;
 class NormalSolution {
   public:
     /// Returns a field, STICKSLIP_PRESSURE or STICKSLIP_GAP.
-    Field field(std::int32_t which) const {
+    Field field(std::int32_t which) const & {
         return detail::viewed<double>([&](std::size_t *count) {
             return stickslip_normal_solution_field(get(), which, count);
         });
     }
+    std::vector<double> field(std::int32_t which) const && { return field(which).copy(); }
     /// Returns the scalar results of the contact.
     stickslip_normal_result result() const {
         stickslip_normal_result found{};
@@ -72,9 +73,11 @@ class NormalSolution {
         return found;
     }
     /// Pressure, zero outside the contact.
-    Field pressure() const { return field(STICKSLIP_PRESSURE); }
+    Field pressure() const & { return field(STICKSLIP_PRESSURE); }
+    std::vector<double> pressure() const && { return pressure().copy(); }
     /// Gap under load (lengths).
-    Field gap() const { return field(STICKSLIP_GAP); }
+    Field gap() const & { return field(STICKSLIP_GAP); }
+    std::vector<double> gap() const && { return gap().copy(); }
     stickslip_normal_solution *get() const { return own_.get(); }
 
   private:

@@ -71,9 +71,10 @@ class Cycle {
     }
     /// Returns a field of the cycle: STICKSLIP_SLIP_DISTANCE, STICKSLIP_DISSIPATED_ENERGY, STICKSLIP_SLIP_PRESSURE,
     /// STICKSLIP_SLIP_AMPLITUDE_X or _Y. The field is valid until the next call that changes the cycle.
-    Field field(std::int32_t which) const {
+    Field field(std::int32_t which) const & {
         return detail::viewed<double>([&](std::size_t *count) { return stickslip_cycle_field(get(), which, count); });
     }
+    std::vector<double> field(std::int32_t which) const && { return field(which).copy(); }
     /// Returns the number of cycles like this one that a jump may skip, not rounded. Up to this number, removing the
     /// wear in one step does not make the pressure oscillate, and the limits are met. The number is infinite if nothing
     /// limits it. depth (lengths) is the depth that the cycle removed from both bodies together. Throws

@@ -24,17 +24,19 @@ class RollingSolution {
   public:
     /// Returns a field, STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X or STICKSLIP_SLIP_Y. The slip is
     /// given per unit length rolled (dimensionless), averaged over the step that moved the particles to their cells.
-    Field field(std::int32_t which) const {
+    Field field(std::int32_t which) const & {
         return detail::viewed<double>([&](std::size_t *count) {
             return stickslip_rolling_solution_field(get(), which, count);
         });
     }
+    std::vector<double> field(std::int32_t which) const && { return field(which).copy(); }
     /// Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP.
-    Zones zones() const {
+    Zones zones() const & {
         return detail::viewed<std::uint8_t>([&](std::size_t *count) {
             return stickslip_rolling_solution_zones(get(), count);
         });
     }
+    std::vector<std::uint8_t> zones() const && { return zones().copy(); }
     /// Returns the scalar results of the contact.
     stickslip_rolling_result result() const {
         stickslip_rolling_result found{};
@@ -62,13 +64,17 @@ class RollingSolution {
         return values;
     }
     /// Shear traction along x that body 2 exerts on body 1 (pressures).
-    Field traction_x() const { return field(STICKSLIP_TRACTION_X); }
+    Field traction_x() const & { return field(STICKSLIP_TRACTION_X); }
+    std::vector<double> traction_x() const && { return traction_x().copy(); }
     /// Shear traction along y.
-    Field traction_y() const { return field(STICKSLIP_TRACTION_Y); }
+    Field traction_y() const & { return field(STICKSLIP_TRACTION_Y); }
+    std::vector<double> traction_y() const && { return traction_y().copy(); }
     /// Slip along x per unit length rolled (dimensionless).
-    Field slip_x() const { return field(STICKSLIP_SLIP_X); }
+    Field slip_x() const & { return field(STICKSLIP_SLIP_X); }
+    std::vector<double> slip_x() const && { return slip_x().copy(); }
     /// Slip along y per unit length rolled (dimensionless).
-    Field slip_y() const { return field(STICKSLIP_SLIP_Y); }
+    Field slip_y() const & { return field(STICKSLIP_SLIP_Y); }
+    std::vector<double> slip_y() const && { return slip_y().copy(); }
     stickslip_rolling_solution *get() const { return own_.get(); }
 
   private:
@@ -190,17 +196,19 @@ class CoupledRollingSolution {
   public:
     /// Returns a field, STICKSLIP_PRESSURE, STICKSLIP_GAP, STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X
     /// or STICKSLIP_SLIP_Y. The slip is given per unit length rolled (dimensionless).
-    Field field(std::int32_t which) const {
+    Field field(std::int32_t which) const & {
         return detail::viewed<double>([&](std::size_t *count) {
             return stickslip_coupled_rolling_solution_field(get(), which, count);
         });
     }
+    std::vector<double> field(std::int32_t which) const && { return field(which).copy(); }
     /// Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP.
-    Zones zones() const {
+    Zones zones() const & {
         return detail::viewed<std::uint8_t>([&](std::size_t *count) {
             return stickslip_coupled_rolling_solution_zones(get(), count);
         });
     }
+    std::vector<std::uint8_t> zones() const && { return zones().copy(); }
     /// Returns the scalar results of the normal and the rolling part.
     stickslip_normal_result normal_result() const {
         stickslip_normal_result found{};
@@ -226,17 +234,23 @@ class CoupledRollingSolution {
         });
     }
     /// Pressure, zero outside the contact.
-    Field pressure() const { return field(STICKSLIP_PRESSURE); }
+    Field pressure() const & { return field(STICKSLIP_PRESSURE); }
+    std::vector<double> pressure() const && { return pressure().copy(); }
     /// Gap under load (lengths).
-    Field gap() const { return field(STICKSLIP_GAP); }
+    Field gap() const & { return field(STICKSLIP_GAP); }
+    std::vector<double> gap() const && { return gap().copy(); }
     /// Shear traction along x that body 2 exerts on body 1 (pressures).
-    Field traction_x() const { return field(STICKSLIP_TRACTION_X); }
+    Field traction_x() const & { return field(STICKSLIP_TRACTION_X); }
+    std::vector<double> traction_x() const && { return traction_x().copy(); }
     /// Shear traction along y.
-    Field traction_y() const { return field(STICKSLIP_TRACTION_Y); }
+    Field traction_y() const & { return field(STICKSLIP_TRACTION_Y); }
+    std::vector<double> traction_y() const && { return traction_y().copy(); }
     /// Slip along x per unit length rolled (dimensionless).
-    Field slip_x() const { return field(STICKSLIP_SLIP_X); }
+    Field slip_x() const & { return field(STICKSLIP_SLIP_X); }
+    std::vector<double> slip_x() const && { return slip_x().copy(); }
     /// Slip along y per unit length rolled (dimensionless).
-    Field slip_y() const { return field(STICKSLIP_SLIP_Y); }
+    Field slip_y() const & { return field(STICKSLIP_SLIP_Y); }
+    std::vector<double> slip_y() const && { return slip_y().copy(); }
     stickslip_coupled_rolling_solution *get() const { return own_.get(); }
 
   private:

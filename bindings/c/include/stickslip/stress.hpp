@@ -39,9 +39,10 @@ class Planes {
     }
     /// Returns a field of the last solved plane. The field is STICKSLIP_STRESS_XX to STICKSLIP_STRESS_YZ or, for planes
     /// with displacements, STICKSLIP_DISPLACEMENT_X to STICKSLIP_DISPLACEMENT_Z.
-    Field field(std::int32_t which) const {
+    Field field(std::int32_t which) const & {
         return detail::viewed<double>([&](std::size_t *count) { return stickslip_planes_field(get(), which, count); });
     }
+    std::vector<double> field(std::int32_t which) const && { return field(which).copy(); }
     /// Returns STICKSLIP_VON_MISES, STICKSLIP_MAX_SHEAR or STICKSLIP_HYDROSTATIC of each cell of the last solved plane.
     std::vector<double> measure(std::int32_t which) const {
         std::vector<double> values(cells());

@@ -21,17 +21,19 @@ class TangentialSolver;
 class TangentialSolution {
   public:
     /// Returns a field, STICKSLIP_TRACTION_X, STICKSLIP_TRACTION_Y, STICKSLIP_SLIP_X or STICKSLIP_SLIP_Y.
-    Field field(std::int32_t which) const {
+    Field field(std::int32_t which) const & {
         return detail::viewed<double>([&](std::size_t *count) {
             return stickslip_tangential_solution_field(get(), which, count);
         });
     }
+    std::vector<double> field(std::int32_t which) const && { return field(which).copy(); }
     /// Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP.
-    Zones zones() const {
+    Zones zones() const & {
         return detail::viewed<std::uint8_t>([&](std::size_t *count) {
             return stickslip_tangential_solution_zones(get(), count);
         });
     }
+    std::vector<std::uint8_t> zones() const && { return zones().copy(); }
     /// Returns the scalar results of the contact.
     stickslip_tangential_result result() const {
         stickslip_tangential_result found{};
@@ -81,13 +83,17 @@ class TangentialSolution {
         return found;
     }
     /// Shear traction along x that body 2 exerts on body 1 (pressures).
-    Field traction_x() const { return field(STICKSLIP_TRACTION_X); }
+    Field traction_x() const & { return field(STICKSLIP_TRACTION_X); }
+    std::vector<double> traction_x() const && { return traction_x().copy(); }
     /// Shear traction along y.
-    Field traction_y() const { return field(STICKSLIP_TRACTION_Y); }
+    Field traction_y() const & { return field(STICKSLIP_TRACTION_Y); }
+    std::vector<double> traction_y() const && { return traction_y().copy(); }
     /// Slip along x (lengths): the motion of the surface of body 1 relative to body 2.
-    Field slip_x() const { return field(STICKSLIP_SLIP_X); }
+    Field slip_x() const & { return field(STICKSLIP_SLIP_X); }
+    std::vector<double> slip_x() const && { return slip_x().copy(); }
     /// Slip along y.
-    Field slip_y() const { return field(STICKSLIP_SLIP_Y); }
+    Field slip_y() const & { return field(STICKSLIP_SLIP_Y); }
+    std::vector<double> slip_y() const && { return slip_y().copy(); }
     stickslip_tangential_solution *get() const { return own_.get(); }
 
   private:

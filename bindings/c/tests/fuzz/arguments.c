@@ -63,7 +63,7 @@ stickslip_friction friction(struct run *run, double *cells, size_t count) {
     stickslip_friction friction = stickslip_coulomb(number(run, 0.5));
     if (below(run, 4) == 0) {
         friction.coefficient.cells = maybe(run, cells);
-        friction.coefficient.count = count;
+        friction.coefficient.count = friction.coefficient.cells == NULL && !rarely(run) ? 0 : count;
     }
     if (below(run, 8) == 0) {
         friction.max_shear_stress = number(run, 0.2);
@@ -72,12 +72,21 @@ stickslip_friction friction(struct run *run, double *cells, size_t count) {
 }
 
 stickslip_normal_load normal_load(struct run *run) {
-    stickslip_normal_load load = {option(run, 3), number(run, 0.1)};
+    stickslip_normal_load load = {option(run, 3), 0.0};
+    if (load.kind != STICKSLIP_HOLD || rarely(run)) {
+        load.value = number(run, 0.1);
+    }
     return load;
 }
 
 stickslip_control control(struct run *run) {
-    stickslip_control control = {below(run, 3) == 0 ? option(run, 5) : STICKSLIP_HOLD, number(run, 0.02), number(run, 2.0)};
+    stickslip_control control = {below(run, 3) == 0 ? option(run, 5) : STICKSLIP_HOLD, 0.0, 0.0};
+    if (control.kind != STICKSLIP_HOLD || rarely(run)) {
+        control.value = number(run, 0.02);
+    }
+    if (control.kind == STICKSLIP_SPRING || rarely(run)) {
+        control.stiffness = number(run, 2.0);
+    }
     return control;
 }
 
@@ -87,8 +96,13 @@ stickslip_tangential_load tangential_load(struct run *run) {
 }
 
 stickslip_load_step load_step(struct run *run) {
-    stickslip_load_step load = {normal_load(run),           control(run),      control(run),          below(run, 8) == 0,
-                                number(run, 1e-3), below(run, 8) == 0, number(run, 0.01)};
+    stickslip_load_step load = {normal_load(run), control(run), control(run), below(run, 8) == 0, 0.0, below(run, 8) == 0, 0.0};
+    if (load.has_twist != 0 || rarely(run)) {
+        load.twist = number(run, 1e-3);
+    }
+    if (load.has_relative_displacement != 0 || rarely(run)) {
+        load.relative_displacement = number(run, 0.01);
+    }
     if (below(run, 3) == 0) {
         stickslip_roll roll = {rarely(run) ? UINT32_MAX >> below(run, 32) : below(run, 3), option(run, 4),
                                {number(run, 0.01), number(run, 0.01)}, below(run, 8) == 0 ? number(run, 0.01) : 0.0};

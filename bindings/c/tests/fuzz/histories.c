@@ -114,7 +114,8 @@ void change_history(struct run *run) {
     }
     case 11: {
         stickslip_jump_limits limits = stickslip_jump_limits_default();
-        stickslip_per_cell alpha = {number(run, 0.1), below(run, 4) == 0 ? numbers : NULL, count};
+        stickslip_per_cell alpha = {number(run, 0.1), below(run, 4) == 0 ? numbers : NULL, 0};
+        alpha.count = alpha.cells == NULL && !rarely(run) ? 0 : count;
         const stickslip_half_space *bodies = GET(stickslip_half_space, pick(run, BODIES));
         double cycles;
         limits.largest_depth = below(run, 2) == 0 ? INFINITY : number(run, 0.1);
@@ -127,7 +128,8 @@ void change_history(struct run *run) {
         break;
     }
     default: {
-        stickslip_per_cell alpha = {number(run, 0.1), below(run, 4) == 0 ? numbers : NULL, count};
+        stickslip_per_cell alpha = {number(run, 0.1), below(run, 4) == 0 ? numbers : NULL, 0};
+        alpha.count = alpha.cells == NULL && !rarely(run) ? 0 : count;
         double *depth = calloc(count < LARGE ? count + 1 : 1, sizeof *depth);
         size_t which = below(run, 3);
         SEEN(which == 0   ? stickslip_wear_archard(history, maybe(run, &alpha), maybe_out(run, depth), count)

@@ -18,7 +18,10 @@ void make_bodies(struct run *run) {
     if (below(run, 2) == 0) {
         one.poisson_ratio = two.poisson_ratio = 0.5;
     }
-    stickslip_boundary boundary = {below(run, 2) == 0 ? STICKSLIP_NON_PERIODIC : option(run, 3), number(run, 50.0)};
+    stickslip_boundary boundary = {below(run, 2) == 0 ? STICKSLIP_NON_PERIODIC : option(run, 3), 0.0};
+    if (boundary.kind == STICKSLIP_PERIODIC_ALONG_Y || rarely(run)) {
+        boundary.datum = number(run, 50.0);
+    }
     stickslip_half_space *bodies = NULL;
     SEEN(stickslip_half_space_new(maybe(run, &grid), maybe(run, &one), maybe(run, &two), maybe(run, &boundary),
                                   maybe_out(run, &bodies)));
@@ -34,7 +37,8 @@ void make(struct run *run) {
     stickslip_normal_load press = normal_load(run);
     stickslip_tangential_load drag = tangential_load(run);
     stickslip_settings set = settings(run);
-    stickslip_per_cell hardness = {number(run, 0.05), below(run, 2) == 0 ? mu : NULL, mu_count};
+    stickslip_per_cell hardness = {number(run, 0.05), below(run, 2) == 0 ? mu : NULL, 0};
+    hardness.count = hardness.cells == NULL && !rarely(run) ? 0 : mu_count;
     stickslip_relative_displacement relative = {maybe(run, mu), maybe(run, mu), mu_count};
     const stickslip_half_space *on = GET(stickslip_half_space, bodies);
     void *made = NULL;

@@ -63,6 +63,7 @@ from . import (
     wear,
 )
 from ._enums import Axis, CellValue, Coupling, EigenvalueBound, Method, Status, TangentialModel, Zone
+from ._spring import Spring
 from ._stickslip import (
     Boundary,
     ContactSpots,
@@ -135,6 +136,7 @@ __all__ = [
     "Report",
     "Settings",
     "Spot",
+    "Spring",
     "Status",
     "StickslipError",
     "TangentialLoad",

@@ -184,6 +184,7 @@ __all__ = [
 
 from os import PathLike
 from stickslip._enums import AdaptiveStatus, Amplitudes, Axis, Body, CellValue, Component, Coupling, EigenvalueBound, EntryRule, Interpolation, LeadingEdge, Method, Quantity, Regime, Status, TangentialModel
+from stickslip._spring import Spring
 from typing_extensions import disjoint_base
 
 __version__: Final[str]
@@ -257,7 +258,7 @@ class AdaptiveProblem:
     (True, True)
     """
     def __getnewargs_ex__(self, /) -> tuple[tuple[Any, ...], dict[str, Any]]: ...
-    def __new__(cls, /, pair: ElasticPair | Kernel | tuple[Material, Material], gap: Callable[[NDArray[float64], NDArray[float64]], ArrayLike] | Field, region: Region, *, force: float | None = None, approach: float | None = None, target: float | dict[Any, float] = 0.01, interpolation: Interpolation | str | None = None, friction: Friction | float | None = None, load: TangentialLoad | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, first_step: LoadStep | None = None, model: TangentialModel | str | None = None, coupling: Coupling | str | None = None, cell_limit: int | None = None, time_limit: float | None = None) -> AdaptiveProblem: ...
+    def __new__(cls, /, pair: ElasticPair | Kernel | tuple[Material, Material], gap: Callable[[NDArray[float64], NDArray[float64]], ArrayLike] | Field, region: Region, *, force: float | None = None, approach: float | None = None, target: float | dict[Any, float] = 0.01, interpolation: Interpolation | str | None = None, friction: Friction | float | None = None, load: TangentialLoad | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: Spring | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: Spring | None = None, spring_y: Spring | None = None, twist: float | None = None, first_step: LoadStep | None = None, model: TangentialModel | str | None = None, coupling: Coupling | str | None = None, cell_limit: int | None = None, time_limit: float | None = None) -> AdaptiveProblem: ...
     def __repr__(self, /) -> str: ...
     def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> AdaptiveSolution:
         """
@@ -1265,7 +1266,7 @@ class CoupledProblem:
     True
     """
     def __getnewargs_ex__(self, /) -> tuple[tuple[Any, ...], dict[str, Any]]: ...
-    def __new__(cls, /, bodies: HalfSpace, gap: Field | ArrayLike, friction: Friction | float | ArrayLike, load: TangentialLoad | None = None, *, normal_force: float | None = None, approach: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, relative_displacement: RelativeDisplacement | None = None, hardness: Hardness | float | ArrayLike | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> CoupledProblem: ...
+    def __new__(cls, /, bodies: HalfSpace, gap: Field | ArrayLike, friction: Friction | float | ArrayLike, load: TangentialLoad | None = None, *, normal_force: float | None = None, approach: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: Spring | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: Spring | None = None, spring_y: Spring | None = None, twist: float | None = None, relative_displacement: RelativeDisplacement | None = None, hardness: Hardness | float | ArrayLike | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> CoupledProblem: ...
     def __repr__(self, /) -> str: ...
     def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> CoupledSolution:
         """
@@ -3497,7 +3498,7 @@ class History:
         """
         Returns a snapshot of the state.
         """
-    def step(self, /, load: LoadStep | None = None, *, normal_force: float | None = None, approach: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, relative_displacement: float | None = None, roll: Rolling | None = None, progress: Any | None = None, warn: bool = True) -> StepResult:
+    def step(self, /, load: LoadStep | None = None, *, normal_force: float | None = None, approach: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: Spring | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: Spring | None = None, spring_y: Spring | None = None, twist: float | None = None, relative_displacement: float | None = None, roll: Rolling | None = None, progress: Any | None = None, warn: bool = True) -> StepResult:
         """
         Takes a step, given as a :class:`LoadStep` or by its keywords. A quantity without a keyword is held: the
         pressure, the shift, the twist and the relative displacement. Any history can be pressed by a step. For dissimilar
@@ -3744,7 +3745,7 @@ class Kernel:
     --------
     >>> import stickslip as ss
     >>> rigid, steel = ss.Material.rigid(), ss.Material(210e9, 0.3)
-    >>> coated = ss.ElasticPair(steel.coated([ss.layers.Layer(400e9, 0.25, 2e-6)]), rigid)
+    >>> coated = ss.ElasticPair(steel.coated([ss.layers.Layer(400e9, 0.25, thickness=2e-6)]), rigid)
     >>> def response(k):
     ...     found = coated.response(k)
     ...     return found.normal, found.along, found.across, found.coupling
@@ -3877,7 +3878,9 @@ class Layer:
     poisson_ratio : float
         Poisson's ratio, in (-1, 0.5].
     thickness : float
-        Thickness (a length), positive.
+        Thickness (a length), positive, in the same unit as the sides of the grid and the gap. Numbers have no unit: on a grid
+        in millimetres, a coating of 5 micrometres has the thickness 5e-3. It is given by keyword only, because a thickness
+        exchanged with Poisson's ratio would be another valid layer.
 
     Raises
     ------
@@ -3886,7 +3889,7 @@ class Layer:
     Examples
     --------
     >>> import stickslip as ss
-    >>> oxide = ss.layers.Layer(380e9, 0.22, 5e-6)
+    >>> oxide = ss.layers.Layer(380e9, 0.22, thickness=5e-6)
     >>> anodised = ss.Material(70e9, 0.33).coated([oxide])
     >>> anodised.layers[0].thickness
     5e-06
@@ -3897,7 +3900,7 @@ class Layer:
         Equal layers have equal hashes.
         """
     def __ne__(self, value: object, /) -> bool: ...
-    def __new__(cls, /, youngs_modulus: float, poisson_ratio: float, thickness: float) -> Layer: ...
+    def __new__(cls, /, youngs_modulus: float, poisson_ratio: float, *, thickness: float) -> Layer: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -4065,14 +4068,14 @@ class LoadStep:
         Components along x and y, of either sign, as totals since the start of the history: the force that body 2
         exerts on body 1, or the shift (lengths). The shift is the rigid motion of body 2 relative to body 1 far
         from the contact, the relative rigid tangential displacement.
-    spring : ((x, y), stiffness), optional
-        Springs along both axes that drag body 2, given by the position of their far ends (lengths since the start
-        of the history) and their stiffness (a force over a length, positive). The force is stiffness (position -
-        shift). A later step without a spring holds the shift, not the far end.
+    spring : Spring, optional
+        Springs along both axes that drag body 2: ``Spring(position=(x, y), stiffness=...)``, with the position of their far
+        ends (lengths since the start of the history) and their stiffness (a force over a length, positive). The force is
+        stiffness (position - shift). A later step without a spring holds the shift, not the far end.
     force_x, force_y, shift_x, shift_y : float, optional
         Force or shift along one axis.
-    spring_x, spring_y : (position, stiffness), optional
-        Spring along one axis: first the position (a length), then the stiffness (a force over a length).
+    spring_x, spring_y : Spring, optional
+        Spring along one axis: ``Spring(position=..., stiffness=...)``, with a length and a force over a length.
     twist : float, optional
         Rotation of body 2 relative to body 1 since the start (radians, positive from x to y). Only the vector model
         supports a twist.
@@ -4091,7 +4094,7 @@ class LoadStep:
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
-    def __new__(cls, /, *, normal_force: float | None = None, approach: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, relative_displacement: float | None = None, roll: Rolling | None = None) -> LoadStep: ...
+    def __new__(cls, /, *, normal_force: float | None = None, approach: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: Spring | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: Spring | None = None, spring_y: Spring | None = None, twist: float | None = None, relative_displacement: float | None = None, roll: Rolling | None = None) -> LoadStep: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @staticmethod
@@ -5626,9 +5629,11 @@ class Report:
     @property
     def eigenvalue_bound(self, /) -> EigenvalueBound:
         """
-        Origin of the bound on the smallest eigenvalue that :attr:`duality_gap` depends on: "proven"; "stated", given by the
-        caller with a user-defined operator; "estimated", on the safe side, for stiff coatings on long grids; or "unknown". If it is "unknown", the error bound, the square root of
-        the duality gap of the problem, decreases only with the square root of the residual.
+        Origin of the bound on the smallest eigenvalue, on which :attr:`duality_gap` depends.
+
+        "proven" is a computed bound. "stated" is given by the caller with a user-defined operator. "estimated" is an estimate
+        on the safe side, for stiff coatings on long grids. With "unknown", no bound is available, and the error bound
+        decreases only with the square root of the residual.
         """
     @property
     def energy_error_bound(self, /) -> float:
@@ -7187,26 +7192,26 @@ class TangentialLoad:
         Components along x and y, of either sign: the force that body 2 exerts on body 1, or the shift (lengths).
         The shift is the rigid motion of body 2 relative to body 1 far from the contact, the relative rigid
         tangential displacement.
-    spring : ((x, y), stiffness), optional
-        Springs along both axes that drag body 2, given by the position of their far ends (lengths) and their stiffness (a
-        force over a length, positive). The force is stiffness (position - shift).
+    spring : Spring, optional
+        Springs along both axes that drag body 2: ``Spring(position=(x, y), stiffness=...)``, with the position of their far
+        ends (lengths) and their stiffness (a force over a length, positive). The force is stiffness (position - shift).
     force_x, force_y, shift_x, shift_y : float, optional
         Force or shift along one axis.
-    spring_x, spring_y : (position, stiffness), optional
-        Spring along one axis: first the position (a length), then the stiffness (a force over a length).
+    spring_x, spring_y : Spring, optional
+        Spring along one axis: ``Spring(position=..., stiffness=...)``, with a length and a force over a length.
     twist : float, default 0
         Rotation of body 2 relative to body 1 about the origin of the grid (radians, positive from x to y). Only the
         vector model supports a twist.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
-    def __new__(cls, /, *, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None) -> TangentialLoad: ...
+    def __new__(cls, /, *, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: Spring | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: Spring | None = None, spring_y: Spring | None = None, twist: float | None = None) -> TangentialLoad: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     def control(self, /, axis: Axis | str) -> tuple[str, Any]:
         """
         Returns the control along an axis: ``("force", value)``, ``("shift", value)`` or
-        ``("spring", (position, stiffness))``.
+        ``("spring", Spring(position=..., stiffness=...))``.
         """
 
 @final
@@ -7259,7 +7264,7 @@ class TangentialProblem:
     True
     """
     def __getnewargs_ex__(self, /) -> tuple[tuple[Any, ...], dict[str, Any]]: ...
-    def __new__(cls, /, bodies: HalfSpace, pressure: NormalSolution | Field | ArrayLike, friction: Friction | float | ArrayLike, load: TangentialLoad | None = None, *, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, model: TangentialModel | str | None = None, coupling: Coupling | str | None = None, relative_displacement: RelativeDisplacement | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> TangentialProblem: ...
+    def __new__(cls, /, bodies: HalfSpace, pressure: NormalSolution | Field | ArrayLike, friction: Friction | float | ArrayLike, load: TangentialLoad | None = None, *, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: Spring | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: Spring | None = None, spring_y: Spring | None = None, twist: float | None = None, model: TangentialModel | str | None = None, coupling: Coupling | str | None = None, relative_displacement: RelativeDisplacement | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> TangentialProblem: ...
     def __repr__(self, /) -> str: ...
     @property
     def friction_capacity(self, /) -> float:
@@ -7486,7 +7491,7 @@ class TangentialSolver:
         """
     @settings.setter
     def settings(self, /, settings: Settings) -> None: ...
-    def solve(self, /, load: TangentialLoad | None = None, *, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: tuple[Sequence[float], float] | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: tuple[float, float] | None = None, spring_y: tuple[float, float] | None = None, twist: float | None = None, progress: Any | None = None, warn: bool = True) -> TangentialSolution:
+    def solve(self, /, load: TangentialLoad | None = None, *, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: Spring | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: Spring | None = None, spring_y: Spring | None = None, twist: float | None = None, progress: Any | None = None, warn: bool = True) -> TangentialSolution:
         """
         Solves for the given load, or for the last load if none is given.
 
@@ -8043,8 +8048,9 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
     A cell is missing (NaN) if it is empty, consists of stars, or is one of these words in upper or lower case: ``nan``,
     ``BAD``, ``No Data``, ``no_data``, ``no-data``, ``N/A``, ``#N/A``, ``NA``, ``null``, ``none``, ``void``, ``invalid``,
     ``missing`` and ``--``. Any other text is rejected with its line and column. Numbers that may be labels are also
-    rejected: a first row or column 0, 1, 2, ..., also as 0.0, 1.0, 2.0, ... next to other decimals, and evenly spaced coordinates in the first row and
-    column.
+    rejected: a first row or column 0, 1, 2, ..., also as 0.0, 1.0, 2.0, ... next to other decimals, and evenly spaced
+    coordinates in the first row and column. Evenly spaced coordinates with other decimals in the first row alone, such as 0,
+    0.5, 1, are read as heights, because the first row of an inclined surface has the same form: skip them by ``skip_rows=1``.
 
     Parameters
     ----------

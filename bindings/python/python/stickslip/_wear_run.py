@@ -18,7 +18,7 @@ from ._enums import WearEnding
 from ._progress import cycle_bar, is_stop
 from ._stickslip import CycleJump, Cycle, Field, HalfSpace, History, State, archard, energy
 from ._tables import to_frame
-from .errors import ArgumentRange, ArgumentType, EmptyContact, Format, SnapshotMismatch, StickslipError
+from .errors import ArgumentRange, ArgumentType, EmptyContact, Format, Shape, SnapshotMismatch, StickslipError
 
 if TYPE_CHECKING:
     from .history import FrettingLoop
@@ -257,8 +257,9 @@ def run(
         The steps of a cycle. Every step must prescribe the normal load, because the gap changes. ``until_steady`` has no
         effect; ``max_residual`` replaces it.
     law : callable
-        A function of history and cycle that returns the depth that the cycle removes in each cell (lengths, not negative),
-        such as :class:`EnergyLaw` or :class:`ArchardLaw`. The depth of a jump is this depth times the number of cycles.
+        A function of history and cycle that returns the depth that the cycle removes in each cell (lengths, not negative)
+        as an array of shape (ny, nx), such as :class:`EnergyLaw` or :class:`ArchardLaw`. A single number is rejected, because
+        it would also wear the cells outside the contact. The depth of a jump is this depth times the number of cycles.
     cycles : int
         Number of cycles, including those of ``resume``, which must not exceed it.
     max_depth : float, optional
@@ -298,6 +299,8 @@ def run(
         contains more cycles.
     EmptyContact
         If the history is not in contact, for example because it has not been pressed.
+    Shape
+        If the law does not return an array of shape (ny, nx).
     SnapshotMismatch
         If the law, the steps of the loop, or friction, settings, hardness or axis of the history differ from those of the
         snapshot.
@@ -363,7 +366,7 @@ def run(
                     rows.append(row)
                     snapshot = WearSnapshot(history.state(), done, depth, total_energy, tuple(rows), **given)
                     return WearResult(ending, cycle, snapshot, tuple(snapshots))
-                of_cycle = np.asarray(law(history, cycle), dtype=float)
+                of_cycle = _depth_of(law, history, cycle)
                 left = min(cycles - done, largest_jump or cycles, _until_depth(max_depth, depth, of_cycle, cycles))
                 limit = largest_depth(history) if callable(largest_depth) else largest_depth
                 limits = {"largest_depth": limit, "max_residual": max_residual, "cycles_left": left}
@@ -384,6 +387,24 @@ def run(
             history.set_state(snapshot.state)
             error.snapshot = snapshot  # type: ignore[attr-defined]
             raise
+
+
+def _depth_of(law: Callable[[History, Cycle], ArrayLike], history: History, cycle: Cycle) -> NDArray[Any]:
+    """Returns the depth of a cycle, an array of the shape of the grid."""
+    given = law(history, cycle)
+    depth = np.asarray(given, dtype=float)
+    shape = history.grid.shape
+    if depth.shape != shape:
+        found = f"an array of shape {depth.shape}"
+        if depth.ndim == 0:
+            found = "None" if given is None else f"the number {depth:g}"
+        error = Shape(
+            f"the wear law must return an array of shape (ny, nx) = {shape}, got {found}: return a depth for each cell, "
+            "for example wear.energy(coefficient, cycle.dissipated_energy, grid=history.grid)"
+        )
+        error.quantity, error.expected, error.found = "depth of the wear law", shape, depth.shape
+        raise error
+    return depth
 
 
 def _kind(value: object) -> str:
@@ -479,7 +500,7 @@ def _loop_in_words(loop: FrettingLoop) -> str:
     """Returns the number of steps, and a digest of the path and of the loads along it."""
     values = loop._path.cycles(1)
     # The last argument of the reduced form contains the exact numbers; `repr` rounds them.
-    loads = b"".join(loop._step(value).__reduce__()[1][-1] for value in values)  # type: ignore[index]
+    loads = b"".join(loop._step(value).__reduce__()[1][-1] for value in values)
     return f"{len(values)} steps of digest {_digest(np.asarray(values, dtype=float).tobytes() + loads)}"
 
 

@@ -24,7 +24,7 @@ from ._stickslip import (
     StepErrorEstimate,
     StepResult,
 )
-from .errors import ArgumentRange, Tolerance
+from .errors import ArgumentRange, EmptyContact, Tolerance
 
 # The alias makes `import stickslip.history.wear` work.
 sys.modules[f"{__name__}.wear"] = wear
@@ -59,7 +59,7 @@ class FrettingLoop:
         during the step, and the loop is not centred.
     until_steady : float, optional
         Tolerance in (0, 1): the loop stops after the first cycle whose :attr:`Cycle.cyclic_residual` does not exceed it.
-        By default, the loop does not stop early.
+        By default, the loop does not stop early. A cycle without contact is an error, because its residual is zero.
 
     Raises
     ------
@@ -135,16 +135,31 @@ class FrettingLoop:
         ------
         ArgumentRange
             If the number of cycles is negative.
+        EmptyContact
+            If no step of a cycle is in contact, and the loop has the tolerance ``until_steady``.
         """
         if cycles < 0:
             error = ArgumentRange(f"cycles must not be negative, got {cycles}")
             error.argument = "cycles"
             raise error
         last = Cycle(history)
+        is_pressed = False
+
+        def watch(history: History, cycle: Cycle) -> object:
+            nonlocal is_pressed
+            is_pressed = is_pressed or bool(history.contact.any())
+            return None if observer is None else observer(history, cycle)
+
         with cycle_bar(cycles, 0, progress is True) as bar:
             for done in range(1, cycles + 1):
-                if not self._pass(history, last, observer):
+                is_pressed = False
+                if not self._pass(history, last, observer if self._until_steady is None else watch):
                     return FrettingResult(done - 1, StopReason.STOPPED, last)
+                if self._until_steady is not None and not is_pressed:
+                    raise EmptyContact(
+                        f"no step of cycle {done} is in contact, so the loop cannot become steady: press the bodies by a "
+                        "step with a normal load before the loop, or prescribe the normal load in every step"
+                    )
                 bar(1)
                 is_stopped = callable(progress) and is_stop(progress(done, last))
                 if self._until_steady is not None and last.cyclic_residual <= self._until_steady:

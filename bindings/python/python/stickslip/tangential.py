@@ -1,6 +1,7 @@
 """Tangential contact under a given pressure."""
 
 from ._enums import Axis, TangentialModel, Zone
+from ._spring import Spring
 from ._stickslip import (
     Friction,
     JaegerSuperposition,
@@ -16,6 +17,7 @@ __all__ = [
     "Friction",
     "JaegerSuperposition",
     "RelativeDisplacement",
+    "Spring",
     "TangentialLoad",
     "TangentialModel",
     "TangentialProblem",

@@ -18,7 +18,7 @@ use crate::digits::short;
 use crate::error::OrRaise;
 use crate::friction::{Friction, GridlessFriction};
 use crate::kernel::Kernel;
-use crate::load::{self, Keywords, LoadStep, TangentialArgument, TangentialLoad};
+use crate::load::{self, LoadStep, TangentialArgument, TangentialLoad, keywords};
 use crate::material::{Bodies, ElasticPair};
 use crate::pickle::Recipe;
 use crate::progress::Progress;
@@ -187,13 +187,9 @@ impl AdaptiveProblem {
     ) -> PyResult<Self> {
         load::by_keyword("AdaptiveProblem", positional, "force= or approach=")?;
         let normal = load::needed(force, approach)?;
-        let keywords = Keywords::new(
-            (None, shift, spring),
-            [force_x, force_y],
-            [shift_x, shift_y],
-            [spring_x, spring_y],
-            twist,
-        );
+        let keywords = keywords![
+            None, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist
+        ];
         let has_load = load.is_some() || !keywords.is_empty();
         let tangential = if has_load {
             Some(keywords.load_or(load)?)

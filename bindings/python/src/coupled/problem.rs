@@ -14,7 +14,7 @@ use crate::field::{Field, Samples};
 use crate::friction::{AnyFriction, Friction};
 use crate::grid::size;
 use crate::half_space::HalfSpace;
-use crate::load::{self, Keywords, TangentialArgument, TangentialLoad};
+use crate::load::{self, TangentialArgument, TangentialLoad, keywords};
 use crate::normal::{AnyHardness, Hardness};
 use crate::pickle::Recipe;
 use crate::real::{Count, Real};
@@ -103,13 +103,9 @@ impl CoupledProblem {
         time_limit: Option<Real>,
     ) -> PyResult<Self> {
         let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
-        let keywords = Keywords::new(
-            (force, shift, spring),
-            [force_x, force_y],
-            [shift_x, shift_y],
-            [spring_x, spring_y],
-            twist,
-        );
+        let keywords = keywords![
+            force, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist
+        ];
         let (normal, load) = (
             load::needed_as("normal_force", normal_force, approach)?,
             keywords.load_or(load)?,

@@ -12,7 +12,7 @@ use crate::conversion;
 use crate::error::{OrRaise, raised};
 use crate::history::builder::{NAME, Work};
 use crate::history::{History, Rolling, StepResult};
-use crate::load::{self, Keywords, LoadStep, StepArgument};
+use crate::load::{self, Keywords, LoadStep, StepArgument, keywords};
 use crate::progress::Progress;
 use crate::real::Real;
 use crate::report::warn;
@@ -72,13 +72,9 @@ impl History {
         warn: bool,
     ) -> PyResult<StepResult> {
         let py = slf.py();
-        let keywords = Keywords::new(
-            (force, shift, spring),
-            [force_x, force_y],
-            [shift_x, shift_y],
-            [spring_x, spring_y],
-            twist,
-        );
+        let keywords = keywords![
+            force, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist
+        ];
         let normal = load::normal(normal_force, approach)?;
         let load = keywords.step_or(load, normal, relative_displacement, roll)?;
         let progress = Progress::of(progress.as_ref())?;
@@ -144,8 +140,7 @@ impl History {
     ) -> PyResult<usize> {
         let py = slf.py();
         let normal = load::normal(normal_force, approach)?;
-        let load = Keywords::new((None, None, None), [None; 2], [None; 2], [None, None], None)
-            .step_or(load, normal, None, None)?;
+        let load = Keywords::default().step_or(load, normal, None, None)?;
         let progress = Progress::of(progress.as_ref())?;
         let own = slf.get();
         let mut work = lock(&own.work, NAME)?;

@@ -278,7 +278,7 @@ impl CycleJump {
         cycles_left: Option<Real>,
     ) -> PyResult<Self> {
         let grid = bodies.0.grid();
-        let depth = depth.on(py, "depth of the cycle", grid)?;
+        let depth = depth.per_cell(py, "depth", grid)?;
         let cycle = &*cycle.lock()?;
         let mut jump = unobserved_on(py, grid, || wear::CycleJump::new(&bodies.0, cycle, &depth))?;
         if let Some(Real(depth)) = largest_depth {

@@ -186,9 +186,10 @@ fn form_of(form: &Bound<'_, PyAny>) -> PyResult<surface::Form> {
     match form.extract::<String>().as_deref() {
         Ok("mean") => Ok(surface::Form::Mean),
         Ok("plane") => Ok(surface::Form::Plane),
-        _ => Err(PyTypeError::new_err(
-            "form must be 'mean', 'plane' or the degree of a polynomial",
-        )),
+        _ => Err(PyTypeError::new_err(format!(
+            "form must be 'mean', 'plane' or the degree of a polynomial, got {}",
+            form.repr()?
+        ))),
     }
 }
 

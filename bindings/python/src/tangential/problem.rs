@@ -11,7 +11,7 @@ use crate::digits::short;
 use crate::friction::{AnyFriction, Friction};
 use crate::grid::size;
 use crate::half_space::HalfSpace;
-use crate::load::{Keywords, TangentialArgument, TangentialLoad};
+use crate::load::{TangentialArgument, TangentialLoad, keywords};
 use crate::pickle::Recipe;
 use crate::real::{Count, Real};
 use crate::settings::{Settings, chosen};
@@ -100,13 +100,9 @@ impl TangentialProblem {
         time_limit: Option<Real>,
     ) -> PyResult<Self> {
         let settings = chosen(settings, tolerance, method, max_iterations, time_limit)?;
-        let keywords = Keywords::new(
-            (force, shift, spring),
-            [force_x, force_y],
-            [shift_x, shift_y],
-            [spring_x, spring_y],
-            twist,
-        );
+        let keywords = keywords![
+            force, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist
+        ];
         let load = keywords.load_or(load)?;
         let grid = bodies.0.grid();
         let friction = friction.on(py, grid)?;

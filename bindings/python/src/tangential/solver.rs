@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use crate::conversion;
 use crate::error::OrRaise;
 use crate::friction::AnyFriction;
-use crate::load::{Keywords, TangentialArgument};
+use crate::load::{TangentialArgument, keywords};
 use crate::real::Real;
 use crate::sensitivity::sensitive;
 use crate::solver::{Reused, solver};
@@ -74,13 +74,9 @@ impl TangentialSolver {
         progress: Option<Bound<'py, PyAny>>,
         warn: bool,
     ) -> PyResult<Bound<'py, TangentialSolution>> {
-        let keywords = Keywords::new(
-            (force, shift, spring),
-            [force_x, force_y],
-            [shift_x, shift_y],
-            [spring_x, spring_y],
-            twist,
-        );
+        let keywords = keywords![
+            force, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist
+        ];
         let is_new = load.is_some() || !keywords.is_empty();
         let load = keywords.load_or(load)?;
         let set = |solver: &mut stickslip::TangentialSolver| {
