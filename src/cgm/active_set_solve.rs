@@ -1,7 +1,5 @@
 //! State of one solve, shared by all methods: products, sums, the examination of an iterate and the end of the iteration.
 
-use std::ops::ControlFlow;
-
 use crate::cgm::certificate::{Certificate, examine};
 use crate::cgm::law::state::{LinearisedSet, Row};
 use crate::cgm::linear::{Linear, UpdatedIterate};
@@ -287,7 +285,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
     fn refresh_in(&mut self, precision: Precision) {
         let w = &mut *self.workspace;
         let (x, product) = (slices(&self.x), slices_mut(&mut w.product));
-        let (operator, report) = (&self.problem.operator, &mut w.linear.report);
+        let (operator, report) = (&self.problem.operator, &mut self.monitor.report);
         precision.apply(operator, x, product, &mut w.linear.operator, report);
         let restraint = self.restraint;
         if restraint > 0.0 {
@@ -346,7 +344,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         let (x, product) = (slices(&self.x), slices(&w.product));
         let iterate = self.problem.iterate(x, product, w.multiplier);
         let findings = examine(&iterate, self.problem.constraint, self.lower_bound);
-        findings.write_to(&mut self.workspace.linear.report);
+        findings.write_to(&mut self.monitor.report);
         self.monitor.free = findings.free;
         findings
     }
@@ -354,27 +352,6 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
     /// Returns the quantity that must fall to the tolerance.
     pub(super) fn merit(&self, findings: &Certificate) -> f64 {
         findings.merit(self.lower_bound.value)
-    }
-
-    /// Records an examined step. Breaks if it is the last step, because the iteration has converged or must stop.
-    pub(super) fn check_termination(&mut self, merit: f64) -> ControlFlow<Status> {
-        self.monitor
-            .check_termination(merit, &mut self.workspace.linear.report)
-    }
-
-    /// Counts a step.
-    pub(super) fn count_step(&mut self) {
-        self.monitor.count_step(&mut self.workspace.linear.report);
-    }
-
-    /// Checks observer, clock and step limit. Breaks if no further step may be taken.
-    pub(super) fn proceed(&mut self) -> ControlFlow<Status> {
-        self.monitor.proceed(&self.workspace.linear.report)
-    }
-
-    /// Checks only observer and clock. Breaks if the iteration must end.
-    pub(super) fn notify_observer(&mut self) -> ControlFlow<Status> {
-        self.monitor.notify_observer(&self.workspace.linear.report)
     }
 
     /// Returns the multiplier for which `x = 0` is feasible and optimal, or `None` if no such multiplier exists. An iteration
@@ -529,7 +506,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
             // No other unknowns have these sums, so only the sums can be inaccurate. Only in the limit of a large motion does the
             // gradient point along the slip in all cells.
             merit = findings.load_error;
-            let report = &mut self.workspace.linear.report;
+            let report = &mut self.monitor.report;
             (report.residual, report.duality_gap) = (0.0, 0.0);
         }
         self.monitor

@@ -104,7 +104,7 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for ActiveSetSolve<'_, '_, K,
             }
             self.shown = self.monitor.is_last().then_some(merit);
         }
-        self.check_termination(merit)?;
+        self.monitor.check_termination(merit)?;
         self.shown = None;
         if !keeps_sets {
             // Some cells were far beyond their bounds. Moving these cells has pushed other cells off their bounds.
@@ -158,7 +158,7 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for ActiveSetSolve<'_, '_, K,
             self.list_and_spread();
         }
         self.spread_missing(sums);
-        self.notify_observer()?;
+        self.monitor.notify_observer()?;
         if !self.adopt_gradient() {
             if self.progress.single_precision_suffices() {
                 self.refresh_f32();
@@ -201,7 +201,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         if MotionOf::<K, N>::IS_CURVED {
             if !self.is_fresh() {
                 self.restore_totals(true);
-                self.notify_observer()?;
+                self.monitor.notify_observer()?;
                 self.refresh_f32();
             }
             self.list_moving();
@@ -217,7 +217,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         if !self.is_fresh() {
             let sums = std::array::from_fn(|c| reduce::total(self.layout(), self.x[c]));
             self.spread_missing(sums);
-            self.notify_observer()?;
+            self.monitor.notify_observer()?;
             self.refresh_f32();
         }
         ControlFlow::Continue(())

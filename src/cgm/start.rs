@@ -40,7 +40,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         if merit > self.monitor.tolerance() || merit.is_nan() {
             return None;
         }
-        let status = self.check_termination(merit).break_value()?;
+        let status = self.monitor.check_termination(merit).break_value()?;
         let report = &mut self.workspace.linear.report;
         Some(self.monitor.finish(status, merit, report))
     }

@@ -79,8 +79,7 @@ impl<F: FrictionCone> NewtonSteps for ConeRun<'_, '_, F> {
             findings = self.findings();
         }
         let merit = findings.merit();
-        let report = &mut self.workspace.linear.report;
-        self.monitor.check_termination(merit, report)?;
+        self.monitor.check_termination(merit)?;
         (self.course.residual, self.course.load_error) = (findings.residual, findings.load_error);
         ControlFlow::Continue(merit)
     }
@@ -181,7 +180,7 @@ impl<'a, F: FrictionCone> ConeRun<'a, '_, F> {
     fn refresh_in(&mut self, precision: Precision) {
         self.is_fresh = precision == Precision::Double;
         let w = &mut *self.workspace;
-        let (operator, report) = (&self.problem.operator, &mut w.linear.report);
+        let (operator, report) = (&self.problem.operator, &mut self.monitor.report);
         let product = slices_mut(&mut w.product);
         precision.apply(
             operator,
@@ -224,7 +223,7 @@ impl<'a, F: FrictionCone> ConeRun<'a, '_, F> {
         let normal = measure(&normal, &BoundedPressure(problem.hardness), least_normal);
         let plane = measure(&plane, &AbsBound(&w.limits), least_plane);
         let findings = self.found(&normal, &plane);
-        let report = &mut self.workspace.linear.report;
+        let report = &mut self.monitor.report;
         report.residual = findings.residual;
         report.load_error = findings.load_error;
         self.monitor.free = findings.free;

@@ -82,9 +82,9 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
             let w = &mut *self.workspace;
             w.residual.copy_from_slice(&w.basis[j]);
             let change = self.invert(border);
-            self.proceed()?;
+            self.monitor.proceed()?;
             self.apply_to_correction(Precision::Single);
-            self.count_step();
+            self.monitor.count_step();
             self.extend_basis(j + 1)?;
             self.set_next(j + 1, change);
             let (products, rest) = self.orthogonalise(j);

@@ -18,8 +18,6 @@ mod gmres;
 mod response;
 mod updated_iterate;
 
-use std::ops::ControlFlow;
-
 use crate::cgm::active_set_solve::Precision;
 use crate::cgm::diagonal::CellCompliance;
 use crate::cgm::free_cells::FreeCells;
@@ -34,7 +32,7 @@ use crate::numerics::cell_vector::{
 use crate::numerics::small_matrix::Small;
 use crate::operator::{Operator, Scratch};
 use crate::parallel::layout::Layout;
-use crate::report::{Report, Status};
+use crate::report::Report;
 
 use gmres::RESTART;
 pub(crate) use response::FixedSetSystem;
@@ -153,20 +151,11 @@ pub(crate) struct Linear<'a, 'm, R, const N: usize> {
 }
 
 impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
-    /// Checks whether another step may be taken.
-    fn proceed(&mut self) -> ControlFlow<Status> {
-        self.monitor.proceed(&self.workspace.report)
-    }
-
-    fn count_step(&mut self) {
-        self.monitor.count_step(&mut self.workspace.report);
-    }
-
     /// Computes `image = C direction`, including the local terms of the cells.
     pub(in crate::cgm) fn apply(&mut self, precision: Precision) {
         let w = &mut *self.workspace;
         let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
-        let report = &mut w.report;
+        let report = &mut self.monitor.report;
         precision.apply(self.operator, direction, image, &mut w.operator, report);
         let (restraint, own) = (self.restraint, self.own);
         if restraint > 0.0 || !own.is_none() {

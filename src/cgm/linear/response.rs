@@ -32,7 +32,7 @@ struct LinearResponse<'a, const N: usize> {
 
 impl<R: Row<N>, const N: usize> Equations<R, N> for LinearResponse<'_, N> {
     fn set_residual(&mut self, linear: &mut Linear<'_, '_, R, N>) -> ControlFlow<Status> {
-        linear.proceed()?;
+        linear.monitor.proceed()?;
         linear.workspace.correction.copy_from_slice(self.unknowns);
         linear.apply_to_correction(Precision::Double);
         let w = &mut *linear.workspace;
@@ -58,7 +58,7 @@ impl<R: Row<N>, const N: usize> Equations<R, N> for LinearResponse<'_, N> {
         } else {
             0.0
         };
-        (self.last, linear.workspace.report.residual) = (size, residual);
+        (self.last, linear.monitor.report.residual) = (size, residual);
         if is_stalled {
             ControlFlow::Break(Status::Stalled)
         } else {
@@ -125,7 +125,8 @@ impl<const N: usize> FixedSetSystem<'_, N> {
         };
         let limits = (BASES, tolerance);
         let found = linear.solve(&Border::NONE, [0.0; N], limits, &mut response);
-        if let Some(allocation_error) = monitor.allocation_error.take() {
+        workspace.report = monitor.report;
+        if let Some(allocation_error) = monitor.allocation_error {
             return Err(allocation_error);
         }
         let is_solved = workspace.report.residual <= tolerance;

@@ -44,9 +44,9 @@ impl<R: Row<N>, const N: usize> Equations<R, N> for UpdatedIterate<'_, '_, N> {
         linear: &mut Linear<'_, '_, R, N>,
         change: [f64; N],
     ) -> ControlFlow<Status> {
-        linear.proceed()?;
+        linear.monitor.proceed()?;
         linear.apply_to_correction(Precision::Single);
-        linear.count_step();
+        linear.monitor.count_step();
         *self.multiplier = plus(*self.multiplier, 1.0, change);
         let w = &*linear.workspace;
         let add = |target: &mut [f64], source: &[f64]| {
