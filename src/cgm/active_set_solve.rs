@@ -5,7 +5,7 @@ use crate::cgm::law::state::{LinearisedSet, Row};
 use crate::cgm::linear::{Linear, UpdatedIterate};
 use crate::cgm::monitor::{INNER_REDUCTION, Monitor, Progress};
 use crate::cgm::problem::Posed;
-use crate::cgm::totals::{Total, TotalsSystem, sums_of};
+use crate::cgm::totals::{Total, TotalsSystem, hold_springs, sums_of};
 use crate::cgm::{Constraint, ConstraintSet, InitialGuess, MotionOf, Settings, Workspace, reduce};
 use crate::numerics::cell_vector::{at, dot, minus, norm, plus, slices, slices_mut, update_cells};
 use crate::observer::Observer;
@@ -485,12 +485,9 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
 
     /// Updates the multipliers of the springs to the current sums.
     pub(super) fn hold_springs(&mut self) {
-        let totals = self.problem.totals;
-        if self.has_springs() {
-            let sums = sums_of(self.layout(), &slices(&self.x));
-            let multiplier = &mut self.workspace.multiplier;
-            *multiplier = std::array::from_fn(|c| totals[c].held(multiplier[c], sums[c]));
-        }
+        let multiplier = &mut self.workspace.multiplier;
+        let Posed { totals, layout, .. } = self.problem;
+        hold_springs(totals, layout, &slices(&self.x), multiplier);
     }
 
     /// Completes the solve with a feasible iterate and a report computed from it, which determines the final status.

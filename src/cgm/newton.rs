@@ -16,7 +16,7 @@ use crate::cgm::linear::BASES;
 use crate::cgm::monitor::Progress;
 use crate::cgm::totals::Total;
 use crate::cgm::{Constraint, InitialGuess, MotionOf, reduce};
-use crate::numerics::cell_vector::{at, chunks, held, minus, norm, put, slices, within};
+use crate::numerics::cell_vector::{at, minus, norm, slices, within};
 use crate::parallel;
 use crate::report::Status;
 
@@ -351,26 +351,11 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         self.product_error = f64::INFINITY;
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
-        let data = (
-            chunks(problem.layout, &mut self.x),
-            w.linear.moving.motions(&mut w.linear.rows),
-        );
-        w.linear.moving.sweep(data, |entries, (mut x, motions)| {
-            let mut changed = 0_usize;
-            let gradient = within(&gradient, &entries.chunk);
-            entries.visit::<MotionOf<K, N>, N>(|kept, place| {
-                let cell = entries.chunk.start + place;
-                let g = minus(at(&gradient, place), multiplier);
-                let was = motions.items[kept];
-                let set = problem.constraint.of(cell);
-                let weighing = [self_compliance, problem.own.mean(cell)];
-                let (next, value) = set.next(was, held(&x, place), g, noise, weighing);
-                let is_same = next.moves() == was.moves() && next.is_free() == was.is_free();
-                changed += usize::from(!is_same);
-                motions.items[kept] = next;
-                put(&mut x, place, value);
-            });
-            (changed, x.map(|x| reduce::in_lanes(x.items)))
-        })
+        let next = |cell: usize, was: MotionOf<K, N>, x: [f64; N]| {
+            let g = minus(at(&gradient, cell), multiplier);
+            let weighing = [self_compliance, problem.own.mean(cell)];
+            (problem.constraint.of(cell)).next(was, x, g, noise, weighing)
+        };
+        w.linear.replace(problem.layout, &mut self.x, next)
     }
 }

@@ -11,9 +11,8 @@ use crate::cgm::law::state::Row;
 use crate::cgm::linear::{BASES, Linear, UpdatedIterate};
 use crate::cgm::newton::NewtonSteps;
 use crate::cgm::{AbsBound, BoundedPressure, CellCompliance, ConstraintSet, Disc, reduce};
-use crate::numerics::cell_vector::{chunks, held, norm, put, slices, slices_mut};
+use crate::numerics::cell_vector::{norm, slices, slices_mut};
 use crate::parallel;
-use crate::parallel::layout::Layout;
 use crate::report::Status;
 
 /// Reduction of the inner residual for sets from a coarser grid.
@@ -147,26 +146,16 @@ impl<'a, F: FrictionCone> ConeRun<'a, '_, F> {
     pub(super) fn set_laws(&mut self) {
         self.is_fresh = false;
         let (friction, hardness) = (&self.problem.friction, self.problem.hardness);
-        let laws = &mut self.workspace.linear.rows;
-        move_cells(
-            self.problem.layout,
-            &mut self.x,
-            laws,
-            |cell, _, [p, x, y]| {
-                let hardness = hardness.of(cell);
-                let pressure = p.max(0.0).min(hardness);
-                let disc = Disc {
-                    radius: friction.limit(cell, pressure),
-                };
-                let [x, y] = disc.project([x, y]);
-                let tractions = [pressure, x, y];
-                (
-                    ConeCellState::of(tractions, disc.radius, hardness),
-                    tractions,
-                    false,
-                )
-            },
-        );
+        let of = |cell: usize, _, [p, x, y]: [f64; N]| {
+            let hardness = hardness.of(cell);
+            let pressure = p.max(0.0).min(hardness);
+            let radius = friction.limit(cell, pressure);
+            let [x, y] = Disc { radius }.project([x, y]);
+            let tractions = [pressure, x, y];
+            (ConeCellState::of(tractions, radius, hardness), tractions)
+        };
+        let linear = &mut self.workspace.linear;
+        linear.replace(self.problem.layout, &mut self.x, of);
         self.hold_springs();
     }
 
@@ -318,42 +307,14 @@ impl<'a, F: FrictionCone> ConeRun<'a, '_, F> {
             slip: NOISE * tolerance * reduce::max(self.problem.layout, sizes),
         };
         let problem = self.problem;
-        let friction = &problem.friction;
-        move_cells(
-            problem.layout,
-            &mut self.x,
-            &mut w.linear.rows,
-            |cell, law, tractions| {
-                let noise = Noise {
-                    lag: problem.closing_of(cell),
-                    hardness: problem.hardness.of(cell),
-                    ..noise
-                };
-                let (next, value) = law.next(cell, tractions, gradient(cell), friction, noise);
-                (next, value, !next.is_like(law))
-            },
-        )
+        let next = |cell: usize, law: ConeCellState, tractions| {
+            let noise = Noise {
+                lag: problem.closing_of(cell),
+                hardness: problem.hardness.of(cell),
+                ..noise
+            };
+            law.next(cell, tractions, gradient(cell), &problem.friction, noise)
+        };
+        w.linear.replace(problem.layout, &mut self.x, next).0
     }
-}
-
-/// Sets every cell to the state and tractions of `next`. Returns the number of cells that changed sets.
-fn move_cells(
-    layout: &Layout,
-    x: &mut [&mut [f64]; N],
-    laws: &mut [ConeCellState],
-    next: impl Fn(usize, ConeCellState, [f64; N]) -> (ConeCellState, [f64; N], bool) + Sync,
-) -> usize {
-    let data = (chunks(layout, x), layout.blocks(laws));
-    let work = |task: usize, (mut x, laws): (_, parallel::Blocks<'_, ConeCellState>)| {
-        let mut changed = 0_usize;
-        for (place, law) in laws.items.iter_mut().enumerate() {
-            let cell = task * layout.chunk() + place;
-            let (law_next, value, is_changed) = next(cell, *law, held(&x, place));
-            *law = law_next;
-            put(&mut x, place, value);
-            changed += usize::from(is_changed);
-        }
-        changed
-    };
-    layout.sweep(data, work, |a, b| a + b)
 }
