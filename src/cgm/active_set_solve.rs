@@ -188,13 +188,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         if MotionOf::<K, N>::IS_STEADY {
             w.linear.moving.update(|i| constraint.of(i).can_move());
         }
-        let data = w.linear.moving.motions(&mut w.linear.rows);
-        w.linear.moving.sweep(data, |entries, motions| {
-            entries.visit::<MotionOf<K, N>, N>(|kept, place| {
-                let cell = entries.chunk.start + place;
-                motions.items[kept] = constraint.of(cell).motion(at(&x, cell));
-            });
-        });
+        let of = |i: usize| constraint.of(i).motion(at(&x, i));
+        w.linear.update_rows(|i, motion| *motion = of(i));
     }
 
     /// Moves cells to restore the sums. Moves all cells if `all` is set. Otherwise moves only the moving cells or only the cells

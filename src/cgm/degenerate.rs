@@ -110,14 +110,10 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         let x = slices(&self.x);
         let w = &mut *self.workspace;
         let gradient = slices(&w.gradient);
-        let data = w.linear.moving.motions(&mut w.linear.rows);
-        w.linear.moving.sweep(data, |entries, motions| {
-            entries.visit::<MotionOf<K, N>, N>(|kept, place| {
-                let (motion, i) = (&mut motions.items[kept], entries.chunk.start + place);
-                if motion.moves() && is_selected(at(&x, i), at(&gradient, i)) {
-                    *motion = Row::FREE;
-                }
-            });
+        w.linear.update_rows(|i, motion| {
+            if motion.moves() && is_selected(at(&x, i), at(&gradient, i)) {
+                *motion = Row::FREE;
+            }
         });
     }
 

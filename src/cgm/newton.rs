@@ -17,7 +17,6 @@ use crate::cgm::monitor::Progress;
 use crate::cgm::totals::Total;
 use crate::cgm::{Constraint, InitialGuess, MotionOf, reduce};
 use crate::numerics::cell_vector::{at, minus, norm, slices, within};
-use crate::parallel;
 use crate::report::Status;
 
 /// Number of outer steps without progress that count as a cycle.
@@ -236,7 +235,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     fn list_moving(&mut self) {
         let w = &mut *self.workspace;
         if !MotionOf::<K, N>::IS_STEADY {
-            w.linear.moving.update(|i| w.linear.rows[i].moves());
+            w.linear.list_moving();
             if w.linear.moving.of_all_ranks() == 0 {
                 match self.multiplier_at_bounds([1.0; N]) {
                     Some(BoundState::Rests) => {}
@@ -251,7 +250,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
                     }
                 }
                 let w = &mut *self.workspace;
-                w.linear.moving.update(|i| w.linear.rows[i].moves());
+                w.linear.list_moving();
             }
         }
         let w = &mut *self.workspace;
@@ -269,10 +268,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     fn release(&mut self, push: impl Fn([f64; N], [f64; N]) -> [f64; N] + Sync) {
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
-        parallel::update(&mut w.linear.rows, |first, chunk| {
-            for (i, motion) in (first..).zip(chunk) {
-                *motion = motion.released_from_bound(push(at(&gradient, i), multiplier));
-            }
+        w.linear.update_rows(|i, motion| {
+            *motion = motion.released_from_bound(push(at(&gradient, i), multiplier));
         });
     }
 
@@ -324,19 +321,13 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         let (problem, self_compliance) = (self.problem, self.self_compliance);
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
-        let data = w.linear.moving.motions(&mut w.linear.rows);
-        w.linear.moving.sweep(data, |entries, motions| {
-            entries.visit::<MotionOf<K, N>, N>(|kept, place| {
-                let cell = entries.chunk.start + place;
-                let g = minus(at(&gradient, cell), multiplier);
-                let set = problem.constraint.of(cell);
-                let measured = set.measured(motions.items[kept], g);
-                motions.items[kept] = if weighed {
-                    measured.with_preconditioner_weight(self_compliance, problem.own.mean(cell))
-                } else {
-                    measured
-                };
-            });
+        w.linear.update_rows(|i, motion| {
+            let g = minus(at(&gradient, i), multiplier);
+            *motion = problem.constraint.of(i).measured(*motion, g);
+            if weighed {
+                let own = problem.own.mean(i);
+                *motion = motion.with_preconditioner_weight(self_compliance, own);
+            }
         });
     }
 

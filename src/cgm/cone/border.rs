@@ -9,7 +9,6 @@ use crate::cgm::linear::Border;
 use crate::cgm::totals::{can_turn, hold_springs, sums_of};
 use crate::cgm::{Total, reduce};
 use crate::numerics::cell_vector::{dot, norm, slices};
-use crate::parallel;
 
 /// Maximum number of times that all cells of a contact are set to stick if their tractions cannot rotate.
 const TRIALS: usize = 2;
@@ -75,11 +74,7 @@ impl<F: FrictionCone> ConeRun<'_, '_, F> {
         let laws = &w.linear.rows;
         let moves = |place: usize| laws[place].moves() && !laws[place].is_held;
         if !reduce::any(self.problem.layout, moves) {
-            parallel::update(&mut w.linear.rows, |_, laws| {
-                for law in laws {
-                    law.is_held = false;
-                }
-            });
+            w.linear.update_rows(|_, law| law.is_held = false);
         }
     }
 
@@ -97,11 +92,9 @@ impl<F: FrictionCone> ConeRun<'_, '_, F> {
         let nearest = self.cell_with_least_slip();
         let w = &mut *self.workspace;
         let gradient = gradient(&w.product, self.problem.linear, w.multiplier);
-        parallel::update(&mut w.linear.rows, |first, laws| {
-            for (i, law) in (first..).zip(laws) {
-                if nearest.is_none_or(|nearest| nearest.include(*law, gradient(i))) {
-                    *law = law.stuck();
-                }
+        w.linear.update_rows(|i, law| {
+            if nearest.is_none_or(|nearest| nearest.include(*law, gradient(i))) {
+                *law = law.stuck();
             }
         });
     }

@@ -104,8 +104,9 @@ impl<F: FrictionCone> NewtonSteps for ConeRun<'_, '_, F> {
     }
 
     fn linearise(&mut self, _: f64) -> ControlFlow<Status, bool> {
-        self.monitor
-            .record_allocation_failure(self.workspace.list_contact())?;
+        let linear = &mut self.workspace.linear;
+        linear.list_moving();
+        self.monitor.record_allocation_failure(linear.list())?;
         self.free_hardness_cells();
         self.restore_stick();
         self.measure_slip();
@@ -253,13 +254,11 @@ impl<'a, F: FrictionCone> ConeRun<'a, '_, F> {
         let gradient = gradient(&w.product, self.problem.linear, w.multiplier);
         let (pressure, limits) = (&*self.x[0], &w.limits);
         let least = NOTHING * reduce::max(self.problem.layout, |i| limits[i]);
-        parallel::update(&mut w.linear.rows, |first, laws| {
-            for (i, law) in (first..).zip(laws) {
-                if law.moves() {
-                    let [_, x, y] = gradient(i);
-                    let limit = [limits[i], friction.slope(i, pressure[i])];
-                    *law = law.measured([x, y], limit, least, self_compliance);
-                }
+        w.linear.update_rows(|i, law| {
+            if law.moves() {
+                let [_, x, y] = gradient(i);
+                let limit = [limits[i], friction.slope(i, pressure[i])];
+                *law = law.measured([x, y], limit, least, self_compliance);
             }
         });
     }

@@ -35,13 +35,6 @@ impl ConeWorkspace {
         })
     }
 
-    /// Lists the cells in contact, and allocates their unknowns.
-    pub(super) fn list_contact(&mut self) -> Result<()> {
-        let (laws, moving) = (&self.linear.rows, &mut self.linear.moving);
-        moving.update(|i| laws[i].moves());
-        self.linear.list()
-    }
-
     /// Writes `C x` to `out` without a change of the stored solution.
     pub(crate) fn apply(
         &mut self,

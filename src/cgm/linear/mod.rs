@@ -117,6 +117,21 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
         }))
     }
 
+    /// Calls `update(cell, row)` for each cell whose row is stored.
+    pub(in crate::cgm) fn update_rows(&mut self, update: impl Fn(usize, &mut R) + Sync) {
+        let rows = self.moving.motions(&mut self.rows);
+        self.moving.sweep(rows, |entries, rows| {
+            entries.visit::<R, N>(|kept, place| {
+                update(entries.chunk.start + place, &mut rows.items[kept]);
+            });
+        });
+    }
+
+    /// Lists the moving cells. The rows of all cells must be stored.
+    pub(in crate::cgm) fn list_moving(&mut self) {
+        self.moving.update(|i| self.rows[i].moves());
+    }
+
     /// Replaces row and unknowns of each cell whose row is stored by `next(cell, row, unknowns)`. Returns the number of cells that
     /// [move differently](Row::is_like) and the sums of all unknowns.
     pub(in crate::cgm) fn replace(

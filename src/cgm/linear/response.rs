@@ -154,12 +154,7 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
     /// - [`Error::Memory`] if the memory does not suffice.
     pub(crate) fn hold(&mut self, row: impl Fn(usize) -> R + Sync) -> Result<()> {
         self.moving.update(|i| row(i).moves());
-        let rows = self.moving.motions(&mut self.rows);
-        self.moving.sweep(rows, |entries, rows| {
-            entries.visit::<R, N>(|kept, place| {
-                rows.items[kept] = row(entries.chunk.start + place);
-            });
-        });
+        self.update_rows(|cell, held| *held = row(cell));
         self.list()
     }
 
