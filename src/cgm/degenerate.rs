@@ -6,7 +6,7 @@ use crate::cgm::law::interval::EDGE;
 use crate::cgm::law::state::{LinearisedSet, Row};
 use crate::cgm::start::ROUND_OFF;
 use crate::cgm::totals::{TotalsSystem, can_turn, sums_of};
-use crate::cgm::{Constraint, MotionOf, reduce};
+use crate::cgm::{Constraint, reduce};
 use crate::error::{Error, Result};
 use crate::numerics::cell_vector::{
     at, dot, minus, norm, plus, slices, slices_mut, update_cells, within,

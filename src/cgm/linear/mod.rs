@@ -310,14 +310,8 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
     fn spread_of(&mut self, a: usize) -> [f64; N] {
         let unit = unit(a);
         let w = &mut *self.workspace;
-        let rows = &w.rows;
-        let direction = chunks(self.layout, &mut w.direction);
-        w.moving.sweep(direction, |entries, mut full| {
-            for (k, place) in entries.places().enumerate() {
-                let row = entries.row(rows, k, place);
-                put(&mut full, place, row.weighted(row.restrict(unit)));
-            }
-        });
+        let weighted = |_, row: R| row.weighted(row.restrict(unit));
+        w.moving.set_full(&w.rows, &mut w.direction, weighted);
         self.precondition();
         let w = &mut *self.workspace;
         let (rows, image) = (&w.rows, slices(&w.image));
