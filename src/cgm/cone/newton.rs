@@ -15,6 +15,8 @@ use crate::numerics::cell_vector::{norm, slices, slices_mut};
 use crate::parallel;
 use crate::report::Status;
 
+/// Residual of the present tractions above which a sweep of alternating solves is cheaper than Newton's method.
+const POOR: f64 = 0.1;
 /// Reduction of the inner residual for sets from a coarser grid.
 const FIRST_REDUCTION: f64 = 0.3;
 /// Reduction of the inner residual for changing sets.
@@ -86,7 +88,8 @@ impl<F: FrictionCone> NewtonSteps for ConeRun<'_, '_, F> {
     fn has_stalled(&mut self, merit: f64) -> bool {
         let course = &mut self.course;
         // A deficit of the totals does not matter, because the first step corrects it.
-        if course.best.is_infinite() && self.opening.refuses(course.residual) {
+        let is_present = course.best.is_infinite() && self.start == ConeStart::Present;
+        if is_present && course.residual > POOR {
             return true;
         }
         // Close to sliding, the shift grows with each step and the tractions rotate into the direction of the force. The residual
@@ -118,7 +121,7 @@ impl<F: FrictionCone> NewtonSteps for ConeRun<'_, '_, F> {
 
     fn solve_linear(&mut self, merit: f64) -> ControlFlow<Status> {
         let (border, missing) = (self.border, self.missing());
-        let reduction = if self.course.changes == usize::MAX && self.opening == ConeStart::Coarse {
+        let reduction = if self.course.changes == usize::MAX && self.start == ConeStart::Coarse {
             FIRST_REDUCTION
         } else if self.course.changes > 0 {
             INNER_REDUCTION
@@ -190,34 +193,31 @@ impl<'a, F: FrictionCone> ConeRun<'a, '_, F> {
 
     /// Examines the iterate with the current product and writes the findings to the report.
     pub(super) fn findings(&mut self) -> ConeMeasures {
-        let (problem, w) = (self.problem, &*self.workspace);
-        let normal = Iterate {
-            layout: problem.layout,
-            x: [&*self.x[0]],
-            product: [&w.product[0]],
-            linear: [problem.linear[0]],
-            datum: [0.0],
-            totals: [problem.totals[0]],
-            multiplier: [w.multiplier[0]],
-        };
-        let plane = Iterate {
-            layout: problem.layout,
-            x: [&*self.x[1], &*self.x[2]],
-            product: [&w.product[1], &w.product[2]],
-            linear: [problem.linear[1], problem.linear[2]],
-            datum: [0.0; 2],
-            totals: [problem.totals[1], problem.totals[2]],
-            multiplier: [w.multiplier[1], w.multiplier[2]],
-        };
-        let [least_normal, least_plane] = problem.lower_bounds;
-        let normal = measure(&normal, &BoundedPressure(problem.hardness), least_normal);
-        let plane = measure(&plane, &AbsBound(&w.limits), least_plane);
+        let [least_normal, least_plane] = self.problem.lower_bounds;
+        let hardness = BoundedPressure(self.problem.hardness);
+        let normal = measure(&self.part([0]), &hardness, least_normal);
+        let limits = AbsBound(&self.workspace.limits);
+        let plane = measure(&self.part([1, 2]), &limits, least_plane);
         let findings = self.found(&normal, &plane);
         let report = &mut self.monitor.report;
         report.residual = findings.residual;
         report.load_error = findings.load_error;
         self.monitor.free = findings.free;
         findings
+    }
+
+    /// Returns these components of the iterate.
+    fn part<const M: usize>(&self, components: [usize; M]) -> Iterate<'_, M> {
+        let (problem, w) = (self.problem, &*self.workspace);
+        Iterate {
+            layout: problem.layout,
+            x: components.map(|c| &*self.x[c]),
+            product: components.map(|c| w.product[c].as_slice()),
+            linear: components.map(|c| problem.linear[c]),
+            datum: [0.0; M],
+            totals: components.map(|c| problem.totals[c]),
+            multiplier: components.map(|c| w.multiplier[c]),
+        }
     }
 
     fn found(&self, normal: &IterateMeasures, plane: &IterateMeasures) -> ConeMeasures {
