@@ -2,7 +2,7 @@
 
 use crate::cgm::{CellCompliance, FixedSetSystem, LinearWorkspace, Row, reduce};
 use crate::contact::with_counts_of;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, check_converged};
 use crate::half_space::Compliance;
 use crate::memory::fallible;
 use crate::numerics::cell_vector::at;
@@ -22,11 +22,7 @@ pub(crate) struct ResponseContext<'a> {
 impl ResponseContext<'_> {
     /// Returns an error unless the last solve reached the tolerance. A stop at the round-off limit is also an error.
     pub(crate) fn check_solved(&self) -> Result<()> {
-        if self.report.is_converged() {
-            Ok(())
-        } else {
-            Err(Error::NotConverged(Box::new(self.report.clone())))
-        }
+        check_converged(&self.report)
     }
 }
 
