@@ -19,13 +19,6 @@ pub(crate) struct ResponseContext<'a> {
     pub(crate) observer: Observer<'a>,
 }
 
-impl ResponseContext<'_> {
-    /// Returns an error unless the last solve reached the tolerance. A stop at the round-off limit is also an error.
-    pub(crate) fn check_solved(&self) -> Result<()> {
-        check_converged(&self.report)
-    }
-}
-
 /// Linear problem of cells with fixed states, and its solutions for at most three displacements.
 #[derive(Debug, Clone)]
 pub(crate) struct LinearResponse<R, const N: usize> {
@@ -116,7 +109,8 @@ impl<R: Row<N>, const N: usize> LinearResponse<R, N> {
         context: &mut ResponseContext<'_>,
     ) -> Result<[&[f64]; N]> {
         self.respond(0, elasticity, displacement, context)?;
-        context.check_solved()?;
+        // A stop at the round-off limit is also an error.
+        check_converged(context.report)?;
         Ok(self.linear.tractions())
     }
 
