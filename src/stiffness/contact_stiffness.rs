@@ -3,6 +3,8 @@
 use std::ops::ControlFlow;
 
 use crate::contact::ResponseContext;
+#[cfg(doc)]
+use crate::error::Error;
 use crate::error::{Result, check_converged, positive};
 use crate::half_space::HalfSpace;
 use crate::normal::NormalSolution;
