@@ -126,45 +126,54 @@ pub trait Operator<const N: usize = 1>: Sync {
     }
 }
 
+/// Defines all methods of [`Operator`] by the same methods of another operator. The first argument is `self`.
+macro_rules! operator_methods {
+    ($self:ident, $operator:expr) => {
+        fn cells(&$self) -> usize {
+            $operator.cells()
+        }
+
+        fn layout(&$self) -> Layout {
+            $operator.layout()
+        }
+
+        fn scratch(&$self) -> Result<Scratch> {
+            $operator.scratch()
+        }
+
+        fn apply(&$self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
+            $operator.apply(x, out, scratch);
+        }
+
+        fn apply_f32(&$self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
+            $operator.apply_f32(x, out, scratch);
+        }
+
+        fn lower_bound(&$self) -> f64 {
+            $operator.lower_bound()
+        }
+
+        fn eigenvalue_bound(&$self) -> EigenvalueBound {
+            $operator.eigenvalue_bound()
+        }
+
+        fn self_compliance(&$self) -> f64 {
+            $operator.self_compliance()
+        }
+
+        fn is_symmetric(&$self) -> bool {
+            $operator.is_symmetric()
+        }
+    };
+}
+
+pub(crate) use operator_methods;
+
 /// Implements [`Operator`] for a pointer to an operator.
 macro_rules! operator_behind {
     ($pointer:ty, $($bound:tt)+) => {
         impl<T: $($bound)+ + ?Sized, const N: usize> Operator<N> for $pointer {
-            fn cells(&self) -> usize {
-                (**self).cells()
-            }
-
-            fn layout(&self) -> Layout {
-                (**self).layout()
-            }
-
-            fn scratch(&self) -> Result<Scratch> {
-                (**self).scratch()
-            }
-
-            fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
-                (**self).apply(x, out, scratch);
-            }
-
-            fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
-                (**self).apply_f32(x, out, scratch);
-            }
-
-            fn lower_bound(&self) -> f64 {
-                (**self).lower_bound()
-            }
-
-            fn eigenvalue_bound(&self) -> EigenvalueBound {
-                (**self).eigenvalue_bound()
-            }
-
-            fn self_compliance(&self) -> f64 {
-                (**self).self_compliance()
-            }
-
-            fn is_symmetric(&self) -> bool {
-                (**self).is_symmetric()
-            }
+            operator_methods!(self, (**self));
         }
     };
 }

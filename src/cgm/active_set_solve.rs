@@ -1,13 +1,11 @@
 //! State of one solve, shared by all methods: products, sums, the examination of an iterate and the end of the iteration.
 
-use std::ops::ControlFlow;
-
 use crate::cgm::certificate::{Certificate, examine};
 use crate::cgm::law::state::{LinearisedSet, Row};
 use crate::cgm::linear::{Linear, UpdatedIterate};
 use crate::cgm::monitor::{INNER_REDUCTION, Monitor, Progress};
 use crate::cgm::problem::Posed;
-use crate::cgm::totals::{Total, TotalsSystem, sums_of};
+use crate::cgm::totals::{Total, TotalsSystem, hold_springs, sums_of};
 use crate::cgm::{Constraint, ConstraintSet, InitialGuess, MotionOf, Settings, Workspace, reduce};
 use crate::numerics::cell_vector::{at, dot, minus, norm, plus, slices, slices_mut, update_cells};
 use crate::observer::Observer;
@@ -190,13 +188,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         if MotionOf::<K, N>::IS_STEADY {
             w.linear.moving.update(|i| constraint.of(i).can_move());
         }
-        let data = w.linear.moving.motions(&mut w.linear.rows);
-        w.linear.moving.sweep(data, |entries, motions| {
-            entries.visit::<MotionOf<K, N>, N>(|kept, place| {
-                let cell = entries.chunk.start + place;
-                motions.items[kept] = constraint.of(cell).motion(at(&x, cell));
-            });
-        });
+        let of = |i: usize| constraint.of(i).motion(at(&x, i));
+        w.linear.update_rows(|i, motion| *motion = of(i));
     }
 
     /// Moves cells to restore the sums. Moves all cells if `all` is set. Otherwise moves only the moving cells or only the cells
@@ -287,7 +280,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
     fn refresh_in(&mut self, precision: Precision) {
         let w = &mut *self.workspace;
         let (x, product) = (slices(&self.x), slices_mut(&mut w.product));
-        let (operator, report) = (&self.problem.operator, &mut w.linear.report);
+        let (operator, report) = (&self.problem.operator, &mut self.monitor.report);
         precision.apply(operator, x, product, &mut w.linear.operator, report);
         let restraint = self.restraint;
         if restraint > 0.0 {
@@ -346,7 +339,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         let (x, product) = (slices(&self.x), slices(&w.product));
         let iterate = self.problem.iterate(x, product, w.multiplier);
         let findings = examine(&iterate, self.problem.constraint, self.lower_bound);
-        findings.write_to(&mut self.workspace.linear.report);
+        findings.write_to(&mut self.monitor.report);
         self.monitor.free = findings.free;
         findings
     }
@@ -354,27 +347,6 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
     /// Returns the quantity that must fall to the tolerance.
     pub(super) fn merit(&self, findings: &Certificate) -> f64 {
         findings.merit(self.lower_bound.value)
-    }
-
-    /// Records an examined step. Breaks if it is the last step, because the iteration has converged or must stop.
-    pub(super) fn check_termination(&mut self, merit: f64) -> ControlFlow<Status> {
-        self.monitor
-            .check_termination(merit, &mut self.workspace.linear.report)
-    }
-
-    /// Counts a step.
-    pub(super) fn count_step(&mut self) {
-        self.monitor.count_step(&mut self.workspace.linear.report);
-    }
-
-    /// Checks observer, clock and step limit. Breaks if no further step may be taken.
-    pub(super) fn proceed(&mut self) -> ControlFlow<Status> {
-        self.monitor.proceed(&self.workspace.linear.report)
-    }
-
-    /// Checks only observer and clock. Breaks if the iteration must end.
-    pub(super) fn notify_observer(&mut self) -> ControlFlow<Status> {
-        self.monitor.notify_observer(&self.workspace.linear.report)
     }
 
     /// Returns the multiplier for which `x = 0` is feasible and optimal, or `None` if no such multiplier exists. An iteration
@@ -508,12 +480,9 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
 
     /// Updates the multipliers of the springs to the current sums.
     pub(super) fn hold_springs(&mut self) {
-        let totals = self.problem.totals;
-        if self.has_springs() {
-            let sums = sums_of(self.layout(), &slices(&self.x));
-            let multiplier = &mut self.workspace.multiplier;
-            *multiplier = std::array::from_fn(|c| totals[c].held(multiplier[c], sums[c]));
-        }
+        let multiplier = &mut self.workspace.multiplier;
+        let Posed { totals, layout, .. } = self.problem;
+        hold_springs(totals, layout, &slices(&self.x), multiplier);
     }
 
     /// Completes the solve with a feasible iterate and a report computed from it, which determines the final status.
@@ -529,7 +498,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
             // No other unknowns have these sums, so only the sums can be inaccurate. Only in the limit of a large motion does the
             // gradient point along the slip in all cells.
             merit = findings.load_error;
-            let report = &mut self.workspace.linear.report;
+            let report = &mut self.monitor.report;
             (report.residual, report.duality_gap) = (0.0, 0.0);
         }
         self.monitor

@@ -5,8 +5,8 @@ use crate::cgm::active_set_solve::ActiveSetSolve;
 use crate::cgm::law::interval::EDGE;
 use crate::cgm::law::state::{LinearisedSet, Row};
 use crate::cgm::start::ROUND_OFF;
-use crate::cgm::totals::{TotalsSystem, sums_of};
-use crate::cgm::{Constraint, MotionOf, reduce};
+use crate::cgm::totals::{TotalsSystem, can_turn, sums_of};
+use crate::cgm::{Constraint, reduce};
 use crate::error::{Error, Result};
 use crate::numerics::cell_vector::{
     at, dot, minus, norm, plus, slices, slices_mut, update_cells, within,
@@ -23,10 +23,6 @@ pub(super) enum BoundState {
     Deficit(f64),
 }
 
-/// Relative change of a total due to rotation that counts as round-off. Close to the friction limit, the tractions of slipping
-/// cells are rotated only slightly away from the total. This small rotation carries the total.
-const LEAST_TURN: f64 = 1e-13;
-
 impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     /// Returns the unit direction along which slipping cells cannot change the sums if no cell is free. Returns `None` if there
     /// is no such direction. All tractions are parallel to this direction, or nearly so. In the second case a rotation by one
@@ -37,13 +33,11 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             return None;
         }
         let normal = mobility.weakest(has_sum);
-        let all: f64 = (0..N).map(|a| mobility.0[a][a]).sum();
-        let can_turn = mobility.least(has_sum) > LEAST_TURN * all;
         let reaches = || {
             let missing = self.missing_along(normal);
             missing.is_none_or(|[missing, _]| missing.abs() <= self.tangent_change(normal))
         };
-        (!can_turn || !reaches()).then_some(normal)
+        (!can_turn(&mobility, has_sum) || !reaches()).then_some(normal)
     }
 
     /// Returns the first-order change of the sum along a direction if the traction of each cell rotates by one radian.
@@ -90,7 +84,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         if !is_settled {
             self.free(|_, _| true);
         }
-        system.mobility = self.mobility();
+        system.mobility = self.workspace.linear.mobility();
     }
 
     /// Releases the cells that would stick first under a motion along `way`, towards the deficit. Returns whether one of these
@@ -116,14 +110,10 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         let x = slices(&self.x);
         let w = &mut *self.workspace;
         let gradient = slices(&w.gradient);
-        let data = w.linear.moving.motions(&mut w.linear.rows);
-        w.linear.moving.sweep(data, |entries, motions| {
-            entries.visit::<MotionOf<K, N>, N>(|kept, place| {
-                let (motion, i) = (&mut motions.items[kept], entries.chunk.start + place);
-                if motion.moves() && is_selected(at(&x, i), at(&gradient, i)) {
-                    *motion = Row::FREE;
-                }
-            });
+        w.linear.update_rows(|i, motion| {
+            if motion.moves() && is_selected(at(&x, i), at(&gradient, i)) {
+                *motion = Row::FREE;
+            }
         });
     }
 

@@ -7,6 +7,7 @@ use crate::cgm::law::state::Row;
 use crate::cgm::reduce::Reduction;
 use crate::error::Result;
 use crate::memory::fallible;
+use crate::numerics::cell_vector::{chunks, put};
 use crate::parallel::layout::Layout;
 use crate::parallel::{Blocks, Split, UnevenChunks};
 
@@ -192,6 +193,37 @@ impl FreeCells {
                 f(start + k, first + usize::from(offset));
             }
         }
+    }
+
+    /// Sets the entry of each moving cell in a compressed vector to `value(entry, cell, row)`.
+    pub(in crate::cgm) fn set<R: Row<N>, T: Send, const N: usize>(
+        &self,
+        rows: &[R],
+        vector: &mut [T],
+        value: impl Fn(usize, usize, R) -> T + Sync,
+    ) {
+        self.sweep(self.compressed(vector), |entries, vector| {
+            for (k, place) in entries.places().enumerate() {
+                let (entry, cell) = (entries.range.start + k, entries.chunk.start + place);
+                vector.items[k] = value(entry, cell, entries.row(rows, k, place));
+            }
+        });
+    }
+
+    /// Sets the components of each moving cell in a full vector to `value(entry, row)`, where `entry` is the position of the cell
+    /// in a compressed vector.
+    pub(in crate::cgm) fn set_full<R: Row<N>, const N: usize>(
+        &self,
+        rows: &[R],
+        vector: &mut [Vec<f64>; N],
+        value: impl Fn(usize, R) -> [f64; N] + Sync,
+    ) {
+        self.sweep(chunks(&self.layout, vector), |entries, mut vector| {
+            for (k, place) in entries.places().enumerate() {
+                let row = entries.row(rows, k, place);
+                put(&mut vector, place, value(entries.range.start + k, row));
+            }
+        });
     }
 
     /// Sums over the pieces of a compressed vector.

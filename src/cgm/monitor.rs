@@ -1,4 +1,4 @@
-//! Monitor of an iteration of any method: observer, step counts and stopping rules.
+//! Monitor of an iteration of any method: observer, report, step counts and stopping rules.
 
 use std::ops::ControlFlow;
 
@@ -12,14 +12,14 @@ use crate::support::clock::Instant;
 /// Residual at which only round-off changes the sets.
 const ROUND_OFF: f64 = 1e-12;
 
-/// Settings, observer and clock of one solve.
+/// Settings, observer, report and clock of one solve.
 pub(super) struct Monitor<'a> {
     pub(super) settings: &'a Settings,
     layout: &'a Layout,
     observer: Observer<'a>,
+    /// Report of the solve, which [`Self::finish`] returns to its workspace.
+    pub(super) report: Report,
     start: Instant,
-    /// Conjugate-gradient steps so far.
-    steps: usize,
     /// Least merit so far of the current stage or problem.
     pub(super) best: f64,
     /// Residual at which the current proximal-point stage ends, or `None` outside a stage.
@@ -31,13 +31,14 @@ pub(super) struct Monitor<'a> {
 }
 
 impl<'a> Monitor<'a> {
-    /// Creates a monitor, resets the report and starts the clock.
+    /// Creates a monitor, takes and resets the report of a workspace and starts the clock.
     pub(super) fn new(
         settings: &'a Settings,
         layout: &'a Layout,
         observer: Observer<'a>,
         report: &mut Report,
     ) -> Self {
+        let mut report = std::mem::replace(report, Report::unsolved());
         report.iterations = 0;
         report.double_precision_products = 0;
         report.single_precision_products = 0;
@@ -47,8 +48,8 @@ impl<'a> Monitor<'a> {
             settings,
             layout,
             observer,
+            report,
             start: Instant::now(),
-            steps: 0,
             best: f64::INFINITY,
             stage: None,
             free: 0,
@@ -73,14 +74,10 @@ impl<'a> Monitor<'a> {
     }
 
     /// Records an examined step. Breaks if it is the last step, because the iteration has converged or must stop.
-    pub(super) fn check_termination(
-        &mut self,
-        merit: f64,
-        report: &mut Report,
-    ) -> ControlFlow<Status> {
+    pub(super) fn check_termination(&mut self, merit: f64) -> ControlFlow<Status> {
         if self.stage.is_none() {
-            let entry = self.entry(report);
-            report.history.push(entry);
+            let entry = self.entry();
+            self.report.history.push(entry);
         }
         if merit.is_nan() {
             return ControlFlow::Break(Status::Stalled);
@@ -89,7 +86,7 @@ impl<'a> Monitor<'a> {
         if merit <= self.tolerance() {
             return ControlFlow::Break(Status::Converged);
         }
-        self.proceed(report)
+        self.proceed()
     }
 
     /// Returns the final status if the residual is round-off and no longer falls. Otherwise returns `None`.
@@ -98,15 +95,14 @@ impl<'a> Monitor<'a> {
     }
 
     /// Counts a step.
-    pub(super) fn count_step(&mut self, report: &mut Report) {
-        self.steps += 1;
-        report.iterations = self.steps;
+    pub(super) fn count_step(&mut self) {
+        self.report.iterations += 1;
     }
 
     /// Checks observer, clock and step limit. Breaks if no further step may be taken.
-    pub(super) fn proceed(&mut self, report: &Report) -> ControlFlow<Status> {
-        self.notify_observer(report)?;
-        if self.steps >= self.settings.max_iterations {
+    pub(super) fn proceed(&mut self) -> ControlFlow<Status> {
+        self.notify_observer()?;
+        if self.report.iterations >= self.settings.max_iterations {
             return ControlFlow::Break(Status::IterationLimit);
         }
         ControlFlow::Continue(())
@@ -114,8 +110,8 @@ impl<'a> Monitor<'a> {
 
     /// Checks observer and clock. This function or [`Self::proceed`] is called before every step and before every product that
     /// moves the iterate. A product that only measures the iterate is computed without a check.
-    pub(super) fn notify_observer(&mut self, report: &Report) -> ControlFlow<Status> {
-        let entry = self.entry(report);
+    pub(super) fn notify_observer(&mut self) -> ControlFlow<Status> {
+        let entry = self.entry();
         let limit = self.settings.time_limit;
         let own = if (self.observer)(&entry).is_break() {
             ControlFlow::Break(Status::Cancelled)
@@ -138,8 +134,10 @@ impl<'a> Monitor<'a> {
         }
     }
 
-    /// Sets the final status. A solve counts as converged only if the merit of the examined iterate proves it.
-    pub(super) fn finish(&self, status: Status, merit: f64, report: &mut Report) -> Status {
+    /// Sets the final status and returns the report to its workspace. A solve counts as converged only if the merit of the
+    /// examined iterate proves it.
+    pub(super) fn finish(&mut self, status: Status, merit: f64, report: &mut Report) -> Status {
+        std::mem::swap(report, &mut self.report);
         let is_proven = merit <= self.settings.tolerance;
         report.status = if status == Status::Converged && !is_proven {
             Status::Stalled
@@ -150,9 +148,10 @@ impl<'a> Monitor<'a> {
         report.status
     }
 
-    fn entry(&self, report: &Report) -> Iteration {
+    fn entry(&self) -> Iteration {
+        let report = &self.report;
         Iteration {
-            iteration: self.steps,
+            iteration: report.iterations,
             double_precision_products: report.double_precision_products,
             single_precision_products: report.single_precision_products,
             residual: report.residual,

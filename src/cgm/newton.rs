@@ -16,8 +16,7 @@ use crate::cgm::linear::BASES;
 use crate::cgm::monitor::Progress;
 use crate::cgm::totals::Total;
 use crate::cgm::{Constraint, InitialGuess, MotionOf, reduce};
-use crate::numerics::cell_vector::{at, chunks, held, minus, norm, put, slices, within};
-use crate::parallel;
+use crate::numerics::cell_vector::{at, minus, norm, slices, within};
 use crate::report::Status;
 
 /// Number of outer steps without progress that count as a cycle.
@@ -104,7 +103,7 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for ActiveSetSolve<'_, '_, K,
             }
             self.shown = self.monitor.is_last().then_some(merit);
         }
-        self.check_termination(merit)?;
+        self.monitor.check_termination(merit)?;
         self.shown = None;
         if !keeps_sets {
             // Some cells were far beyond their bounds. Moving these cells has pushed other cells off their bounds.
@@ -158,7 +157,7 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for ActiveSetSolve<'_, '_, K,
             self.list_and_spread();
         }
         self.spread_missing(sums);
-        self.notify_observer()?;
+        self.monitor.notify_observer()?;
         if !self.adopt_gradient() {
             if self.progress.single_precision_suffices() {
                 self.refresh_f32();
@@ -201,7 +200,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         if MotionOf::<K, N>::IS_CURVED {
             if !self.is_fresh() {
                 self.restore_totals(true);
-                self.notify_observer()?;
+                self.monitor.notify_observer()?;
                 self.refresh_f32();
             }
             self.list_moving();
@@ -217,7 +216,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         if !self.is_fresh() {
             let sums = std::array::from_fn(|c| reduce::total(self.layout(), self.x[c]));
             self.spread_missing(sums);
-            self.notify_observer()?;
+            self.monitor.notify_observer()?;
             self.refresh_f32();
         }
         ControlFlow::Continue(())
@@ -236,7 +235,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     fn list_moving(&mut self) {
         let w = &mut *self.workspace;
         if !MotionOf::<K, N>::IS_STEADY {
-            w.linear.moving.update(|i| w.linear.rows[i].moves());
+            w.linear.list_moving();
             if w.linear.moving.of_all_ranks() == 0 {
                 match self.multiplier_at_bounds([1.0; N]) {
                     Some(BoundState::Rests) => {}
@@ -251,7 +250,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
                     }
                 }
                 let w = &mut *self.workspace;
-                w.linear.moving.update(|i| w.linear.rows[i].moves());
+                w.linear.list_moving();
             }
         }
         let w = &mut *self.workspace;
@@ -269,10 +268,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     fn release(&mut self, push: impl Fn([f64; N], [f64; N]) -> [f64; N] + Sync) {
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
-        parallel::update(&mut w.linear.rows, |first, chunk| {
-            for (i, motion) in (first..).zip(chunk) {
-                *motion = motion.released_from_bound(push(at(&gradient, i), multiplier));
-            }
+        w.linear.update_rows(|i, motion| {
+            *motion = motion.released_from_bound(push(at(&gradient, i), multiplier));
         });
     }
 
@@ -324,19 +321,13 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         let (problem, self_compliance) = (self.problem, self.self_compliance);
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
-        let data = w.linear.moving.motions(&mut w.linear.rows);
-        w.linear.moving.sweep(data, |entries, motions| {
-            entries.visit::<MotionOf<K, N>, N>(|kept, place| {
-                let cell = entries.chunk.start + place;
-                let g = minus(at(&gradient, cell), multiplier);
-                let set = problem.constraint.of(cell);
-                let measured = set.measured(motions.items[kept], g);
-                motions.items[kept] = if weighed {
-                    measured.with_preconditioner_weight(self_compliance, problem.own.mean(cell))
-                } else {
-                    measured
-                };
-            });
+        w.linear.update_rows(|i, motion| {
+            let g = minus(at(&gradient, i), multiplier);
+            *motion = problem.constraint.of(i).measured(*motion, g);
+            if weighed {
+                let own = problem.own.mean(i);
+                *motion = motion.with_preconditioner_weight(self_compliance, own);
+            }
         });
     }
 
@@ -351,26 +342,11 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         self.product_error = f64::INFINITY;
         let w = &mut *self.workspace;
         let (gradient, multiplier) = (slices(&w.gradient), w.multiplier);
-        let data = (
-            chunks(problem.layout, &mut self.x),
-            w.linear.moving.motions(&mut w.linear.rows),
-        );
-        w.linear.moving.sweep(data, |entries, (mut x, motions)| {
-            let mut changed = 0_usize;
-            let gradient = within(&gradient, &entries.chunk);
-            entries.visit::<MotionOf<K, N>, N>(|kept, place| {
-                let cell = entries.chunk.start + place;
-                let g = minus(at(&gradient, place), multiplier);
-                let was = motions.items[kept];
-                let set = problem.constraint.of(cell);
-                let weighing = [self_compliance, problem.own.mean(cell)];
-                let (next, value) = set.next(was, held(&x, place), g, noise, weighing);
-                let is_same = next.moves() == was.moves() && next.is_free() == was.is_free();
-                changed += usize::from(!is_same);
-                motions.items[kept] = next;
-                put(&mut x, place, value);
-            });
-            (changed, x.map(|x| reduce::in_lanes(x.items)))
-        })
+        let next = |cell: usize, was: MotionOf<K, N>, x: [f64; N]| {
+            let g = minus(at(&gradient, cell), multiplier);
+            let weighing = [self_compliance, problem.own.mean(cell)];
+            (problem.constraint.of(cell)).next(was, x, g, noise, weighing)
+        };
+        w.linear.replace(problem.layout, &mut self.x, next)
     }
 }

@@ -35,7 +35,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         let mut since_refresh = REFRESH;
         loop {
             if since_refresh >= REFRESH {
-                if let ControlFlow::Break(status) = self.notify_observer() {
+                if let ControlFlow::Break(status) = self.monitor.notify_observer() {
                     return Some(status);
                 }
                 self.refresh();
@@ -49,7 +49,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
                 continue;
             }
             self.monitor.free = free;
-            if let ControlFlow::Break(status) = self.check_termination(merit) {
+            if let ControlFlow::Break(status) = self.monitor.check_termination(merit) {
                 return Some(status);
             }
             if merit < 0.5 * best {
@@ -67,7 +67,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             previous = squares;
             self.set_direction_of_free(conjugation, free);
             self.linear().apply(Precision::Double);
-            self.count_step();
+            self.monitor.count_step();
             let length = self.length_of_free();
             let [clipped, entered] = self.step_and_clip(length);
             conjugate = entered == 0 && squares > 0.0;

@@ -11,7 +11,9 @@ use crate::cgm::newton::newton;
 use crate::cgm::safeguard::projected_gradient::Objective;
 use crate::cgm::totals::Total;
 use crate::cgm::{Constraint, InitialGuess, Method, Settings, Workspace, law};
-use crate::error::{Error, Result, all_finite, all_non_negative, finite, length, positive};
+use crate::error::{
+    Error, Result, all_finite, all_non_negative, check_converged, finite, length, positive,
+};
 use crate::numerics::cell_vector::{at, minus};
 use crate::observer::Observer;
 use crate::operator::{Identity, LowerBound, MeanBound, Operator, usable_bound};
@@ -358,7 +360,7 @@ pub(crate) fn minimise_from<K: Constraint<N>, const N: usize>(
     let checked = problem.check(settings, &x);
     let checked = checked.and_then(|()| length("workspace", cells, workspace.linear.rows.len()));
     problem.layout.collective_result(checked)?;
-    let solve = || -> Result<Status> {
+    let solve = || -> Result<()> {
         let sums = problem.totals.map(Total::sum);
         let reach = K::Set::reach(problem.layout, problem.constraint, sums)?;
         let mut run = ActiveSetSolve::new(problem, settings, x, workspace, observer);
@@ -366,13 +368,11 @@ pub(crate) fn minimise_from<K: Constraint<N>, const N: usize>(
         let status = match (run.multiplier_at_zero(), reach) {
             (Some(multiplier), _) => run.at_zero(multiplier),
             (None, TotalFeasibility::Extreme(direction)) => run.at_extreme(direction),
-            (None, TotalFeasibility::Inside) => match run.verify_start(known) {
-                Some(status) => {
-                    run.add_diagonal(-1.0);
-                    return Ok(status);
-                }
-                None => iterate(&mut run),
-            },
+            (None, TotalFeasibility::Inside) if run.verify_start(known) => {
+                run.add_diagonal(-1.0);
+                return Ok(());
+            }
+            (None, TotalFeasibility::Inside) => iterate(&mut run),
         };
         let status = run.finish(status);
         // The stored product is the product with the operator alone, without the diagonal.
@@ -384,17 +384,11 @@ pub(crate) fn minimise_from<K: Constraint<N>, const N: usize>(
         if has_failed && settings.method == Method::ActiveSet {
             run.check_preconditioner()?;
         }
-        Ok(status)
-    };
-    let status = parallel::enter_with(cells, solve)?;
-    problem.layout.check()?;
-    if status == Status::Converged {
         Ok(())
-    } else {
-        Err(Error::NotConverged(Box::new(
-            workspace.linear.report.clone(),
-        )))
-    }
+    };
+    parallel::enter_with(cells, solve)?;
+    problem.layout.check()?;
+    check_converged(&workspace.linear.report)
 }
 
 /// Number of projected-gradient steps after the first cycle and after the second cycle.

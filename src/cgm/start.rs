@@ -1,11 +1,12 @@
 //! Warm start from an earlier solution. If the problem has not changed, the certificate of one product shows that the earlier
 //! solution is still valid.
 
+use std::ops::ControlFlow;
+
 use crate::cgm::active_set_solve::ActiveSetSolve;
 use crate::cgm::totals::{Total, sums_of};
 use crate::cgm::{Constraint, LinearisedSet, reduce};
 use crate::numerics::cell_vector::{at, slices};
-use crate::report::Status;
 
 /// The caller's knowledge about the start of a solve.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,15 +23,15 @@ pub(crate) enum InitialGuess<const N: usize> {
 pub(super) const ROUND_OFF: f64 = 1e-13;
 
 impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
-    /// Examines the start with the multipliers of its earlier solve. Returns the final status if the start is feasible and its
-    /// merit is within the tolerance. Otherwise returns `None`. In this case the product is up to date if the start is feasible.
-    pub(super) fn verify_start(&mut self, known: InitialGuess<N>) -> Option<Status> {
+    /// Examines the start with the multipliers of its earlier solve. If the start is feasible and its merit is within the
+    /// tolerance, completes the solve and returns `true`. Otherwise the product is up to date if the start is feasible.
+    pub(super) fn verify_start(&mut self, known: InitialGuess<N>) -> bool {
         let InitialGuess::PreviousSolution(multiplier) = known else {
             self.start = known;
-            return None;
+            return false;
         };
         if !self.is_feasible(multiplier) {
-            return None;
+            return false;
         }
         self.refresh();
         self.start = known;
@@ -38,11 +39,14 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         let findings = self.certificate();
         let merit = self.merit(&findings);
         if merit > self.monitor.tolerance() || merit.is_nan() {
-            return None;
+            return false;
         }
-        let status = self.check_termination(merit).break_value()?;
-        let report = &mut self.workspace.linear.report;
-        Some(self.monitor.finish(status, merit, report))
+        let ended = self.monitor.check_termination(merit);
+        if let ControlFlow::Break(status) = ended {
+            let report = &mut self.workspace.linear.report;
+            self.monitor.finish(status, merit, report);
+        }
+        ended.is_break()
     }
 
     /// Returns whether the unknowns are in their sets and meet their totals, up to round-off.

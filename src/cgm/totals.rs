@@ -43,6 +43,10 @@ use crate::numerics::cell_vector::{at, chunks, dot, held, minus, norm, plus, put
 use crate::numerics::small_matrix::Small;
 use crate::parallel::layout::Layout;
 
+/// Mobility along the weakest direction, relative to the whole mobility, below which slipping cells cannot change a total. Close
+/// to the friction limit, the tractions of slipping cells are rotated only slightly away from the total. This small rotation
+/// carries the total.
+const LEAST_TURN: f64 = 1e-13;
 /// Mobility along the weakest direction, relative to the whole mobility, below which all cells are near sliding.
 const NEAR_SLIDING: f64 = 1e-6;
 /// Number of refinements of the multipliers. Each refinement reduces the error by a factor of 1e-3 or less.
@@ -176,6 +180,24 @@ pub(super) fn sums_of<const N: usize>(layout: &Layout, x: &[&[f64]; N]) -> [[f64
     reduce::sum(layout, |i| at(x, i).map(|x| [x, x.abs()]))
 }
 
+/// Updates the multipliers of the springs to the current sums of the unknowns.
+pub(super) fn hold_springs<const N: usize>(
+    totals: &[Total; N],
+    layout: &Layout,
+    x: &[&[f64]; N],
+    multiplier: &mut [f64; N],
+) {
+    if totals.iter().any(|total| total.is_spring()) {
+        let sums = sums_of(layout, x);
+        *multiplier = std::array::from_fn(|c| totals[c].held(multiplier[c], sums[c]));
+    }
+}
+
+/// Returns whether cells with this mobility can change the sums of the given components.
+pub(super) fn can_turn<const N: usize>(mobility: &Small<N>, has_sum: [bool; N]) -> bool {
+    mobility.least(has_sum) > LEAST_TURN * mobility.trace()
+}
+
 /// System of the totals for the current motion of the cells.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct TotalsSystem<const N: usize> {
@@ -240,8 +262,9 @@ impl<const N: usize> TotalsSystem<N> {
     /// Returns whether the cells can follow only a small part of a uniform motion along the weakest direction.
     fn is_near_sliding(&self) -> bool {
         let has_sum = [true; N];
-        let trace: f64 = (0..N).map(|a| self.mobility.0[a][a]).sum();
-        N > 1 && self.has_sum() == has_sum && self.mobility.least(has_sum) < NEAR_SLIDING * trace
+        let mobility = &self.mobility;
+        let is_near = || mobility.least(has_sum) < NEAR_SLIDING * mobility.trace();
+        N > 1 && self.has_sum() == has_sum && is_near()
     }
 
     /// Returns whether the patterns are usable. If a diagonal entry is not positive and finite, a change of a total would make
@@ -261,11 +284,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         let mut system = TotalsSystem {
             totals: self.problem.totals,
             patterns: Small([[0.0; N]; N]),
-            border: Border {
-                active: self.problem.totals.map(|total| total != Total::Free),
-                ..Border::NONE
-            },
-            mobility: self.mobility(),
+            border: Border::new(&self.problem.totals, Small([[0.0; N]; N])),
+            mobility: self.workspace.linear.mobility(),
         };
         if system.prescribed() == [false; N] {
             self.totals = system;
@@ -276,45 +296,20 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
                 self.release_bound_cells(&mut system, normal);
             }
         }
-        let prescribed = system.prescribed();
-        for a in (0..N).filter(|&a| prescribed[a]) {
-            system.patterns.0[a] = self.linear().spread(a);
-        }
-        let matrix = &mut system.border.matrix;
+        system.patterns = self.linear().spread(&system.totals);
         // For a symmetric problem, the columns equal the rows up to rounding.
-        *matrix = if self.problem.operator.is_symmetric() {
+        let matrix = if self.problem.operator.is_symmetric() {
             system.patterns
         } else {
             system.patterns.transposed()
         };
-        for (a, total) in system.totals.iter().enumerate() {
-            if let Some(compliance) = total.compliance() {
-                matrix.0[a][a] += 1.0 / compliance;
-            }
-        }
+        system.border = Border::new(&system.totals, matrix);
         self.totals = system;
     }
 
     pub(super) fn has_free_cell(&self) -> bool {
         let w = &*self.workspace;
         w.linear.moving.any(&w.linear.rows, Row::is_free)
-    }
-
-    /// Returns the sum over the cells of the motion that they can follow if all cells are moved by one along each component.
-    pub(super) fn mobility(&self) -> Small<N> {
-        let w = &*self.workspace;
-        let unit = |a: usize| std::array::from_fn(|c| if a == c { 1.0 } else { 0.0 });
-        if !MotionOf::<K, N>::IS_CURVED {
-            let count = w.linear.moving.of_all_ranks() as f64;
-            return Small(std::array::from_fn(|a| unit(a).map(|one: f64| one * count)));
-        }
-        let motions = &w.linear.rows;
-        Small(w.linear.moving.sweep((), |entries, ()| {
-            entries.sums(|k, place| {
-                let motion = entries.row(motions, k, place);
-                std::array::from_fn(|a| motion.restrict(unit(a)))
-            })
-        }))
     }
 
     /// Distributes the deficit of the totals over the moving cells, given the current sums of the components.

@@ -2,7 +2,7 @@
 
 use crate::cgm::{CellCompliance, FixedSetSystem, LinearWorkspace, Row, reduce};
 use crate::contact::with_counts_of;
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, check_converged};
 use crate::half_space::Compliance;
 use crate::memory::fallible;
 use crate::numerics::cell_vector::at;
@@ -17,17 +17,6 @@ pub(crate) struct ResponseContext<'a> {
     pub(crate) tolerance: f64,
     pub(crate) report: &'a mut Report,
     pub(crate) observer: Observer<'a>,
-}
-
-impl ResponseContext<'_> {
-    /// Returns an error unless the last solve reached the tolerance. A stop at the round-off limit is also an error.
-    pub(crate) fn check_solved(&self) -> Result<()> {
-        if self.report.is_converged() {
-            Ok(())
-        } else {
-            Err(Error::NotConverged(Box::new(self.report.clone())))
-        }
-    }
 }
 
 /// Linear problem of cells with fixed states, and its solutions for at most three displacements.
@@ -120,7 +109,8 @@ impl<R: Row<N>, const N: usize> LinearResponse<R, N> {
         context: &mut ResponseContext<'_>,
     ) -> Result<[&[f64]; N]> {
         self.respond(0, elasticity, displacement, context)?;
-        context.check_solved()?;
+        // A stop at the round-off limit is also an error.
+        check_converged(context.report)?;
         Ok(self.linear.tractions())
     }
 

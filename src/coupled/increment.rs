@@ -1,9 +1,10 @@
 //! One step of a coupled contact, in a problem from rest or in a history.
 
 use crate::bodies::component::Direction;
+use crate::cgm::cone::ConeStart;
 use crate::cgm::{Total, reduce};
 use crate::contact::{self, PassOutcome, SolveContext, WindowEngine, Windows, multipliers};
-use crate::coupled::window_solver::{CoupledEngine, CoupledRequest, CoupledStart};
+use crate::coupled::window_solver::{CoupledEngine, CoupledRequest};
 use crate::coupled::{CoupledReport, N};
 use crate::error::{Error, Result, SLIDE};
 use crate::grid::field::Field;
@@ -227,11 +228,11 @@ impl CoupledIncrement {
         let [x, y] = self.compute_totals(&demand, largest_coefficient)?;
         let totals = [pressure, x, y];
         let start = if self.contact().is_some() {
-            CoupledStart::Present
+            ConeStart::Present
         } else if self.start_from_coarser(demand, before, conditions)? {
-            CoupledStart::Coarse
+            ConeStart::Coarse
         } else {
-            CoupledStart::Halves
+            ConeStart::Halves
         };
         self.set_linear(demand.gap, datum);
         let RigidMotion { shift: [x, y], .. } = self.motion;
@@ -297,7 +298,7 @@ impl CoupledIncrement {
     pub(super) fn solve_on_window(
         &mut self,
         mut task: CoupledRequest<'_>,
-        mut start: CoupledStart,
+        mut start: ConeStart,
         conditions: &mut SolveContext<'_, '_>,
     ) -> Result<()> {
         let grid = self.bodies.grid();
@@ -326,7 +327,7 @@ impl CoupledIncrement {
             let outcome = engine.solve(asked, task, start, conditions, report);
             engine.write(tractions, displacement);
             outcome?;
-            (start, task.multiplier) = (CoupledStart::Present, engine.multiplier());
+            (start, task.multiplier) = (ConeStart::Present, engine.multiplier());
             let ([lift, ..], [gap, ..], [delta, ..]) = (&*displacement, linear, task.multiplier);
             let largest = reduce::max(&bodies.grid_layout(), |i| lift[i].abs());
             let overlaps = |i: usize| lift[i] + gap[i] - delta;

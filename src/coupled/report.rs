@@ -1,7 +1,7 @@
 //! Report of a coupled solve: status, cost and error bounds.
 
 use crate::cgm::cone::ConeMeasures;
-use crate::error::{Error, Result};
+use crate::error::{Result, check_converged};
 use crate::grid::field::clone_in_place;
 use crate::report::{Report, Status};
 
@@ -111,11 +111,7 @@ impl CoupledReport {
     pub(super) fn end(&mut self, status: Status) -> Result<()> {
         self.work.status = status;
         self.work.duality_gap = f64::INFINITY;
-        if status == Status::Converged {
-            Ok(())
-        } else {
-            Err(Error::NotConverged(Box::new(self.work.clone())))
-        }
+        check_converged(&self.work)
     }
 
     /// Returns whether the tolerance was reached.

@@ -1,9 +1,10 @@
 //! Sliding under a prescribed force if the friction capacity depends on the unknown pressure.
 
+use crate::cgm::cone::ConeStart;
 use crate::cgm::{Total, reduce};
 use crate::contact::SolveContext;
 use crate::coupled::increment::CoupledIncrement;
-use crate::coupled::window_solver::{CoupledRequest, CoupledStart};
+use crate::coupled::window_solver::CoupledRequest;
 use crate::error::{Error, Result, SLIDE};
 use crate::memory::fallible::TryClone;
 use crate::report::Status;
@@ -26,7 +27,7 @@ impl CoupledIncrement {
     pub(super) fn solve_or_slide(
         &mut self,
         task: CoupledRequest<'_>,
-        start: CoupledStart,
+        start: ConeStart,
         conditions: &mut SolveContext<'_, '_>,
     ) -> Result<()> {
         let (demand, datum) = (task.demand, task.datum);
@@ -56,7 +57,7 @@ impl CoupledIncrement {
             is_doubtful: false,
             ..task
         };
-        self.solve_on_window(patient, CoupledStart::Halves, conditions)
+        self.solve_on_window(patient, ConeStart::Halves, conditions)
     }
 
     /// Solves for the tractions of bodies that slide in a direction.
@@ -87,11 +88,7 @@ impl CoupledIncrement {
         };
         let settings = conditions.settings;
         let loosened = settings.tolerance(settings.tolerance.max(LEAST_TOLERANCE));
-        self.solve_on_window(
-            sliding,
-            CoupledStart::Halves,
-            &mut conditions.under(&loosened),
-        )
+        self.solve_on_window(sliding, ConeStart::Halves, &mut conditions.under(&loosened))
     }
 }
 

@@ -28,24 +28,11 @@ use crate::tangential::{FrictionWithin, entry_compliance};
 
 /// Relative tolerance of the alternating solves at the start.
 const START: f64 = 1e-2;
-/// Residual of the start above which a sweep of alternating solves is cheaper than Newton's method.
-const POOR: f64 = 0.1;
 /// Number of rounds after which cycling active sets end the solve. Each round takes more sweeps than the previous
 /// round.
 const ROUNDS: usize = 12;
 /// Largest fraction of the friction capacity that a tangential half may use, because its pressure is not final.
 const HELD: f64 = 0.999;
-
-/// Start of a solve.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum CoupledStart {
-    /// Starts with a sweep of alternating solves.
-    Halves,
-    /// Starts from the present tractions, which were interpolated from coarser cells.
-    Coarse,
-    /// Starts from the present tractions unless they are far from the solution.
-    Present,
-}
 
 impl FrictionCone for &FrictionWithin<'_> {
     fn limit(&self, cell: usize, pressure: f64) -> f64 {
@@ -242,7 +229,7 @@ impl CoupledEngine {
 
     /// Returns approach and shift relative to the prescribed values.
     pub(super) fn multiplier(&self) -> [f64; N] {
-        self.workspace.multiplier()
+        self.workspace.multiplier
     }
 
     /// Solves in place from the gap and the linear term of every cell, and writes the outcome to the report.
@@ -250,11 +237,11 @@ impl CoupledEngine {
         &mut self,
         (linear, closing): ([&[f64]; N], Option<CellCompliance<'_>>),
         task: CoupledRequest<'_>,
-        start: CoupledStart,
+        mut start: ConeStart,
         conditions: &mut SolveContext<'_, '_>,
         report: &mut CoupledReport,
     ) -> Result<()> {
-        self.workspace.set_multiplier(task.multiplier);
+        self.workspace.multiplier = task.multiplier;
         for (asked, whole) in self.asked.iter_mut().zip(linear) {
             self.region.gather(whole, asked);
         }
@@ -288,11 +275,7 @@ impl CoupledEngine {
         }
         let (lower_bounds, known) = ([normal, in_plane], normal.known.min(in_plane.known));
         let friction = &task.demand.friction.within(&self.region);
-        let (mut sweeps, mut opening) = match start {
-            CoupledStart::Halves => (1, ConeStart::Trusted),
-            CoupledStart::Coarse => (0, ConeStart::Coarse),
-            CoupledStart::Present => (0, ConeStart::Tentative(POOR)),
-        };
+        let mut sweeps = usize::from(start == ConeStart::Halves);
         let (least, mut tolerance) = (conditions.settings.tolerance.min(START), START);
         let mut stopped = None;
         for round in 1..=ROUNDS {
@@ -304,17 +287,13 @@ impl CoupledEngine {
             }
             // A stopped half leaves tractions beyond the friction limits of its pressure. The Newton solver projects
             // these tractions, measures their residual, and then stops as well.
-            let multiplier = self.workspace.multiplier();
+            let multiplier = self.workspace.multiplier;
             let has_halves = sweeps > 0;
             if has_halves {
                 self.keep_halves()?;
             }
-            let (status, findings) = self.newton(
-                (task, friction),
-                (opening, lower_bounds),
-                conditions,
-                report,
-            )?;
+            let (status, findings) =
+                self.newton((task, friction), (start, lower_bounds), conditions, report)?;
             let status = status.or(stopped);
             report.take(&findings);
             report.work.eigenvalue_bound = known;
@@ -334,9 +313,9 @@ impl CoupledEngine {
             if has_halves && round < ROUNDS {
                 // After cycling of the active sets, the result of the alternating solves is the better start.
                 std::mem::swap(&mut self.x, &mut self.kept);
-                self.workspace.set_multiplier(multiplier);
+                self.workspace.multiplier = multiplier;
             }
-            (sweeps, opening) = (sweeps + 1, ConeStart::Trusted);
+            (sweeps, start) = (sweeps + 1, ConeStart::Halves);
             tolerance = (0.1 * findings.merit().min(tolerance)).clamp(least, START);
         }
         report.end(Status::Stalled)
@@ -355,7 +334,7 @@ impl CoupledEngine {
     fn newton(
         &mut self,
         (task, friction): (CoupledRequest<'_>, &FrictionWithin<'_>),
-        (opening, lower_bounds): (ConeStart, [LowerBound; 2]),
+        (start, lower_bounds): (ConeStart, [LowerBound; 2]),
         conditions: &mut SolveContext<'_, '_>,
         report: &mut CoupledReport,
     ) -> Result<(Option<Status>, ConeMeasures)> {
@@ -378,13 +357,13 @@ impl CoupledEngine {
         let ended = cone::solve(
             &problem,
             &settings,
-            opening,
+            start,
             x,
             &mut self.workspace,
             &mut observer,
         );
         drop(observer);
-        report.work.add_pass(self.workspace.report());
+        report.work.add_pass(self.workspace.linear.report());
         ended
     }
 
@@ -406,7 +385,7 @@ impl CoupledEngine {
         }
         let ended = self.solve_tangential_half(task, friction, tolerance, conditions, report)?;
         [multiplier[1], multiplier[2]] = self.plane.multiplier();
-        self.workspace.set_multiplier(multiplier);
+        self.workspace.multiplier = multiplier;
         Ok(ended)
     }
 
@@ -501,7 +480,8 @@ impl CoupledEngine {
         }
         let Compliance { operator, .. } = &self.compliance;
         let (tractions, image) = (slices(&self.linear), slices_mut(&mut self.image));
-        self.workspace.apply(operator, tractions, image);
+        let linear = &mut self.workspace.linear;
+        linear.displace(operator, tractions, image);
         for (c, image) in self.image.iter().enumerate() {
             for (i, sum) in self.linear[c].iter_mut().enumerate() {
                 *sum = self.asked[c][i] + image[i];

@@ -136,6 +136,15 @@ pub(crate) fn memory(quantity: &'static str, counts: [usize; 2], each: usize) ->
     }
 }
 
+/// Returns an error for a solution that has not converged, or that no solve has filled.
+pub(crate) fn check_converged(report: &Report) -> Result<()> {
+    if report.is_converged() {
+        Ok(())
+    } else {
+        Err(Error::NotConverged(Box::new(report.clone())))
+    }
+}
+
 /// Returns the error of an iteration that reached its limit.
 pub(crate) fn not_converged(iterations: usize, residual: f64) -> Error {
     Error::NotConverged(Box::new(Report {

@@ -11,8 +11,8 @@ mod system;
 pub(crate) mod tests;
 
 pub(crate) use check::{
-    SLIDE, all_finite, all_non_negative, at_least, finite, has_squares, length, memory,
-    non_negative, not_converged, of_rolling, poisson_ratio, positive, samples_obey,
+    SLIDE, all_finite, all_non_negative, at_least, check_converged, finite, has_squares, length,
+    memory, non_negative, not_converged, of_rolling, poisson_ratio, positive, samples_obey,
 };
 pub(crate) use messages::counted;
 pub use {kind::ErrorKind, place::Place, ranks::RankFailure, result::Result, system::SystemError};

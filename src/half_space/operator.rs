@@ -5,7 +5,7 @@ use std::sync::Arc;
 use crate::bodies::kernel::SubOperator;
 use crate::error::{Result, positive};
 use crate::fft::{CirculantInverse, Convolution};
-use crate::operator::{LowerBound, MeanBound, Operator, Scratch};
+use crate::operator::{LowerBound, MeanBound, Operator, Scratch, operator_methods};
 use crate::parallel::layout::Layout;
 use crate::report::EigenvalueBound;
 
@@ -95,6 +95,13 @@ impl<const N: usize> ElasticOperator<N> {
             OperatorKind::User(_) => f64::INFINITY,
         }
     }
+
+    fn kind(&self) -> &dyn Operator<N> {
+        match &self.0 {
+            OperatorKind::Convolution(convolution) => convolution,
+            OperatorKind::User(part) => part,
+        }
+    }
 }
 
 impl ElasticOperator<3> {
@@ -121,61 +128,7 @@ impl<const N: usize> From<SubOperator<N>> for ElasticOperator<N> {
 }
 
 impl<const N: usize> Operator<N> for ElasticOperator<N> {
-    fn cells(&self) -> usize {
-        match &self.0 {
-            OperatorKind::Convolution(convolution) => convolution.cells(),
-            OperatorKind::User(part) => part.cells(),
-        }
-    }
-
-    fn layout(&self) -> Layout {
-        match &self.0 {
-            OperatorKind::Convolution(convolution) => convolution.layout(),
-            OperatorKind::User(part) => part.layout(),
-        }
-    }
-
-    fn scratch(&self) -> Result<Scratch> {
-        match &self.0 {
-            OperatorKind::Convolution(convolution) => convolution.scratch(),
-            OperatorKind::User(part) => part.scratch(),
-        }
-    }
-
-    fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
-        match &self.0 {
-            OperatorKind::Convolution(convolution) => convolution.apply(x, out, scratch),
-            OperatorKind::User(part) => part.apply(x, out, scratch),
-        }
-    }
-
-    fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
-        match &self.0 {
-            OperatorKind::Convolution(convolution) => convolution.apply_f32(x, out, scratch),
-            OperatorKind::User(part) => part.apply_f32(x, out, scratch),
-        }
-    }
-
-    fn lower_bound(&self) -> f64 {
-        match &self.0 {
-            OperatorKind::Convolution(convolution) => convolution.lower_bound(),
-            OperatorKind::User(part) => part.lower_bound(),
-        }
-    }
-
-    fn eigenvalue_bound(&self) -> EigenvalueBound {
-        match &self.0 {
-            OperatorKind::Convolution(convolution) => convolution.eigenvalue_bound(),
-            OperatorKind::User(part) => part.eigenvalue_bound(),
-        }
-    }
-
-    fn self_compliance(&self) -> f64 {
-        match &self.0 {
-            OperatorKind::Convolution(convolution) => convolution.self_compliance(),
-            OperatorKind::User(part) => part.self_compliance(),
-        }
-    }
+    operator_methods!(self, self.kind());
 }
 
 /// Approximate inverse of an [`ElasticOperator`], symmetric and positive definite.

@@ -12,6 +12,11 @@ impl<const N: usize> Small<N> {
         Self(std::array::from_fn(|a| self.0.map(|row| row[a])))
     }
 
+    /// Returns the sum of the diagonal.
+    pub(crate) fn trace(&self) -> f64 {
+        (0..N).map(|a| self.0[a][a]).sum()
+    }
+
     /// Solves for the active unknowns by elimination. All other unknowns are zero.
     pub(crate) fn solve(&self, right: [f64; N], active: [bool; N]) -> [f64; N] {
         let (mut rows, mut x) = (self.0, right);
@@ -58,7 +63,7 @@ impl<const N: usize> Small<N> {
     pub(crate) fn weakest(&self, active: [bool; N]) -> [f64; N] {
         let least = (0..N).filter(|&a| active[a]);
         let least = least.min_by(|&a, &b| self.0[a][a].total_cmp(&self.0[b][b]));
-        let trace: f64 = (0..N).map(|a| self.0[a][a]).sum();
+        let trace = self.trace();
         // If the matrix is zero, all directions are equivalent.
         let shift = if trace > 0.0 {
             f64::EPSILON * trace

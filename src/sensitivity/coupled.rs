@@ -5,7 +5,7 @@ use crate::cgm::cone::TransposedState;
 use crate::cgm::{Total, reduce};
 use crate::contact::{ResponseContext, Solver};
 use crate::coupled::{CoupledProblem, CoupledSolution};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, check_converged};
 use crate::grid::field::Field;
 use crate::half_space::Region;
 use crate::memory::fallible;
@@ -21,8 +21,7 @@ use crate::sensitivity::shear::{by_control, by_twist, on_grid, on_region, total_
 use crate::sensitivity::solver::{Linearised, check_functionals, with_own_report};
 use crate::sensitivity::{Functional, Sensitivity};
 use crate::stiffness::{
-    ContactCells, SolvedContact, StiffnessWorkspace, SystemBuffers, check_converged, check_open,
-    joint_system,
+    ContactCells, SolvedContact, StiffnessWorkspace, SystemBuffers, check_open, joint_system,
 };
 use crate::tangential::Axis;
 

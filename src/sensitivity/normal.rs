@@ -4,7 +4,7 @@ use std::ops::ControlFlow;
 
 use crate::cgm::{Total, reduce};
 use crate::contact::{ResponseContext, Solver};
-use crate::error::{Error, Result};
+use crate::error::{Error, Result, check_converged};
 use crate::grid::field::Field;
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
@@ -18,7 +18,7 @@ use crate::sensitivity::functional::{ContactView, Gradient, ShearView, entry};
 use crate::sensitivity::shear::on_region;
 use crate::sensitivity::solver::{Linearised, check_functionals, with_own_report};
 use crate::sensitivity::{Functional, Sensitivity};
-use crate::stiffness::{SolvedContact, StiffnessWorkspace, SystemBuffers, check_converged};
+use crate::stiffness::{SolvedContact, StiffnessWorkspace, SystemBuffers};
 
 impl Linearised for NormalProblem {
     fn sensitivities(

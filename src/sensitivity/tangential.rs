@@ -4,7 +4,7 @@ use crate::bodies::component::{Component, Direction};
 use crate::bodies::coupling::Coupling;
 use crate::cgm::{Ball, NormBound, Row, reduce};
 use crate::contact::{ResponseContext, Solver};
-use crate::error::Result;
+use crate::error::{Result, check_converged};
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible;
@@ -21,7 +21,6 @@ use crate::sensitivity::solver::{Linearised, check_functionals, with_own_report}
 use crate::sensitivity::{Functional, Sensitivity};
 use crate::stiffness::{
     BallOf, ContactCells, SolvedContact, StiffnessWorkspace, SystemBuffers, SystemOf,
-    check_converged,
 };
 use crate::tangential::{
     Axis, Friction, PressureOnWindow, RigidMotion, TangentialControl, TangentialProblem,

@@ -3,13 +3,15 @@
 use std::ops::ControlFlow;
 
 use crate::contact::ResponseContext;
-use crate::error::{Error, Result, positive};
+#[cfg(doc)]
+use crate::error::Error;
+use crate::error::{Result, check_converged, positive};
 use crate::half_space::HalfSpace;
 use crate::normal::NormalSolution;
 use crate::numerics::small_matrix::Small;
 use crate::observer::{Observer, unwatched};
 use crate::parallel;
-use crate::report::{Iteration, Report};
+use crate::report::Iteration;
 use crate::stiffness::contact::{Pressing, SolvedContact};
 use crate::stiffness::motions::kinds;
 use crate::stiffness::system::times;
@@ -120,15 +122,6 @@ impl TangentialStiffness {
             reversal: in_series(self.reversal),
             bound: self.bound,
         })
-    }
-}
-
-/// Returns an error for a solution that has not converged, or that no solve has filled.
-pub(crate) fn check_converged(report: &Report) -> Result<()> {
-    if report.is_converged() {
-        Ok(())
-    } else {
-        Err(Error::NotConverged(Box::new(report.clone())))
     }
 }
 

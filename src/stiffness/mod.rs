@@ -77,7 +77,6 @@ mod tangential;
 mod workspace;
 
 pub(crate) use contact::{ContactCells, SolvedContact, check_open};
-pub(crate) use contact_stiffness::check_converged;
 pub use contact_stiffness::{ContactStiffness, NormalStiffness, TangentialStiffness};
 #[cfg(feature = "history")]
 pub(crate) use coupled::joint_system;

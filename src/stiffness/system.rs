@@ -34,7 +34,7 @@
 use crate::cgm::reduce::{self, larger};
 use crate::cgm::{CellCompliance, Row};
 use crate::contact::{LinearResponse, ResponseColumn, ResponseContext};
-use crate::error::Result;
+use crate::error::{Result, check_converged};
 use crate::half_space::{Compliance, ElasticOperator, HalfSpace};
 use crate::memory::fallible;
 use crate::numerics::cell_vector::{at, dot, plus, slices, slices_mut};
@@ -170,7 +170,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         } else {
             Status::Stalled
         };
-        context.check_solved()?;
+        check_converged(context.report)?;
         Ok(Stiffness { matrix, bound })
     }
 

@@ -1,7 +1,7 @@
 //! Jaeger's superposition: partial slip as the difference of two normal contacts.
 
 use crate::bodies::material::ElasticPair;
-use crate::error::{Error, Result, non_negative};
+use crate::error::{Error, Result, check_converged, non_negative};
 use crate::grid::field::Field;
 use crate::memory::fallible;
 use crate::normal::NormalSolution;
@@ -72,12 +72,8 @@ impl JaegerSuperposition {
             }
             contact.check_elastic("the superposition")?;
         }
-        if let Some(unsolved) = [full, stick]
-            .into_iter()
-            .find(|contact| !contact.report().is_converged())
-        {
-            return Err(Error::NotConverged(Box::new(unsolved.report().clone())));
-        }
+        check_converged(full.report())?;
+        check_converged(stick.report())?;
         if full.contact_cells() == 0 {
             return Err(Error::EmptyContact);
         }

@@ -1,6 +1,6 @@
 //! Pressure of a tangential contact.
 
-use crate::error::{Error, Result, all_non_negative};
+use crate::error::{Error, Result, all_non_negative, check_converged};
 use crate::grid::field::Field;
 use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
@@ -54,9 +54,7 @@ impl<'a> PressureSource<'a> {
         match self {
             Self::Solved(normal) => {
                 check_bodies(normal, bodies)?;
-                if !normal.report().is_converged() {
-                    return Err(Error::NotConverged(Box::new(normal.report().clone())));
-                }
+                check_converged(normal.report())?;
                 Ok(normal.pressure().as_slice())
             }
             Self::Prescribed(pressure) => {

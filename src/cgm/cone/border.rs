@@ -6,13 +6,10 @@ use crate::cgm::cone::workspace::gradient;
 use crate::cgm::cone::{ConeRun, FrictionCone, N};
 use crate::cgm::law::state::Row;
 use crate::cgm::linear::Border;
-use crate::cgm::totals::sums_of;
+use crate::cgm::totals::{can_turn, hold_springs, sums_of};
 use crate::cgm::{Total, reduce};
 use crate::numerics::cell_vector::{dot, norm, slices};
-use crate::parallel;
 
-/// Fraction of the mobility along an axis below which slipping cells cannot carry a change along this axis.
-const LEAST_TURN: f64 = 1e-13;
 /// Maximum number of times that all cells of a contact are set to stick if their tractions cannot rotate.
 const TRIALS: usize = 2;
 
@@ -41,16 +38,10 @@ fn slip_against(law: ConeCellState, [_, x, y]: [f64; N], missing: [f64; 2]) -> O
 impl<F: FrictionCone> ConeRun<'_, '_, F> {
     /// Determines the spread of the multipliers. Totals that no cell can change are inactive.
     pub(super) fn border(&mut self) -> Border<N> {
-        let (totals, mut border) = (self.problem.totals, Border::NONE);
-        for a in (0..N).filter(|&a| totals[a] != Total::Free) {
-            let added = self.linear().spread(a);
-            for (row, added) in border.matrix.0.iter_mut().zip(added) {
-                row[a] = added;
-            }
-            if let Some(compliance) = totals[a].compliance() {
-                border.matrix.0[a][a] += 1.0 / compliance;
-            }
-            border.active[a] = border.matrix.0[a][a] != 0.0;
+        let totals = self.problem.totals;
+        let mut border = Border::new(&totals, self.linear().spread(&totals).transposed());
+        for (a, active) in border.active.iter_mut().enumerate() {
+            *active &= border.matrix.0[a][a] != 0.0;
         }
         border
     }
@@ -64,13 +55,13 @@ impl<F: FrictionCone> ConeRun<'_, '_, F> {
 
     /// Updates the multipliers of the springs to the current tractions.
     pub(super) fn hold_springs(&mut self) {
-        let sums = sums_of(self.problem.layout, &slices(&self.x));
-        let multiplier = &mut self.workspace.multiplier;
-        for (c, total) in self.problem.totals.iter().enumerate() {
-            if total.is_spring() {
-                multiplier[c] = total.held(multiplier[c], sums[c]);
-            }
-        }
+        let (problem, multiplier) = (self.problem, &mut self.workspace.multiplier);
+        hold_springs(
+            &problem.totals,
+            problem.layout,
+            &slices(&self.x),
+            multiplier,
+        );
     }
 
     /// Releases the pressures if all cells in contact are at their hardness and a normal force is prescribed. If these
@@ -83,44 +74,27 @@ impl<F: FrictionCone> ConeRun<'_, '_, F> {
         let laws = &w.linear.rows;
         let moves = |place: usize| laws[place].moves() && !laws[place].is_held;
         if !reduce::any(self.problem.layout, moves) {
-            parallel::update(&mut w.linear.rows, |_, laws| {
-                for law in laws {
-                    law.is_held = false;
-                }
-            });
+            w.linear.update_rows(|_, law| law.is_held = false);
         }
     }
 
     /// Sets slipping cells to stick if all cells slip in the same direction and tangential sums are prescribed. Rotating the
     /// tractions alone could not change the sums along that direction.
     pub(super) fn restore_stick(&mut self) {
-        let totals = self.problem.totals;
-        let w = &*self.workspace;
-        let laws = &w.linear.rows;
-        let mobility: [[f64; 2]; 2] = w.linear.moving.sweep((), |entries, ()| {
-            entries.sums(|_, place| laws[entries.chunk.start + place].mobility())
-        });
-        let [[xx, xy], [_, yy]] = mobility;
-        let (has_sum, all) = (totals.map(|total| total.sum().is_some()), xx + yy);
-        // Estimate of the least part of a change along any prescribed direction, times `all`.
-        let least = match has_sum {
-            [_, true, true] => xx * yy - xy * xy,
-            [_, true, false] => xx * all,
-            [_, false, true] => yy * all,
-            [_, false, false] => return,
-        };
-        if least > LEAST_TURN * all * all {
+        let [_, x, y] = self.problem.totals.map(|total| total.sum().is_some());
+        let mut mobility = self.workspace.linear.mobility();
+        // Only the mobility in the plane matters.
+        mobility.0[0] = [0.0; N];
+        if can_turn(&mobility, [false, x, y]) {
             return;
         }
         self.times_held += 1;
         let nearest = self.cell_with_least_slip();
         let w = &mut *self.workspace;
         let gradient = gradient(&w.product, self.problem.linear, w.multiplier);
-        parallel::update(&mut w.linear.rows, |first, laws| {
-            for (i, law) in (first..).zip(laws) {
-                if nearest.is_none_or(|nearest| nearest.include(*law, gradient(i))) {
-                    *law = law.stuck();
-                }
+        w.linear.update_rows(|i, law| {
+            if nearest.is_none_or(|nearest| nearest.include(*law, gradient(i))) {
+                *law = law.stuck();
             }
         });
     }

@@ -128,12 +128,6 @@ impl ConeCellState {
         Self::new(kind, p > 0.0 && p >= hardness)
     }
 
-    /// Returns whether the cell moves in the same way as in another state.
-    pub(super) fn is_like(self, other: Self) -> bool {
-        let [now, then] = [self, other].map(|law| (law.moves(), law.is_free(), law.is_held));
-        now == then
-    }
-
     /// Returns the state with slip replaced by stick.
     pub(super) fn stuck(self) -> Self {
         match self.kind {
@@ -148,18 +142,6 @@ impl ConeCellState {
     /// Returns `value`, a change of the pressure or an equation of the gap, or zero if the pressure is fixed.
     pub(super) fn pressed(self, value: f64) -> f64 {
         if self.is_held { 0.0 } else { value }
-    }
-
-    /// Returns the matrix in x and y that projects a uniform motion on the motion that the cell can follow.
-    pub(super) fn mobility(self) -> [[f64; 2]; 2] {
-        match self.kind {
-            CellKind::Open | CellKind::Frictionless => [[0.0; 2]; 2],
-            CellKind::Stick => [[1.0, 0.0], [0.0, 1.0]],
-            CellKind::Slip(slip) => {
-                let t = slip.tangent();
-                t.map(|along| t.map(|t| along * t))
-            }
-        }
     }
 
     /// Returns the state with limit, slope and stiffness at slip `s`. In the stiffness, `least` replaces a smaller limit.
@@ -254,6 +236,11 @@ impl Row<N> for ConeCellState {
 
     fn is_free(self) -> bool {
         self.kind == CellKind::Stick
+    }
+
+    fn is_like(self, other: Self) -> bool {
+        let [now, then] = [self, other].map(|law| (law.moves(), law.is_free(), law.is_held));
+        now == then
     }
 
     fn extend(self, v: [f64; N]) -> [f64; N] {

@@ -7,7 +7,6 @@ use crate::cgm::cone::cell_state::{CellKind, ConeCellState, EntryLag};
 use crate::cgm::cone::{ConeProblem, ConeRun, FrictionCone, N};
 use crate::cgm::reduce;
 use crate::numerics::cell_vector::{at, slices, update_cells};
-use crate::parallel;
 
 /// Fraction of the largest pressure that replaces a smaller pressure in `kappa g / p`.
 const LEAST: f64 = 1e-9;
@@ -37,23 +36,21 @@ impl<F: FrictionCone> ConeRun<'_, '_, F> {
         };
         let x = slices(&self.x);
         let least = LEAST * reduce::max(problem.layout, |i| x[0][i]);
-        parallel::update(&mut self.workspace.linear.rows, |first, laws| {
-            for (i, law) in (first..).zip(laws) {
-                let own = match closing.mean(i) {
-                    0.0 => 0.0,
-                    closing => (closing / x[0][i].max(least)).min(f64::MAX),
-                };
-                let per_pressure = if own > 0.0 {
-                    own / closing.mean(i)
-                } else {
-                    0.0
-                };
-                law.lag = EntryLag {
-                    own,
-                    deviator: closing.deviator(i).map(|part| part * per_pressure),
-                    ratio: problem.ratio(i, *law, at(&x, i)),
-                };
-            }
+        self.workspace.linear.update_rows(|i, law| {
+            let own = match closing.mean(i) {
+                0.0 => 0.0,
+                closing => (closing / x[0][i].max(least)).min(f64::MAX),
+            };
+            let per_pressure = if own > 0.0 {
+                own / closing.mean(i)
+            } else {
+                0.0
+            };
+            law.lag = EntryLag {
+                own,
+                deviator: closing.deviator(i).map(|part| part * per_pressure),
+                ratio: problem.ratio(i, *law, at(&x, i)),
+            };
         });
         self.add_entry_compliance(1.0);
     }

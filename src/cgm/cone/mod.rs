@@ -106,21 +106,15 @@ impl ConeMeasures {
     }
 }
 
-/// Quality of the sets of a start.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// Origin of a start.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum ConeStart {
-    /// The sets come from a coarser grid and do not justify an accurate first solve.
+    /// The tractions come from separate solves for pressure and traction. Their sets are reliable.
+    Halves,
+    /// The tractions were interpolated from coarser cells. Their sets do not justify an accurate first solve.
     Coarse,
-    /// The sets are reliable.
-    Trusted,
-    /// The start is rejected if its residual is larger.
-    Tentative(f64),
-}
-
-impl ConeStart {
-    fn refuses(self, residual: f64) -> bool {
-        matches!(self, Self::Tentative(worst) if residual > worst)
-    }
+    /// The tractions are the present tractions. They are rejected if they are far from the solution.
+    Present,
 }
 
 /// State of one solve.
@@ -133,7 +127,7 @@ pub(crate) struct ConeRun<'a, 'b, F> {
     is_fresh: bool,
     /// Number of times that all cells slipped in the same direction.
     times_held: usize,
-    opening: ConeStart,
+    start: ConeStart,
     course: NewtonProgress,
     border: Border<N>,
 }
@@ -147,7 +141,7 @@ pub(crate) struct ConeRun<'a, 'b, F> {
 pub(crate) fn solve<F: FrictionCone>(
     problem: &ConeProblem<'_, F>,
     settings: &Settings,
-    opening: ConeStart,
+    start: ConeStart,
     x: [&mut [f64]; N],
     workspace: &mut ConeWorkspace,
     observer: Observer<'_>,
@@ -164,7 +158,7 @@ pub(crate) fn solve<F: FrictionCone>(
         workspace,
         is_fresh: false,
         times_held: 0,
-        opening,
+        start,
         course: NewtonProgress::BEGIN,
         border: Border::NONE,
     };

@@ -11,11 +11,12 @@ use crate::cgm::law::state::Row;
 use crate::cgm::linear::{BASES, Linear, UpdatedIterate};
 use crate::cgm::newton::NewtonSteps;
 use crate::cgm::{AbsBound, BoundedPressure, CellCompliance, ConstraintSet, Disc, reduce};
-use crate::numerics::cell_vector::{chunks, held, norm, put, slices, slices_mut};
+use crate::numerics::cell_vector::{norm, slices, slices_mut};
 use crate::parallel;
-use crate::parallel::layout::Layout;
 use crate::report::Status;
 
+/// Residual of the present tractions above which a sweep of alternating solves is cheaper than Newton's method.
+const POOR: f64 = 0.1;
 /// Reduction of the inner residual for sets from a coarser grid.
 const FIRST_REDUCTION: f64 = 0.3;
 /// Reduction of the inner residual for changing sets.
@@ -79,8 +80,7 @@ impl<F: FrictionCone> NewtonSteps for ConeRun<'_, '_, F> {
             findings = self.findings();
         }
         let merit = findings.merit();
-        let report = &mut self.workspace.linear.report;
-        self.monitor.check_termination(merit, report)?;
+        self.monitor.check_termination(merit)?;
         (self.course.residual, self.course.load_error) = (findings.residual, findings.load_error);
         ControlFlow::Continue(merit)
     }
@@ -88,7 +88,8 @@ impl<F: FrictionCone> NewtonSteps for ConeRun<'_, '_, F> {
     fn has_stalled(&mut self, merit: f64) -> bool {
         let course = &mut self.course;
         // A deficit of the totals does not matter, because the first step corrects it.
-        if course.best.is_infinite() && self.opening.refuses(course.residual) {
+        let is_present = course.best.is_infinite() && self.start == ConeStart::Present;
+        if is_present && course.residual > POOR {
             return true;
         }
         // Close to sliding, the shift grows with each step and the tractions rotate into the direction of the force. The residual
@@ -106,8 +107,9 @@ impl<F: FrictionCone> NewtonSteps for ConeRun<'_, '_, F> {
     }
 
     fn linearise(&mut self, _: f64) -> ControlFlow<Status, bool> {
-        self.monitor
-            .record_allocation_failure(self.workspace.list_contact())?;
+        let linear = &mut self.workspace.linear;
+        linear.list_moving();
+        self.monitor.record_allocation_failure(linear.list())?;
         self.free_hardness_cells();
         self.restore_stick();
         self.measure_slip();
@@ -119,7 +121,7 @@ impl<F: FrictionCone> NewtonSteps for ConeRun<'_, '_, F> {
 
     fn solve_linear(&mut self, merit: f64) -> ControlFlow<Status> {
         let (border, missing) = (self.border, self.missing());
-        let reduction = if self.course.changes == usize::MAX && self.opening == ConeStart::Coarse {
+        let reduction = if self.course.changes == usize::MAX && self.start == ConeStart::Coarse {
             FIRST_REDUCTION
         } else if self.course.changes > 0 {
             INNER_REDUCTION
@@ -148,26 +150,16 @@ impl<'a, F: FrictionCone> ConeRun<'a, '_, F> {
     pub(super) fn set_laws(&mut self) {
         self.is_fresh = false;
         let (friction, hardness) = (&self.problem.friction, self.problem.hardness);
-        let laws = &mut self.workspace.linear.rows;
-        move_cells(
-            self.problem.layout,
-            &mut self.x,
-            laws,
-            |cell, _, [p, x, y]| {
-                let hardness = hardness.of(cell);
-                let pressure = p.max(0.0).min(hardness);
-                let disc = Disc {
-                    radius: friction.limit(cell, pressure),
-                };
-                let [x, y] = disc.project([x, y]);
-                let tractions = [pressure, x, y];
-                (
-                    ConeCellState::of(tractions, disc.radius, hardness),
-                    tractions,
-                    false,
-                )
-            },
-        );
+        let of = |cell: usize, _, [p, x, y]: [f64; N]| {
+            let hardness = hardness.of(cell);
+            let pressure = p.max(0.0).min(hardness);
+            let radius = friction.limit(cell, pressure);
+            let [x, y] = Disc { radius }.project([x, y]);
+            let tractions = [pressure, x, y];
+            (ConeCellState::of(tractions, radius, hardness), tractions)
+        };
+        let linear = &mut self.workspace.linear;
+        linear.replace(self.problem.layout, &mut self.x, of);
         self.hold_springs();
     }
 
@@ -181,7 +173,7 @@ impl<'a, F: FrictionCone> ConeRun<'a, '_, F> {
     fn refresh_in(&mut self, precision: Precision) {
         self.is_fresh = precision == Precision::Double;
         let w = &mut *self.workspace;
-        let (operator, report) = (&self.problem.operator, &mut w.linear.report);
+        let (operator, report) = (&self.problem.operator, &mut self.monitor.report);
         let product = slices_mut(&mut w.product);
         precision.apply(
             operator,
@@ -201,34 +193,31 @@ impl<'a, F: FrictionCone> ConeRun<'a, '_, F> {
 
     /// Examines the iterate with the current product and writes the findings to the report.
     pub(super) fn findings(&mut self) -> ConeMeasures {
-        let (problem, w) = (self.problem, &*self.workspace);
-        let normal = Iterate {
-            layout: problem.layout,
-            x: [&*self.x[0]],
-            product: [&w.product[0]],
-            linear: [problem.linear[0]],
-            datum: [0.0],
-            totals: [problem.totals[0]],
-            multiplier: [w.multiplier[0]],
-        };
-        let plane = Iterate {
-            layout: problem.layout,
-            x: [&*self.x[1], &*self.x[2]],
-            product: [&w.product[1], &w.product[2]],
-            linear: [problem.linear[1], problem.linear[2]],
-            datum: [0.0; 2],
-            totals: [problem.totals[1], problem.totals[2]],
-            multiplier: [w.multiplier[1], w.multiplier[2]],
-        };
-        let [least_normal, least_plane] = problem.lower_bounds;
-        let normal = measure(&normal, &BoundedPressure(problem.hardness), least_normal);
-        let plane = measure(&plane, &AbsBound(&w.limits), least_plane);
+        let [least_normal, least_plane] = self.problem.lower_bounds;
+        let hardness = BoundedPressure(self.problem.hardness);
+        let normal = measure(&self.part([0]), &hardness, least_normal);
+        let limits = AbsBound(&self.workspace.limits);
+        let plane = measure(&self.part([1, 2]), &limits, least_plane);
         let findings = self.found(&normal, &plane);
-        let report = &mut self.workspace.linear.report;
+        let report = &mut self.monitor.report;
         report.residual = findings.residual;
         report.load_error = findings.load_error;
         self.monitor.free = findings.free;
         findings
+    }
+
+    /// Returns these components of the iterate.
+    fn part<const M: usize>(&self, components: [usize; M]) -> Iterate<'_, M> {
+        let (problem, w) = (self.problem, &*self.workspace);
+        Iterate {
+            layout: problem.layout,
+            x: components.map(|c| &*self.x[c]),
+            product: components.map(|c| w.product[c].as_slice()),
+            linear: components.map(|c| problem.linear[c]),
+            datum: [0.0; M],
+            totals: components.map(|c| problem.totals[c]),
+            multiplier: components.map(|c| w.multiplier[c]),
+        }
     }
 
     fn found(&self, normal: &IterateMeasures, plane: &IterateMeasures) -> ConeMeasures {
@@ -265,13 +254,11 @@ impl<'a, F: FrictionCone> ConeRun<'a, '_, F> {
         let gradient = gradient(&w.product, self.problem.linear, w.multiplier);
         let (pressure, limits) = (&*self.x[0], &w.limits);
         let least = NOTHING * reduce::max(self.problem.layout, |i| limits[i]);
-        parallel::update(&mut w.linear.rows, |first, laws| {
-            for (i, law) in (first..).zip(laws) {
-                if law.moves() {
-                    let [_, x, y] = gradient(i);
-                    let limit = [limits[i], friction.slope(i, pressure[i])];
-                    *law = law.measured([x, y], limit, least, self_compliance);
-                }
+        w.linear.update_rows(|i, law| {
+            if law.moves() {
+                let [_, x, y] = gradient(i);
+                let limit = [limits[i], friction.slope(i, pressure[i])];
+                *law = law.measured([x, y], limit, least, self_compliance);
             }
         });
     }
@@ -319,42 +306,14 @@ impl<'a, F: FrictionCone> ConeRun<'a, '_, F> {
             slip: NOISE * tolerance * reduce::max(self.problem.layout, sizes),
         };
         let problem = self.problem;
-        let friction = &problem.friction;
-        move_cells(
-            problem.layout,
-            &mut self.x,
-            &mut w.linear.rows,
-            |cell, law, tractions| {
-                let noise = Noise {
-                    lag: problem.closing_of(cell),
-                    hardness: problem.hardness.of(cell),
-                    ..noise
-                };
-                let (next, value) = law.next(cell, tractions, gradient(cell), friction, noise);
-                (next, value, !next.is_like(law))
-            },
-        )
+        let next = |cell: usize, law: ConeCellState, tractions| {
+            let noise = Noise {
+                lag: problem.closing_of(cell),
+                hardness: problem.hardness.of(cell),
+                ..noise
+            };
+            law.next(cell, tractions, gradient(cell), &problem.friction, noise)
+        };
+        w.linear.replace(problem.layout, &mut self.x, next).0
     }
-}
-
-/// Sets every cell to the state and tractions of `next`. Returns the number of cells that changed sets.
-fn move_cells(
-    layout: &Layout,
-    x: &mut [&mut [f64]; N],
-    laws: &mut [ConeCellState],
-    next: impl Fn(usize, ConeCellState, [f64; N]) -> (ConeCellState, [f64; N], bool) + Sync,
-) -> usize {
-    let data = (chunks(layout, x), layout.blocks(laws));
-    let work = |task: usize, (mut x, laws): (_, parallel::Blocks<'_, ConeCellState>)| {
-        let mut changed = 0_usize;
-        for (place, law) in laws.items.iter_mut().enumerate() {
-            let cell = task * layout.chunk() + place;
-            let (law_next, value, is_changed) = next(cell, *law, held(&x, place));
-            *law = law_next;
-            put(&mut x, place, value);
-            changed += usize::from(is_changed);
-        }
-        changed
-    };
-    layout.sweep(data, work, |a, b| a + b)
 }

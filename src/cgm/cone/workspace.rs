@@ -2,22 +2,20 @@
 
 use crate::cgm::cone::N;
 use crate::cgm::cone::cell_state::ConeCellState;
-use crate::cgm::law::state::Row;
 use crate::cgm::linear::LinearWorkspace;
 use crate::error::Result;
 use crate::memory::fallible;
 use crate::operator::Operator;
-use crate::report::Report;
 
 /// Buffers of a solve except its tractions. They are created once and reused by every solve of the same size.
 #[derive(Debug, Clone)]
 pub(crate) struct ConeWorkspace {
     /// Linear problem whose rows are the states of the cells.
-    pub(super) linear: LinearWorkspace<ConeCellState, N>,
+    pub(crate) linear: LinearWorkspace<ConeCellState, N>,
     pub(super) product: [Vec<f64>; N],
     /// Friction limit of every cell.
     pub(super) limits: Vec<f64>,
-    pub(super) multiplier: [f64; N],
+    pub(crate) multiplier: [f64; N],
 }
 
 impl ConeWorkspace {
@@ -35,38 +33,9 @@ impl ConeWorkspace {
         })
     }
 
-    /// Lists the cells in contact, and allocates their unknowns.
-    pub(super) fn list_contact(&mut self) -> Result<()> {
-        let (laws, moving) = (&self.linear.rows, &mut self.linear.moving);
-        moving.update(|i| laws[i].moves());
-        self.linear.list()
-    }
-
-    /// Writes `C x` to `out` without a change of the stored solution.
-    pub(crate) fn apply(
-        &mut self,
-        operator: &dyn Operator<N>,
-        x: [&[f64]; N],
-        out: [&mut [f64]; N],
-    ) {
-        operator.apply(x, out, &mut self.linear.operator);
-    }
-
     /// Returns the product `C x` of the tractions last returned.
     pub(crate) fn product(&self) -> [&[f64]; N] {
         self.product.each_ref().map(Vec::as_slice)
-    }
-
-    pub(crate) fn multiplier(&self) -> [f64; N] {
-        self.multiplier
-    }
-
-    pub(crate) fn set_multiplier(&mut self, multiplier: [f64; N]) {
-        self.multiplier = multiplier;
-    }
-
-    pub(crate) fn report(&self) -> &Report {
-        &self.linear.report
     }
 }
 

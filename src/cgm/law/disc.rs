@@ -305,7 +305,7 @@ impl ShiftedSums {
     /// Returns the Newton step in the components whose sum is prescribed.
     fn step(&self, sums: [Option<f64>; 2]) -> [f64; 2] {
         let prescribed = sums.map(|sum| sum.is_some());
-        let trace = self.slope.0[0][0] + self.slope.0[1][1];
+        let trace = self.slope.trace();
         if self.slope.least(prescribed) > f64::EPSILON * trace {
             self.slope.solve(self.missing, prescribed)
         } else {

@@ -33,6 +33,12 @@ pub(crate) trait Row<const N: usize>:
     /// Returns whether the cell moves in any direction.
     fn is_free(self) -> bool;
 
+    /// Returns whether the cell moves in the same way as in another state.
+    #[inline]
+    fn is_like(self, other: Self) -> bool {
+        self.moves() == other.moves() && self.is_free() == other.is_free()
+    }
+
     /// Returns the change of the tractions for a change of the unknowns.
     #[inline]
     fn extend(self, v: [f64; N]) -> [f64; N] {

@@ -73,9 +73,9 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             let with_springs = only(totals.has_spring(), change);
             turning = plus(with_springs, conjugation.unwrap_or(0.0), turning);
 
-            self.proceed()?;
+            self.monitor.proceed()?;
             self.linear().apply(Precision::Single);
-            self.count_step();
+            self.monitor.count_step();
             let (curvature, square) = self.curvature();
             let curvature = curvature + totals.curvature(turning);
             let (length, is_last) = match self.slide(curvature, square) {

@@ -7,7 +7,7 @@ use crate::cgm::active_set_solve::Precision;
 use crate::cgm::law::state::Row;
 use crate::cgm::linear::{Border, Linear};
 use crate::memory::fallible;
-use crate::numerics::cell_vector::{at, chunks, dot, norm, put, slices, within};
+use crate::numerics::cell_vector::{at, dot, minus, norm, plus, slices, within};
 use crate::parallel;
 use crate::report::Status;
 
@@ -82,9 +82,9 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
             let w = &mut *self.workspace;
             w.residual.copy_from_slice(&w.basis[j]);
             let change = self.invert(border);
-            self.proceed()?;
+            self.monitor.proceed()?;
             self.apply_to_correction(Precision::Single);
-            self.count_step();
+            self.monitor.count_step();
             self.extend_basis(j + 1)?;
             self.set_next(j + 1, change);
             let (products, rest) = self.orthogonalise(j);
@@ -106,15 +106,8 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
     /// Computes `correction = M r`. Returns the change of the sums of all components.
     fn correct(&mut self) -> [f64; N] {
         let w = &mut *self.workspace;
-        let (rows, residual) = (&w.rows, &w.residual);
-        let direction = chunks(self.layout, &mut w.direction);
-        w.moving.sweep(direction, |entries, mut full| {
-            let residual = &residual[entries.range.clone()];
-            for (k, place) in entries.places().enumerate() {
-                let pattern = entries.row(rows, k, place).weighted(residual[k]);
-                put(&mut full, place, pattern);
-            }
-        });
+        let weighted = |k: usize, row: R| row.weighted(w.residual[k]);
+        w.moving.set_full(&w.rows, &mut w.direction, weighted);
         self.precondition();
         let w = &mut *self.workspace;
         let (rows, residual, image) = (&w.rows, &w.residual, slices(&w.image));
@@ -152,18 +145,8 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
     /// Computes `image = C` times the tractions of the correction, which remain in `direction`.
     pub(super) fn apply_to_correction(&mut self, precision: Precision) {
         let w = &mut *self.workspace;
-        let (rows, correction) = (&w.rows, &w.correction);
-        let direction = chunks(self.layout, &mut w.direction);
-        w.moving.sweep(direction, |entries, mut full| {
-            let correction = &correction[entries.range.clone()];
-            for (k, place) in entries.places().enumerate() {
-                put(
-                    &mut full,
-                    place,
-                    entries.row(rows, k, place).extend(correction[k]),
-                );
-            }
-        });
+        let extended = |k: usize, row: R| row.extend(w.correction[k]);
+        w.moving.set_full(&w.rows, &mut w.direction, extended);
         self.apply(precision);
     }
 
@@ -189,17 +172,10 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
     /// Stores the product of the system with the correction and the changes of the multipliers as vector `j` of the basis.
     fn set_next(&mut self, j: usize, change: [f64; N]) {
         let w = &mut *self.workspace;
-        let (rows, correction, image) = (&w.rows, &w.correction, slices(&w.image));
-        let next = w.moving.compressed(&mut w.basis[j]);
-        w.moving.sweep(next, |entries, next| {
-            let correction = &correction[entries.range.clone()];
-            let image = within(&image, &entries.chunk);
-            for (k, place) in entries.places().enumerate() {
-                let row = entries.row(rows, k, place);
-                let moved = std::array::from_fn(|c| image[c][place] - change[c]);
-                let (moved, bend) = (row.restrict(moved), row.bend(correction[k]));
-                next.items[k] = std::array::from_fn(|c| moved[c] + bend[c]);
-            }
+        let (correction, image) = (&w.correction, slices(&w.image));
+        w.moving.set(&w.rows, &mut w.basis[j], |k, cell, row: R| {
+            let moved = row.restrict(minus(at(&image, cell), change));
+            plus(moved, 1.0, row.bend(correction[k]))
         });
     }
 

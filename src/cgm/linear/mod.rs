@@ -18,14 +18,13 @@ mod gmres;
 mod response;
 mod updated_iterate;
 
-use std::ops::ControlFlow;
-
 use crate::cgm::active_set_solve::Precision;
 use crate::cgm::diagonal::CellCompliance;
 use crate::cgm::free_cells::FreeCells;
 use crate::cgm::law::disc_motion::Weight;
 use crate::cgm::law::state::Row;
 use crate::cgm::monitor::Monitor;
+use crate::cgm::{Total, reduce};
 use crate::error::Result;
 use crate::memory::fallible;
 use crate::numerics::cell_vector::{
@@ -34,7 +33,7 @@ use crate::numerics::cell_vector::{
 use crate::numerics::small_matrix::Small;
 use crate::operator::{Operator, Scratch};
 use crate::parallel::layout::Layout;
-use crate::report::{Report, Status};
+use crate::report::Report;
 
 use gmres::RESTART;
 pub(crate) use response::FixedSetSystem;
@@ -104,11 +103,67 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
         self.make_room(moving)
     }
 
+    /// Returns the sum over the cells of the motion that they can follow if all cells are moved by one along each component.
+    pub(in crate::cgm) fn mobility(&self) -> Small<N> {
+        if !R::IS_CURVED {
+            let count = self.moving.of_all_ranks() as f64;
+            return Small(std::array::from_fn(|a| unit(a).map(|one| one * count)));
+        }
+        Small(self.moving.sweep((), |entries, ()| {
+            entries.sums(|k, place| {
+                let row = entries.row(&self.rows, k, place);
+                std::array::from_fn(|a| row.extend(row.restrict(unit(a))))
+            })
+        }))
+    }
+
+    /// Calls `update(cell, row)` for each cell whose row is stored.
+    pub(in crate::cgm) fn update_rows(&mut self, update: impl Fn(usize, &mut R) + Sync) {
+        let rows = self.moving.motions(&mut self.rows);
+        self.moving.sweep(rows, |entries, rows| {
+            entries.visit::<R, N>(|kept, place| {
+                update(entries.chunk.start + place, &mut rows.items[kept]);
+            });
+        });
+    }
+
+    /// Lists the moving cells. The rows of all cells must be stored.
+    pub(in crate::cgm) fn list_moving(&mut self) {
+        self.moving.update(|i| self.rows[i].moves());
+    }
+
+    /// Replaces row and unknowns of each cell whose row is stored by `next(cell, row, unknowns)`. Returns the number of cells that
+    /// [move differently](Row::is_like) and the sums of all unknowns.
+    pub(in crate::cgm) fn replace(
+        &mut self,
+        layout: &Layout,
+        x: &mut [&mut [f64]; N],
+        next: impl Fn(usize, R, [f64; N]) -> (R, [f64; N]) + Sync,
+    ) -> (usize, [f64; N]) {
+        let data = (chunks(layout, x), self.moving.motions(&mut self.rows));
+        self.moving.sweep(data, |entries, (mut x, rows)| {
+            let mut changed = 0_usize;
+            entries.visit::<R, N>(|kept, place| {
+                let was = rows.items[kept];
+                let (row, value) = next(entries.chunk.start + place, was, held(&x, place));
+                changed += usize::from(!row.is_like(was));
+                rows.items[kept] = row;
+                put(&mut x, place, value);
+            });
+            (changed, x.map(|x| reduce::in_lanes(x.items)))
+        })
+    }
+
     /// Allocates residual and spread for this number of cells.
     pub(in crate::cgm) fn make_room(&mut self, cells: usize) -> Result<()> {
         fallible::resize_with_zeros(&mut self.residual, cells)?;
         fallible::resize_with_zeros(&mut self.spread, cells)
     }
+}
+
+/// Returns the unit vector along a component.
+fn unit<const N: usize>(a: usize) -> [f64; N] {
+    std::array::from_fn(|c| if a == c { 1.0 } else { 0.0 })
 }
 
 /// Border of the linear problem: the totals for the current motion of the cells.
@@ -127,6 +182,19 @@ impl<const N: usize> Border<N> {
         active: [false; N],
         matrix: Small([[0.0; N]; N]),
     };
+
+    /// Creates the border of these totals. The matrix contains the changes of the sums without the springs.
+    pub(in crate::cgm) fn new(totals: &[Total; N], mut matrix: Small<N>) -> Self {
+        for (a, total) in totals.iter().enumerate() {
+            if let Some(compliance) = total.compliance() {
+                matrix.0[a][a] += 1.0 / compliance;
+            }
+        }
+        Self {
+            active: totals.map(|total| total != Total::Free),
+            matrix,
+        }
+    }
 
     /// Returns the changes of the multipliers that leave the deficit `missing` after the sums have grown by `added`.
     pub(in crate::cgm) fn balance(&self, missing: [f64; N], added: [f64; N]) -> [f64; N] {
@@ -153,20 +221,11 @@ pub(crate) struct Linear<'a, 'm, R, const N: usize> {
 }
 
 impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
-    /// Checks whether another step may be taken.
-    fn proceed(&mut self) -> ControlFlow<Status> {
-        self.monitor.proceed(&self.workspace.report)
-    }
-
-    fn count_step(&mut self) {
-        self.monitor.count_step(&mut self.workspace.report);
-    }
-
     /// Computes `image = C direction`, including the local terms of the cells.
     pub(in crate::cgm) fn apply(&mut self, precision: Precision) {
         let w = &mut *self.workspace;
         let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
-        let report = &mut w.report;
+        let report = &mut self.monitor.report;
         precision.apply(self.operator, direction, image, &mut w.operator, report);
         let (restraint, own) = (self.restraint, self.own);
         if restraint > 0.0 || !own.is_none() {
@@ -239,19 +298,20 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         });
     }
 
-    /// Computes the spread of one multiplier over the cells and returns the change of all sums per unit of the multiplier.
-    pub(in crate::cgm) fn spread(&mut self, a: usize) -> [f64; N] {
-        let mut unit = [0.0; N];
-        unit[a] = 1.0;
+    /// Computes the spread of the multiplier of each total over the cells. Returns the changes of all sums per unit of each
+    /// multiplier, one row per multiplier.
+    pub(in crate::cgm) fn spread(&mut self, totals: &[Total; N]) -> Small<N> {
+        Small(std::array::from_fn(|a| match totals[a] {
+            Total::Free => [0.0; N],
+            Total::Sum(_) | Total::Spring { .. } => self.spread_of(a),
+        }))
+    }
+
+    fn spread_of(&mut self, a: usize) -> [f64; N] {
+        let unit = unit(a);
         let w = &mut *self.workspace;
-        let rows = &w.rows;
-        let direction = chunks(self.layout, &mut w.direction);
-        w.moving.sweep(direction, |entries, mut full| {
-            for (k, place) in entries.places().enumerate() {
-                let row = entries.row(rows, k, place);
-                put(&mut full, place, row.weighted(row.restrict(unit)));
-            }
-        });
+        let weighted = |_, row: R| row.weighted(row.restrict(unit));
+        w.moving.set_full(&w.rows, &mut w.direction, weighted);
         self.precondition();
         let w = &mut *self.workspace;
         let (rows, image) = (&w.rows, slices(&w.image));

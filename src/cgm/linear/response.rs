@@ -11,7 +11,7 @@ use crate::cgm::linear::{Border, Linear, LinearWorkspace};
 use crate::cgm::monitor::Monitor;
 use crate::error::{Error, Result};
 use crate::memory::fallible;
-use crate::numerics::cell_vector::{at, dot, minus, plus, slices, within};
+use crate::numerics::cell_vector::{at, dot, minus, plus, slices};
 use crate::observer::Observer;
 use crate::operator::Operator;
 use crate::parallel::layout::Layout;
@@ -32,21 +32,14 @@ struct LinearResponse<'a, const N: usize> {
 
 impl<R: Row<N>, const N: usize> Equations<R, N> for LinearResponse<'_, N> {
     fn set_residual(&mut self, linear: &mut Linear<'_, '_, R, N>) -> ControlFlow<Status> {
-        linear.proceed()?;
+        linear.monitor.proceed()?;
         linear.workspace.correction.copy_from_slice(self.unknowns);
         linear.apply_to_correction(Precision::Double);
         let w = &mut *linear.workspace;
-        let (rows, correction, image) = (&w.rows, &w.correction, slices(&w.image));
-        let residual = w.moving.compressed(&mut w.residual);
-        w.moving.sweep(residual, |entries, residual| {
-            let image = within(&image, &entries.chunk);
-            let right = &self.right[entries.range.clone()];
-            let correction = &correction[entries.range.clone()];
-            for (k, place) in entries.places().enumerate() {
-                let row = entries.row(rows, k, place);
-                let (moved, bend) = (row.restrict(at(&image, place)), row.bend(correction[k]));
-                residual.items[k] = minus(right[k], plus(moved, 1.0, bend));
-            }
+        let (right, correction, image) = (self.right, &w.correction, slices(&w.image));
+        w.moving.set(&w.rows, &mut w.residual, |k, cell, row: R| {
+            let (moved, bend) = (row.restrict(at(&image, cell)), row.bend(correction[k]));
+            minus(right[k], plus(moved, 1.0, bend))
         });
         let size = linear.residual_size();
         if self.first.is_infinite() {
@@ -58,7 +51,7 @@ impl<R: Row<N>, const N: usize> Equations<R, N> for LinearResponse<'_, N> {
         } else {
             0.0
         };
-        (self.last, linear.workspace.report.residual) = (size, residual);
+        (self.last, linear.monitor.report.residual) = (size, residual);
         if is_stalled {
             ControlFlow::Break(Status::Stalled)
         } else {
@@ -125,7 +118,8 @@ impl<const N: usize> FixedSetSystem<'_, N> {
         };
         let limits = (BASES, tolerance);
         let found = linear.solve(&Border::NONE, [0.0; N], limits, &mut response);
-        if let Some(allocation_error) = monitor.allocation_error.take() {
+        workspace.report = monitor.report;
+        if let Some(allocation_error) = monitor.allocation_error {
             return Err(allocation_error);
         }
         let is_solved = workspace.report.residual <= tolerance;
@@ -153,12 +147,7 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
     /// - [`Error::Memory`] if the memory does not suffice.
     pub(crate) fn hold(&mut self, row: impl Fn(usize) -> R + Sync) -> Result<()> {
         self.moving.update(|i| row(i).moves());
-        let rows = self.moving.motions(&mut self.rows);
-        self.moving.sweep(rows, |entries, rows| {
-            entries.visit::<R, N>(|kept, place| {
-                rows.items[kept] = row(entries.chunk.start + place);
-            });
-        });
+        self.update_rows(|cell, held| *held = row(cell));
         self.list()
     }
 
@@ -172,14 +161,8 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
         right: &mut Vec<[f64; N]>,
     ) -> Result<()> {
         fallible::resize(right, self.moving.len(), [0.0; N])?;
-        let rows = &self.rows;
-        self.moving
-            .sweep(self.moving.compressed(right), |entries, right| {
-                for (k, place) in entries.places().enumerate() {
-                    let row = entries.row(rows, k, place);
-                    right.items[k] = row.restrict(displacement(entries.chunk.start + place));
-                }
-            });
+        let restricted = |_, cell: usize, row: R| row.restrict(displacement(cell));
+        self.moving.set(&self.rows, right, restricted);
         Ok(())
     }
 

@@ -24,17 +24,11 @@ impl<R: Row<N>, const N: usize> Equations<R, N> for UpdatedIterate<'_, '_, N> {
         let (x, u, gap) = (slices(self.x), slices(self.displacement), self.gap);
         let multiplier = *self.multiplier;
         let w = &mut *linear.workspace;
-        let rows = &w.rows;
-        let residual = w.moving.compressed(&mut w.residual);
-        w.moving.sweep(residual, |entries, residual| {
-            for (k, place) in entries.places().enumerate() {
-                let cell = entries.chunk.start + place;
-                let gap = gap.map(|gap| gap.get(cell).copied().unwrap_or(0.0));
-                let g = minus(plus(at(&u, cell), 1.0, gap), multiplier);
-                let row = entries.row(rows, k, place);
-                let (left, bend) = (row.restrict(g), row.bend(row.restrict(at(&x, cell))));
-                residual.items[k] = std::array::from_fn(|c| -left[c] - bend[c]);
-            }
+        w.moving.set(&w.rows, &mut w.residual, |_, cell, row: R| {
+            let gap = gap.map(|gap| gap.get(cell).copied().unwrap_or(0.0));
+            let g = minus(plus(at(&u, cell), 1.0, gap), multiplier);
+            let (left, bend) = (row.restrict(g), row.bend(row.restrict(at(&x, cell))));
+            std::array::from_fn(|c| -left[c] - bend[c])
         });
         ControlFlow::Continue(())
     }
@@ -44,9 +38,9 @@ impl<R: Row<N>, const N: usize> Equations<R, N> for UpdatedIterate<'_, '_, N> {
         linear: &mut Linear<'_, '_, R, N>,
         change: [f64; N],
     ) -> ControlFlow<Status> {
-        linear.proceed()?;
+        linear.monitor.proceed()?;
         linear.apply_to_correction(Precision::Single);
-        linear.count_step();
+        linear.monitor.count_step();
         *self.multiplier = plus(*self.multiplier, 1.0, change);
         let w = &*linear.workspace;
         let add = |target: &mut [f64], source: &[f64]| {

@@ -29,9 +29,9 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
     ) -> ControlFlow<Status, Objective> {
         self.mark_start();
         self.restore_totals(true);
-        self.notify_observer()?;
+        self.monitor.notify_observer()?;
         self.refresh();
-        self.notify_observer()?;
+        self.monitor.notify_observer()?;
         let Some(mut length) = self.length_without_bounds() else {
             return ControlFlow::Continue(Objective::Stands);
         };
@@ -41,9 +41,9 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             if descent.is_nan() || descent >= 0.0 {
                 return ControlFlow::Continue(Objective::Stands);
             }
-            self.proceed()?;
+            self.monitor.proceed()?;
             self.linear().apply(Precision::Double);
-            self.count_step();
+            self.monitor.count_step();
             let curvature = self.curvature_of_all();
             if curvature.is_nan() || curvature <= 0.0 {
                 return ControlFlow::Continue(Objective::Stands);

@@ -61,8 +61,8 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         self.set_centre()?;
         while stalls < STALLS {
             // Counting a step here guarantees termination, because a stage may end without a step.
-            self.count_step();
-            self.proceed()?;
+            self.monitor.count_step();
+            self.monitor.proceed()?;
             let is_last = stiffness < least;
             self.set_proximal_weight(if is_last { 0.0 } else { stiffness });
             self.inner_reduction = REDUCTION;
@@ -109,7 +109,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         });
         let mut largest = 0.0;
         for _ in 0..POWERS {
-            self.notify_observer()?;
+            self.monitor.notify_observer()?;
             self.linear().apply(Precision::Single);
             let w = &mut *self.workspace;
             let (direction, image) = (slices(&w.linear.direction), slices(&w.linear.image));

@@ -1,6 +1,6 @@
 //! The report of a coupled rolling solve: status, cost and error bounds.
 
-use crate::error::{Error, Result};
+use crate::error::{Result, check_converged};
 use crate::grid::field::clone_in_place;
 use crate::report::{Report, Status};
 
@@ -97,11 +97,7 @@ impl CoupledRollingReport {
     /// Sets the status and returns an error if the status is not [`Status::Converged`].
     pub(super) fn end(&mut self, status: Status) -> Result<()> {
         self.work.status = status;
-        if status == Status::Converged {
-            Ok(())
-        } else {
-            Err(Error::NotConverged(Box::new(self.work.clone())))
-        }
+        check_converged(&self.work)
     }
 
     /// Returns whether the tolerance was reached.
