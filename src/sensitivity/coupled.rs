@@ -15,6 +15,7 @@ use crate::observer::Observer;
 use crate::parallel;
 use crate::report::Report;
 use crate::sensitivity::adjoint::{Adjoint, is_zero};
+use crate::sensitivity::current::{check_current, check_gap, check_hardness, check_normal_load};
 use crate::sensitivity::functional::{ContactView, Gradient, ShearView};
 use crate::sensitivity::poisson::{Loading, UnitDisplacements};
 use crate::sensitivity::shear::{by_control, by_twist, on_grid, on_region, total_of};
@@ -52,6 +53,7 @@ impl Linearised for CoupledProblem {
         let (mut context, buffers) = workspace.begin(observer);
         bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
             let [x, y, z] = contact.displacement().map(Field::as_slice);
+            problem.check_current(contact)?;
             let view = ContactView {
                 bodies,
                 pressure: normal.pressure().as_slice(),
@@ -77,6 +79,22 @@ impl Linearised for CoupledProblem {
 }
 
 impl CoupledProblem {
+    /// Returns an error if the solution does not belong to the present input.
+    fn check_current(&self, contact: &CoupledSolution) -> Result<()> {
+        let (bodies, normal, shear) = (&self.bodies, contact.normal(), contact.tangential());
+        check_normal_load(self.normal, normal)?;
+        check_hardness(bodies, self.hardness.as_ref(), normal)?;
+        let [_, _, displacement] = contact.displacement();
+        check_gap(bodies, &self.gap, normal, displacement.as_slice())?;
+        let pressure = normal.pressure().as_slice();
+        let is_current = shear.belongs_to(bodies, pressure, &self.friction);
+        check_current(is_current, "the friction")?;
+        let capacity = reduce::sum(&bodies.grid_layout(), |i| self.friction.limit(i, pressure[i]));
+        let loads = shear.loads(capacity * bodies.grid().cell_area());
+        let is_current = loads.are_prescribed_by(&self.tangential.demand(), Some(0.0));
+        check_current(is_current, "the tangential load")
+    }
+
     fn linearised(
         &self,
         solved: &SolvedContact<'_>,

@@ -33,6 +33,7 @@
 mod adjoint;
 #[cfg(feature = "history")]
 mod coupled;
+mod current;
 mod functional;
 #[cfg(feature = "history")]
 mod history;

@@ -14,6 +14,7 @@ use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Report;
 use crate::sensitivity::adjoint::Adjoint;
+use crate::sensitivity::current::check_current;
 use crate::sensitivity::functional::{ContactView, Gradient, ShearView, pair_at};
 use crate::sensitivity::poisson::{Loading, UnitDisplacements};
 use crate::sensitivity::shear::{by_control, by_twist, on_grid, on_region, total_of};
@@ -61,6 +62,11 @@ impl Linearised for TangentialProblem {
         bodies.joint(parallel::enter_with(grid.cells(), || {
             let mut pressure = fallible::zeros(grid.cells())?;
             pressed.region.scatter(&pressed.pressure, &mut pressure);
+            let is_current = shear.belongs_to(bodies, &pressure, &problem.friction);
+            check_current(is_current, "the pressure or the friction")?;
+            let loads = shear.loads(solver.friction_capacity());
+            let is_current = loads.are_prescribed_by(&problem.load.demand(), Some(0.0));
+            check_current(is_current, "the tangential load")?;
             let sheared = Sheared {
                 bodies,
                 pressed,

@@ -53,6 +53,7 @@
 //! The example `sphere` plots:
 #![cfg_attr(doc, doc = include_str!("../pictures/sphere.html"))]
 
+mod consistency;
 pub(crate) mod entry_rule;
 mod friction;
 mod friction_limits;
@@ -75,6 +76,8 @@ mod step_solution;
 mod traction_solver;
 mod zone;
 
+#[cfg(feature = "sensitivity")]
+pub(crate) use consistency::{ShearLoads, agree};
 pub(crate) use entry_rule::EntryRule;
 pub(crate) use entry_rule::{
     EntryCompliance, EntryCompliances, entry_compliance, ratios_of_compliances,
