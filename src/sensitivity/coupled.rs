@@ -15,7 +15,9 @@ use crate::observer::Observer;
 use crate::parallel;
 use crate::report::Report;
 use crate::sensitivity::adjoint::{Adjoint, is_zero};
-use crate::sensitivity::current::{check_current, check_gap, check_hardness, check_normal_load};
+use crate::sensitivity::current::{
+    check_current, check_gap, check_hardness, check_normal_load, check_relative_displacement,
+};
 use crate::sensitivity::functional::{ContactView, Gradient, ShearView};
 use crate::sensitivity::poisson::{Loading, UnitDisplacements};
 use crate::sensitivity::shear::{by_control, by_twist, on_grid, on_region, total_of};
@@ -84,12 +86,17 @@ impl CoupledProblem {
         let (bodies, normal, shear) = (&self.bodies, contact.normal(), contact.tangential());
         check_normal_load(self.normal, normal)?;
         check_hardness(bodies, self.hardness.as_ref(), normal)?;
-        let [_, _, displacement] = contact.displacement();
-        check_gap(bodies, &self.gap, normal, displacement.as_slice())?;
+        let [x, y, z] = contact.displacement().map(Field::as_slice);
+        check_gap(bodies, &self.gap, normal, z)?;
+        if let Some(relative) = &self.relative {
+            check_relative_displacement(bodies, relative, shear, [x, y])?;
+        }
         let pressure = normal.pressure().as_slice();
         let is_current = shear.belongs_to(bodies, pressure, &self.friction);
         check_current(is_current, "the friction")?;
-        let capacity = reduce::sum(&bodies.grid_layout(), |i| self.friction.limit(i, pressure[i]));
+        let capacity = reduce::sum(&bodies.grid_layout(), |i| {
+            self.friction.limit(i, pressure[i])
+        });
         let loads = shear.loads(capacity * bodies.grid().cell_area());
         let is_current = loads.are_prescribed_by(&self.tangential.demand(), Some(0.0));
         check_current(is_current, "the tangential load")

@@ -9,7 +9,9 @@ use crate::half_space::HalfSpace;
 use crate::memory::fallible;
 use crate::normal::{Hardness, NormalLoad, NormalSolution};
 use crate::operator::Operator;
-use crate::tangential::agree;
+use crate::tangential::{
+    Axis, RelativeDisplacement, RigidMotion, TangentialSolution, agree, centre,
+};
 
 /// Returns an error that names the changed input unless the solution belongs to the present input.
 pub(super) fn check_current(is_current: bool, changed: &'static str) -> Result<()> {
@@ -61,6 +63,45 @@ pub(super) fn check_gap(
         !agree(opened[i], displacement[i] + (initial[i] - approach), scale)
     };
     check_current(!reduce::any(&layout, is_changed), "the gap")
+}
+
+/// Checks that the slip of a solution follows from the present relative displacement and the tangential displacement of all cells by
+/// pressure and tractions. Only slipping cells are checked, whose slip is exact. The slip of sticking cells is zero within the
+/// residual of the solve.
+pub(super) fn check_relative_displacement(
+    bodies: &HalfSpace,
+    relative: &RelativeDisplacement,
+    shear: &TangentialSolution,
+    displacement: [&[f64]; 2],
+) -> Result<()> {
+    let (grid, layout) = (bodies.grid(), bodies.grid_layout());
+    let motion = RigidMotion {
+        shift: shear.shift(),
+        twist: shear.twist(),
+    };
+    let slip = shear.slip().map(Field::as_slice);
+    let axes = shear.axis().map_or(Axis::BOTH, Axis::alone);
+    // Slip by the motion, by the displacement and by the relative displacement.
+    let parts = |axis: &Axis, i: usize| {
+        let axis = axis.index();
+        let moved = motion.at(centre(grid, i))[axis];
+        [-moved, displacement[axis][i], relative.at(axis, i)]
+    };
+    let size = |i: usize| {
+        let parts = axes.iter().flat_map(|axis| parts(axis, i));
+        parts.fold(0.0_f64, |most, part| most.max(part.abs()))
+    };
+    let scale = reduce::max(&layout, size);
+    let is_changed = |i: usize| {
+        let slips = slip.iter().any(|slip| slip[i] != 0.0);
+        let differs = |axis: &Axis| {
+            let expected: f64 = parts(axis, i).iter().sum();
+            !agree(slip[axis.index()][i], expected, scale)
+        };
+        slips && axes.iter().any(differs)
+    };
+    let is_current = !reduce::any(&layout, is_changed);
+    check_current(is_current, "the relative displacement")
 }
 
 /// Computes the normal displacement of all cells with one product.

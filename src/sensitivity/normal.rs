@@ -14,7 +14,9 @@ use crate::observer::{Observer, unwatched};
 use crate::parallel;
 use crate::report::{Iteration, Report};
 use crate::sensitivity::adjoint::Adjoint;
-use crate::sensitivity::current::{check_gap, check_hardness, check_normal_load, normal_displacement};
+use crate::sensitivity::current::{
+    check_gap, check_hardness, check_normal_load, normal_displacement,
+};
 use crate::sensitivity::functional::{ContactView, Gradient, ShearView, entry};
 use crate::sensitivity::shear::on_region;
 use crate::sensitivity::solver::{Linearised, check_functionals, with_own_report};

@@ -4,7 +4,9 @@ use crate::cgm::reduce;
 use crate::half_space::HalfSpace;
 use crate::numerics::cell_vector::length;
 use crate::tangential::friction_limits::NEGLIGIBLE;
-use crate::tangential::{Axis, Friction, TangentialControl, TangentialSolution, TangentialTarget, Zone};
+use crate::tangential::{
+    Axis, Friction, TangentialControl, TangentialSolution, TangentialTarget, Zone,
+};
 
 /// Relative difference below which two values count as equal.
 const ROUND_OFF: f64 = 1e-9;
@@ -77,7 +79,9 @@ impl TangentialSolution {
         let [x, y] = self.traction().map(|field| field.as_slice());
         let is_violated = |i: usize| {
             let (size, zone) = (length([x[i], y[i]]), self.zones()[i]);
-            let limit = Some(limit(i)).filter(|limit| *limit >= least).unwrap_or(0.0);
+            let limit = Some(limit(i))
+                .filter(|limit| *limit >= least)
+                .unwrap_or(0.0);
             let is_permitted = match zone {
                 Zone::Slip => agree(size, limit, 0.0),
                 Zone::Stick | Zone::Separated => size <= limit * (1.0 + ROUND_OFF),
