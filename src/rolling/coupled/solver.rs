@@ -157,8 +157,8 @@ impl Model<CoupledRollingSolution> for CoupledRollingProblem {
         observer: Observer<'_>,
     ) -> Result<()> {
         let cancellation = Cancellation::default();
-        let mut observer = cancellation.watch(observer);
         let settings = solver.problem.options.settings;
+        let mut observer = cancellation.watch(&settings, observer);
         let mut conditions = SolveContext::new(&settings, &mut observer);
         // A solve without an iterate leaves neither the earlier solution nor a new one.
         solver.engine.changed = Some("the input");
@@ -214,7 +214,8 @@ impl CoupledRollingSolver {
     ///
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`] or [`Error::ApproachBeyondMeanGap`].
-    /// - [`Error::BeyondFrictionCapacity`] as for [`set_load`](Self::set_load): lower forces before the load, raise them after it.
+    /// - [`Error::BeyondFrictionCapacity`] as for [`set_load`](Self::set_load). [`set_loads`](Self::set_loads) changes the normal
+    ///   load and the forces together.
     ///
     /// The load is unchanged after an error.
     pub fn set_normal_load(&mut self, normal: NormalLoad) -> Result<()> {
@@ -224,6 +225,54 @@ impl CoupledRollingSolver {
             self.engine.changed = Some("the normal load");
         }
         Ok(())
+    }
+
+    /// Sets the normal load, the loads or creepages along x and y, and the spin or moment together for the next solve. Only the
+    /// new forces must be below the friction limit of the new normal load.
+    ///
+    /// ```
+    /// use stickslip::rolling::{CoupledRollingProblem, RollingControl};
+    /// use stickslip::*;
+    /// let grid = Grid::square(24, 3.0)?;
+    /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?)?;
+    /// let (ball, friction) = (surface::sphere(grid, 1.0)?, Friction::coulomb(0.3)?);
+    /// let drag = |force| [RollingControl::Force(force), RollingControl::Creepage(0.0)];
+    /// let problem = CoupledRollingProblem::builder(&bodies, &ball, friction, NormalLoad::Force(1.0));
+    /// let mut solver = problem.control(Axis::X, RollingControl::Force(0.25)).build()?.into_solver()?;
+    /// // Friction would not carry the old force under the new normal load.
+    /// assert!(solver.set_normal_load(NormalLoad::Force(0.5)).is_err());
+    /// solver.set_loads(NormalLoad::Force(0.5), drag(0.1), 0.0)?;
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`] or [`Error::ApproachBeyondMeanGap`] for an invalid normal load.
+    /// - The errors of [`set_load`](Self::set_load) under the new normal load.
+    ///
+    /// All loads are unchanged after an error.
+    pub fn set_loads(
+        &mut self,
+        normal: NormalLoad,
+        controls: [RollingControl; 2],
+        spin: impl Into<SpinControl>,
+    ) -> Result<()> {
+        let spin = spin.into();
+        let problem = &mut self.problem;
+        problem.check(&problem.friction, normal, controls, spin)?;
+        if problem.options.set_load(controls, spin) {
+            self.engine.changed = Some("the load");
+        }
+        if std::mem::replace(&mut problem.normal, normal) != normal {
+            self.engine.changed = Some("the normal load");
+        }
+        Ok(())
+    }
+
+    /// Returns the gap before loading that the next solve uses, as it was given or [set](Self::set_gap) last. It does not contain
+    /// the lift by the tractions.
+    #[must_use]
+    pub fn gap(&self) -> &Field {
+        &self.problem.gap
     }
 
     /// Sets the gap before loading for the next solve.
@@ -407,7 +456,10 @@ impl CoupledRollingSolver {
             return self.engine.normal.set_gap(&self.problem.gap);
         };
         lifting.lift(
-            self.engine.traction.each_ref().map(Vec::as_slice),
+            self.engine
+                .traction
+                .each_ref()
+                .map(|part| Some(part.as_slice())),
             &mut self.engine.lift,
         );
         let mut gap = self.problem.gap.try_clone()?;
@@ -507,7 +559,10 @@ impl CoupledRollingSolver {
         let known = &self.engine.lift;
         let displacement = |i: usize| gap[i] - (initial[i] + known[i] - approach);
         let mut lift = fallible::zeros(known.len())?;
-        lifting.lift(residual.each_ref().map(Vec::as_slice), &mut lift);
+        lifting.lift(
+            residual.each_ref().map(|part| Some(part.as_slice())),
+            &mut lift,
+        );
         let is_fixed = matches!(self.problem.normal, NormalLoad::Approach(_));
         let is_contact = |i: usize| pressure[i] > 0.0;
         let coupling = lift_residual(layout, is_contact, |i| lift[i], displacement, is_fixed);
