@@ -19,6 +19,7 @@ use crate::sensitivity::current::{
     check_current, check_gap, check_hardness, check_normal_load, check_relative_displacement,
 };
 use crate::sensitivity::functional::{ContactView, Gradient, ShearView};
+use crate::sensitivity::loads::ShearLoads;
 use crate::sensitivity::poisson::{Loading, UnitDisplacements};
 use crate::sensitivity::shear::{by_control, by_twist, on_grid, on_region, total_of};
 use crate::sensitivity::solver::{Linearised, check_functionals, with_own_report};
@@ -97,7 +98,7 @@ impl CoupledProblem {
         let capacity = reduce::sum(&bodies.grid_layout(), |i| {
             self.friction.limit(i, pressure[i])
         });
-        let loads = shear.loads(capacity * bodies.grid().cell_area());
+        let loads = ShearLoads::of(shear, capacity * bodies.grid().cell_area());
         let is_current = loads.are_prescribed_by(&self.tangential.demand(), Some(0.0));
         check_current(is_current, "the tangential load")
     }

@@ -12,12 +12,13 @@ use crate::parallel;
 use crate::report::Iteration;
 use crate::sensitivity::current::{check_current, check_normal_load};
 use crate::sensitivity::functional::{ContactView, Gradient, ShearView};
+use crate::sensitivity::loads::ShearLoads;
 use crate::sensitivity::normal::Pressed;
 use crate::sensitivity::solver::check_functionals;
 use crate::sensitivity::tangential::Sheared;
 use crate::sensitivity::{Functional, Sensitivity};
 use crate::stiffness::{StiffnessWorkspace, SystemBuffers};
-use crate::tangential::{PressureOnWindow, ShearLoads};
+use crate::tangential::PressureOnWindow;
 
 const MODEL: &str = "the sensitivity of a step of a history";
 

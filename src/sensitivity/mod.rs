@@ -37,6 +37,7 @@ mod current;
 mod functional;
 #[cfg(feature = "history")]
 mod history;
+mod loads;
 mod normal;
 mod poisson;
 mod shear;

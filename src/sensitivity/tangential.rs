@@ -16,6 +16,7 @@ use crate::report::Report;
 use crate::sensitivity::adjoint::Adjoint;
 use crate::sensitivity::current::{check_current, check_relative_displacement};
 use crate::sensitivity::functional::{ContactView, Gradient, ShearView, pair_at};
+use crate::sensitivity::loads::ShearLoads;
 use crate::sensitivity::poisson::{Loading, UnitDisplacements};
 use crate::sensitivity::shear::{by_control, by_twist, on_grid, on_region, total_of};
 use crate::sensitivity::solver::{Linearised, check_functionals, with_own_report};
@@ -64,7 +65,7 @@ impl Linearised for TangentialProblem {
             pressed.region.scatter(&pressed.pressure, &mut pressure);
             let is_current = shear.belongs_to(bodies, &pressure, &problem.friction);
             check_current(is_current, "the pressure or the friction")?;
-            let loads = shear.loads(solver.friction_capacity());
+            let loads = ShearLoads::of(shear, solver.friction_capacity());
             let is_current = loads.are_prescribed_by(&problem.load.demand(), Some(0.0));
             check_current(is_current, "the tangential load")?;
             if let Some(relative) = &problem.relative {

@@ -7,11 +7,13 @@ use stickslip::sensitivity::{Functional, Sensitivity};
 use stickslip::stiffness::ContactStiffness;
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
-    Axis, CoupledProblem, CoupledSolution, CoupledSolver, Error, Field, Friction, HalfSpace,
-    History, LoadStep, NormalLoad, NormalProblem, NormalSolution, NormalSolver, Result,
+    Axis, Boundary, CoupledProblem, CoupledSolution, CoupledSolver, Error, Field, Friction,
+    HalfSpace, History, LoadStep, NormalLoad, NormalProblem, NormalSolution, NormalSolver, Result,
     TangentialControl, TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution,
     TangentialSolver,
 };
+
+use crate::rank_contacts::on_ranks;
 
 const FORCE: f64 = 4.0;
 const DRAG: f64 = 0.8;
@@ -283,4 +285,63 @@ fn sensitivity_of_solution_of_earlier_relative_displacement_is_rejected() {
         .set_relative_displacement(&strain(&bodies, 0.010_001))
         .unwrap();
     assert_outdated(found(&solver), "the relative displacement");
+}
+
+/// The check of the gap accepts every solution of the present input: coarse tolerances, windows, rough and periodic contacts, and
+/// solves that start from an earlier solution.
+#[test]
+fn sensitivity_of_present_solution_is_accepted() {
+    for boundary in [Boundary::NonPeriodic, Boundary::Periodic] {
+        for (side, tolerance) in [(12.0, 1e-2), (40.0, 1e-4), (40.0, 1e-8)] {
+            let grid = square(64, side);
+            let pair = kit::on_rigid(1.0, 0.3);
+            let bodies = HalfSpace::with_boundary(grid, pair, boundary).unwrap();
+            for gap in [sphere(grid, 20.0), kit::rough(grid, 3)] {
+                let force = 1e-3 * side * side;
+                let problem = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(force));
+                let mut solver = kit::solver(problem.tolerance(tolerance));
+                for part in [1.0, 1.2, 0.7] {
+                    solver.set_load(NormalLoad::Force(part * force)).unwrap();
+                    let contact = kit::solved(&mut solver);
+                    approach_of(&solver, &contact).unwrap();
+                }
+            }
+        }
+    }
+}
+
+/// A change on one rank is an error on all ranks.
+#[test]
+fn solution_of_earlier_gap_of_one_rank_is_rejected_on_all_ranks() {
+    let grid = square(32, 12.0);
+    let outcomes = on_ranks(3, grid, Boundary::NonPeriodic, |bodies, rank| {
+        let mut gap = ball(bodies);
+        let problem = NormalProblem::builder(bodies, &gap, NormalLoad::Force(FORCE));
+        let mut solver = kit::solver(problem);
+        let contact = kit::solved(&mut solver);
+        approach_of(&solver, &contact).unwrap();
+        if rank == 2 {
+            gap.as_mut_slice()[0] += 1e-3;
+        }
+        solver.set_gap(&gap).unwrap();
+        let outdated = approach_of(&solver, &contact);
+
+        let (friction, load) = (coulomb(0.4), TangentialLoad::force([DRAG, 0.0]));
+        let model = TangentialModel::Vector;
+        let (mut solver, shear) = sheared(bodies, &contact, &friction, load, model);
+        ContactStiffness::new(bodies, &contact, &friction, &shear).unwrap();
+        let other = ContactStiffness::new(bodies, &contact, &coulomb(0.41), &shear);
+        assert_outdated(other, "the pressure or the friction");
+        let energy = Functional::DissipatedEnergy;
+        solver.sensitivity(&shear, &energy).unwrap();
+        solver.set_friction(&coulomb(0.41)).unwrap();
+        assert_outdated(
+            solver.sensitivity(&shear, &energy),
+            "the pressure or the friction",
+        );
+        outdated
+    });
+    for outcome in outcomes {
+        assert_outdated(outcome, "the gap");
+    }
 }
