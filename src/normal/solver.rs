@@ -70,7 +70,7 @@ impl NormalSolver {
         Ok(())
     }
 
-    /// Returns the gap before loading that the next solve uses, as it was given or [set](Self::set_gap) last. The gap of a
+    /// Returns the gap before loading of the next solve: the last gap that was given or [set](Self::set_gap). The gap of a
     /// [solution](NormalSolution::gap) is a different field, the gap under load.
     #[must_use]
     pub fn gap(&self) -> &Field {

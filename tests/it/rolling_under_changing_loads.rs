@@ -338,7 +338,7 @@ fn normal_contact_is_absent_after_a_new_pressure() {
         .unwrap();
     assert!(solver.normal().is_none());
     solver.set_normal_load(NormalLoad::Force(0.9)).unwrap();
-    let force = |solver: &RollingSolver| solver.normal().map(|normal| normal.force());
+    let force = |solver: &RollingSolver| solver.normal().map(NormalSolution::force);
     assert!((force(&solver).unwrap() - 0.9).abs() < 1e-9);
     solver.set_pressure(&second).unwrap();
     assert_eq!(force(&solver), None);

@@ -197,7 +197,7 @@ impl State {
 }
 
 impl History {
-    /// Computes the gap as it was set last, without the plastic depth ([`State::gap_as_set`]).
+    /// Computes the last gap that was set, without the plastic depth ([`State::gap_as_set`]).
     ///
     /// # Errors
     /// - [`Error::Memory`] if memory runs out.

@@ -6,7 +6,7 @@ use crate::contact::{
     Cancellation, Contact, Model, SolveContext, Solver, has_iterate, model_fields, with_counts_of,
 };
 use crate::error::{Error, Result};
-use crate::grid::field::{self, Field};
+use crate::grid::field::Field;
 use crate::memory::fallible::{self, TryClone};
 use crate::normal::{NormalLoad, NormalProblem, NormalSolution, NormalSolver};
 use crate::observer::Observer;
@@ -17,8 +17,8 @@ use crate::rolling::coupled::{
     CoupledRollingProblem, CoupledRollingReport, CoupledRollingSolution,
 };
 use crate::rolling::steady::options::RollingOptions;
-use crate::rolling::{RollingControl, RollingProblem, RollingSolution, RollingSolver, SpinControl};
-use crate::tangential::{Friction, Lifting, TangentialModel, lift_residual};
+use crate::rolling::{RollingControl, RollingProblem, RollingSolution, RollingSolver};
+use crate::tangential::{Lifting, TangentialModel, lift_residual};
 
 /// Tolerance of the halves in the first pass.
 const START: f64 = 1e-3;
@@ -188,124 +188,6 @@ impl Model<CoupledRollingSolution> for CoupledRollingProblem {
 }
 
 impl CoupledRollingSolver {
-    /// Sets the loads or creepages along x and y, and the spin or moment, for the next solve.
-    ///
-    /// # Errors
-    /// - [`Error::NotFinite`] or [`Error::UnsupportedByModel`] if a load is not finite or not supported.
-    /// - [`Error::BeyondFrictionCapacity`] if the forces reach or exceed the largest coefficient of friction times a prescribed
-    ///   normal force. For a prescribed approach, the solve returns this error.
-    ///
-    /// All loads are unchanged after an error.
-    pub fn set_load(
-        &mut self,
-        controls: [RollingControl; 2],
-        spin: impl Into<SpinControl>,
-    ) -> Result<()> {
-        let spin = spin.into();
-        let problem = &self.problem;
-        problem.check(&problem.friction, problem.normal, controls, spin)?;
-        if self.problem.options.set_load(controls, spin) {
-            self.engine.changed = Some("the load");
-        }
-        Ok(())
-    }
-
-    /// Sets the normal load for the next solve.
-    ///
-    /// # Errors
-    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`] or [`Error::ApproachBeyondMeanGap`].
-    /// - [`Error::BeyondFrictionCapacity`] as for [`set_load`](Self::set_load). [`set_loads`](Self::set_loads) changes the normal
-    ///   load and the forces together.
-    ///
-    /// The load is unchanged after an error.
-    pub fn set_normal_load(&mut self, normal: NormalLoad) -> Result<()> {
-        self.problem
-            .check_capacity(&self.problem.friction, normal)?;
-        if std::mem::replace(&mut self.problem.normal, normal) != normal {
-            self.engine.changed = Some("the normal load");
-        }
-        Ok(())
-    }
-
-    /// Sets the normal load, the loads or creepages along x and y, and the spin or moment together for the next solve. Only the
-    /// new forces must be below the friction limit of the new normal load.
-    ///
-    /// ```
-    /// use stickslip::rolling::{CoupledRollingProblem, RollingControl};
-    /// use stickslip::*;
-    /// let grid = Grid::square(24, 3.0)?;
-    /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?)?;
-    /// let (ball, friction) = (surface::sphere(grid, 1.0)?, Friction::coulomb(0.3)?);
-    /// let drag = |force| [RollingControl::Force(force), RollingControl::Creepage(0.0)];
-    /// let problem = CoupledRollingProblem::builder(&bodies, &ball, friction, NormalLoad::Force(1.0));
-    /// let mut solver = problem.control(Axis::X, RollingControl::Force(0.25)).build()?.into_solver()?;
-    /// // Friction would not carry the old force under the new normal load.
-    /// assert!(solver.set_normal_load(NormalLoad::Force(0.5)).is_err());
-    /// solver.set_loads(NormalLoad::Force(0.5), drag(0.1), 0.0)?;
-    /// # Ok::<(), Error>(())
-    /// ```
-    ///
-    /// # Errors
-    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`] or [`Error::ApproachBeyondMeanGap`] for an invalid normal load.
-    /// - The errors of [`set_load`](Self::set_load) under the new normal load.
-    ///
-    /// All loads are unchanged after an error.
-    pub fn set_loads(
-        &mut self,
-        normal: NormalLoad,
-        controls: [RollingControl; 2],
-        spin: impl Into<SpinControl>,
-    ) -> Result<()> {
-        let spin = spin.into();
-        let problem = &mut self.problem;
-        problem.check(&problem.friction, normal, controls, spin)?;
-        if problem.options.set_load(controls, spin) {
-            self.engine.changed = Some("the load");
-        }
-        if std::mem::replace(&mut problem.normal, normal) != normal {
-            self.engine.changed = Some("the normal load");
-        }
-        Ok(())
-    }
-
-    /// Returns the gap before loading that the next solve uses, as it was given or [set](Self::set_gap) last. It does not contain
-    /// the lift by the tractions.
-    #[must_use]
-    pub fn gap(&self) -> &Field {
-        &self.problem.gap
-    }
-
-    /// Sets the gap before loading for the next solve.
-    ///
-    /// # Errors
-    /// - [`Error::GridMismatch`], [`Error::Sample`] or [`Error::Memory`].
-    /// - [`Error::ApproachBeyondMeanGap`] if a prescribed approach is too large for the gap.
-    ///
-    /// The gap is unchanged after an error.
-    pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
-        let bodies = &self.problem.bodies;
-        gap.check("gap", bodies.grid())?;
-        self.problem.normal.check(bodies, gap, None)?;
-        field::replace(&mut self.problem.gap, gap)?;
-        self.engine.changed = Some("the gap");
-        Ok(())
-    }
-
-    /// Sets the friction for the next solve.
-    ///
-    /// # Errors
-    /// - [`Error::GridMismatch`] or [`Error::Memory`].
-    /// - [`Error::BeyondFrictionCapacity`] as for [`set_load`](Self::set_load).
-    ///
-    /// The friction is unchanged after an error.
-    pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
-        friction.check(self.problem.bodies.grid())?;
-        self.problem.check_capacity(friction, self.problem.normal)?;
-        self.problem.friction.try_clone_from(friction)?;
-        self.engine.changed = Some("the friction");
-        Ok(())
-    }
-
     /// Repeats passes until the pressure and the tractions are consistent with each other.
     fn solve_passes(
         &mut self,
