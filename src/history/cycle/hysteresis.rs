@@ -85,7 +85,7 @@ impl Cycle {
     /// gross slip. The ratio may exceed one if the load follows an elliptical path.
     ///
     /// # Errors
-    /// - [`Error::EmptyPath`] if the cycle has no steps.
+    /// - [`Error::EmptyPath`](crate::Error::EmptyPath) if the cycle has no steps.
     pub fn energy_ratio(&self) -> Result<f64> {
         self.check_steps()?;
         let dissipated = self.energy().dissipated_energy;
@@ -155,7 +155,7 @@ impl Cycle {
     /// ```
     ///
     /// # Errors
-    /// - [`Error::EmptyPath`] if the cycle has no steps.
+    /// - [`Error::EmptyPath`](crate::Error::EmptyPath) if the cycle has no steps.
     pub fn summary_as_csv(&self) -> Result<String> {
         let ([fx, fy], [dx, dy]) = (self.force_amplitude(), self.shift_amplitude());
         let [least, largest] = self.stick_ratios()?;
