@@ -122,6 +122,8 @@ fn main() -> std::result::Result<(), Box<dyn Error>> {
 struct Loop {
     aspect: f64,
     outcome: FrettingResult,
+    energy_ratio: f64,
+    least_stick_ratio: f64,
     /// Traction at the end of the loop, where the force is along y.
     traction: [Field; 2],
     /// Energy of a cycle with infinitely many steps, extrapolated from cycles with all steps and with half as many.
@@ -135,6 +137,8 @@ impl Loop {
         let [few, many] = [&half, &outcome].map(|of| of.last.energy().dissipated_energy);
         Ok(Self {
             aspect,
+            energy_ratio: outcome.last.energy_ratio()?,
+            least_stick_ratio: outcome.last.stick_ratios()?[0],
             outcome,
             traction: history.traction().map(Clone::clone),
             extrapolated_energy: 2.0 * many - few,
@@ -147,9 +151,9 @@ impl Loop {
             self.aspect,
             cycle.energy().dissipated_energy * MICRO,
             self.extrapolated_energy * MICRO,
-            cycle.energy_ratio(),
+            self.energy_ratio,
             cycle.slip_distance().max() * MICRO,
-            cycle.stick_ratios()[0],
+            self.least_stick_ratio,
             self.outcome.cycles as f64,
         ]
     }

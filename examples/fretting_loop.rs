@@ -67,7 +67,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
     }
 
-    print_table(&points, &profiles, &cycle);
+    print_table(&points, &profiles, &cycle)?;
     let header = [
         "force_N",
         "shift_um",
@@ -164,7 +164,7 @@ impl Profile {
     }
 }
 
-fn print_table(points: &[Point], profiles: &[Profile], cycle: &Cycle) {
+fn print_table(points: &[Point], profiles: &[Profile], cycle: &Cycle) -> stickslip::Result<()> {
     println!(
         "{:<36} | {:>12} | {:>12} | relative difference",
         "quantity", "computed", "closed form"
@@ -197,10 +197,10 @@ fn print_table(points: &[Point], profiles: &[Profile], cycle: &Cycle) {
         print(quantity, computed * MICRO, energy * MICRO);
     }
     let rectangle = 4.0 * AMPLITUDE * points[STEPS / 4 - 1].exact_shift;
-    print("energy ratio", cycle.energy_ratio(), energy / rectangle);
+    print("energy ratio", cycle.energy_ratio()?, energy / rectangle);
     let imbalance = of_loop.dissipated_energy_midpoint / of_loop.work - 1.0;
     println!("\nenergy from mean tractions / area of the loop, minus one: {imbalance:.1e}");
-    println!("cyclic residual: {:.1e}", cycle.cyclic_residual());
+    println!("cyclic residual: {:.1e}", cycle.cyclic_residual()?);
 
     let farthest = points
         .iter()
@@ -224,6 +224,7 @@ fn print_table(points: &[Point], profiles: &[Profile], cycle: &Cycle) {
         "products per step: mean {:.1}, largest {most}",
         products as f64 / points.len() as f64
     );
+    Ok(())
 }
 
 fn draw(path: &Path, points: &[Point], profiles: &[Profile]) -> Result<(), Box<dyn Error>> {

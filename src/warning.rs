@@ -97,7 +97,8 @@ pub enum Warning {
         /// Number of contact spots.
         spots: usize,
     },
-    /// Dissimilar bodies with friction were pressed in too few steps. Under a growing load, cells come into contact one
+    /// Bodies that couple pressure and traction ([`ElasticPair::is_coupled`](crate::ElasticPair::is_coupled)) were pressed with
+    /// friction in too few steps. They are bodies of different materials, or coated bodies. Under a growing load, cells come into contact one
     /// after the other while other cells slip and stick. [`History::press`](crate::History::press) applies the load in
     /// the necessary number of steps.
     ///
@@ -146,7 +147,7 @@ pub enum Warning {
         /// The lost fraction of the tangential force, in per cent.
         per_cent: usize,
     },
-    /// The rolling of dissimilar bodies neglects the effect of tractions on the pressure, and the neglected lift exceeds
+    /// The rolling of bodies that couple pressure and traction neglects the effect of tractions on the pressure, and the neglected lift exceeds
     /// the tolerance. [`CoupledRollingProblem`](crate::rolling::CoupledRollingProblem) and a [`History`](crate::History)
     /// with [full coupling](crate::Coupling::Full) include this effect.
     ///
@@ -155,6 +156,21 @@ pub enum Warning {
     NeglectedLift {
         /// The measure of the neglected lift in millionths, rounded up.
         per_million: usize,
+    },
+    /// A layer of a [coated](crate::Material::coated) body is more than 100 times as thick as the longest side of the grid.
+    /// The solution is then the limit of a contact without the material below this layer. A common cause is an inconsistent unit
+    /// of the thickness.
+    CoatingBeyondGrid {
+        /// The thickness divided by the longest side of the grid.
+        sides: usize,
+    },
+    /// A layer of a [coated](crate::Material::coated) body is so thin that its effect on the shortest waves of the grid is below
+    /// a ten-thousandth: the thickness times the ratio of the shear moduli of layer and body (or its reciprocal, if larger) is less
+    /// than a ten-thousandth of a cell side. The solution is then the limit of a contact without this layer. A common cause is an
+    /// inconsistent unit of the thickness.
+    CoatingBelowCell {
+        /// The shorter side of a cell divided by the thickness.
+        parts: usize,
     },
     /// The refinement of an adaptive contact ended at a limit before all estimated errors reached their targets. The
     /// [status](crate::adaptive::AdaptiveSolution::status) states the limit.
@@ -248,7 +264,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::SingleLoadStep => write!(
                 formatter,
-                "dissimilar bodies were pressed in too few steps, although different cells stick and slip while the load grows: use the function press of a history, which chooses the steps for a tolerance"
+                "bodies whose pressure moves their surfaces tangentially (of different materials, or coated) were pressed in too few steps, although different cells stick and slip while the load grows: use the function press of a history, which chooses the steps for a tolerance"
             ),
             Self::ApproachBeyondGrid { tenths } => write!(
                 formatter,
@@ -277,6 +293,14 @@ impl std::fmt::Display for Warning {
                 "the step kept the shift and lost {per_cent} % of the tangential force, expected at most 50 %: to keep the force, prescribe it in each step"
             ),
             Self::NeglectedLift { per_million } => write_lift(formatter, *per_million),
+            Self::CoatingBeyondGrid { sides } => write!(
+                formatter,
+                "a layer is {sides} times as thick as the longest side of the grid, expected at most {THICKEST_LAYER}, so that the material below it has no effect on the contact: check the units of thickness and grid"
+            ),
+            Self::CoatingBelowCell { parts } => write!(
+                formatter,
+                "a cell is {parts} times as long as a layer is thick, so that the layer has no effect on the contact: check the units of thickness and grid"
+            ),
             Self::AccuracyNotReached { tenths } => write_accuracy(formatter, *tenths),
         }
     }
@@ -286,7 +310,7 @@ impl std::fmt::Display for Warning {
 fn write_lift(formatter: &mut std::fmt::Formatter<'_>, per_million: usize) -> std::fmt::Result {
     write!(
         formatter,
-        "tractions displace the surfaces of dissimilar bodies by {}.{:04} % of the normal displacement, which the pressure neglects: use coupled rolling, or a history with full coupling",
+        "tractions displace the surfaces of bodies that couple pressure and traction by {}.{:04} % of the normal displacement, which the pressure neglects: use coupled rolling, or a history with full coupling",
         per_million / 10_000,
         per_million % 10_000
     )
@@ -311,6 +335,10 @@ fn write_accuracy(formatter: &mut std::fmt::Formatter<'_>, tenths: usize) -> std
 const LARGEST_ERROR: f64 = 0.05;
 /// Discretisation error after the suggested refinement.
 const SMALL_ERROR: f64 = 0.01;
+
+/// Largest thickness of a layer without a warning, over the longest side of the grid. The error of the approach without the material
+/// below the layer is of the order of the contact radius over the thickness.
+pub(crate) const THICKEST_LAYER: usize = 100;
 
 /// Largest shift of a step without a warning, in tenths of the longest side of the grid.
 const LARGEST_SHIFT: usize = 10;

@@ -4,6 +4,7 @@ use super::region::Extent;
 use crate::edges::TangentialEdges;
 use crate::error::{Error, Result};
 use crate::grid::field::Field;
+use crate::memory::fallible;
 use crate::normal::NormalSolution;
 use crate::numerics::interpolation::{CUBIC, LagrangeStencil};
 use crate::parallel::reduce;
@@ -118,36 +119,39 @@ impl Measures {
     }
 
     /// Returns the error of a coarser solution, estimated by its difference from this solution.
-    pub(super) fn difference(&self, coarse: &Self, quantity: Quantity) -> f64 {
+    pub(super) fn difference(&self, coarse: &Self, quantity: Quantity) -> Result<f64> {
         let relative = |fine: f64, coarse: f64| (fine - coarse).abs() / fine.abs();
-        let of_friction = |difference: fn(&Self, &Self, [&FrictionMeasures; 2]) -> f64| match (
-            &self.friction,
-            &coarse.friction,
-        ) {
-            (Some(fine), Some(rough)) => difference(self, coarse, [fine, rough]),
-            _ => 0.0,
-        };
+        let of_friction =
+            |difference: fn(&Self, &Self, [&FrictionMeasures; 2]) -> Result<f64>| match (
+                &self.friction,
+                &coarse.friction,
+            ) {
+                (Some(fine), Some(rough)) => difference(self, coarse, [fine, rough]),
+                _ => Ok(0.0),
+            };
         match quantity {
             Quantity::Pressure => {
                 let fields = [&self.pressure, &coarse.pressure];
                 field_difference([self.extent, coarse.extent], fields)
             }
-            Quantity::Area => relative(self.area, coarse.area),
+            Quantity::Area => Ok(relative(self.area, coarse.area)),
             Quantity::Approach => {
-                (self.approach - coarse.approach).abs() / (self.approach - self.least).abs()
+                Ok((self.approach - coarse.approach).abs() / (self.approach - self.least).abs())
             }
-            Quantity::Force => relative(self.force, coarse.force),
+            Quantity::Force => Ok(relative(self.force, coarse.force)),
             Quantity::Traction => of_friction(|own, other, [fine, coarse]| {
                 let fields = [&fine.traction, &coarse.traction];
                 field_difference([own.extent, other.extent], fields)
             }),
             Quantity::StickRatio => {
-                of_friction(|_, _, [fine, coarse]| (fine.stick_ratio - coarse.stick_ratio).abs())
+                of_friction(
+                    |_, _, [fine, coarse]| Ok((fine.stick_ratio - coarse.stick_ratio).abs()),
+                )
             }
             Quantity::Shift => of_friction(|_, _, [fine, coarse]| {
                 let size = fine.shift[0].hypot(fine.shift[1]);
                 let change = |axis: usize| fine.shift[axis] - coarse.shift[axis];
-                change(0).hypot(change(1)) / size
+                Ok(change(0).hypot(change(1)) / size)
             }),
         }
     }
@@ -189,7 +193,7 @@ impl FrictionMeasures {
 
 /// Returns the integral of the absolute difference between a fine field and a coarse field, relative to the integral of the
 /// fine field. The difference is taken between means over the cells of the coarse grid.
-fn field_difference(extents: [Extent; 2], [fine, coarse]: [&Field; 2]) -> f64 {
+fn field_difference(extents: [Extent; 2], [fine, coarse]: [&Field; 2]) -> Result<f64> {
     let [many, rows] = fine.grid().size();
     let [few, _] = coarse.grid().size();
     let edges = |axis: usize| {
@@ -198,13 +202,13 @@ fn field_difference(extents: [Extent; 2], [fine, coarse]: [&Field; 2]) -> f64 {
         let side = (fine_ends[1] - fine_ends[0]) / many as f64;
         let width = (coarse_ends[1] - coarse_ends[0]) / few as f64;
         let edge = move |i: usize| (coarse_ends[0] + i as f64 * width - fine_ends[0]) / side;
-        (0..=few).map(edge).collect::<Vec<_>>()
+        fallible::collected(few + 1, (0..=few).map(edge))
     };
-    let (columns, lines) = (edges(0), edges(1));
+    let (columns, lines) = (edges(0)?, edges(1)?);
     // Integrals over the coarse columns, for each fine row. The rows of the table are the coarse columns.
-    let mut narrowed = vec![0.0; few * rows];
+    let mut narrowed = fallible::filled(0.0, few * rows)?;
     for iy in 0..rows {
-        let integrals = integrals(&fine.as_slice()[iy * many..][..many], &columns);
+        let integrals = integrals(&fine.as_slice()[iy * many..][..many], &columns)?;
         for (ix, integral) in integrals.enumerate() {
             narrowed[ix * rows + iy] = integral;
         }
@@ -213,18 +217,19 @@ fn field_difference(extents: [Extent; 2], [fine, coarse]: [&Field; 2]) -> f64 {
     let ratio = coarse.grid().cell_area() / fine.grid().cell_area();
     let mut sum = 0.0;
     for ix in 0..few {
-        for (iy, integral) in integrals(&narrowed[ix * rows..][..rows], &lines).enumerate() {
+        let integrals = integrals(&narrowed[ix * rows..][..rows], &lines)?;
+        for (iy, integral) in integrals.enumerate() {
             let own = ratio * coarse.as_slice()[iy * few + ix];
             sum += (integral - own).abs();
         }
     }
-    sum * fine.grid().cell_area() / fine.integral()
+    Ok(sum * fine.grid().cell_area() / fine.integral())
 }
 
 /// Returns the integrals of a row of means between successive positions, in units of a cell. The integral up to a position is
 /// interpolated by the cubic through the integrals at the four nearest edges of cells.
-fn integrals(means: &[f64], positions: &[f64]) -> impl Iterator<Item = f64> {
-    let mut sums = Vec::with_capacity(means.len() + 1);
+fn integrals(means: &[f64], positions: &[f64]) -> Result<impl Iterator<Item = f64> + use<>> {
+    let mut sums = fallible::with_room(means.len() + 1)?;
     let mut sum = 0.0;
     sums.push(sum);
     for mean in means {
@@ -235,8 +240,8 @@ fn integrals(means: &[f64], positions: &[f64]) -> impl Iterator<Item = f64> {
         let position = position.clamp(0.0, means.len() as f64);
         LagrangeStencil::at(position, sums.len(), CUBIC).apply(|i| sums[i])
     };
-    let totals: Vec<f64> = positions.iter().map(up_to).collect();
-    (1..totals.len()).map(move |i| totals[i] - totals[i - 1])
+    let totals = fallible::collected(positions.len(), positions.iter().map(up_to))?;
+    Ok((1..totals.len()).map(move |i| totals[i] - totals[i - 1]))
 }
 
 /// Returns the pressure that the part of the gap inside the cells would cause, relative to the force.

@@ -259,7 +259,7 @@ impl OneGrid {
         let growth = cells(&self.measures) / cells(coarse);
         let unresolved = self.unresolved(problem)?;
         let estimate = |quantity: Quantity| {
-            let difference = self.measures.difference(coarse, quantity);
+            let difference = self.measures.difference(coarse, quantity)?;
             let mut error = difference / (growth.powf(quantity.order()) - 1.0);
             // A number can agree on two grids by chance.
             let earlier = previous.iter().find(|earlier| earlier.quantity == quantity);
@@ -272,18 +272,18 @@ impl OneGrid {
                 error = error.max(unresolved);
             }
             let mut targets = problem.targets.iter();
-            Estimate {
+            Ok(Estimate {
                 quantity,
                 error,
                 target: targets
                     .find(|(target, _)| *target == quantity)
                     .map(|(_, target)| *target),
-            }
+            })
         };
         let has_friction = problem.friction.is_some();
         let all = Quantity::ALL.into_iter();
         let known = all.filter(|quantity| has_friction || !quantity.is_tangential());
-        Ok(known.map(estimate).collect())
+        known.map(estimate).collect()
     }
 
     /// Returns the pressure due to the part of the gap inside the cells, relative to the force.

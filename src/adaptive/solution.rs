@@ -204,8 +204,10 @@ impl AdaptiveSolution {
     /// Returns the difference of a quantity from a solution on a finer grid, in the definition of [`Quantity`]. The finer grid
     /// should have at least twice as many cells along a side. The comparison of fields on similar grids has an additional error
     /// due to interpolation. The difference is zero for a tangential quantity without friction.
-    #[must_use]
-    pub fn difference(&self, finer: &Self, quantity: Quantity) -> f64 {
+    ///
+    /// # Errors
+    /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
+    pub fn difference(&self, finer: &Self, quantity: Quantity) -> Result<f64> {
         finer.measures.difference(&self.measures, quantity)
     }
 

@@ -95,10 +95,10 @@ pub(crate) struct Cancellation(AtomicBool);
 
 impl Cancellation {
     /// Returns an observer that records the first cancellation and cancels at every later call.
-    pub(crate) fn watch<'a>(
+    pub(crate) fn record<'a>(
         &'a self,
-        observer: Observer<'a>,
-    ) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send + use<'a> {
+        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send + 'a,
+    ) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send + 'a {
         move |iteration| {
             if self.is_recorded() || observer(iteration).is_break() {
                 self.0.store(true, Ordering::Relaxed);
@@ -106,6 +106,15 @@ impl Cancellation {
             }
             ControlFlow::Continue(())
         }
+    }
+
+    /// Returns an observer that [records](Self::record) a cancellation and is not called after the time limit.
+    pub(crate) fn watch<'a>(
+        &'a self,
+        settings: &Settings,
+        observer: Observer<'a>,
+    ) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send + 'a {
+        self.record(within_time(settings, observer))
     }
 
     fn is_recorded(&self) -> bool {
@@ -139,6 +148,22 @@ impl Cancellation {
                 Err(Error::NotConverged(Box::new(report)))
             }
             outcome => outcome,
+        }
+    }
+}
+
+/// Returns an observer that is not called after the time limit. A solve of several passes or grids ends each of them separately,
+/// and each checks the observer before the clock.
+pub(crate) fn within_time<'a>(
+    settings: &Settings,
+    observer: Observer<'a>,
+) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send + use<'a> {
+    let (start, limit) = (Instant::now(), settings.time_limit);
+    move |iteration| {
+        if limit.is_some_and(|limit| start.elapsed() >= limit) {
+            ControlFlow::Continue(())
+        } else {
+            observer(iteration)
         }
     }
 }

@@ -18,7 +18,7 @@ mod windows;
 pub(crate) use elastic_solver::{ElasticProblem, ElasticSolver, multipliers};
 pub(crate) use extrapolation::{LoadIncrement, LoadPoint, LoadTrend};
 pub(crate) use limits::{
-    Cancellation, SolveContext, has_iterate, interrupted_status, with_counts_of,
+    Cancellation, SolveContext, has_iterate, interrupted_status, with_counts_of, within_time,
 };
 pub(crate) use nested_start::{
     GridTransfer, MultilevelProblem, is_worth_coarsening, known_of_start, nested_start,

@@ -117,7 +117,8 @@ pub(crate) use model_fields;
 /// |---|---|---|---|---|---|
 /// | `set_load` | force or approach | force or motion | both loads | creepages, forces, spin | creepages, forces, spin |
 /// | `set_normal_load` | | | | with `set_normal_solver` | yes |
-/// | `set_gap` | yes | | yes | | yes |
+/// | `set_loads` | | | | | all loads |
+/// | `gap`, `set_gap` | yes | | yes | | yes |
 /// | `set_pressure` | | yes | | yes | |
 /// | `set_friction` | | yes | yes | yes | yes |
 /// | `set_hardness` | yes | | yes | | |
@@ -128,6 +129,7 @@ pub(crate) use model_fields;
 ///
 /// A stiffness belongs to a solution. The solvers of rolling return [`Error::OutdatedSolution`](crate::Error::OutdatedSolution) if a
 /// load or a field has changed since the last solve. The solutions of the other solvers do not change with their solver.
+/// A sensitivity combines a solution with the present problem, and returns this error for a solution of an earlier problem.
 #[derive(Clone)]
 pub struct Solver<P: Contact> {
     pub(crate) problem: P,
@@ -216,7 +218,8 @@ impl<P: Contact> Solver<P> {
         self.solve_observed(solution, |_| ControlFlow::Continue(()))
     }
 
-    /// Solves like [`Self::solve_into`] with an observer that is called at every step and may cancel. After a cancellation
+    /// Solves like [`Self::solve_into`] with an observer that is called at every step and may cancel. After a cancellation or the
+    /// time limit the observer is not called again. After a cancellation
     /// the solve returns [`Error::NotConverged`](crate::Error::NotConverged) with
     /// [`Status::Cancelled`](crate::Status::Cancelled), even if the iterate satisfies the tolerance.
     ///

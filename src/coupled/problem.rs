@@ -48,7 +48,7 @@ pub struct CoupledProblem {
     pub(crate) hardness: Option<Hardness>,
     pub(crate) normal: NormalLoad,
     pub(crate) tangential: TangentialLoad,
-    pub(super) relative: Option<RelativeDisplacement>,
+    pub(crate) relative: Option<RelativeDisplacement>,
     pub(super) settings: Settings,
 }
 

@@ -62,6 +62,13 @@ impl CoupledSolver {
         Ok(())
     }
 
+    /// Returns the gap before loading of the next solve: the last gap that was given or [set](Self::set_gap). The gap of a
+    /// [solution](crate::NormalSolution::gap) is a different field, the gap under load.
+    #[must_use]
+    pub fn gap(&self) -> &Field {
+        &self.problem.gap
+    }
+
     /// Changes the gap before loading for the next solve.
     ///
     /// # Errors
@@ -167,7 +174,7 @@ impl Model<CoupledSolution> for CoupledProblem {
     ) -> Result<()> {
         let (problem, increment) = (&solver.problem, &mut solver.engine);
         let cancellation = Cancellation::default();
-        let mut observer = cancellation.watch(observer);
+        let mut observer = cancellation.watch(&problem.settings, observer);
         let mut conditions = SolveContext::new(&problem.settings, &mut observer);
         let demand = CoupledTarget {
             gap: &problem.gap,

@@ -417,16 +417,17 @@ pub enum Error {
         /// Number of rows or columns in the grid.
         count: usize,
     },
-    /// The grid extends beyond the samples from which it is filled.
+    /// A position lies outside the samples from which a grid or a gap is interpolated.
     #[error(
-        "the grid extends to {reach:?} from its centre along {axis}, but the samples extend only to {limit:?}: use a smaller grid"
+        "a position at {reach:?} along {axis} lies outside the samples, which extend to {limit:?} on both sides of their centre: use a smaller grid or region, or more samples"
     )]
     BeyondSamples {
         /// The axis, x or y.
         axis: &'static str,
-        /// Distance of the outermost cell centres from the middle of the grid.
+        /// Coordinate of the position relative to the centre of the samples. For a grid it is the distance of the outermost cell
+        /// centres from the middle.
         reach: f64,
-        /// Distance of the edge of the sampled grid from the middle.
+        /// Distance of the edge of the samples from their centre.
         limit: f64,
     },
     /// The Hurst exponent lies outside `[0, 1]`.

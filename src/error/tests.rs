@@ -353,7 +353,7 @@ fn every_error_has_its_text() {
                 reach: 1.5,
                 limit: 1.25,
             },
-            "the grid extends to 1.5 from its centre along x, but the samples extend only to 1.25: use a smaller grid",
+            "a position at 1.5 along x lies outside the samples, which extend to 1.25 on both sides of their centre: use a smaller grid or region, or more samples",
         ),
         (
             Error::Hurst(1.5),

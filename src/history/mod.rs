@@ -295,5 +295,6 @@ pub use path::LoadPath;
 pub use state::State;
 pub use step::History;
 pub use step::adaptive::{AdaptiveSteps, StepErrorEstimate};
+pub use step::batch::StepFailures;
 pub use step::result::StepResult;
 pub use step::rolled::Rolling;

@@ -7,7 +7,11 @@ use crate::error::Result;
 use crate::memory::fallible::unwrap_or_abort;
 use crate::normal::NormalSolution;
 use crate::parallel::ranks::partition::RowPartition;
-use crate::warning::Warning;
+use crate::warning::{THICKEST_LAYER, Warning};
+
+/// Product of thickness and contrast of the shear moduli below which a layer has no effect, over the side of a cell. The relative
+/// change of the response to the shortest waves is of the order of this ratio.
+const THINNEST_LAYER: f64 = 1e-4;
 
 impl NormalSolution {
     /// Returns the number of cells that carry pressure.
@@ -82,7 +86,41 @@ impl NormalSolution {
         warnings.extend(beyond);
         warnings.extend(self.discretisation_warning()?);
         warnings.extend(self.scale().warnings());
+        warnings.extend(self.coating_warnings().into_iter().flatten());
         Ok(warnings)
+    }
+
+    /// Returns the warnings about layers that are much thicker than the grid or much thinner than a cell.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "both ratios are positive, and a large one saturates"
+    )]
+    fn coating_warnings(&self) -> [Option<Warning>; 2] {
+        let (grid, bodies) = (self.grid(), self.pair.bodies());
+        let (longest, cell) = (grid.whole().longest_side(), grid.dx().min(grid.dy()));
+        let layers = || {
+            bodies.iter().flat_map(|body| {
+                let base = body.shear_modulus();
+                body.layers().iter().map(move |layer| (layer, base))
+            })
+        };
+        let thickest = layers().map(|(layer, _)| layer.thickness());
+        let sides = thickest.fold(0.0, f64::max) / longest;
+        let thick = (sides > THICKEST_LAYER as f64).then(|| Warning::CoatingBeyondGrid {
+            sides: sides.round() as usize,
+        });
+        let without_effect = layers().filter(|(layer, base)| {
+            let contrast = layer.shear_modulus() / base;
+            layer.thickness() * contrast.max(contrast.recip()) < THINNEST_LAYER * cell
+        });
+        let thinnest = without_effect
+            .map(|(layer, _)| layer.thickness())
+            .reduce(f64::min);
+        let thin = thinnest.map(|thickness| Warning::CoatingBelowCell {
+            parts: (cell / thickness).round() as usize,
+        });
+        [thick, thin]
     }
 
     /// Returns the number of cells whose pressure exceeds the hardness of the softer body, or zero if its material has

@@ -242,7 +242,7 @@ impl PressureSolver {
         observer: Observer<'_>,
     ) -> Result<()> {
         let cancellation = Cancellation::default();
-        let mut observer = cancellation.watch(observer);
+        let mut observer = cancellation.watch(of.settings, observer);
         let mut conditions = SolveContext::new(of.settings, &mut observer);
         let outcome = self.find(of, pressure, &mut conditions);
         let outcome = cancellation.applied(of.bodies, outcome, || self.report.cancelled());

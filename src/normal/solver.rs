@@ -70,6 +70,13 @@ impl NormalSolver {
         Ok(())
     }
 
+    /// Returns the gap before loading of the next solve: the last gap that was given or [set](Self::set_gap). The gap of a
+    /// [solution](NormalSolution::gap) is a different field, the gap under load.
+    #[must_use]
+    pub fn gap(&self) -> &Field {
+        &self.problem.gap
+    }
+
     /// Returns the window of the last solve, or `None` before the first solve.
     pub(crate) fn window(&self) -> Option<Window> {
         self.engine.press.window()

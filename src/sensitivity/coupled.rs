@@ -15,7 +15,11 @@ use crate::observer::Observer;
 use crate::parallel;
 use crate::report::Report;
 use crate::sensitivity::adjoint::{Adjoint, is_zero};
+use crate::sensitivity::current::{
+    check_current, check_gap, check_hardness, check_normal_load, check_relative_displacement,
+};
 use crate::sensitivity::functional::{ContactView, Gradient, ShearView};
+use crate::sensitivity::loads::ShearLoads;
 use crate::sensitivity::poisson::{Loading, UnitDisplacements};
 use crate::sensitivity::shear::{by_control, by_twist, on_grid, on_region, total_of};
 use crate::sensitivity::solver::{Linearised, check_functionals, with_own_report};
@@ -51,6 +55,7 @@ impl Linearised for CoupledProblem {
         let (mut context, buffers) = workspace.begin(observer);
         bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
             let [x, y, z] = contact.displacement().map(Field::as_slice);
+            problem.check_current(contact)?;
             let view = ContactView {
                 bodies,
                 pressure: normal.pressure().as_slice(),
@@ -76,6 +81,27 @@ impl Linearised for CoupledProblem {
 }
 
 impl CoupledProblem {
+    /// Returns an error if the solution does not belong to the present input.
+    fn check_current(&self, contact: &CoupledSolution) -> Result<()> {
+        let (bodies, normal, shear) = (&self.bodies, contact.normal(), contact.tangential());
+        check_normal_load(self.normal, normal)?;
+        check_hardness(bodies, self.hardness.as_ref(), normal)?;
+        let [x, y, z] = contact.displacement().map(Field::as_slice);
+        check_gap(bodies, &self.gap, normal, z)?;
+        if let Some(relative) = &self.relative {
+            check_relative_displacement(bodies, relative, shear, [x, y])?;
+        }
+        let pressure = normal.pressure().as_slice();
+        let is_current = shear.belongs_to(bodies, pressure, &self.friction);
+        check_current(is_current, "the friction")?;
+        let capacity = reduce::sum(&bodies.grid_layout(), |i| {
+            self.friction.limit(i, pressure[i])
+        });
+        let loads = ShearLoads::of(shear, capacity * bodies.grid().cell_area());
+        let is_current = loads.are_prescribed_by(&self.tangential.demand(), Some(0.0));
+        check_current(is_current, "the tangential load")
+    }
+
     fn linearised(
         &self,
         solved: &SolvedContact<'_>,

@@ -10,7 +10,9 @@ use crate::memory::fallible;
 use crate::observer::{Observer, unwatched};
 use crate::parallel;
 use crate::report::Iteration;
+use crate::sensitivity::current::{check_current, check_normal_load};
 use crate::sensitivity::functional::{ContactView, Gradient, ShearView};
+use crate::sensitivity::loads::ShearLoads;
 use crate::sensitivity::normal::Pressed;
 use crate::sensitivity::solver::check_functionals;
 use crate::sensitivity::tangential::Sheared;
@@ -60,7 +62,8 @@ impl History {
     /// - [`Error::EmptyContact`] if the bodies do not touch.
     /// - [`Error::UnsupportedByModel`] for a step that rolls, or for full coupling of dissimilar bodies.
     /// - [`Error::NoLastStep`] if the history has taken no step since it was created or since [`History::set_state`].
-    /// - [`Error::OutdatedSolution`] if the friction or the gap has changed since the last step.
+    /// - [`Error::OutdatedSolution`] if the friction or the gap has changed since the last step, or if the last step did not reach
+    ///   `load`.
     /// - The errors of [`Solver::sensitivity`](crate::Solver::sensitivity).
     pub fn sensitivity(&self, load: &LoadStep, functional: &Functional) -> Result<Sensitivity> {
         let workspace = &mut StiffnessWorkspace::new();
@@ -105,7 +108,18 @@ impl History {
             );
         }
         self.last_step()?;
-        self.state.check_current("sensitivity")
+        self.state.check_current("sensitivity")?;
+        if let Some(press) = load.normal_control().load() {
+            check_normal_load(press, self.normal())?;
+        }
+        let loads = ShearLoads {
+            force: self.tangential_force(),
+            shift: self.shift(),
+            twist: self.twist(),
+            capacity: self.friction_capacity(),
+        };
+        let is_current = loads.are_prescribed_by(&load.demand(self.twist()), None);
+        check_current(is_current, "the tangential load")
     }
 
     /// Computes the sensitivities of a step that has passed [`Self::check_step`].

@@ -33,9 +33,11 @@
 mod adjoint;
 #[cfg(feature = "history")]
 mod coupled;
+mod current;
 mod functional;
 #[cfg(feature = "history")]
 mod history;
+mod loads;
 mod normal;
 mod poisson;
 mod shear;

@@ -14,6 +14,9 @@ use crate::observer::{Observer, unwatched};
 use crate::parallel;
 use crate::report::{Iteration, Report};
 use crate::sensitivity::adjoint::Adjoint;
+use crate::sensitivity::current::{
+    check_gap, check_hardness, check_normal_load, normal_displacement,
+};
 use crate::sensitivity::functional::{ContactView, Gradient, ShearView, entry};
 use crate::sensitivity::shear::on_region;
 use crate::sensitivity::solver::{Linearised, check_functionals, with_own_report};
@@ -28,14 +31,14 @@ impl Linearised for NormalProblem {
         workspace: &mut StiffnessWorkspace,
         observer: Observer<'_>,
     ) -> Result<Vec<Sensitivity>> {
-        let NormalProblem { bodies, gap, .. } = &solver.problem;
+        let bodies = &solver.problem.bodies;
         let converged = check_converged(contact.report());
         let checked = contact.check_bodies(bodies).and(converged);
         check_functionals(bodies, (true, false), functionals, checked)?;
         workspace.check_alike(bodies)?;
         let (mut context, buffers) = workspace.begin(observer);
         bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
-            let lift = &displacement(gap, contact)?;
+            let lift = &checked_displacement(&solver.problem, contact, &mut context)?;
             let view = ContactView {
                 bodies,
                 pressure: contact.pressure().as_slice(),
@@ -161,7 +164,7 @@ impl NormalSolver {
         workspace: &mut StiffnessWorkspace,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<Vec<Sensitivity>> {
-        let NormalProblem { bodies, gap, .. } = &self.problem;
+        let bodies = &self.problem.bodies;
         let converged = check_converged(contact.report());
         let mut checked = contact.check_bodies(bodies).and(converged);
         let mut gradients = fallible::with_room(sensitivities.len())?;
@@ -190,7 +193,7 @@ impl NormalSolver {
         workspace.check_alike(bodies)?;
         let (mut context, buffers) = workspace.begin(&mut observer);
         let pressing = bodies.joint(parallel::enter_with(bodies.grid().cells(), || {
-            let lift = displacement(gap, contact)?;
+            let lift = checked_displacement(&self.problem, contact, &mut context)?;
             Pressed::of(self).propagate(contact, &lift, gradients, buffers, &mut context)
         }))?;
         let chained = sensitivities.into_iter().zip(pressing);
@@ -215,6 +218,20 @@ impl Sensitivity {
             ..self
         }
     }
+}
+
+/// Returns the normal displacement of all cells, or an error if the solution does not belong to the present input.
+fn checked_displacement(
+    problem: &NormalProblem,
+    contact: &NormalSolution,
+    context: &mut ResponseContext<'_>,
+) -> Result<Vec<f64>> {
+    let NormalProblem { bodies, gap, .. } = problem;
+    check_normal_load(problem.load, contact)?;
+    check_hardness(bodies, problem.hardness.as_ref(), contact)?;
+    let current = normal_displacement(bodies, contact, context)?;
+    check_gap(bodies, gap, contact, &current)?;
+    displacement(gap, contact)
 }
 
 /// Returns the normal displacement of all cells.

@@ -93,6 +93,8 @@ impl<P: Linearised> Solver<P> {
     ///   [`Error::CellValueMismatch`](crate::Error::CellValueMismatch) or
     ///   [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) if the solution belongs to other bodies, or if weights have
     ///   a different grid.
+    /// - [`Error::OutdatedSolution`](crate::Error::OutdatedSolution) if the solution belongs to an earlier load, gap, pressure,
+    ///   friction or hardness of the solver. An earlier relative displacement is detected if any cell slips.
     /// - [`Error::NotConverged`](crate::Error::NotConverged) if the solution has not converged, or if a linear solve fails or is
     ///   cancelled.
     /// - [`Error::UnsupportedByModel`](crate::Error::UnsupportedByModel) if the functional depends on a quantity that the problem

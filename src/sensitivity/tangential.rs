@@ -14,7 +14,9 @@ use crate::operator::Operator;
 use crate::parallel;
 use crate::report::Report;
 use crate::sensitivity::adjoint::Adjoint;
+use crate::sensitivity::current::{check_current, check_relative_displacement};
 use crate::sensitivity::functional::{ContactView, Gradient, ShearView, pair_at};
+use crate::sensitivity::loads::ShearLoads;
 use crate::sensitivity::poisson::{Loading, UnitDisplacements};
 use crate::sensitivity::shear::{by_control, by_twist, on_grid, on_region, total_of};
 use crate::sensitivity::solver::{Linearised, check_functionals, with_own_report};
@@ -23,8 +25,8 @@ use crate::stiffness::{
     BallOf, ContactCells, SolvedContact, StiffnessWorkspace, SystemBuffers, SystemOf,
 };
 use crate::tangential::{
-    Axis, Friction, PressureOnWindow, RigidMotion, TangentialControl, TangentialProblem,
-    TangentialSolution, centre,
+    Axis, CouplingDisplacement, Friction, PressureOnWindow, RigidMotion, TangentialControl,
+    TangentialProblem, TangentialSolution, centre,
 };
 
 /// Sheared contact whose sensitivities are computed.
@@ -60,6 +62,16 @@ impl Linearised for TangentialProblem {
         bodies.joint(parallel::enter_with(grid.cells(), || {
             let mut pressure = fallible::zeros(grid.cells())?;
             pressed.region.scatter(&pressed.pressure, &mut pressure);
+            let is_current = shear.belongs_to(bodies, &pressure, &problem.friction);
+            check_current(is_current, "the pressure or the friction")?;
+            let loads = ShearLoads::of(shear, solver.friction_capacity());
+            let is_current = loads.are_prescribed_by(&problem.load.demand(), Some(0.0));
+            check_current(is_current, "the tangential load")?;
+            if let Some(relative) = &problem.relative {
+                let [x, y] = tangential_displacement(problem, shear, &pressure, &mut context)?;
+                let moved = [x.as_slice(), y.as_slice()];
+                check_relative_displacement(bodies, relative, shear, moved)?;
+            }
             let sheared = Sheared {
                 bodies,
                 pressed,
@@ -100,6 +112,30 @@ impl Linearised for TangentialProblem {
             sheared.solve(shear.axis(), of, Some(&moved), buffers, &mut context)
         }))
     }
+}
+
+/// Computes the tangential displacement of all cells by tractions and pressure.
+fn tangential_displacement(
+    problem: &TangentialProblem,
+    shear: &TangentialSolution,
+    pressure: &[f64],
+    context: &mut ResponseContext<'_>,
+) -> Result<[Field; 2]> {
+    let bodies = &problem.bodies;
+    context.notify_observer(&bodies.grid_layout())?;
+    let mut moved = shear.displacement(bodies)?;
+    if problem.coupling.is_one_way(bodies.pair()) {
+        let axes = shear.axis().map_or(Axis::BOTH, Axis::alone);
+        let size = bodies.grid().whole().size();
+        let mut drawing = CouplingDisplacement::new(bodies, axes, size)?;
+        drawing.displace(pressure.iter().copied(), |axis, by_pressure| {
+            let moved = moved[axis.index()].as_mut_slice().iter_mut();
+            for (moved, by_pressure) in moved.zip(by_pressure) {
+                *moved += by_pressure;
+            }
+        });
+    }
+    Ok(moved)
 }
 
 /// Displacement of a local cell of the grid.

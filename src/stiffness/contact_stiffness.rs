@@ -3,9 +3,7 @@
 use std::ops::ControlFlow;
 
 use crate::contact::ResponseContext;
-#[cfg(doc)]
-use crate::error::Error;
-use crate::error::{Result, check_converged, positive};
+use crate::error::{Error, Result, check_converged, positive};
 use crate::half_space::HalfSpace;
 use crate::normal::NormalSolution;
 use crate::numerics::small_matrix::Small;
@@ -125,6 +123,26 @@ impl TangentialStiffness {
     }
 }
 
+impl TangentialSolution {
+    /// Returns an error unless the solution belongs to this pressure of the local cells and this friction.
+    pub(super) fn check_limits(
+        &self,
+        bodies: &HalfSpace,
+        pressure: &[f64],
+        friction: &Friction,
+    ) -> Result<()> {
+        let belongs = parallel::enter_with(bodies.grid().cells(), || {
+            self.belongs_to(bodies, pressure, friction)
+        });
+        let outdated = Error::OutdatedSolution {
+            quantity: "stiffness",
+            changed: "the pressure or the friction",
+            remedy: "solve the tangential problem with the pressure and the friction of the stiffness",
+        };
+        bodies.joint(if belongs { Ok(()) } else { Err(outdated) })
+    }
+}
+
 impl NormalSolution {
     /// Computes the normal stiffness $`dW/d\delta_z`$ with one linear solve on the cells of the contact.
     ///
@@ -212,10 +230,13 @@ impl TangentialSolution {
 }
 
 impl ContactStiffness {
-    /// Computes the stiffness of a contact that was pressed and sheared from rest with this friction.
+    /// Computes the stiffness of a contact that was pressed and sheared from rest with this friction. `normal` must be the solution
+    /// from which the tangential problem took its pressure.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the friction has a different grid.
+    /// - [`Error::OutdatedSolution`] if `shear` was computed for a different pressure or friction. Its contact cells or its tractions
+    ///   in slipping cells then differ from those of `normal` and `friction`.
     /// - The errors of [`NormalSolution::stiffness`] and [`TangentialSolution::stiffness`].
     pub fn new(
         bodies: &HalfSpace,
@@ -242,8 +263,12 @@ impl ContactStiffness {
             .check_bodies(bodies)
             .and_then(|()| shear.check_uncoupled())
             .and_then(|()| check_converged(normal.report()))
-            .and_then(|()| check_converged(shear.report()));
+            .and_then(|()| check_converged(shear.report()))
+            .and_then(|()| normal.check_bodies(bodies))
+            .and_then(|()| normal.check_uncoupled())
+            .and_then(|()| friction.check(bodies.grid()));
         bodies.collective_result(checked)?;
+        shear.check_limits(bodies, normal.pressure().as_slice(), friction)?;
         let contact = SolvedContact::sheared(bodies, shear);
         let workspace = &mut StiffnessWorkspace::new();
         contact.stiffness((normal, friction), workspace, &mut observer)

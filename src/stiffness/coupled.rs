@@ -164,8 +164,9 @@ impl CoupledSolution {
     ///
     /// # Errors
     /// - [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
-    ///   [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) if the solution was computed for other bodies or another
-    ///   friction.
+    ///   [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) if the solution was computed for other bodies, or if the friction
+    ///   has a different grid.
+    /// - [`Error::OutdatedSolution`](crate::Error::OutdatedSolution) if the solution was computed for a different friction.
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if a periodic contact is closed everywhere.
     /// - [`Error::NotConverged`](crate::Error::NotConverged) for a solution that has not been solved, or if a linear solve fails or is cancelled.
     /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail or pass different input.
@@ -191,6 +192,7 @@ impl CoupledSolution {
         let checked = checked.and_then(|()| normal.check_elastic("the stiffness"));
         let checked = checked.and_then(|()| check_converged(&self.report().work));
         bodies.collective_result(checked.and_then(|()| friction.check(bodies.grid())))?;
+        tangential.check_limits(bodies, normal.pressure().as_slice(), friction)?;
         let contact = SolvedContact::sheared(bodies, tangential);
         let workspace = &mut StiffnessWorkspace::new();
         contact.coupled_stiffness((normal, friction), workspace, &mut observer)

@@ -18,7 +18,7 @@ pub(crate) const SLIDING: f64 = 1e-12;
 const ORDINARY: RangeInclusive<f64> = 1e-100..=1e100;
 
 /// Fraction of the largest limit below which a limit counts as zero.
-const NOTHING: f64 = 1e-30;
+pub(super) const NEGLIGIBLE: f64 = 1e-30;
 
 /// Normal contact for the tangential solver: a window around the contact, with pressure and friction limits.
 #[derive(Debug, Clone)]
@@ -108,7 +108,7 @@ impl Limits {
             }
         });
         // Negligible limits carry no load, and their squares would underflow.
-        let least = NOTHING * self.largest();
+        let least = NEGLIGIBLE * self.largest();
         parallel::update(&mut self.cells, |_, chunk| {
             for limit in chunk {
                 *limit = if *limit < least { 0.0 } else { *limit };

@@ -29,13 +29,13 @@ impl Lifting {
         })
     }
 
-    /// Writes the normal displacement that tractions along x and y cause. A component that the model omits has no
-    /// cells.
-    pub(crate) fn lift(&mut self, traction: [&[f64]; 2], lift: &mut [f64]) {
+    /// Writes the normal displacement that tractions along x and y cause. A component that the model omits is `None`. The products
+    /// are collective, so a rank without cells also takes part.
+    pub(crate) fn lift(&mut self, traction: [Option<&[f64]>; 2], lift: &mut [f64]) {
         lift.fill(0.0);
         let added = &mut self.displacement;
         for (part, traction) in self.parts.iter_mut().zip(traction) {
-            if !traction.is_empty() {
+            if let Some(traction) = traction {
                 part.apply(traction, added);
                 for (lift, added) in lift.iter_mut().zip(&*added) {
                     *lift += *added;

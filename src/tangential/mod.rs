@@ -53,6 +53,8 @@
 //! The example `sphere` plots:
 #![cfg_attr(doc, doc = include_str!("../pictures/sphere.html"))]
 
+#[cfg(feature = "stiffness")]
+mod consistency;
 pub(crate) mod entry_rule;
 mod friction;
 mod friction_limits;
@@ -75,6 +77,8 @@ mod step_solution;
 mod traction_solver;
 mod zone;
 
+#[cfg(feature = "sensitivity")]
+pub(crate) use consistency::agree;
 pub(crate) use entry_rule::EntryRule;
 pub(crate) use entry_rule::{
     EntryCompliance, EntryCompliances, entry_compliance, ratios_of_compliances,

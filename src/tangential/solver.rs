@@ -237,7 +237,7 @@ impl Model<TangentialSolution> for TangentialProblem {
     ) -> Result<()> {
         let TangentialSolver { problem, engine } = solver;
         let cancellation = Cancellation::default();
-        let mut observer = cancellation.watch(observer);
+        let mut observer = cancellation.watch(&problem.settings, observer);
         let mut conditions = SolveContext::new(&problem.settings, &mut observer);
         let start = if engine.is_warm {
             Start::Present(engine.increment.motion().shift)

@@ -6,7 +6,8 @@ use crate::warning::Warning;
 variants! { Warning:
     NoContact ContactAtEdge UnresolvedSpots SingleRowOfCells ContactSpansGrid BeyondHardness StalePressure StressAtEdge
     UnderresolvedContact UnderresolvedStickZone UnderresolvedSlipZone DiscretisationError SingleLoadStep
-    ApproachBeyondGrid ShiftBeyondGrid LargeContactRadius SteepSurface HeldShiftLostForce NeglectedLift AccuracyNotReached
+    ApproachBeyondGrid ShiftBeyondGrid LargeContactRadius SteepSurface HeldShiftLostForce NeglectedLift CoatingBeyondGrid
+    CoatingBelowCell AccuracyNotReached
 }
 
 #[test]
@@ -106,7 +107,7 @@ fn every_warning_has_its_text() {
         ),
         (
             Warning::SingleLoadStep,
-            "dissimilar bodies were pressed in too few steps, although different cells stick and slip while the load grows: use the function press of a history, which chooses the steps for a tolerance",
+            "bodies whose pressure moves their surfaces tangentially (of different materials, or coated) were pressed in too few steps, although different cells stick and slip while the load grows: use the function press of a history, which chooses the steps for a tolerance",
         ),
         (
             Warning::ApproachBeyondGrid { tenths: 15 },
@@ -132,7 +133,15 @@ fn every_warning_has_its_text() {
             Warning::NeglectedLift {
                 per_million: 10_500,
             },
-            "tractions displace the surfaces of dissimilar bodies by 1.0500 % of the normal displacement, which the pressure neglects: use coupled rolling, or a history with full coupling",
+            "tractions displace the surfaces of bodies that couple pressure and traction by 1.0500 % of the normal displacement, which the pressure neglects: use coupled rolling, or a history with full coupling",
+        ),
+        (
+            Warning::CoatingBeyondGrid { sides: 1000 },
+            "a layer is 1000 times as thick as the longest side of the grid, expected at most 100, so that the material below it has no effect on the contact: check the units of thickness and grid",
+        ),
+        (
+            Warning::CoatingBelowCell { parts: 1_000_000 },
+            "a cell is 1000000 times as long as a layer is thick, so that the layer has no effect on the contact: check the units of thickness and grid",
         ),
         (
             Warning::AccuracyNotReached { tenths: 35 },

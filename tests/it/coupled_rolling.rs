@@ -6,8 +6,8 @@ use proptest::prelude::*;
 use stickslip::analytical::{BentallJohnson, HertzLine};
 use stickslip::history::{EntryRule, Rolling};
 use stickslip::rolling::{
-    CoupledRollingProblem, CoupledRollingProblemBuilder, CoupledRollingSolution, LeadingEdge,
-    RollingControl, RollingProblem,
+    CoupledRollingProblem, CoupledRollingProblemBuilder, CoupledRollingSolution,
+    CoupledRollingSolver, LeadingEdge, RollingControl, RollingProblem,
 };
 use stickslip::{
     Axis, Boundary, Coupling, ElasticPair, Error, Field, Grid, HalfSpace, History, LoadStep,
@@ -409,4 +409,38 @@ fn coupled_history_converges_to_coupled_steady_rolling() {
         }
         assert_eq!(history.zones(), steady.rolling().zones());
     }
+}
+
+/// A force and a normal load that are admissible together are set together. An error changes neither.
+#[test]
+fn loads_of_coupled_rolling_are_set_together() {
+    let bodies = HalfSpace::new(kit::square(24, 3.0), kit::on_rigid(1.0, 0.0)).unwrap();
+    let (ball, friction) = (kit::sphere(bodies.grid(), 1.0), kit::coulomb(0.3));
+    let drag = |force: f64| [RollingControl::Force(force), RollingControl::Creepage(0.0)];
+    let new = || {
+        let load = NormalLoad::Force(1.0);
+        let problem = CoupledRollingProblem::builder(&bodies, &ball, friction.clone(), load);
+        kit::solver(problem.control(Axis::X, RollingControl::Force(0.25)))
+    };
+    let mut solver = new();
+    let unchanged = |solver: &CoupledRollingSolver| format!("{solver:?}");
+    let before = unchanged(&solver);
+    assert!(solver.set_normal_load(NormalLoad::Force(0.5)).is_err());
+    let beyond = solver.set_loads(NormalLoad::Force(0.5), drag(0.2), 0.0);
+    kit::assert_refused! { beyond => Error::BeyondFrictionCapacity { .. } }
+    let infinite = solver.set_loads(NormalLoad::Force(0.5), drag(0.1), f64::NAN);
+    kit::assert_refused! { infinite => Error::NotFinite { .. } }
+    let negative = solver.set_loads(NormalLoad::Force(-0.5), drag(0.0), 0.0);
+    kit::assert_refused! { negative => Error::NegativeOrNotFinite { .. } }
+    assert_eq!(unchanged(&solver), before);
+
+    solver
+        .set_loads(NormalLoad::Force(0.5), drag(0.1), 0.0)
+        .unwrap();
+    let together = kit::solved(&mut solver);
+    let mut solver = new();
+    solver.set_load(drag(0.1), 0.0).unwrap();
+    solver.set_normal_load(NormalLoad::Force(0.5)).unwrap();
+    assert_eq!(together, kit::solved(&mut solver));
+    assert!((together.normal().force() - 0.5).abs() < 1e-9);
 }

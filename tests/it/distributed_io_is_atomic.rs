@@ -3,8 +3,8 @@
 use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
-use std::sync::Arc;
 use std::sync::atomic::{AtomicUsize, Ordering::Relaxed};
+use std::sync::{Arc, Mutex, mpsc};
 use std::time::{Duration, Instant};
 
 use stickslip::io::npy;
@@ -276,14 +276,27 @@ fn silent_rank_causes_a_timeout() {
     let path = folder.join("field.npy");
     fs::write(&path, "old").unwrap();
     let grid = Grid::new(40, 300, 0.3, 0.2).unwrap();
-    let outcomes = Threads::run(2, Duration::from_millis(50), |rank| {
+    // The timeout is long enough for the setup on a busy machine. The silent rank waits for the end of the other rank, however
+    // long that takes.
+    let (is_over, end) = mpsc::channel();
+    let (is_over, end) = (Mutex::new(Some(is_over)), Mutex::new(end));
+    let outcomes = Threads::run(2, Duration::from_secs(1), |rank| {
         let is_silent = rank.rank() == 1;
+        // The end of this rank drops the sender, whether or not its setup succeeds.
+        let waiting = if is_silent {
+            None
+        } else {
+            is_over.lock().unwrap().take()
+        };
         let ranks = Arc::new(rank);
         let bodies = HalfSpace::distributed(grid, pair(), Boundary::Periodic, ranks)?;
         if is_silent {
-            std::thread::sleep(Duration::from_millis(300));
+            let ended: Result<(), _> = end.lock().unwrap().recv();
+            assert!(ended.is_err());
         }
-        bodies.write_npy(&path, &Field::zeros(bodies.grid()))
+        let outcome = bodies.write_npy(&path, &Field::zeros(bodies.grid()));
+        drop(waiting);
+        outcome
     });
     let silent = |failure| matches!(failure, RankFailure::Timeout { rank: 1, .. });
     assert!(matches!(&outcomes[0], Err(Error::Ranks(failure)) if silent(*failure)));

@@ -204,3 +204,38 @@ fn histories_with_shared_buffers_are_independent() {
         assert!(full.normal().stiffness(&bodies).is_err());
     }
 }
+
+/// A program that sets the gap that it reads does not add the plastic depth twice.
+#[test]
+fn gap_as_set_excludes_plastic_depth() {
+    let (bodies, gap) = rough_problem();
+    let mut history = new_history(&bodies, &gap, TangentialModel::Scalar, true);
+    assert_eq!(&history.gap_as_set().unwrap(), &gap);
+    for force in [0.004, 0.006] {
+        history.step(&press_step(force)).unwrap();
+        let set = history.gap_as_set().unwrap();
+        assert!(max_difference(set.as_slice(), gap.as_slice()) < 1e-15);
+        let depth = history.state().yielded().unwrap().max();
+        assert!(depth > 1e-6);
+        let (before, bytes) = (history.gap().clone(), history.to_bytes());
+        history.set_gap(&set).unwrap();
+        assert!(max_difference(history.gap().as_slice(), before.as_slice()) < 1e-15);
+        // The gap with the depth adds the depth again.
+        history.set_gap(&before).unwrap();
+        assert!(
+            (max_difference(history.gap().as_slice(), before.as_slice()) - depth).abs() < 1e-15
+        );
+        history = History::from_bytes(&bodies, &bytes).unwrap();
+    }
+    let forgets = new_history(&bodies, &gap, TangentialModel::Scalar, false);
+    assert_eq!(&forgets.gap_as_set().unwrap(), &gap);
+
+    let worn = rough(bodies.grid(), 6);
+    let load = NormalLoad::Force(0.004);
+    let mut solver = kit::solver(NormalProblem::builder(&bodies, &gap, load));
+    assert_eq!(solver.gap(), &gap);
+    let contact = kit::solved(&mut solver);
+    assert_ne!(contact.gap(), &gap);
+    solver.set_gap(&worn).unwrap();
+    assert_eq!(solver.gap(), &worn);
+}

@@ -39,6 +39,8 @@ mod coupled_projection_reference;
 mod coupled_rolling;
 mod coupled_termination;
 mod custom_operators;
+#[cfg(feature = "serde")]
+mod cycle_restart;
 mod cycle_sums;
 mod debug_output;
 mod distributed_io;
@@ -88,6 +90,7 @@ mod nested_start_accuracy;
 mod next_step_stiffness;
 mod one_way_coupling;
 mod outdated_results;
+mod outdated_solutions;
 mod oversized_inputs;
 mod periodic_contact;
 mod plane_strain_lines;
@@ -114,8 +117,8 @@ mod rough_surface_refinement;
 mod rough_surfaces;
 mod saved_files;
 mod scene_laws;
-#[cfg(feature = "serde")]
 mod sensitivities;
+#[cfg(feature = "serde")]
 mod serialisation;
 mod sheared_history_stiffness;
 mod sign_conventions;

@@ -61,9 +61,9 @@ fn fretting_results(bodies: &HalfSpace) -> Found {
     let cycle = &outcome.last;
     known.extend([
         outcome.cycles as f64,
-        f64::from(cycle.regime() == history::Regime::PartialSlip),
-        cycle.cyclic_residual(),
-        cycle.energy_ratio(),
+        f64::from(cycle.regime().unwrap() == history::Regime::PartialSlip),
+        cycle.cyclic_residual().unwrap(),
+        cycle.energy_ratio().unwrap(),
         cycle.energy().work,
     ]);
     let mut depth = Field::zeros(bodies.grid());

@@ -325,3 +325,34 @@ fn rolling_solution_warns_of_contact_at_edge() {
         "{wide:?}"
     );
 }
+
+/// The normal contact of the solver is the contact of its pressure, or absent.
+#[test]
+fn normal_contact_is_absent_after_a_new_pressure() {
+    let bodies = bodies(24, &similar_pair());
+    let [first, second] = [1.0, 0.8].map(|load| pressed(&bodies, load));
+    let mut solver = rolling(&bodies, &first, (LeadingEdge::PlusX, EntryRule::WholeStep));
+    assert!(solver.normal().is_none());
+    solver
+        .set_normal_solver(problem(&bodies, 1.0).into_solver().unwrap())
+        .unwrap();
+    assert!(solver.normal().is_none());
+    solver.set_normal_load(NormalLoad::Force(0.9)).unwrap();
+    let force = |solver: &RollingSolver| solver.normal().map(NormalSolution::force);
+    assert!((force(&solver).unwrap() - 0.9).abs() < 1e-9);
+    solver.set_pressure(&second).unwrap();
+    assert_eq!(force(&solver), None);
+    // A rejected load leaves the pressure and its contact unchanged.
+    assert!(solver.set_normal_load(NormalLoad::Force(-1.0)).is_err());
+    assert_eq!(force(&solver), None);
+    solver.set_normal_load(NormalLoad::Force(0.7)).unwrap();
+    assert!((force(&solver).unwrap() - 0.7).abs() < 1e-9);
+    assert!(solver.set_normal_load(NormalLoad::Force(-1.0)).is_err());
+    assert!((force(&solver).unwrap() - 0.7).abs() < 1e-9);
+    assert!(
+        solver
+            .set_pressure(&surface::sphere(bodies.grid(), 1.0).unwrap().scaled(-1.0))
+            .is_err()
+    );
+    assert!((force(&solver).unwrap() - 0.7).abs() < 1e-9);
+}

@@ -323,7 +323,7 @@ fn history_steps_and_states_survive_serialisation() {
         .run(&mut history, 1)
         .unwrap();
     assert_survives(&outcome);
-    assert_survives(&outcome.last.regime());
+    assert_survives(&outcome.last.regime().unwrap());
     let mut written = serde_json::to_value(&outcome.last).unwrap();
     written["points"] = json!([]);
     let refused = serde_json::from_value::<Cycle>(written).unwrap_err();

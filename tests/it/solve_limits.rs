@@ -10,8 +10,9 @@ use stickslip::Iteration;
 use stickslip::cgm::{self, AbsBound, Method, NonNegative, Problem, Settings};
 use stickslip::influence::Component;
 use stickslip::{
-    Axis, ElasticOperator, Error, HalfSpace, History, LoadStep, NormalLoad, NormalProblem,
-    Operator, Report, Scratch, Status, TangentialControl, TangentialModel,
+    Axis, CoupledProblem, ElasticOperator, Error, HalfSpace, History, LoadStep, NormalLoad,
+    NormalProblem, Operator, Report, Scratch, Status, TangentialControl, TangentialLoad,
+    TangentialModel,
 };
 
 /// Operator that counts its products.
@@ -278,5 +279,62 @@ fn finer_pass_with_soft_spring_has_remaining_iterations() {
             let report = outcome.map(|step| step.tangential_report().unwrap().clone());
             PassLog::new(report, seen)
         });
+    }
+}
+
+/// A solve of several grids and passes ends each of them separately. No pass calls the observer after the time limit.
+#[test]
+fn observer_is_not_called_after_the_time_limit() {
+    let bodies = HalfSpace::new(kit::square(64, 3.0), kit::on_rigid(1.0, 0.0)).unwrap();
+    let (gap, friction) = (kit::sphere(bodies.grid(), 1.0), kit::coulomb(0.3));
+    let limit = Duration::from_millis(20);
+    let (press, drag) = (NormalLoad::Force(0.5), TangentialLoad::force([0.05, 0.0]));
+    for is_over_at_start in [true, false] {
+        let mut late = 0;
+        let start = std::time::Instant::now();
+        let mut observer = |_: &Iteration| {
+            late += usize::from(start.elapsed() >= limit);
+            if !is_over_at_start {
+                std::thread::sleep(limit);
+            }
+            ControlFlow::Continue(())
+        };
+        let limit = if is_over_at_start {
+            Duration::ZERO
+        } else {
+            limit
+        };
+        let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), press, drag);
+        let mut solver = kit::solver(problem.time_limit(limit));
+        let mut contact = solver.new_solution();
+        let outcome = solver.solve_observed(&mut contact, &mut observer);
+        let Err(Error::NotConverged(report)) = outcome else {
+            panic!("{outcome:?}")
+        };
+        assert_eq!((report.status, late), (Status::TimeLimit, 0));
+    }
+}
+
+/// No pass and no grid calls the observer after it has cancelled.
+#[test]
+fn observer_is_not_called_after_it_has_cancelled() {
+    let bodies = HalfSpace::new(kit::square(64, 3.0), kit::on_rigid(1.0, 0.0)).unwrap();
+    let (gap, friction) = (kit::sphere(bodies.grid(), 1.0), kit::coulomb(0.3));
+    let (press, drag) = (NormalLoad::Force(0.5), TangentialLoad::force([0.05, 0.0]));
+    for last in [1, 2, 5] {
+        let problem = CoupledProblem::builder(&bodies, &gap, friction.clone(), press, drag);
+        let mut solver = kit::solver(problem);
+        let (mut contact, mut calls) = (solver.new_solution(), 0);
+        let outcome = solver.solve_observed(&mut contact, |_| {
+            calls += 1;
+            if calls == last {
+                return ControlFlow::Break(());
+            }
+            ControlFlow::Continue(())
+        });
+        assert!(
+            matches!(outcome, Err(Error::NotConverged(report)) if report.status == Status::Cancelled)
+        );
+        assert_eq!(calls, last);
     }
 }

@@ -2,11 +2,12 @@
 
 use stickslip::analytical::{CattaneoMindlin, HertzSphere};
 use stickslip::history::{Cycle, Rolling};
+use stickslip::layers::Layer;
 use stickslip::subsurface::{Body, Planes};
 use stickslip::{
     Boundary, CoupledProblem, Coupling, ElasticPair, Field, Grid, HalfSpace, History, LoadStep,
-    NormalLoad, NormalProblem, NormalSolution, TangentialLoad, TangentialModel, TangentialProblem,
-    TangentialSolution, Warning, Zone, surface,
+    Material, NormalLoad, NormalProblem, NormalSolution, TangentialLoad, TangentialModel,
+    TangentialProblem, TangentialSolution, Warning, Zone, surface,
 };
 
 fn press(grid: Grid, boundary: Boundary, gap: &Field) -> (HalfSpace, NormalSolution) {
@@ -338,4 +339,46 @@ fn narrow_slip_of_rolling_step_is_below_one_cell() {
         let deficit = 1.0 - energy.dissipated_energy / energy.work;
         assert_eq!(deficit > 0.4, is_narrow, "{part}: {deficit}");
     }
+}
+
+/// A layer whose thickness has a wrong unit has a warning. The solution is then the limit without the body below the layer, or
+/// without the layer.
+#[test]
+fn layer_far_from_the_scale_of_the_grid_has_a_warning() {
+    let grid = kit::square(32, 3.0);
+    let ball = kit::sphere(grid, 1.0);
+    let steel = Material::new(2.0, 0.3).unwrap();
+    let found = |material: Material| {
+        let pair = ElasticPair::new(material, Material::rigid()).unwrap();
+        let bodies = HalfSpace::new(grid, pair).unwrap();
+        let contact = kit::press(&bodies, &ball, NormalLoad::Force(0.3), 1e-8);
+        let warnings = contact.warnings().into_iter();
+        let of_coating = warnings.filter(|warning| {
+            matches!(
+                warning,
+                Warning::CoatingBeyondGrid { .. } | Warning::CoatingBelowCell { .. }
+            )
+        });
+        (of_coating.collect::<Vec<_>>(), contact.approach())
+    };
+    let coated = |body: Material, modulus: f64, thickness: f64| {
+        let layer = Layer::new(modulus, 0.3, thickness).unwrap();
+        found(body.coated(&[layer]).unwrap())
+    };
+    let (none, substrate) = found(steel);
+    let (_, coating) = found(Material::new(0.5, 0.3).unwrap());
+    assert!(none.is_empty());
+    for thickness in [2e-4, 0.01, 1.0, 290.0] {
+        assert!(coated(steel, 0.5, thickness).0.is_empty(), "{thickness}");
+    }
+    let (thick, approach) = coated(steel, 0.5, 3e3);
+    assert_eq!(thick, [Warning::CoatingBeyondGrid { sides: 1000 }]);
+    assert!((approach / coating - 1.0).abs() < 2e-3);
+    let cell = 3.0 / 32.0;
+    let (thin, approach) = coated(steel, 0.5, 1e-6 * cell);
+    assert_eq!(thin, [Warning::CoatingBelowCell { parts: 1_000_000 }]);
+    assert!((approach / substrate - 1.0).abs() < 1e-4);
+    // A thin layer that is much stiffer than the body can have an effect, and so has a layer on a rigid base.
+    assert!(coated(steel, 2e3, 1e-6 * cell * 101.0).0.is_empty());
+    assert!(coated(Material::rigid(), 0.5, 1e-6).0.is_empty());
 }

@@ -49,23 +49,23 @@ pub struct stickslip_cycle_result {
     pub reserved: [u64; 8],
 }
 
-impl From<&Cycle> for stickslip_cycle_result {
-    fn from(cycle: &Cycle) -> Self {
-        Self {
+impl stickslip_cycle_result {
+    fn of(cycle: &Cycle) -> stickslip_rs::Result<Self> {
+        Ok(Self {
             steps: cycle.steps(),
-            regime: match cycle.regime() {
+            regime: match cycle.regime()? {
                 Regime::FullStick => STICKSLIP_FULL_STICK,
                 Regime::PartialSlip => STICKSLIP_PARTIAL_SLIP,
                 _ => STICKSLIP_GROSS_SLIP,
             },
-            energy_ratio: cycle.energy_ratio(),
-            cyclic_residual: cycle.cyclic_residual(),
+            energy_ratio: cycle.energy_ratio()?,
+            cyclic_residual: cycle.cyclic_residual()?,
             force_amplitude: cycle.force_amplitude(),
             shift_amplitude: cycle.shift_amplitude(),
-            stick_ratios: cycle.stick_ratios(),
+            stick_ratios: cycle.stick_ratios()?,
             energy: cycle.energy().into(),
             reserved: [0; 8],
-        }
+        })
     }
 }
 
@@ -125,7 +125,11 @@ pub unsafe extern "C" fn stickslip_cycle_result_of(
     result: *mut stickslip_cycle_result,
 ) -> stickslip_status {
     // SAFETY: the caller follows the rule for pointers.
-    unsafe { tell(cycle, ("result", result), |of| Ok(of.into())) }
+    unsafe {
+        tell(cycle, ("result", result), |of| {
+            Ok(stickslip_cycle_result::of(of)?)
+        })
+    }
 }
 
 /// Returns a field of the cycle: STICKSLIP_SLIP_DISTANCE, STICKSLIP_DISSIPATED_ENERGY, STICKSLIP_SLIP_PRESSURE,

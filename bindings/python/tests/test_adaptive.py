@@ -327,7 +327,7 @@ def test_ctrl_c_ends_solve(threads, place):
         (lambda: solved(force=-1.0), ss.errors.NegativeOrNotFinite, "force"),
         (lambda: solved(force=None, approach=-1e-6), ss.EmptyContact, "empty"),
         (lambda: solved(friction=0.5, force_x=60.0), ss.BeyondFrictionCapacity, "60.0"),
-        (lambda: solved(ss.surface.sphere(ss.Grid.square(8, A), RADIUS)), ss.errors.BeyondSamples, "the samples extend only to"),
+        (lambda: solved(ss.surface.sphere(ss.Grid.square(8, A), RADIUS)), ss.errors.BeyondSamples, "outside the samples, which extend to"),
         (lambda: solved().difference(solved(), "volume"), ValueError, "Quantity must be one of"),
     ],
 )  # fmt: skip

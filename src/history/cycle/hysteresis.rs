@@ -2,6 +2,7 @@
 
 use std::fmt::Write;
 
+use crate::error::Result;
 use crate::history::{Cycle, History};
 
 /// Point of the loop of force and shift, at the start of a cycle or the end of a step.
@@ -82,9 +83,13 @@ impl Cycle {
     /// sliding (Mindlin & Deresiewicz). When the contact slides, the ratio approaches one. Fouvry, Kapsa & Vincent,
     /// Wear 185 (1995) 35, <https://doi.org/10.1016/0043-1648(94)06582-9>, use 1/5 for the transition from partial to
     /// gross slip. The ratio may exceed one if the load follows an elliptical path.
-    #[must_use]
-    pub fn energy_ratio(&self) -> f64 {
-        part_of(self.energy().dissipated_energy, total_energy(self.points()))
+    ///
+    /// # Errors
+    /// - [`Error::EmptyPath`](crate::Error::EmptyPath) if the cycle has no steps.
+    pub fn energy_ratio(&self) -> Result<f64> {
+        self.check_steps()?;
+        let dissipated = self.energy().dissipated_energy;
+        Ok(part_of(dissipated, total_energy(self.points())))
     }
 
     /// Returns the [loop](Cycle::points) of force and shift as CSV: a line of names, then one line for each point.
@@ -142,21 +147,23 @@ impl Cycle {
     /// let mut cycle = Cycle::new(&history);
     /// for _ in 0..3 {
     ///     fretting.cycle(&mut history, &mut cycle)?;
-    ///     table += &(cycle.summary_as_csv() + "\n");
+    ///     table += &(cycle.summary_as_csv()? + "\n");
     /// }
     /// assert!(table.lines().all(|line| line.split(',').count() == 10));
     /// assert!(table.lines().nth(3).is_some_and(|line| line.starts_with("4,")));
     /// # Ok::<(), Error>(())
     /// ```
-    #[must_use]
-    pub fn summary_as_csv(&self) -> String {
+    ///
+    /// # Errors
+    /// - [`Error::EmptyPath`](crate::Error::EmptyPath) if the cycle has no steps.
+    pub fn summary_as_csv(&self) -> Result<String> {
         let ([fx, fy], [dx, dy]) = (self.force_amplitude(), self.shift_amplitude());
-        let [least, largest] = self.stick_ratios();
-        let (energy, ratio) = (self.energy().dissipated_energy, self.energy_ratio());
-        let (steps, residual) = (self.steps(), self.cyclic_residual());
-        format!(
+        let [least, largest] = self.stick_ratios()?;
+        let (energy, ratio) = (self.energy().dissipated_energy, self.energy_ratio()?);
+        let (steps, residual) = (self.steps(), self.cyclic_residual()?);
+        Ok(format!(
             "{steps},{fx:?},{fy:?},{dx:?},{dy:?},{energy:?},{ratio:?},{residual:?},{least:?},{largest:?}"
-        )
+        ))
     }
 }
 

@@ -54,10 +54,10 @@ checked_struct! {
     ///         cycle.add(&history)?;
     ///     }
     /// }
-    /// assert_eq!(cycle.regime(), Regime::PartialSlip);
+    /// assert_eq!(cycle.regime()?, Regime::PartialSlip);
     /// assert!((cycle.force_amplitude()[0] / 40.0 - 1.0).abs() < 1e-12);
     /// // The second cycle ends as it started, and all its work is dissipated.
-    /// assert!(cycle.cyclic_residual() < 1e-6);
+    /// assert!(cycle.cyclic_residual()? < 1e-6);
     /// let energy = cycle.energy();
     /// assert!((energy.work / energy.dissipated_energy_midpoint - 1.0).abs() < 1e-6);
     /// # Ok::<(), Error>(())
@@ -89,7 +89,7 @@ checked_struct! {
     }
 }
 
-shown!(Cycle: steps(), regime, stick_ratios, energy);
+shown!(Cycle: steps(), regime(), stick_ratios(), energy);
 
 /// Sums and ranges in every cell over the steps of a cycle.
 #[derive(Debug, Clone, PartialEq)]
@@ -343,7 +343,7 @@ impl Cycle {
         &self.sums.dissipated_energy
     }
 
-    /// Returns work, elastic energy and dissipation of the cycle.
+    /// Returns work, elastic energy and dissipation of the cycle. All energies of a cycle without steps are zero.
     #[must_use]
     pub fn energy(&self) -> &EnergyBalance {
         &self.energy
@@ -359,29 +359,44 @@ impl Cycle {
         &self.points
     }
 
-    /// Returns half the range of each component of the force.
+    /// Returns half the range of each component of the force, zero without steps.
     #[must_use]
     pub fn force_amplitude(&self) -> [f64; 2] {
         [0, 1].map(|axis| half_range(&self.points, |point| point.force[axis]))
     }
 
-    /// Returns half the range of each component of the shift (lengths).
+    /// Returns half the range of each component of the shift (lengths), zero without steps.
     #[must_use]
     pub fn shift_amplitude(&self) -> [f64; 2] {
         [0, 1].map(|axis| half_range(&self.points, |point| point.shift[axis]))
     }
 
-    /// Returns the least and the largest stick ratio at the ends of the steps. Before the first step these are one and zero.
-    #[must_use]
-    pub fn stick_ratios(&self) -> [f64; 2] {
-        self.stick_ratios
+    /// Returns the least and the largest stick ratio at the ends of the steps.
+    ///
+    /// # Errors
+    /// - [`Error::EmptyPath`] if the cycle has no steps.
+    pub fn stick_ratios(&self) -> Result<[f64; 2]> {
+        self.check_steps()?;
+        Ok(self.stick_ratios)
     }
 
     /// Returns the sliding regime of the cycle: full stick, partial slip or gross slip.
+    ///
+    /// # Errors
+    /// - [`Error::EmptyPath`] if the cycle has no steps.
     #[doc(alias = "fretting map")]
-    #[must_use]
-    pub fn regime(&self) -> Regime {
-        self.regime
+    pub fn regime(&self) -> Result<Regime> {
+        self.check_steps()?;
+        Ok(self.regime)
+    }
+
+    /// Returns an error for a cycle without steps, for which ratios and regime are undefined.
+    pub(in crate::history) fn check_steps(&self) -> Result<()> {
+        if self.steps() == 0 {
+            Err(Error::EmptyPath)
+        } else {
+            Ok(())
+        }
     }
 
     /// Returns the deviation of the cycle from a closed loop. The deviation is the larger of two ratios. The first ratio is the
@@ -389,13 +404,16 @@ impl Cycle {
     /// change of the shift, divided by half the range of the shift.
     ///
     /// A closed cycle repeats itself under the same loads.
-    #[must_use]
-    pub fn cyclic_residual(&self) -> f64 {
+    ///
+    /// # Errors
+    /// - [`Error::EmptyPath`] if the cycle has no steps.
+    pub fn cyclic_residual(&self) -> Result<f64> {
+        self.check_steps()?;
         let (first, last) = (self.points[0], self.points[self.steps()]);
         let moved = (last.shift[0] - first.shift[0]).hypot(last.shift[1] - first.shift[1]);
         let [x, y] = self.shift_amplitude();
         let of_shift = part_of(moved, x.hypot(y));
-        of_shift.max(part_of(self.traction_change, self.largest_traction))
+        Ok(of_shift.max(part_of(self.traction_change, self.largest_traction)))
     }
 
     /// Reserves memory for the points of a cycle of `steps` steps.

@@ -8,6 +8,7 @@ use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::grid::field::Field;
 use crate::history::{History, State, StepResult};
+use crate::memory::fallible::TryClone;
 use crate::normal::{Hardness, NormalSolution};
 use crate::tangential::{self, Axis, EntryRule, Friction, Zone};
 
@@ -53,7 +54,9 @@ readers! { state;
     /// Returns the friction of the next step.
     friction: &Friction = &state.friction;
 
-    /// Returns the gap before loading (lengths), which is the last gap set plus the [plastic depth](State::yielded).
+    /// Returns the gap before loading (lengths), which is the last gap set plus the [plastic depth](State::yielded). A program
+    /// that changes this gap and sets it again would add the plastic depth twice. Such a program reads
+    /// [`gap_as_set`](State::gap_as_set).
     gap: &Field = &state.gap;
 
     /// Returns the normal contact: pressure, approach, gap under load, contact area and warnings.
@@ -132,6 +135,39 @@ impl State {
         self.yielded.as_ref()
     }
 
+    /// Computes the gap before loading without the [plastic depth](Self::yielded) (lengths): the gap that was given to the builder or
+    /// set by [`History::set_gap`] last. With a permanent set it is accurate to round-off, and otherwise it is exact.
+    ///
+    /// ```
+    /// use stickslip::normal::Hardness;
+    /// use stickslip::*;
+    /// let grid = Grid::square(32, 3.0)?;
+    /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?)?;
+    /// let (ball, hardness) = (surface::sphere(grid, 10.0)?, Hardness::uniform(0.05)?);
+    /// let builder = History::builder(&bodies, &ball, Friction::coulomb(0.3)?);
+    /// let mut history = builder.hardness(hardness).permanent_set(true).build()?;
+    /// history.step(&LoadStep::hold().normal(NormalLoad::Force(0.1)))?;
+    /// let depth = history.state().yielded().map_or(0.0, Field::max);
+    /// assert!(depth > 0.0 && history.gap().min() > 0.9 * depth);
+    ///
+    /// // Wear changes the gap as it was set. The history adds the plastic depth.
+    /// let mut gap = history.gap_as_set()?;
+    /// assert!((gap.min() - ball.min()).abs() < 1e-12);
+    /// gap.add_scaled(1e-3, &Field::constant(grid, 1.0))?;
+    /// history.set_gap(&gap)?;
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// - [`Error::Memory`] if memory runs out.
+    pub fn gap_as_set(&self) -> Result<Field> {
+        let mut gap = self.gap.try_clone()?;
+        if let Some(yielded) = &self.yielded {
+            gap.add_scaled(-1.0, yielded)?;
+        }
+        Ok(gap)
+    }
+
     /// Returns the rule for the motion of cells that come into contact within a step.
     #[must_use]
     pub fn entry_rule(&self) -> EntryRule {
@@ -161,6 +197,14 @@ impl State {
 }
 
 impl History {
+    /// Computes the last gap that was set, without the plastic depth ([`State::gap_as_set`]).
+    ///
+    /// # Errors
+    /// - [`Error::Memory`] if memory runs out.
+    pub fn gap_as_set(&self) -> Result<Field> {
+        self.state.gap_as_set()
+    }
+
     /// Returns the result of the last step, which led to the present state.
     ///
     /// # Errors

@@ -1,12 +1,46 @@
 //! Steps of many contacts in one call.
 
+use std::ops::Deref;
+
 use crate::error::{Error, Result, length};
 use crate::history::{History, LoadStep};
 use crate::parallel::{self, Blocks};
 
+/// Indices and errors of the contacts whose step failed in [`History::step_all`], in the order of the contacts. It dereferences to a
+/// slice.
+#[derive(Debug, Clone, PartialEq)]
+#[must_use = "contacts whose step failed are unchanged"]
+pub struct StepFailures(Vec<(usize, Error)>);
+
+impl Deref for StepFailures {
+    type Target = [(usize, Error)];
+
+    fn deref(&self) -> &Self::Target {
+        &self.0
+    }
+}
+
+impl IntoIterator for StepFailures {
+    type Item = (usize, Error);
+    type IntoIter = std::vec::IntoIter<Self::Item>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.into_iter()
+    }
+}
+
+impl<'a> IntoIterator for &'a StepFailures {
+    type Item = &'a (usize, Error);
+    type IntoIter = std::slice::Iter<'a, (usize, Error)>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.0.iter()
+    }
+}
+
 impl History {
     /// Takes one step of each contact, `loads[i]` for `histories[i]`, on the threads of the caller's pool. Returns the
-    /// indices and errors of the contacts whose step failed.
+    /// indices and errors of the contacts whose step failed. The compiler warns if a program ignores them.
     ///
     /// The result of each contact is bitwise identical to its result alone. A contact whose step fails is unchanged,
     /// and the other contacts take their steps. Each contact of at most [`SERIAL_CELL_LIMIT`](crate::SERIAL_CELL_LIMIT)
@@ -40,11 +74,11 @@ impl History {
     /// assert_eq!(contacts[1].tangential_force(), [0.0, 0.0]);
     /// # Ok::<(), Error>(())
     /// ```
-    pub fn step_all(histories: &mut [Self], loads: &[LoadStep]) -> Result<Vec<(usize, Error)>> {
+    pub fn step_all(histories: &mut [Self], loads: &[LoadStep]) -> Result<StepFailures> {
         let count = histories.len();
         length("loads of the contacts", count, loads.len())?;
         if count == 0 {
-            return Ok(Vec::new());
+            return Ok(StepFailures(Vec::new()));
         }
         let is_shared = histories.iter().any(|history| history.bodies.is_shared());
         let contacts = Blocks {
@@ -60,10 +94,10 @@ impl History {
             one
         };
         // All ranks must solve distributed contacts in the same order.
-        Ok(if is_shared {
+        Ok(StepFailures(if is_shared {
             parallel::in_turn(0..count, contacts, &step, &both)
         } else {
             parallel::enter(|| parallel::sweep(0..count, contacts, &step, &both))
-        })
+        }))
     }
 }

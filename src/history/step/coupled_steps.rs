@@ -1,7 +1,7 @@
 //! Steps in which pressure and tractions are solved together.
 
 use crate::bodies::coupling::Coupling;
-use crate::contact::{LoadTrend, SolveContext};
+use crate::contact::{LoadTrend, SolveContext, within_time};
 use crate::coupled::{CoupledIncrement, CoupledTarget};
 use crate::error::Result;
 use crate::grid::window::Window;
@@ -75,7 +75,8 @@ impl StepSolver for CoupledIncrement {
             normal: control,
             tangential: step.target,
         };
-        let mut conditions = SolveContext::new(&state.settings, observer);
+        let mut observer = within_time(&state.settings, observer);
+        let mut conditions = SolveContext::new(&state.settings, &mut observer);
         Self::solve(self, target, state.motion, &mut conditions)?;
         let normal = normal.take(|| state.normal.try_clone())?;
         self.write(&state.gap, hardness, normal);

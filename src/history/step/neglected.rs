@@ -5,7 +5,7 @@ use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible;
 use crate::normal::NormalSolution;
-use crate::tangential::{Lifting, StepSolution, lift_residual};
+use crate::tangential::{Axis, Lifting, StepSolution, lift_residual};
 use crate::warning::Warning;
 
 /// Operator of the lift on the window of a contact with one-way coupling, and the lift of the last rolled step.
@@ -39,7 +39,11 @@ impl StepLift {
                 found: None,
             }),
         };
-        own.lifting.lift(answer.traction, &mut own.lift);
+        let traction = [Axis::X, Axis::Y].map(|axis| {
+            let is_solved = answer.axes.contains(&axis);
+            is_solved.then_some(answer.traction[axis.index()])
+        });
+        own.lifting.lift(traction, &mut own.lift);
         let (window, lift) = (answer.region.own(), &own.lift);
         let (gap, under_load) = (gap.as_slice(), normal.gap().as_slice());
         let residual = lift_residual(

@@ -1,6 +1,6 @@
 //! Steps in which pressure and tractions are solved one after the other.
 
-use crate::contact::{LoadTrend, SolveContext};
+use crate::contact::{LoadTrend, SolveContext, within_time};
 use crate::error::Result;
 use crate::grid::field::Field;
 use crate::grid::window::Window;
@@ -200,7 +200,8 @@ impl SequentialSolver {
             None if step.travel.is_some() => Start::Near,
             None => Start::Present(state.shift()),
         };
-        let mut conditions = SolveContext::new(&state.settings, observer);
+        let mut observer = within_time(&state.settings, observer);
+        let mut conditions = SolveContext::new(&state.settings, &mut observer);
         increment.solve(&step.target, motion, start, &mut conditions)?;
         if step.travel.is_some() && state.coupling.is_one_way(bodies.pair()) {
             let gap = normal.map_or(&state.pressed_gap, |_| &state.gap);

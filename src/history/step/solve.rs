@@ -39,7 +39,7 @@ impl History {
         let cancellation = Cancellation::default();
         let found = attempt
             .history
-            .find(step, &mut cancellation.watch(observer));
+            .find(step, &mut cancellation.record(observer));
         let History { bodies, scheme, .. } = &*attempt.history;
         let mut outcome =
             cancellation.applied(bodies, found, || scheme.report().clone().cancelled());

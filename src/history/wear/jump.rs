@@ -127,11 +127,8 @@ impl CycleJump {
         let (grid, slip_pressure) = (bodies.grid(), cycle.slip_pressure());
         let checked = check("pressure of the cycle", slip_pressure, grid)
             .and_then(|()| check("depth of the cycle", depth, grid))
-            .and_then(|()| match cycle.steps() {
-                0 => Err(Error::EmptyPath),
-                _ => Ok(()),
-            });
-        bodies.collective_result(checked)?;
+            .and_then(|()| cycle.cyclic_residual());
+        let residual = bodies.collective_result(checked)?;
         let (pressure, removed) = (slip_pressure.as_slice(), depth.as_slice());
         let layout = bodies.grid_layout();
         let rate = reduce::max(&layout, |i| {
@@ -145,7 +142,7 @@ impl CycleJump {
         Ok(Self {
             without_overshoot: cycles_without_overshoot(bodies, rate)?,
             depth_per_cycle,
-            residual: cycle.cyclic_residual(),
+            residual,
             max_residual: CLOSED,
             largest_depth: None,
             cycles_left: None,

@@ -2,6 +2,7 @@
 
 mod problem;
 mod report;
+mod setters;
 mod solution;
 mod solver;
 mod stiffness;

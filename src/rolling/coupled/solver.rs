@@ -6,7 +6,7 @@ use crate::contact::{
     Cancellation, Contact, Model, SolveContext, Solver, has_iterate, model_fields, with_counts_of,
 };
 use crate::error::{Error, Result};
-use crate::grid::field::{self, Field};
+use crate::grid::field::Field;
 use crate::memory::fallible::{self, TryClone};
 use crate::normal::{NormalLoad, NormalProblem, NormalSolution, NormalSolver};
 use crate::observer::Observer;
@@ -17,8 +17,8 @@ use crate::rolling::coupled::{
     CoupledRollingProblem, CoupledRollingReport, CoupledRollingSolution,
 };
 use crate::rolling::steady::options::RollingOptions;
-use crate::rolling::{RollingControl, RollingProblem, RollingSolution, RollingSolver, SpinControl};
-use crate::tangential::{Friction, Lifting, TangentialModel, lift_residual};
+use crate::rolling::{RollingControl, RollingProblem, RollingSolution, RollingSolver};
+use crate::tangential::{Lifting, TangentialModel, lift_residual};
 
 /// Tolerance of the halves in the first pass.
 const START: f64 = 1e-3;
@@ -157,8 +157,8 @@ impl Model<CoupledRollingSolution> for CoupledRollingProblem {
         observer: Observer<'_>,
     ) -> Result<()> {
         let cancellation = Cancellation::default();
-        let mut observer = cancellation.watch(observer);
         let settings = solver.problem.options.settings;
+        let mut observer = cancellation.watch(&settings, observer);
         let mut conditions = SolveContext::new(&settings, &mut observer);
         // If a solve ends without an iterate, neither the earlier solution nor a new one is available.
         solver.engine.changed = Some("the input");
@@ -188,75 +188,6 @@ impl Model<CoupledRollingSolution> for CoupledRollingProblem {
 }
 
 impl CoupledRollingSolver {
-    /// Sets the loads or creepages along x and y, and the spin or moment, for the next solve.
-    ///
-    /// # Errors
-    /// - [`Error::NotFinite`] or [`Error::UnsupportedByModel`] if a load is not finite or not supported.
-    /// - [`Error::BeyondFrictionCapacity`] if the forces reach or exceed the largest coefficient of friction times a prescribed
-    ///   normal force. For a prescribed approach, the solve returns this error.
-    ///
-    /// All loads are unchanged after an error.
-    pub fn set_load(
-        &mut self,
-        controls: [RollingControl; 2],
-        spin: impl Into<SpinControl>,
-    ) -> Result<()> {
-        let spin = spin.into();
-        let problem = &self.problem;
-        problem.check(&problem.friction, problem.normal, controls, spin)?;
-        if self.problem.options.set_load(controls, spin) {
-            self.engine.changed = Some("the load");
-        }
-        Ok(())
-    }
-
-    /// Sets the normal load for the next solve.
-    ///
-    /// # Errors
-    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`] or [`Error::ApproachBeyondMeanGap`].
-    /// - [`Error::BeyondFrictionCapacity`] as for [`set_load`](Self::set_load): lower forces before the load, raise them after it.
-    ///
-    /// The load is unchanged after an error.
-    pub fn set_normal_load(&mut self, normal: NormalLoad) -> Result<()> {
-        self.problem
-            .check_capacity(&self.problem.friction, normal)?;
-        if std::mem::replace(&mut self.problem.normal, normal) != normal {
-            self.engine.changed = Some("the normal load");
-        }
-        Ok(())
-    }
-
-    /// Sets the gap before loading for the next solve.
-    ///
-    /// # Errors
-    /// - [`Error::GridMismatch`], [`Error::Sample`] or [`Error::Memory`].
-    /// - [`Error::ApproachBeyondMeanGap`] if a prescribed approach is too large for the gap.
-    ///
-    /// The gap is unchanged after an error.
-    pub fn set_gap(&mut self, gap: &Field) -> Result<()> {
-        let bodies = &self.problem.bodies;
-        gap.check("gap", bodies.grid())?;
-        self.problem.normal.check(bodies, gap, None)?;
-        field::replace(&mut self.problem.gap, gap)?;
-        self.engine.changed = Some("the gap");
-        Ok(())
-    }
-
-    /// Sets the friction for the next solve.
-    ///
-    /// # Errors
-    /// - [`Error::GridMismatch`] or [`Error::Memory`].
-    /// - [`Error::BeyondFrictionCapacity`] as for [`set_load`](Self::set_load).
-    ///
-    /// The friction is unchanged after an error.
-    pub fn set_friction(&mut self, friction: &Friction) -> Result<()> {
-        friction.check(self.problem.bodies.grid())?;
-        self.problem.check_capacity(friction, self.problem.normal)?;
-        self.problem.friction.try_clone_from(friction)?;
-        self.engine.changed = Some("the friction");
-        Ok(())
-    }
-
     /// Repeats passes until the pressure and the tractions are consistent with each other.
     fn solve_passes(
         &mut self,
@@ -407,7 +338,10 @@ impl CoupledRollingSolver {
             return self.engine.normal.set_gap(&self.problem.gap);
         };
         lifting.lift(
-            self.engine.traction.each_ref().map(Vec::as_slice),
+            self.engine
+                .traction
+                .each_ref()
+                .map(|part| Some(part.as_slice())),
             &mut self.engine.lift,
         );
         let mut gap = self.problem.gap.try_clone()?;
@@ -507,7 +441,10 @@ impl CoupledRollingSolver {
         let known = &self.engine.lift;
         let displacement = |i: usize| gap[i] - (initial[i] + known[i] - approach);
         let mut lift = fallible::zeros(known.len())?;
-        lifting.lift(residual.each_ref().map(Vec::as_slice), &mut lift);
+        lifting.lift(
+            residual.each_ref().map(|part| Some(part.as_slice())),
+            &mut lift,
+        );
         let is_fixed = matches!(self.problem.normal, NormalLoad::Approach(_));
         let is_contact = |i: usize| pressure[i] > 0.0;
         let coupling = lift_residual(layout, is_contact, |i| lift[i], displacement, is_fixed);

@@ -166,7 +166,7 @@ impl RollingSolver {
             for (whole, part) in change.whole.iter_mut().zip(&change.traction) {
                 problem.pressed.region.scatter(part, whole);
             }
-            lifting.lift(slices(&change.whole), &mut change.lift);
+            lifting.lift(slices(&change.whole).map(Some), &mut change.lift);
             half.follow(self, &mut change, context)?;
             let turned = self.entry_change(normal, &change)?;
             // Tractions of slipping cells follow their friction limits.

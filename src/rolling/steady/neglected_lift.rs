@@ -52,7 +52,7 @@ impl SteadyLift {
         traction: [&[f64]; 2],
         unit: f64,
     ) -> f64 {
-        self.lifting.lift(traction, &mut self.lift);
+        self.lifting.lift(traction.map(Some), &mut self.lift);
         let (lift, displacement) = (&self.lift, &self.displacement);
         lift_residual(
             pressed.region.layout(),

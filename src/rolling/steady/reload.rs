@@ -28,6 +28,8 @@ pub(in crate::rolling) struct Press {
     normal: NormalSolution,
     /// Solution that the rolling problem has not accepted yet.
     candidate: NormalSolution,
+    /// Whether the pressure of the rolling problem is the pressure of `normal`.
+    is_present: bool,
 }
 
 impl RollingSolver {
@@ -76,6 +78,9 @@ impl RollingSolver {
             *self = wider;
         }
         self.engine.changed = Some("the pressure");
+        if let Some(press) = &mut self.engine.press {
+            press.is_present = false;
+        }
         Ok(())
     }
 
@@ -97,6 +102,7 @@ impl RollingSolver {
             solver,
             normal,
             candidate,
+            is_present: false,
         }));
         Ok(())
     }
@@ -126,19 +132,22 @@ impl RollingSolver {
             .solve(load)
             .and_then(|()| self.set_pressure(&press.candidate));
         match &outcome {
-            Ok(()) => std::mem::swap(&mut press.normal, &mut press.candidate),
+            Ok(()) => {
+                std::mem::swap(&mut press.normal, &mut press.candidate);
+                press.is_present = true;
+            }
             Err(_) => press.solver.restore_load(before),
         }
         self.engine.press = Some(press);
         outcome
     }
 
-    /// Returns the normal contact computed by [`set_normal_load`](Self::set_normal_load), or `None` before the first load.
+    /// Returns the normal contact computed by [`set_normal_load`](Self::set_normal_load), whose pressure the next solve uses.
+    /// Returns `None` before the first load, and after [`set_pressure`](Self::set_pressure) has replaced the pressure.
     #[must_use]
     pub fn normal(&self) -> Option<&NormalSolution> {
         let press = self.engine.press.as_deref()?;
-        let normal = &press.normal;
-        normal.report().is_converged().then_some(normal)
+        press.is_present.then_some(&press.normal)
     }
 
     /// Returns the largest tangential force that friction can carry, the integral of the friction limit.

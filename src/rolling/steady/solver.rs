@@ -231,11 +231,11 @@ impl Model<RollingSolution> for RollingProblem {
         solver.engine.take_limits(&solver.problem);
         solver.extrapolate();
         let cancellation = Cancellation::default();
-        let mut observer = cancellation.watch(observer);
+        let settings = solver.problem.options.settings;
+        let mut observer = cancellation.watch(&settings, observer);
         let outcome = match solver.problem.options.spin {
             SpinControl::Spin(spin) => {
                 solver.engine.spin = spin;
-                let settings = solver.problem.options.settings;
                 let outcome = solver.solve_at_spin(&settings, solution, &mut observer);
                 solver.engine.report.clone_from(&solver.engine.passes);
                 outcome

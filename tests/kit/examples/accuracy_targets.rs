@@ -37,9 +37,10 @@ fn main() -> ExitCode {
             let found = scene.solve(1.0)?;
             let time = start.elapsed().as_secs_f64();
             let reference = scene.solve(REFERENCE)?;
-            Ok((scene, found, reference, time))
+            let error = found.difference(&reference, scene.quantity)?;
+            Ok((scene, found, reference, time, error))
         });
-        let (scene, found, reference, time) = match outcome {
+        let (scene, found, reference, time, error) = match outcome {
             Ok(outcome) => outcome,
             Err(error) => {
                 println!("scene {seed}: {error}");
@@ -49,7 +50,6 @@ fn main() -> ExitCode {
         if time > slowest.0 {
             slowest = (time, seed);
         }
-        let error = found.difference(&reference, scene.quantity);
         let ratio = error / scene.target;
         let estimate = found.estimate(scene.quantity).unwrap_or(f64::NAN);
         let is_reached = found.status() == AdaptiveStatus::Reached;

@@ -273,8 +273,14 @@ impl AdaptiveSolution {
 
     /// Returns the difference of a quantity from a solution on a finer grid, in the definition of :class:`Quantity`. The
     /// difference is zero for a tangential quantity without friction.
-    fn difference(&self, finer: &Self, quantity: Choice<Quantity>) -> f64 {
-        self.solution.difference(&finer.solution, quantity.0)
+    fn difference(
+        &self,
+        py: Python<'_>,
+        finer: &Self,
+        quantity: Choice<Quantity>,
+    ) -> PyResult<f64> {
+        let found = self.solution.difference(&finer.solution, quantity.0);
+        found.or_raise(py)
     }
 
     /// Warnings of the normal contact, and the warning ``accuracy_not_reached`` if a limit ended the refinement.

@@ -242,8 +242,8 @@ impl Cycle {
     const SUMMARY_NAMES: &str = stickslip::history::Cycle::SUMMARY_NAMES;
 
     /// Returns the cycle as a line of CSV.
-    fn summary_as_csv(&self) -> PyResult<String> {
-        Ok(self.lock()?.summary_as_csv())
+    fn summary_as_csv(&self, py: Python<'_>) -> PyResult<String> {
+        self.lock()?.summary_as_csv().or_raise(py)
     }
 
     /// Half the range of the force along x and y.
@@ -260,28 +260,28 @@ impl Cycle {
 
     /// Smallest and largest stick ratio.
     #[getter]
-    fn stick_ratios(&self) -> PyResult<(f64, f64)> {
-        Ok(pair(self.lock()?.stick_ratios()))
+    fn stick_ratios(&self, py: Python<'_>) -> PyResult<(f64, f64)> {
+        Ok(pair(self.lock()?.stick_ratios().or_raise(py)?))
     }
 
     /// Regime of the cycle: stick, partial slip or sliding.
     #[getter]
-    fn regime(&self) -> PyResult<Choice<stickslip::history::Regime>> {
-        Ok(Choice(self.lock()?.regime()))
+    fn regime(&self, py: Python<'_>) -> PyResult<Choice<stickslip::history::Regime>> {
+        Ok(Choice(self.lock()?.regime().or_raise(py)?))
     }
 
     /// Ratio of the dissipated energy to the area of a rectangle around the force-shift loop.
     #[getter]
-    fn energy_ratio(&self) -> PyResult<f64> {
-        Ok(self.lock()?.energy_ratio())
+    fn energy_ratio(&self, py: Python<'_>) -> PyResult<f64> {
+        self.lock()?.energy_ratio().or_raise(py)
     }
 
     /// Measure of how far the cycle is from closing: the larger of two ratios. The first is the ratio of the largest
     /// change of a traction between start and end to the largest traction. The second is the ratio of the change of the
     /// shift to half the range of the shift.
     #[getter]
-    fn cyclic_residual(&self) -> PyResult<f64> {
-        Ok(self.lock()?.cyclic_residual())
+    fn cyclic_residual(&self, py: Python<'_>) -> PyResult<f64> {
+        self.lock()?.cyclic_residual().or_raise(py)
     }
 
     /// Warnings of the steps.
@@ -296,13 +296,20 @@ impl Cycle {
 
     fn __repr__(&self) -> PyResult<String> {
         let cycle = self.lock()?;
+        let (Ok(regime), Ok(ratio), Ok(residual)) = (
+            cycle.regime(),
+            cycle.energy_ratio(),
+            cycle.cyclic_residual(),
+        ) else {
+            return Ok("Cycle(steps=0)".into());
+        };
         Ok(format!(
             "Cycle(steps={}, regime='{}', energy.dissipated_energy={}, energy_ratio={}, cyclic_residual={}{})",
             cycle.steps(),
-            Choice(cycle.regime()).name(),
+            Choice(regime).name(),
             short(cycle.energy().dissipated_energy),
-            short(cycle.energy_ratio()),
-            rough(cycle.cyclic_residual()),
+            short(ratio),
+            rough(residual),
             remarks(&cycle.warnings())
         ))
     }
