@@ -17,7 +17,7 @@ pub enum Method {
     /// It needs 2 to 5 times fewer products than [`Self::PolonskyKeer`].
     #[default]
     ActiveSet,
-    /// A single loop that clips at every step. Its sources are Polonsky & Keer, Wear 231 (1999) 206,
+    /// A single loop that clips the unknowns to their bounds at every step. Its sources are Polonsky & Keer, Wear 231 (1999) 206,
     /// <https://doi.org/10.1016/S0043-1648(99)00113-1>, and eqs 17-26 of Wang et al. (2021) with corrected signs. The method
     /// needs two products per step unless no entry was clipped. It requires a symmetric operator and one unknown per cell. Other
     /// problems return [`Error::Method`].

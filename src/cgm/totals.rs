@@ -31,8 +31,8 @@
 //! - The round-off of the entries $`e_b' w_a`$ changes the multiplier along the force by a fraction of order
 //!   $`\varepsilon / \theta^2`$. Iterative refinement removes this error. The refinement uses the part of the residual that a
 //!   cell can follow, because the slip across the traction is much larger than this part.
-//! - The round-off of the sums, if it were distributed, would change the angles by the fraction $`\varepsilon / \theta^2`$. The
-//!   patterns follow the exact change only approximately, and the error remains as a residual.
+//! - If the round-off of the sums were distributed over the cells, it would change the angles by the fraction
+//!   $`\varepsilon / \theta^2`$. The patterns follow the exact change only approximately, and the error remains as a residual.
 
 use crate::cgm::active_set_solve::ActiveSetSolve;
 use crate::cgm::law::state::Row;

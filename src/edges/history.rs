@@ -92,7 +92,7 @@ impl History {
                 [along, (qx[i] - along * x).hypot(qy[i] - along * y)]
             },
             // The slip is valid in cells that stuck before the step. If a cell had already slipped in the same direction, its
-            // traction has not changed. Both energies are then equal.
+            // traction has not changed. Its dissipated energy then equals the midpoint estimate.
             slip: &|i| {
                 let [slip, dissipated, mid_step] = known_slip?;
                 let has_stuck = mid_step[i] < (1.0 - STUCK) * dissipated[i];

@@ -116,7 +116,7 @@ impl<'a> Pressed<'a> {
                 [by_load] = found.loads;
                 region.scatter(&found.cells[0], by_gap.as_mut_slice());
             }
-            // The compliance times the pressure changes by minus the displacement times the relative change of the modulus.
+            // At constant pressure, a relative change e of the modulus changes the displacement u by -e u.
             let multipliers = by_gap.as_slice();
             let by_scale = reduce::sum(&bodies.grid_layout(), |i| {
                 (multipliers[i] - of.energy * pressure[i]) * entry(lift, i)

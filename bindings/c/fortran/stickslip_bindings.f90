@@ -381,6 +381,10 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_HELD_SHIFT_LOST_FORCE = 16
     ! Warning: tractions of dissimilar rolling bodies change the pressure, and this change is neglected.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_NEGLECTED_LIFT = 17
+    ! Warning: a layer is more than 100 times as thick as the longest side of the grid, so that the material below it has no effect.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_COATING_BEYOND_GRID = 18
+    ! Warning: a layer is too thin to have an effect on the cells.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_COATING_BELOW_CELL = 19
     ! Any other warning, described by its message.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_OTHER = 127
     ! Size of the message of a warning in bytes.
@@ -2837,8 +2841,8 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_rolling_solver_set_normal_solver
 
-        ! Sets the normal load of the next solve and solves for its pressure. Returns STICKSLIP_UNSUPPORTED_BY_MODEL without a normal
-        ! solver set by stickslip_rolling_solver_set_normal_solver. After a failure the solver is unchanged.
+        ! Sets the normal load of the next solve and solves for its pressure. Returns STICKSLIP_UNSUPPORTED_BY_MODEL if
+        ! stickslip_rolling_solver_set_normal_solver has set no normal solver. After a failure the solver is unchanged.
         function stickslip_rolling_solver_set_normal_load(solver, load) result(answer) bind(c)
             import
             type(stickslip_rolling_solver), value :: solver

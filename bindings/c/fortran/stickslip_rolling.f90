@@ -242,8 +242,8 @@ contains
         call report_status(stickslip_rolling_solver_set_normal_solver(this%handle, normal%handle), status)
     end subroutine rolling_solver_set_normal_solver
 
-    ! Sets the normal load of the next solve and solves for its pressure. Returns STICKSLIP_UNSUPPORTED_BY_MODEL without
-    ! a normal solver set by rolling_solver%set_normal_solver. After a failure the solver is unchanged.
+    ! Sets the normal load of the next solve and solves for its pressure. Returns STICKSLIP_UNSUPPORTED_BY_MODEL if
+    ! rolling_solver%set_normal_solver has set no normal solver. After a failure the solver is unchanged.
     subroutine rolling_solver_set_normal_load(this, load, status)
         class(rolling_solver), intent(in) :: this
         type(stickslip_normal_load), intent(in) :: load

@@ -306,6 +306,12 @@
 // Warning: tractions of dissimilar rolling bodies change the pressure, and this change is neglected.
 #define STICKSLIP_WARNING_NEGLECTED_LIFT 17
 
+// Warning: a layer is more than 100 times as thick as the longest side of the grid, so that the material below it has no effect.
+#define STICKSLIP_WARNING_COATING_BEYOND_GRID 18
+
+// Warning: a layer is too thin to have an effect on the cells.
+#define STICKSLIP_WARNING_COATING_BELOW_CELL 19
+
 // Any other warning, described by its message.
 #define STICKSLIP_WARNING_OTHER 127
 
@@ -2268,8 +2274,8 @@ stickslip_status stickslip_rolling_solver_set_pressure(stickslip_rolling_solver 
 stickslip_status stickslip_rolling_solver_set_normal_solver(stickslip_rolling_solver *solver,
                                                             const stickslip_normal_solver *normal);
 
-// Sets the normal load of the next solve and solves for its pressure. Returns STICKSLIP_UNSUPPORTED_BY_MODEL without a normal
-// solver set by stickslip_rolling_solver_set_normal_solver. After a failure the solver is unchanged.
+// Sets the normal load of the next solve and solves for its pressure. Returns STICKSLIP_UNSUPPORTED_BY_MODEL if
+// stickslip_rolling_solver_set_normal_solver has set no normal solver. After a failure the solver is unchanged.
 stickslip_status stickslip_rolling_solver_set_normal_load(stickslip_rolling_solver *solver,
                                                           const stickslip_normal_load *load);
 

@@ -145,6 +145,10 @@ pub const STICKSLIP_WARNING_STEEP_SURFACE: i32 = 15;
 pub const STICKSLIP_WARNING_HELD_SHIFT_LOST_FORCE: i32 = 16;
 /// Warning: tractions of dissimilar rolling bodies change the pressure, and this change is neglected.
 pub const STICKSLIP_WARNING_NEGLECTED_LIFT: i32 = 17;
+/// Warning: a layer is more than 100 times as thick as the longest side of the grid, so that the material below it has no effect.
+pub const STICKSLIP_WARNING_COATING_BEYOND_GRID: i32 = 18;
+/// Warning: a layer is too thin to have an effect on the cells.
+pub const STICKSLIP_WARNING_COATING_BELOW_CELL: i32 = 19;
 /// Any other warning, described by its message.
 pub const STICKSLIP_WARNING_OTHER: i32 = 127;
 
@@ -197,6 +201,8 @@ impl From<&Warning> for stickslip_warning {
             Warning::SteepSurface { .. } => (STICKSLIP_WARNING_STEEP_SURFACE, 0, 0),
             Warning::HeldShiftLostForce { .. } => (STICKSLIP_WARNING_HELD_SHIFT_LOST_FORCE, 0, 0),
             Warning::NeglectedLift { .. } => (STICKSLIP_WARNING_NEGLECTED_LIFT, 0, 0),
+            Warning::CoatingBeyondGrid { .. } => (STICKSLIP_WARNING_COATING_BEYOND_GRID, 0, 0),
+            Warning::CoatingBelowCell { .. } => (STICKSLIP_WARNING_COATING_BELOW_CELL, 0, 0),
             _ => (STICKSLIP_WARNING_OTHER, 0, 0),
         };
         let mut message: [c_char; STICKSLIP_WARNING_LENGTH] = [0; STICKSLIP_WARNING_LENGTH];

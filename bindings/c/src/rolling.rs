@@ -262,8 +262,8 @@ pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_solver(
     })
 }
 
-/// Sets the normal load of the next solve and solves for its pressure. Returns STICKSLIP_UNSUPPORTED_BY_MODEL without a normal
-/// solver set by stickslip_rolling_solver_set_normal_solver. After a failure the solver is unchanged.
+/// Sets the normal load of the next solve and solves for its pressure. Returns STICKSLIP_UNSUPPORTED_BY_MODEL if
+/// stickslip_rolling_solver_set_normal_solver has set no normal solver. After a failure the solver is unchanged.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_rolling_solver_set_normal_load(
     solver: *mut stickslip_rolling_solver,

@@ -129,9 +129,7 @@ METHODS = {
     "cgm::Problem": {"totals": "of minima with several components a cell: engine generics"},
     "cgm::Settings": {"check": "the class"},
     "dense::DenseOperator": {"from_rows": "the class"},
-    "history::Cycle": {"dissipation": "dissipated_energy"},
     "history::History": {
-        "dissipation": "dissipated_energy",
         "sensitivities_with": "sensitivities",
         "stiffness_with": "stiffness",
     },
@@ -141,11 +139,7 @@ METHODS = {
         "normal": "normal_force= and approach=",
         "tangential": "force_x= and others",
     },
-    "history::State": {"dissipation": "dissipated_energy", "from_slabs": "History.save and load"},
-    "history::StepResult": {
-        "dissipation": "dissipated_energy",
-        "dissipation_midpoint": "dissipated_energy_midpoint",
-    },
+    "history::State": {"from_slabs": "History.save and load"},
     "influence::Component": {"is_odd": "of kernels, for code in Rust"},
     "influence::Table": {"sample": "get"},
     "io::csv::Options": {"parse": "io.csv.parse", "read": "io.csv.read"},

@@ -98,7 +98,7 @@ def test_step_fields_are_valid_until_next_step(scene):
     with pytest.raises(RuntimeError, match="keep"):
         step.slip_distance
     assert step.tangential_force[0] == pytest.approx(30.0) == pytest.approx(kept.tangential_force[0])
-    assert kept.dissipated_energy.sum() == pytest.approx(kept.energy.dissipated_energy)
+    assert kept.dissipation.sum() == pytest.approx(kept.energy.dissipated_energy)
     assert history.last_step.tangential_force[0] == pytest.approx(10.0)
 
 
@@ -261,9 +261,9 @@ def test_wear_laws_accept_cycle_arrays(scene):
     assert np.allclose(depth, 1e-14 * cycle.slip_pressure * cycle.slip_distance, rtol=1e-12, atol=0.0) and depth.max() > 0.0
     assert np.array_equal(depth, ss.wear.archard(1e-14, cycle.slip_pressure, cycle.slip_distance, grid=history.grid))
     with pytest.raises(TypeError, match=r"sides of its cells: give grid= \(such as history.grid"):
-        ss.wear.energy(1e-14, cycle.dissipated_energy)
-    depth = ss.wear.energy(1e-14, cycle.dissipated_energy, grid=history.grid)
-    assert np.allclose(depth, 1e-14 * cycle.dissipated_energy / history.grid.cell_area, rtol=1e-12, atol=0.0)
+        ss.wear.energy(1e-14, cycle.dissipation)
+    depth = ss.wear.energy(1e-14, cycle.dissipation, grid=history.grid)
+    assert np.allclose(depth, 1e-14 * cycle.dissipation / history.grid.cell_area, rtol=1e-12, atol=0.0)
 
 
 def test_topography_is_transposed_and_holes_become_nan(scene):

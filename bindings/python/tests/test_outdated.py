@@ -65,7 +65,7 @@ def test_cycle_of_retried_steps_equals_cycle_of_accepted_steps(small):
             cycle.add(history)
         step = history.step(force_x=force)
         cycle.add(history)
-        depth = ss.wear.energy(1e-13, step.dissipated_energy, depth=depth, grid=small.grid)
+        depth = ss.wear.energy(1e-13, step.dissipation, depth=depth, grid=small.grid)
         direct.step(force_x=force)
         expected.add(direct)
     assert cycle.energy == expected.energy and cycle.points == expected.points and cycle.energy.dissipated_energy > 0.0

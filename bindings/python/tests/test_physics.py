@@ -188,7 +188,7 @@ def test_fretting_loop_becomes_steady_and_wears(scene):
     )
     outcome = loop.run(history, 5)
     assert outcome.ending == ss.history.StopReason.STEADY and outcome.cycles == 2
-    depth = ss.wear.energy(1e-14, outcome.last.dissipated_energy, grid=scene.grid)
+    depth = ss.wear.energy(1e-14, outcome.last.dissipation, grid=scene.grid)
     worn = depth.sum() * scene.grid.cell_area
     assert worn == pytest.approx(1e-14 * outcome.last.energy.dissipated_energy)
     jump = ss.wear.CycleJump(scene.bodies, outcome.last, depth, cycles_left=1e6, max_residual=1e-2).cycles()

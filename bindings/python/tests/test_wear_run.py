@@ -52,7 +52,7 @@ def test_wear_agrees_with_loop_written_by_hand():
             loop().cycle(by_hand, cycle)
         if done == 2000:
             break
-        of_cycle = ss.wear.energy(COEFFICIENT, cycle.dissipated_energy, grid=GRID)
+        of_cycle = ss.wear.energy(COEFFICIENT, cycle.dissipation, grid=GRID)
         limits = {"largest_depth": five_percent(by_hand), "cycles_left": 2000 - done, "max_residual": 0.2}
         jump = ss.wear.CycleJump(BODIES, cycle, of_cycle, **limits).cycles()
         depth = depth + jump * of_cycle

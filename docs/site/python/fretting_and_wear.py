@@ -27,7 +27,7 @@ while cycles < 1000:
     # The first cycle on a worn gap does not close; the second does.
     for _ in range(2):
         fretting.cycle(history, cycle)
-    depth = ss.wear.energy(1e-14, cycle.dissipated_energy, grid=grid)
+    depth = ss.wear.energy(1e-14, cycle.dissipation, grid=grid)
     limits = {"largest_depth": 0.01 * history.approach, "cycles_left": 1000 - cycles}
     jump = ss.wear.CycleJump(bodies, cycle, depth, **limits).cycles()
     # The gap opens where material is removed; tractions and slip are unchanged.

@@ -68,8 +68,9 @@ pub(crate) struct ConeProblem<'a, F> {
     pub(crate) layout: &'a Layout,
     /// Gap before loading, then the negated prescribed displacements of the cells along x and y.
     pub(crate) linear: [&'a [f64]; N],
-    /// The tensor $`\kappa g`$ of cells that would come into contact from a gap g. Such a cell lags behind its motion by
-    /// $`\kappa g\,q/p`$. The tensor is zero in the other cells. The value is `None` if no rank has such a cell.
+    /// The tensor $`\kappa g`$ of cells that would come into contact from a gap g. The displacement of such a cell lags behind
+    /// the prescribed motion by $`\kappa g\,q/p`$. The tensor is zero in the other cells. The value is `None` if no rank has such
+    /// a cell.
     pub(crate) closing: Option<CellCompliance<'a>>,
     /// Maximum pressure of each cell.
     pub(crate) hardness: PerCell<&'a [f64]>,

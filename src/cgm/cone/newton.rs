@@ -19,7 +19,7 @@ use crate::report::Status;
 const POOR: f64 = 0.1;
 /// Reduction of the inner residual for sets from a coarser grid.
 const FIRST_REDUCTION: f64 = 0.3;
-/// Reduction of the inner residual for changing sets.
+/// Reduction of the inner residual while the sets change.
 const INNER_REDUCTION: f64 = 0.03;
 /// Lower limit of the reduction of the inner residual for sets that no longer change.
 const LEAST_REDUCTION: f64 = 1e-5;

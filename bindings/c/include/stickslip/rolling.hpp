@@ -122,8 +122,8 @@ class RollingSolver {
     void set_normal_solver(const NormalSolver &normal) {
         check(stickslip_rolling_solver_set_normal_solver(get(), normal.get()));
     }
-    /// Sets the normal load of the next solve and solves for its pressure. Throws STICKSLIP_UNSUPPORTED_BY_MODEL
-    /// without a normal solver set by RollingSolver::set_normal_solver. After a failure the solver is unchanged.
+    /// Sets the normal load of the next solve and solves for its pressure. Throws STICKSLIP_UNSUPPORTED_BY_MODEL if
+    /// RollingSolver::set_normal_solver has set no normal solver. After a failure the solver is unchanged.
     void set_normal_load(const stickslip_normal_load &load) {
         check(stickslip_rolling_solver_set_normal_load(get(), &load));
     }

@@ -1500,6 +1500,11 @@ class CoupledRollingSolver:
     """
     def __repr__(self, /) -> str: ...
     @property
+    def gap(self, /) -> NDArray[float64]:
+        """
+        The gap before loading of the next solve (lengths), as last set; a copy.
+        """
+    @property
     def report(self, /) -> CoupledRollingReport:
         """
         Report of the last solve.
@@ -1529,7 +1534,7 @@ class CoupledRollingSolver:
         """
     @settings.setter
     def settings(self, /, settings: Settings) -> None: ...
-    def solve(self, /, *, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, progress: Any | None = None, warn: bool = True) -> CoupledRollingSolution:
+    def solve(self, /, *, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, normal_force: float | None = None, approach: float | None = None, progress: Any | None = None, warn: bool = True) -> CoupledRollingSolution:
         """
         Solves for the given creepages, forces, spin or moment, or for the last ones if none is given.
 
@@ -1627,6 +1632,11 @@ class CoupledSolver:
     Solves coupled contacts repeatedly, each time from the last solution; created by :meth:`CoupledProblem.solver`.
     """
     def __repr__(self, /) -> str: ...
+    @property
+    def gap(self, /) -> NDArray[float64]:
+        """
+        The gap before loading of the next solve (lengths), as last set; a copy.
+        """
     def reset(self, /) -> None:
         """
         Discards the last solution, so that the next solve starts like the first.
@@ -1836,7 +1846,7 @@ class Cycle:
         shift to half the range of the shift.
         """
     @property
-    def dissipated_energy(self, /) -> NDArray[float64]:
+    def dissipation(self, /) -> NDArray[float64]:
         """
         Energy that each cell dissipated in the cycle (forces times lengths, not negative).
         """
@@ -3293,7 +3303,7 @@ class History:
         one product.
         """
     @property
-    def dissipated_energy(self, /) -> NDArray[float64]:
+    def dissipation(self, /) -> NDArray[float64]:
         """
         Energy that each cell dissipated since the start (not negative), a copy.
         """
@@ -3327,6 +3337,10 @@ class History:
     def gap(self, /) -> NDArray[float64]:
         """
         The gap before loading (lengths), as last set; a copy.
+        """
+    @property
+    def gap_as_set(self, /) -> NDArray[float64]:
+        """
         """
     @property
     def grid(self, /) -> Grid:
@@ -4939,6 +4953,11 @@ class NormalSolver:
     """
     def __new__(cls, /, bodies: HalfSpace, gap: Field | ArrayLike, *, force: float | None = None, approach: float | None = None, hardness: Hardness | float | ArrayLike | None = None, settings: Settings | None = None, tolerance: float | None = None, method: Method | str | None = None, max_iterations: int | None = None, time_limit: float | None = None) -> NormalSolver: ...
     def __repr__(self, /) -> str: ...
+    @property
+    def gap(self, /) -> NDArray[float64]:
+        """
+        The gap before loading of the next solve (lengths), as last set; a copy.
+        """
     def chain(self, /, solution: NormalSolution, sensitivities: Sequence[Sensitivity], *, tolerance: float | None = None) -> list[Sensitivity]:
         """
         Continues sensitivities of a tangential contact through the normal contact that supplies its pressure.
@@ -5966,7 +5985,7 @@ class RollingSolution:
     @property
     def zones(self, /) -> NDArray[uint8]:
         """
-        Zone of each cell, bytes of shape (ny, nx): the numbers of :class:`Zone`, 0 separated, 1 stick, 2 slip.
+        Zone of each cell, a uint8 array of shape (ny, nx) with the values of :class:`Zone`: 0 separated, 1 stick, 2 slip.
         """
 
 @final
@@ -6599,7 +6618,7 @@ class State:
         Coupling between pressure and traction in the model.
         """
     @property
-    def dissipated_energy(self, /) -> NDArray[float64]:
+    def dissipation(self, /) -> NDArray[float64]:
         """
         Energy that each cell dissipated since the start (not negative).
         """
@@ -6617,6 +6636,10 @@ class State:
     def gap(self, /) -> NDArray[float64]:
         """
         The gap before loading (lengths), as last set, plus the yielded depth.
+        """
+    @property
+    def gap_as_set(self, /) -> NDArray[float64]:
+        """
         """
     @property
     def grid(self, /) -> Grid:
@@ -6919,7 +6942,7 @@ class StepResult:
         rolling.
         """
     @property
-    def dissipated_energy(self, /) -> NDArray[float64]:
+    def dissipation(self, /) -> NDArray[float64]:
         """
         Energy dissipated in each cell, from its traction at the end of the step (forces times lengths, not negative).
         """
@@ -6938,7 +6961,7 @@ class StepResult:
         Returns the same result with a copy of the fields, which remain available when the history continues.
         """
     @property
-    def dissipated_energy_midpoint(self, /) -> NDArray[float64]:
+    def dissipation_midpoint(self, /) -> NDArray[float64]:
         """
         Energy dissipated in each cell, computed from the mean of its tractions before and after the step (forces times
         lengths). Its sum closes the energy balance; see :attr:`EnergyBalance.dissipated_energy_midpoint`.
@@ -7408,7 +7431,7 @@ class TangentialSolution:
     @property
     def zones(self, /) -> NDArray[uint8]:
         """
-        Zone of each cell, bytes of shape (ny, nx): the numbers of :class:`Zone`, 0 separated, 1 stick, 2 slip.
+        Zone of each cell, a uint8 array of shape (ny, nx) with the values of :class:`Zone`: 0 separated, 1 stick, 2 slip.
         """
 
 @final

@@ -35,7 +35,7 @@ class EnergyLaw:
     """Volume removed per dissipated energy (one over a pressure), a number or an array of shape (ny, nx)."""
 
     def __call__(self, history: History, cycle: Cycle) -> NDArray[Any]:
-        return energy(self.coefficient, cycle.dissipated_energy, grid=history.grid)
+        return energy(self.coefficient, cycle.dissipation, grid=history.grid)
 
 
 @dataclass(frozen=True)
@@ -400,7 +400,7 @@ def _depth_of(law: Callable[[History, Cycle], ArrayLike], history: History, cycl
             found = "None" if given is None else f"the number {depth:g}"
         error = Shape(
             f"the wear law must return an array of shape (ny, nx) = {shape}, got {found}: return a depth for each cell, "
-            "for example wear.energy(coefficient, cycle.dissipated_energy, grid=history.grid)"
+            "for example wear.energy(coefficient, cycle.dissipation, grid=history.grid)"
         )
         error.quantity, error.expected, error.found = "depth of the wear law", shape, depth.shape
         raise error

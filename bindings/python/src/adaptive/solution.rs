@@ -207,7 +207,7 @@ impl AdaptiveSolution {
     fn stick_ratio(&self, py: Python<'_>) -> PyResult<Option<f64>> {
         match self.tangential_edges(py)? {
             Ok(edges) => Ok(edges.map(|edges| edges.stick_ratio())),
-            // Coated bodies have no edges inside the cells.
+            // Edges inside the cells are not computed for coated bodies.
             Err(Error::UnsupportedForCoatings { .. }) => {
                 let solution = &self.solution;
                 let of_load = solution

@@ -2,6 +2,7 @@
 
 use pyo3::prelude::*;
 
+use crate::array::{Array, copy};
 use crate::coupled::CoupledSolution;
 use crate::error::OrRaise;
 use crate::field::Samples;
@@ -55,6 +56,12 @@ impl CoupledSolver {
         self.0
             .with(|solver| solver.set_load(normal, load.0.0))?
             .or_raise(py)
+    }
+
+    /// The gap before loading of the next solve (lengths), as last set; a copy.
+    #[getter]
+    fn gap<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.0.with(|solver| copy(py, solver.gap()))
     }
 
     /// Sets the gap of the next solve (lengths).

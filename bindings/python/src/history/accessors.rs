@@ -11,6 +11,7 @@ use crate::boundary::Boundary;
 use crate::choice::Choice;
 use crate::digits::{short, tuple};
 use crate::edges::TangentialEdges;
+use crate::error::OrRaise;
 use crate::friction::Friction;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
@@ -55,10 +56,17 @@ impl History {
         self.read(|history| Friction(history.friction().clone()))
     }
 
-    /// The gap before loading (lengths), as last set; a copy.
+    /// The gap before loading (lengths), as last set, plus the yielded depth; a copy.
     #[getter]
     fn gap<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         self.read(|history| copy(py, history.gap()))
+    }
+
+    /// The gap before loading (lengths), as last set, without the yielded depth; a copy. Change this gap and pass it to
+    /// :meth:`set_gap`. The yielded depth in :attr:`gap` would count twice.
+    #[getter]
+    fn gap_as_set<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.read(|history| history.gap_as_set().or_raise(py).map(|gap| copy(py, &gap)))?
     }
 
     /// The normal solution, a copy.
@@ -105,7 +113,7 @@ impl History {
 
     /// Energy that each cell dissipated since the start (not negative), a copy.
     #[getter]
-    fn dissipated_energy<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+    fn dissipation<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         self.read(|history| copy(py, history.dissipation()))
     }
 

@@ -208,7 +208,7 @@ impl Cycle {
 
     /// Energy that each cell dissipated in the cycle (forces times lengths, not negative).
     #[getter]
-    fn dissipated_energy<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+    fn dissipation<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         Ok(copy(py, self.lock()?.dissipation()))
     }
 
@@ -242,6 +242,11 @@ impl Cycle {
     const SUMMARY_NAMES: &str = stickslip::history::Cycle::SUMMARY_NAMES;
 
     /// Returns the cycle as a line of CSV.
+    ///
+    /// Raises
+    /// ------
+    /// EmptyPath
+    ///     If the cycle has no steps.
     fn summary_as_csv(&self, py: Python<'_>) -> PyResult<String> {
         self.lock()?.summary_as_csv().or_raise(py)
     }
@@ -259,18 +264,33 @@ impl Cycle {
     }
 
     /// Smallest and largest stick ratio.
+    ///
+    /// Raises
+    /// ------
+    /// EmptyPath
+    ///     If the cycle has no steps.
     #[getter]
     fn stick_ratios(&self, py: Python<'_>) -> PyResult<(f64, f64)> {
         Ok(pair(self.lock()?.stick_ratios().or_raise(py)?))
     }
 
     /// Regime of the cycle: stick, partial slip or sliding.
+    ///
+    /// Raises
+    /// ------
+    /// EmptyPath
+    ///     If the cycle has no steps.
     #[getter]
     fn regime(&self, py: Python<'_>) -> PyResult<Choice<stickslip::history::Regime>> {
         Ok(Choice(self.lock()?.regime().or_raise(py)?))
     }
 
     /// Ratio of the dissipated energy to the area of a rectangle around the force-shift loop.
+    ///
+    /// Raises
+    /// ------
+    /// EmptyPath
+    ///     If the cycle has no steps.
     #[getter]
     fn energy_ratio(&self, py: Python<'_>) -> PyResult<f64> {
         self.lock()?.energy_ratio().or_raise(py)
@@ -279,6 +299,11 @@ impl Cycle {
     /// Measure of how far the cycle is from closing: the larger of two ratios. The first is the ratio of the largest
     /// change of a traction between start and end to the largest traction. The second is the ratio of the change of the
     /// shift to half the range of the shift.
+    ///
+    /// Raises
+    /// ------
+    /// EmptyPath
+    ///     If the cycle has no steps.
     #[getter]
     fn cyclic_residual(&self, py: Python<'_>) -> PyResult<f64> {
         self.lock()?.cyclic_residual().or_raise(py)

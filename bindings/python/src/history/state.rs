@@ -120,6 +120,13 @@ impl State {
         view(slf, |state| state.0.gap())
     }
 
+    /// The gap before loading (lengths), as last set, without the yielded depth; a copy.
+    #[getter]
+    fn gap_as_set<'py>(slf: &Bound<'py, Self>) -> PyResult<Array<'py>> {
+        let py = slf.py();
+        Ok(copy(py, &slf.get().0.gap_as_set().or_raise(py)?))
+    }
+
     /// The normal solution, which shares the memory of the state.
     #[getter]
     fn normal(&self) -> NormalSolution {
@@ -164,7 +171,7 @@ impl State {
 
     /// Energy that each cell dissipated since the start (not negative).
     #[getter]
-    fn dissipated_energy<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
+    fn dissipation<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
         view(slf, |state| state.0.dissipation())
     }
 

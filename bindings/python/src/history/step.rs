@@ -158,14 +158,14 @@ impl StepResult {
 
     /// Energy dissipated in each cell, from its traction at the end of the step (forces times lengths, not negative).
     #[getter]
-    fn dissipated_energy<'py>(slf: &Bound<'py, Self>) -> PyResult<Array<'py>> {
+    fn dissipation<'py>(slf: &Bound<'py, Self>) -> PyResult<Array<'py>> {
         Self::field(slf, |step| step.dissipation())
     }
 
     /// Energy dissipated in each cell, computed from the mean of its tractions before and after the step (forces times
     /// lengths). Its sum closes the energy balance; see :attr:`EnergyBalance.dissipated_energy_midpoint`.
     #[getter]
-    fn dissipated_energy_midpoint<'py>(slf: &Bound<'py, Self>) -> PyResult<Array<'py>> {
+    fn dissipation_midpoint<'py>(slf: &Bound<'py, Self>) -> PyResult<Array<'py>> {
         Self::field(slf, |step| step.dissipation_midpoint())
     }
 

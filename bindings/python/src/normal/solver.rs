@@ -7,6 +7,7 @@ use pyo3::types::PyTuple;
 use stickslip::{NormalLoad, cgm};
 
 use crate::argument::Object;
+use crate::array::{Array, copy};
 use crate::choice::Choice;
 use crate::field::Samples;
 use crate::half_space::HalfSpace;
@@ -96,7 +97,7 @@ impl NormalSolver {
         self.0.with(|solver| solver.clone())
     }
 
-    fn gap(
+    fn gap_argument(
         &self,
         py: Python<'_>,
         gap: Option<Samples<'_>>,
@@ -111,7 +112,7 @@ impl NormalSolver {
         load: Option<NormalLoad>,
         gap: Option<Samples<'_>>,
     ) -> PyResult<()> {
-        let gap = self.gap(py, gap)?;
+        let gap = self.gap_argument(py, gap)?;
         let mut given = lock(&self.1, "solver")?;
         let given = &mut *given;
         self.0.change(py, |solver| given.set(solver, load, gap))
@@ -195,7 +196,7 @@ impl NormalSolver {
         warn: bool,
     ) -> PyResult<Bound<'py, NormalSolution>> {
         let load = load::normal(force, approach)?;
-        let gap = self.gap(py, gap)?;
+        let gap = self.gap_argument(py, gap)?;
         let mut given = lock(&self.1, "solver")?;
         let given = &mut *given;
         let set = |solver: &mut stickslip::NormalSolver| {
@@ -217,6 +218,12 @@ impl NormalSolver {
         approach: Option<Real>,
     ) -> PyResult<()> {
         self.change(py, Some(load::needed(force, approach)?), None)
+    }
+
+    /// The gap before loading of the next solve (lengths), as last set; a copy.
+    #[getter]
+    fn gap<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.0.with(|solver| copy(py, solver.gap()))
     }
 
     /// Sets the gap of the next solve, for example after wear.

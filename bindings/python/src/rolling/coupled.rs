@@ -9,6 +9,7 @@ use stickslip::history::EntryRule;
 use stickslip::rolling::{self, LeadingEdge};
 
 use crate::argument::Object;
+use crate::array::{Array, copy};
 use crate::choice::Choice;
 use crate::conversion;
 use crate::digits::{in_python, rough, short, tuple};
@@ -215,6 +216,8 @@ impl CoupledRollingSolver {
     /// ----------
     /// creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
     ///     See :class:`RollingProblem`. If one of them is given, omitted creepages and an omitted spin are zero.
+    /// normal_force, approach : float, optional
+    ///     One of them sets the normal load together with the other arguments.
     /// progress, warn : optional
     ///     See :meth:`NormalProblem.solve`.
     ///
@@ -231,7 +234,7 @@ impl CoupledRollingSolver {
     /// NotConverged
     ///     The exception has the attributes ``report`` and ``last_iterate``.
     #[pyo3(signature = (*, creepage=None, creepage_x=None, creepage_y=None, force=None, force_x=None, force_y=None,
-        spin=None, moment=None, progress=None, warn=true))]
+        spin=None, moment=None, normal_force=None, approach=None, progress=None, warn=true))]
     fn solve<'py>(
         &self,
         py: Python<'py>,
@@ -243,6 +246,8 @@ impl CoupledRollingSolver {
         force_y: Option<Real>,
         spin: Option<Real>,
         moment: Option<Real>,
+        normal_force: Option<Real>,
+        approach: Option<Real>,
         progress: Option<Bound<'py, PyAny>>,
         warn: bool,
     ) -> PyResult<Bound<'py, CoupledRollingSolution>> {
@@ -252,11 +257,17 @@ impl CoupledRollingSolver {
             [force_x, force_y],
             (spin, moment),
         )?;
+        let has_normal = normal_force.is_some() || approach.is_some();
+        let normal = || load::needed_as("normal_force", normal_force, approach);
+        let normal = has_normal.then(normal).transpose()?;
         let set = |solver: &mut rolling::CoupledRollingSolver| {
-            if keywords.is_empty() {
-                return Ok(());
-            }
-            let outcome = solver.set_load(keywords.controls(), keywords.spin());
+            let (controls, spin) = (keywords.controls(), keywords.spin());
+            let outcome = match (normal, keywords.is_empty()) {
+                (None, true) => Ok(()),
+                (None, false) => solver.set_load(controls, spin),
+                (Some(normal), true) => solver.set_normal_load(normal),
+                (Some(normal), false) => solver.set_loads(normal, controls, spin),
+            };
             outcome.or_raise(py)
         };
         self.0.solve(py, set, progress, warn)
@@ -276,6 +287,12 @@ impl CoupledRollingSolver {
         self.0
             .with(|solver| solver.set_normal_load(normal))?
             .or_raise(py)
+    }
+
+    /// The gap before loading of the next solve (lengths), as last set; a copy.
+    #[getter]
+    fn gap<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.0.with(|solver| copy(py, solver.gap()))
     }
 
     /// Sets the gap of the next solve (lengths).

@@ -71,7 +71,7 @@ impl RollingSolution {
         )
     }
 
-    /// Zone of each cell, bytes of shape (ny, nx): the numbers of :class:`Zone`, 0 separated, 1 stick, 2 slip.
+    /// Zone of each cell, a uint8 array of shape (ny, nx) with the values of :class:`Zone`: 0 separated, 1 stick, 2 slip.
     #[getter]
     fn zones<'py>(&self, py: Python<'py>) -> Array<'py, u8> {
         zones(py, self.0.grid(), self.0.zones())

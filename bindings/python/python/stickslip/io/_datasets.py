@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 # Names of the fields, which have one number or one vector per cell, and of the scalar results.
 _FIELDS = (
-    "pressure", "gap", "contact", "traction", "slip", "zones", "displacement", "accumulated_slip", "dissipated_energy",
+    "pressure", "gap", "contact", "traction", "slip", "zones", "displacement", "accumulated_slip",
     "dissipation", "normal_stress", "shear_stress", "von_mises", "heights", "form", "short_waves", "long_waves",
 )  # fmt: skip
 _NUMBERS = (
