@@ -234,7 +234,8 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_SLIP_DISTANCE = 9
     ! Energy dissipated in each cell over all steps of a history or of a cycle.
     integer(c_int32_t), parameter, public :: STICKSLIP_DISSIPATED_ENERGY = 10
-    ! Last prescribed gap of a history before loading (lengths).
+    ! Gap of a history before loading: the last gap that was set, plus STICKSLIP_YIELDED_DEPTH (lengths). Subtract this depth before
+    ! the gap is set again, because the history adds it.
     integer(c_int32_t), parameter, public :: STICKSLIP_INITIAL_GAP = 11
     ! Slip along x of the last step of a history (lengths).
     integer(c_int32_t), parameter, public :: STICKSLIP_STEP_SLIP_X = 12

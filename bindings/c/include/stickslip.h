@@ -89,7 +89,8 @@
 // Energy dissipated in each cell over all steps of a history or of a cycle.
 #define STICKSLIP_DISSIPATED_ENERGY 10
 
-// Last prescribed gap of a history before loading (lengths).
+// Gap of a history before loading: the last gap that was set, plus STICKSLIP_YIELDED_DEPTH (lengths). Subtract this depth before
+// the gap is set again, because the history adds it.
 #define STICKSLIP_INITIAL_GAP 11
 
 // Slip along x of the last step of a history (lengths).

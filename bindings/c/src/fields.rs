@@ -29,7 +29,8 @@ pub const STICKSLIP_DISPLACEMENT_Z: i32 = 8;
 pub const STICKSLIP_SLIP_DISTANCE: i32 = 9;
 /// Energy dissipated in each cell over all steps of a history or of a cycle.
 pub const STICKSLIP_DISSIPATED_ENERGY: i32 = 10;
-/// Last prescribed gap of a history before loading (lengths).
+/// Gap of a history before loading: the last gap that was set, plus STICKSLIP_YIELDED_DEPTH (lengths). Subtract this depth before
+/// the gap is set again, because the history adds it.
 pub const STICKSLIP_INITIAL_GAP: i32 = 11;
 /// Slip along x of the last step of a history (lengths).
 pub const STICKSLIP_STEP_SLIP_X: i32 = 12;
