@@ -92,6 +92,8 @@ pub(super) struct ActiveSetSolve<'a, 'b, K: Constraint<N>, const N: usize> {
     pub(super) shown: Option<f64>,
     pub(super) progress: Progress,
     pub(super) totals: TotalsSystem<N>,
+    /// Whether the moving cells are scattered.
+    pub(super) is_scattered: bool,
     /// Whether the gradient of the start identifies the cells that become free.
     pub(super) is_near: bool,
     /// Largest displacement at the last examination.
@@ -131,6 +133,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
             shown: None,
             progress: Progress::new(0, INNER_REDUCTION),
             totals: TotalsSystem::NONE,
+            is_scattered: false,
             is_near: false,
             displacement: 0.0,
             is_extreme: false,
@@ -217,6 +220,7 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         let linear = Linear {
             operator: self.problem.operator,
             preconditioner: self.problem.preconditioner,
+            sparse: self.problem.sparse.filter(|_| self.is_scattered),
             layout: self.problem.layout,
             own: self.problem.own,
             self_compliance: self.self_compliance,

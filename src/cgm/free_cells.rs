@@ -146,6 +146,10 @@ impl FreeCells {
         }
     }
 
+    pub(in crate::cgm) fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
     /// Returns the number of local moving cells.
     pub(in crate::cgm) fn len(&self) -> usize {
         self.starts[self.counts.len()]

@@ -130,7 +130,7 @@ pub use law::interval::Interval;
 pub(crate) use law::state::{LinearisedSet, Row};
 pub use law::{AbsBound, Ball, Bounds, Constraint, ConstraintSet, NonNegative, NormBound};
 pub(crate) use law::{BoundedPressure, UNLIMITED};
-pub(crate) use linear::{FixedSetSystem, LinearWorkspace};
+pub(crate) use linear::{FixedSetSystem, LinearWorkspace, SparseFactors, SparseInverse};
 pub(crate) use problem::minimise_from;
 pub use problem::{Minimum, Problem, minimise, minimise_with};
 pub(crate) use settings::settings_methods;

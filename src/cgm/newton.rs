@@ -261,6 +261,9 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         if N > 1 {
             w.linear.spread.fill([[0.0; N]; N]);
         }
+        if let Some(sparse) = self.problem.sparse {
+            self.is_scattered = w.linear.prepare(sparse);
+        }
     }
 
     /// Releases the cells that are pushed off their bounds. `push` computes the pushing gradient from the gradient and the

@@ -7,6 +7,7 @@ use crate::cgm::active_set_solve::ActiveSetSolve;
 use crate::cgm::certificate::Iterate;
 use crate::cgm::diagonal::CellCompliance;
 use crate::cgm::law::state::{LinearisedSet, TotalFeasibility};
+use crate::cgm::linear::SparseInverse;
 use crate::cgm::newton::newton;
 use crate::cgm::safeguard::projected_gradient::Objective;
 use crate::cgm::totals::Total;
@@ -26,6 +27,7 @@ use crate::report::{Iteration, Report, Status};
 pub struct Problem<'a, C, K, P = Identity, const N: usize = 1> {
     pub(super) operator: C,
     pub(super) preconditioner: P,
+    sparse: Option<SparseInverse<N>>,
     pub(super) layout: Layout,
     /// Additional compliance of the cells.
     pub(super) own: CellCompliance<'a>,
@@ -45,6 +47,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, const N: usize> Problem<'a, C, K, Ide
             layout: operator.layout(),
             operator,
             preconditioner,
+            sparse: None,
             own: CellCompliance::default(),
             linear,
             datum: [0.0; N],
@@ -104,6 +107,12 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         self
     }
 
+    /// Sets a replacement of the preconditioner for scattered cells.
+    pub(crate) fn sparse(mut self, sparse: Option<SparseInverse<N>>) -> Self {
+        self.sparse = sparse;
+        self
+    }
+
     /// Sets the layout of the cells. The ranks of the layout may also all solve the same problem.
     pub(crate) fn layout(mut self, layout: &Layout) -> Self {
         self.layout.clone_from(layout);
@@ -116,6 +125,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         Problem {
             operator: self.operator,
             preconditioner,
+            sparse: self.sparse,
             layout: self.layout,
             own: self.own,
             linear: self.linear,
@@ -139,6 +149,7 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
         Posed {
             operator: &self.operator,
             preconditioner: &self.preconditioner,
+            sparse: self.sparse.as_ref(),
             layout: &self.layout,
             own: self.own,
             linear: self.linear,
@@ -165,6 +176,8 @@ impl<'a, C: Operator<N>, K: Constraint<N>, P: Operator<N>, const N: usize> Probl
 pub(crate) struct Posed<'a, K, const N: usize> {
     pub(super) operator: &'a dyn Operator<N>,
     pub(super) preconditioner: &'a dyn Operator<N>,
+    /// Replacement of the preconditioner for scattered cells.
+    pub(super) sparse: Option<&'a SparseInverse<N>>,
     pub(super) layout: &'a Layout,
     /// Additional compliance of the cells.
     pub(super) own: CellCompliance<'a>,

@@ -2,7 +2,8 @@
 
 use crate::bodies::component::Direction;
 use crate::cgm::{
-    self, Constraint, ConstraintSet, InitialGuess, Problem, Settings, Total, Workspace,
+    self, Constraint, ConstraintSet, InitialGuess, Problem, Settings, SparseInverse, Total,
+    Workspace,
 };
 use crate::contact::has_iterate;
 use crate::error::Result;
@@ -18,6 +19,7 @@ use crate::report::Report;
 #[derive(Debug, Clone)]
 pub(crate) struct ElasticSolver<S: ConstraintSet<N>, const N: usize> {
     compliance: Compliance<N>,
+    sparse: Option<SparseInverse<N>>,
     layout: Layout,
     workspace: PooledBuffer<Workspace<S, N>>,
     multiplier: [f64; N],
@@ -47,6 +49,7 @@ impl<S: ConstraintSet<N>, const N: usize> ElasticSolver<S, N> {
         Ok(Self {
             layout: compliance.operator.layout().alike(bodies.team()),
             compliance,
+            sparse: bodies.sparse_inverse(directions, size)?,
             workspace: PooledBuffer::new(bodies.pool_of_products(directions, size)?),
             multiplier: [0.0; N],
             report: Report::with_room(),
@@ -63,6 +66,7 @@ impl<S: ConstraintSet<N>, const N: usize> ElasticSolver<S, N> {
         Problem::new(operator.clone(), linear, constraint)
             .layout(&self.layout)
             .preconditioner(inverse.clone())
+            .sparse(self.sparse.clone())
     }
 
     /// Minimises from `x` and stores the solution in `x`. `known` contains the prior knowledge about the initial guess. The

@@ -4,12 +4,13 @@ use std::f64::consts::PI;
 use std::sync::Arc;
 
 use crate::bodies::component::{Component, Direction};
+use crate::cgm::{SparseFactors, SparseInverse};
 use crate::error::{Error, Result};
 use crate::fft::{CirculantInverse, Convolution, UniformWave};
 use crate::grid::Grid;
 use crate::grid::boundary::Boundary;
 use crate::half_space::{ElasticOperator, ElasticPreconditioner, HalfSpace};
-use crate::influence::{InfluenceKernel, least_of_lattice};
+use crate::influence::{InfluenceKernel, Samples, least_of_lattice};
 use crate::memory::fallible;
 use crate::memory::pool::Pool;
 use crate::operator::Operator;
@@ -80,6 +81,36 @@ impl HalfSpace {
             Ok(UpToMean(ElasticPreconditioner(Arc::new(inverse))))
         })?;
         Ok(made.0.clone())
+    }
+
+    /// Returns the sparse inverse for scattered contacts on a rectangle of `[nx, ny]` cells. Returns `None` for periodic
+    /// grids and user-defined operators. The factors are created once for all rectangles of the grid.
+    pub(crate) fn sparse_inverse<const N: usize>(
+        &self,
+        directions: [Direction; N],
+        size: [usize; 2],
+    ) -> Result<Option<SparseInverse<N>>> {
+        let has_table = self.boundary() == Boundary::NonPeriodic;
+        if !has_table || self.kernel().user_operators().is_some() {
+            return Ok(None);
+        }
+        let (grid, added) = (self.grid().whole(), self.shared.kernels.added());
+        let diagonal = directions.map(|direction| Component::of(direction, direction));
+        let made = &self.shared.made;
+        let factors = made.get_or_make(&diagonal, self.size(), true, || {
+            let samples = Samples::new(grid, SparseFactors::<N>::DISTANCES)?
+                .of(self.cell_value())
+                .coated(added.cloned());
+            let tables: [_; N] =
+                fallible::try_each(|n| samples.table(grid, self.pair(), diagonal[n]))?;
+            Ok(SparseFactors::<N>::new(|n, column, row| {
+                tables[n].at(column, row)
+            }))
+        });
+        Ok(Some(SparseInverse {
+            factors: self.joint(factors)?,
+            columns: size[0],
+        }))
     }
 
     /// Checks that problems with tractions along these directions can be solved. User-defined operators must have all

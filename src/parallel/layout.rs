@@ -1,5 +1,6 @@
 //! Layout of the cells of a vector: chunks whose sums are added in a fixed tree, distributed over ranks.
 
+use std::borrow::Cow;
 use std::ops::{ControlFlow, Range};
 use std::sync::Arc;
 
@@ -147,6 +148,31 @@ impl Layout {
         self.team.as_ref().map_or(Ok(()), |team| team.check())
     }
 
+    /// Returns a vector with up to `reach` rows of other ranks before and after the local rows. The call is collective.
+    ///
+    /// # Errors
+    /// - [`Error::Memory`](crate::Error::Memory) if the vector cannot be allocated.
+    /// - [`Error::Ranks`](crate::Error::Ranks) if the vector of another rank cannot be allocated.
+    pub(crate) fn with_halo<'a>(&self, local: &'a [f64], reach: usize) -> Result<Halo<'a>> {
+        let Some(share) = &self.share else {
+            return Ok(Halo {
+                values: Cow::Borrowed(local),
+                before: 0,
+            });
+        };
+        let [columns, rows] = share.size();
+        let wider = |rank: usize| match share.rows_of(rank) {
+            own if own.is_empty() => own,
+            own => own.start.saturating_sub(reach)..(own.end + reach).min(rows),
+        };
+        let before = share.local_rows().start - wider(share.team().rank()).start;
+        let values = share.fetch(local, columns, |rank| [0..columns, wider(rank)])?;
+        Ok(Halo {
+            values: Cow::Owned(values),
+            before: before * columns,
+        })
+    }
+
     /// Splits a slice with one entry per cell into chunks.
     pub(crate) fn blocks<'a, T>(&self, items: &'a mut [T]) -> Blocks<'a, T> {
         Blocks {
@@ -213,6 +239,13 @@ impl Layout {
     ) -> T {
         self.sweep((), |task, ()| leaf(self.range(task)), combine)
     }
+}
+
+/// Local values and the values of the adjacent rows of other ranks.
+pub(crate) struct Halo<'a> {
+    pub(crate) values: Cow<'a, [f64]>,
+    /// Number of values before the first local value.
+    pub(crate) before: usize,
 }
 
 /// Returns the number of cells of a chunk: whole rows, or equal pieces of a long row, about [`CHUNK`] cells. A single row may be

@@ -189,6 +189,39 @@ fn continued_solves_on_ranks_match_one_process() {
     });
 }
 
+/// The preconditioner of scattered contacts needs the adjacent rows of other ranks.
+#[test]
+fn scattered_contacts_on_ranks_match_one_process() {
+    let rough = SelfAffine::with_rms_slope(0.3).seed(5);
+    let grid = Grid::new(60, 130, 0.5, 0.5).unwrap();
+    assert_shared(grid, Boundary::NonPeriodic, |bodies| {
+        let gap = rough.generate_on(bodies).unwrap().map(|z| -z);
+        let force = 0.01 * bodies.grid().whole().area();
+        let problem = NormalProblem::builder(bodies, gap, NormalLoad::Force(force));
+        let normal = problem.build().unwrap().solve().unwrap();
+        let [scalar, plane] = [TangentialModel::Scalar, TangentialModel::Vector].map(|model| {
+            let load = TangentialLoad::force([0.1 * force, 0.0]);
+            let problem = TangentialProblem::builder(bodies, &normal, kit::coulomb(0.3), load);
+            problem.model(model).build().unwrap().solve().unwrap()
+        });
+        let cells = by_cell([
+            normal.pressure(),
+            scalar.traction()[0],
+            plane.traction()[0],
+            plane.traction()[1],
+        ]);
+        let share = normal.contact_area() / bodies.grid().whole().area();
+        assert!(
+            (0.02..0.2).contains(&share),
+            "the contact is scattered: {share}"
+        );
+        (
+            cells,
+            vec![normal.approach(), scalar.shift()[0], plane.shift()[0]],
+        )
+    });
+}
+
 #[test]
 fn rough_surfaces_on_ranks_match_one_process() {
     let rough = SelfAffine::with_rms_slope(0.2).seed(3).hurst(0.7);

@@ -274,6 +274,7 @@ impl<'a, F: FrictionCone> ConeRun<'a, '_, F> {
         let linear = Linear {
             operator: &problem.operator,
             preconditioner: &problem.preconditioner,
+            sparse: None,
             layout: problem.layout,
             own: CellCompliance::default(),
             self_compliance: 0.0,

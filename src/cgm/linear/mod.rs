@@ -11,11 +11,13 @@
 //!
 //! Conjugate gradients solve the system of a symmetric problem. GMRES solves the systems of other problems and of stiffnesses.
 //! The preconditioner is the product of $`R`$, an approximate inverse of the operator and the transpose of $`R`$. In cells whose
-//! local terms are large, [weights](Weight) combine this product with the inverse for the single cell.
+//! local terms are large, [weights](Weight) combine this product with the inverse for the single cell. If few cells move and
+//! these cells are scattered, a [sparse inverse](SparseInverse) replaces the approximate inverse.
 
 mod cg;
 mod gmres;
 mod response;
+mod sparse_inverse;
 mod updated_iterate;
 
 use crate::cgm::active_set_solve::Precision;
@@ -37,6 +39,8 @@ use crate::report::Report;
 
 use gmres::RESTART;
 pub(crate) use response::FixedSetSystem;
+use sparse_inverse::SparseScratch;
+pub(crate) use sparse_inverse::{SparseFactors, SparseInverse};
 pub(in crate::cgm) use updated_iterate::UpdatedIterate;
 
 /// Maximum number of GMRES bases before the sets are updated again.
@@ -62,6 +66,7 @@ pub(crate) struct LinearWorkspace<R, const N: usize> {
     pub(in crate::cgm) spread: Vec<[[f64; N]; N]>,
     /// Basis of GMRES. Its vectors are empty before their first use.
     basis: [Vec<[f64; N]>; RESTART + 1],
+    sparse: SparseScratch<N>,
     pub(in crate::cgm) report: Report,
 }
 
@@ -83,6 +88,7 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
             correction: Vec::new(),
             spread: Vec::new(),
             basis: std::array::from_fn(|_| Vec::new()),
+            sparse: SparseScratch::new(),
             report: Report::with_room(),
         })
     }
@@ -94,6 +100,26 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
             part.fill(0.0);
         }
         self.make_room_for_gmres()
+    }
+
+    /// Prepares the sparse inverse for the moving cells. Returns false if the moving cells are not scattered. The direction must
+    /// be zero.
+    pub(in crate::cgm) fn prepare(&mut self, sparse: &SparseInverse<N>) -> bool {
+        self.mark_moving(1.0);
+        let moves = &self.direction[0];
+        let is_scattered = sparse.prepare(&self.moving, moves, &mut self.sparse);
+        self.mark_moving(0.0);
+        is_scattered
+    }
+
+    /// Sets the first component of the direction on the moving cells.
+    fn mark_moving(&mut self, value: f64) {
+        let marks = self.moving.layout().blocks(&mut self.direction[0]);
+        self.moving.sweep(marks, |entries, marks| {
+            for place in entries.places() {
+                marks.items[place] = value;
+            }
+        });
     }
 
     /// Allocates correction, residual and spread of the moving cells.
@@ -207,6 +233,8 @@ impl<const N: usize> Border<N> {
 pub(crate) struct Linear<'a, 'm, R, const N: usize> {
     pub(in crate::cgm) operator: &'a dyn Operator<N>,
     pub(in crate::cgm) preconditioner: &'a dyn Operator<N>,
+    /// Replacement of the preconditioner that is prepared for the moving cells, if they are scattered.
+    pub(in crate::cgm) sparse: Option<&'a SparseInverse<N>>,
     pub(in crate::cgm) layout: &'a Layout,
     /// Additional compliance of the cells.
     pub(in crate::cgm) own: CellCompliance<'a>,
@@ -260,9 +288,15 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         }
         self.weigh_free(|weight, r, answer| (r.map(|r| weight.weighted(r)), answer));
         let w = &mut *self.workspace;
-        let (direction, image) = (slices(&w.direction), slices_mut(&mut w.image));
-        self.preconditioner
-            .apply_f32(direction, image, &mut w.preconditioner);
+        let direction = slices(&w.direction);
+        let is_computed = self
+            .sparse
+            .is_some_and(|sparse| sparse.apply(&w.moving, direction, &mut w.image, &mut w.sparse));
+        if !is_computed {
+            let image = slices_mut(&mut w.image);
+            self.preconditioner
+                .apply_f32(direction, image, &mut w.preconditioner);
+        }
         self.weigh_free(|weight, r, answer| {
             let z = |c: usize| weight.preconditioned_from(answer[c], r[c]);
             (r, std::array::from_fn(z))

@@ -102,6 +102,7 @@ impl<const N: usize> FixedSetSystem<'_, N> {
         let mut linear = Linear {
             operator: self.operator,
             preconditioner: self.preconditioner,
+            sparse: None,
             layout: self.layout,
             own: self.own,
             self_compliance: self.operator.self_compliance(),
