@@ -1545,6 +1545,8 @@ class CoupledRollingSolver:
         ----------
         creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
             See :class:`RollingProblem`. If one of them is given, omitted creepages and an omitted spin are zero.
+        normal_force, approach : float, optional
+            One of them sets the normal load together with the other arguments.
         progress, warn : optional
             See :meth:`NormalProblem.solve`.
 
@@ -1844,6 +1846,11 @@ class Cycle:
         Measure of how far the cycle is from closing: the larger of two ratios. The first is the ratio of the largest
         change of a traction between start and end to the largest traction. The second is the ratio of the change of the
         shift to half the range of the shift.
+
+        Raises
+        ------
+        EmptyPath
+            If the cycle has no steps.
         """
     @property
     def dissipation(self, /) -> NDArray[float64]:
@@ -1859,6 +1866,11 @@ class Cycle:
     def energy_ratio(self, /) -> float:
         """
         Ratio of the dissipated energy to the area of a rectangle around the force-shift loop.
+
+        Raises
+        ------
+        EmptyPath
+            If the cycle has no steps.
         """
     @property
     def force_amplitude(self, /) -> tuple[float, float]:
@@ -1878,6 +1890,11 @@ class Cycle:
     def regime(self, /) -> Regime:
         """
         Regime of the cycle: stick, partial slip or sliding.
+
+        Raises
+        ------
+        EmptyPath
+            If the cycle has no steps.
         """
     @property
     def shift_amplitude(self, /) -> tuple[float, float]:
@@ -1908,10 +1925,20 @@ class Cycle:
     def stick_ratios(self, /) -> tuple[float, float]:
         """
         Smallest and largest stick ratio.
+
+        Raises
+        ------
+        EmptyPath
+            If the cycle has no steps.
         """
     def summary_as_csv(self, /) -> str:
         """
         Returns the cycle as a line of CSV.
+
+        Raises
+        ------
+        EmptyPath
+            If the cycle has no steps.
         """
     @property
     def warnings(self, /) -> list[Warning]:
@@ -3336,11 +3363,13 @@ class History:
     @property
     def gap(self, /) -> NDArray[float64]:
         """
-        The gap before loading (lengths), as last set; a copy.
+        The gap before loading (lengths), as last set, plus the yielded depth; a copy.
         """
     @property
     def gap_as_set(self, /) -> NDArray[float64]:
         """
+        The gap before loading (lengths), as last set, without the yielded depth; a copy. Change this gap and pass it to
+        :meth:`set_gap`. The yielded depth in :attr:`gap` would count twice.
         """
     @property
     def grid(self, /) -> Grid:
@@ -6640,6 +6669,7 @@ class State:
     @property
     def gap_as_set(self, /) -> NDArray[float64]:
         """
+        The gap before loading (lengths), as last set, without the yielded depth; a copy.
         """
     @property
     def grid(self, /) -> Grid:
@@ -7717,7 +7747,8 @@ class Warning:
     ``single_row_of_cells``, ``contact_spans_grid``, ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``,
     ``underresolved_stick_zone``, ``underresolved_slip_zone``, ``single_load_step``, ``stress_at_edge``,
     ``discretisation_error``, ``approach_beyond_grid``, ``shift_beyond_grid``, ``large_contact_radius``, ``steep_surface``,
-    ``held_shift_lost_force``, ``neglected_lift`` or ``accuracy_not_reached``.
+    ``held_shift_lost_force``, ``neglected_lift``, ``coating_beyond_grid``, ``coating_below_cell`` or
+    ``accuracy_not_reached``.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __hash__(self, /) -> int: ...
