@@ -333,7 +333,12 @@ class Scene:
         if name == "CycleJump":
             self.cycle.add(self.history)
         try:
-            return function(*positional, **keywords)
+            result = function(*positional, **keywords)
+            if name == "Cycle.begin":
+                # The results of a cycle require a step.
+                self.history.step(self.load)
+                self.cycle.add(self.history)
+            return result
         except ss.StickslipError:
             if name not in REFUSED:
                 raise
