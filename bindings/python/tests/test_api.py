@@ -38,6 +38,7 @@ ELSEWHERE = {
     "struct io::csv::Options": "io.csv.read",  # missing=, skip_rows= and others
     "struct io::xyz::Options": "io.xyz.read",  # missing= and skip_rows=
     "struct edges::EdgeCell": "edges.Edges",  # arrays: cells, covered, is_fitted
+    "struct history::StepFailures": "History.step_all",  # a list of indices and errors
     "struct sensitivity::Weights": "sensitivity.Functional.weighted",  # keywords
     "struct subsurface::Tractions": "subsurface.at_points",  # a solution or fields
     "enum cgm::Total": "cgm.minimise",  # total= and spring=
