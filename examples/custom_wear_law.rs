@@ -56,7 +56,7 @@ fn run(history: &mut History, ball: &Field, cycles: usize) -> Result<Vec<Leaving
     let mut gap = ball.clone();
     let mut done = Vec::new();
     FrettingLoop::new(path, load).run_observed(history, cycles, |history, cycle| {
-        let energy = history.dissipation();
+        let energy = history.accumulated_dissipation();
         let unworn = ball.as_slice().iter().zip(energy.as_slice());
         for (gap, (ball, energy)) in gap.as_mut_slice().iter_mut().zip(unworn) {
             *gap = ball + worn_depth(energy / cell_area);
@@ -102,11 +102,11 @@ fn main() -> std::result::Result<(), Box<dyn Error>> {
     }
     println!("\nsaved after half of the cycles: {} bytes", saved.len());
     for (name, field) in [
-        ("gap", History::gap as fn(&History) -> &Field),
+        ("gap", History::unloaded_gap as fn(&History) -> &Field),
         ("pressure", History::pressure),
         ("traction", |history| history.traction()[0]),
         ("slip path", History::accumulated_slip),
-        ("dissipated energy", History::dissipation),
+        ("dissipated energy", History::accumulated_dissipation),
     ] {
         let bits = |history| {
             field(history)

@@ -142,7 +142,7 @@ impl Stage {
         [cycles, jump, energy, volume]: [f64; 4],
         is_shown: bool,
     ) -> Self {
-        let (grid, gap) = (history.grid(), history.gap());
+        let (grid, gap) = (history.grid(), history.unloaded_gap());
         let (b, c) = (limit.worn_radius(), limit.stick_radius());
         let mut samples = gap.as_slice().iter();
         let mut largest_off_edge = 0.0_f64;

@@ -46,7 +46,7 @@ pub(crate) fn fret(
             .normal(NormalLoad::Force(normal))
             .tangential(Axis::X, TangentialControl::Force(part * normal));
         history.step(&load)?;
-        let mut worn = history.gap().clone();
+        let mut worn = history.unloaded_gap().clone();
         let slip = history.last_step()?.slip_distance();
         wear::archard(WEAR, history.pressure(), slip, &mut worn)?;
         history.set_gap(&worn)?;
@@ -60,7 +60,7 @@ pub(crate) fn fret(
         x,
         y,
         history.accumulated_slip(),
-        history.gap(),
+        history.unloaded_gap(),
     ];
     hash_of_all(ranks, &fields)
 }

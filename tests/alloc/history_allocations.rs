@@ -66,7 +66,7 @@ fn assert_no_allocations(gap: &Field, load: f64, lateral: TangentialModel) {
             wear::archard(1e-4, history.pressure(), slip, &mut worn).unwrap();
             let energy = history.last_step().unwrap().dissipation();
             wear::energy(1e-4, energy, &mut depth).unwrap();
-            let so_far = history.dissipation();
+            let so_far = history.accumulated_dissipation();
             wear::threshold_energy(1e-4, 1.0, so_far, energy, &mut depth).unwrap();
             history.set_gap(&worn).unwrap();
         }

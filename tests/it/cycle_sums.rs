@@ -292,7 +292,7 @@ fn cycle_rejects_history_on_a_different_grid() {
 #[test]
 fn cycle_rejects_history_of_other_bodies() {
     let history = ball_history(1e-6);
-    let (grid, gap) = (history.grid(), history.gap());
+    let (grid, gap) = (history.grid(), history.unloaded_gap());
     let mut cycle = Cycle::new(&history);
     let untouched = cycle.clone();
     let materials = unit_bodies(grid, 0.2);
@@ -317,6 +317,9 @@ fn cycle_rejects_history_of_other_bodies() {
     }
     assert_eq!(cycle, untouched);
     assert_eq!(cycle.add(&stepped(&unit_bodies(grid, 0.3))), Ok(()));
+    let jump = wear::CycleJump::new(&unit_bodies(grid, 0.2), &cycle, &Field::zeros(grid));
+    let quantity = "bodies of the jump";
+    assert_eq!(jump, Err(Error::MaterialMismatch { quantity }));
 }
 
 /// Each step is added once, in order. No step is skipped or added twice, and no step is added before it has been taken.
@@ -326,7 +329,7 @@ fn cycle_rejects_step_that_is_not_new() {
     let mut cycle = Cycle::new(&history);
     let not_new = |step, last| Err(Error::StepOutOfOrder { step, last });
     let bodies = unit_bodies(history.grid(), 0.3);
-    let jump = wear::CycleJump::new(&bodies, &cycle, history.dissipation());
+    let jump = wear::CycleJump::new(&bodies, &cycle, history.accumulated_dissipation());
     assert!(matches!(jump, Err(Error::EmptyPath)));
     assert_eq!(cycle.add(&history), not_new(1, 1));
     let drag = LoadStep::force([0.5 * LIMIT, 0.0]);

@@ -131,7 +131,7 @@ fn loop_that_is_not_steady_reports_cycle_limit() {
         (4, StopReason::CycleLimit)
     );
     assert!(outcome.last.cyclic_residual().unwrap() > 1e-3);
-    assert!(history.gap() == &gap && gap != sphere_problem().1);
+    assert!(history.unloaded_gap() == &gap && gap != sphere_problem().1);
 }
 
 #[test]

@@ -311,7 +311,7 @@ impl<'a> Steps<'a> {
         record.zones(history.zones());
         record.sums(&[("pressure", history.pressure().as_slice())]);
         record.sums(&[("slip path", history.accumulated_slip().as_slice())]);
-        record.sums(&[("dissipation", history.dissipation().as_slice())]);
+        record.sums(&[("dissipation", history.accumulated_dissipation().as_slice())]);
         record.plane("traction", history.traction());
         record.plane("slip", history.slip());
     }
@@ -751,7 +751,7 @@ fn history_wear(record: &mut Record) {
         let normal = LOAD * [1.0, 1.1, 1.3, 0.9][number % 4];
         let load = LoadStep::force(force).normal(NormalLoad::Force(normal));
         steps.step(&mut history, &load);
-        let mut worn = history.gap().clone();
+        let mut worn = history.unloaded_gap().clone();
         wear::archard(
             0.02,
             history.pressure(),
@@ -762,7 +762,7 @@ fn history_wear(record: &mut Record) {
         history.set_gap(&worn).unwrap();
     }
     steps.end(&history);
-    record.sums(&[("gap", history.gap().as_slice())]);
+    record.sums(&[("gap", history.unloaded_gap().as_slice())]);
 }
 
 /// The force rotates under a twist, and the window of the contact grows.

@@ -51,7 +51,7 @@ fn check_equal<T: PartialEq + ?Sized>(
 
 /// Sets a different gap, friction and tolerance, and applies loads that need a different window. These steps may fail.
 fn disturb(history: &mut History, scene: &Scene) {
-    let other = history.gap().map(|gap| 0.5 * gap + 0.01);
+    let other = history.unloaded_gap().map(|gap| 0.5 * gap + 0.01);
     history.set_gap(&other).unwrap();
     history.set_friction(&kit::coulomb(0.2)).unwrap();
     let settings = history.settings().tolerance(1e-4);

@@ -89,7 +89,13 @@ fn unloading_traction_and_shift_converge() {
 #[test]
 fn energy_of_a_cycle_converges() {
     let exact = monotonic(AMPLITUDE).energy_per_cycle();
-    let energy = |history: &History| history.dissipation().as_slice().iter().sum::<f64>();
+    let energy = |history: &History| {
+        history
+            .accumulated_dissipation()
+            .as_slice()
+            .iter()
+            .sum::<f64>()
+    };
     for (cells, bound) in [(48, 4e-4), (96, 8e-5), (192, 5e-5)] {
         let mut history = press_sphere(cells, 1e-9);
         shear_to(&mut history, AMPLITUDE, 1);
@@ -134,7 +140,7 @@ fn number_of_steps_does_not_change_the_cycle() {
         assert!((few.shift()[0] / many.shift()[0] - 1.0).abs() < 1e-7);
         let [a, b] = [few, many].map(|history| history.accumulated_slip().as_slice());
         assert!(max_difference(a, b) < 1e-6 * few.accumulated_slip().max());
-        let [a, b] = [few, many].map(|history| history.dissipation().integral());
+        let [a, b] = [few, many].map(|history| history.accumulated_dissipation().integral());
         assert!((a / b - 1.0).abs() < 1e-7, "{a:e} {b:e}");
         let [a, b] = [few, many].map(stick_cells);
         assert_eq!(a, b);

@@ -35,7 +35,7 @@ fn state_of_different_bodies_is_rejected() {
     run(&mut history, &[[10.0, 0.0], [10.0, 3.0]]);
     let bytes = history.to_bytes();
     let other = unit_bodies(grid(), 0.2);
-    let builder = History::builder(&other, history.gap(), history.friction().clone());
+    let builder = History::builder(&other, history.unloaded_gap(), history.friction().clone());
     let state = builder.build().unwrap().state().clone();
     kit::assert_refused! { history.set_state(&state) => Error::MaterialMismatch { .. } }
     assert_eq!(history.to_bytes(), bytes);
@@ -57,8 +57,11 @@ fn state_has_values_of_history() {
     assert_eq!(state.steps(), 3);
     let read = State::from_bytes(&state.to_bytes()).unwrap();
     assert_eq!(read.accumulated_slip(), history.accumulated_slip());
-    assert_eq!(read.dissipation(), history.dissipation());
-    assert_eq!(read.gap(), history.gap());
+    assert_eq!(
+        read.accumulated_dissipation(),
+        history.accumulated_dissipation()
+    );
+    assert_eq!(read.unloaded_gap(), history.unloaded_gap());
     assert_eq!(read.friction(), history.friction());
     assert_eq!(read.settings(), history.settings());
     let bits = |[x, y]: [f64; 2]| [x.to_bits(), y.to_bits()];

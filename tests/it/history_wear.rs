@@ -67,12 +67,15 @@ fn new_gap_preserves_the_state() {
     // A uniform offset changes only the approach.
     let raised = Field::from_fn(grid, |x, y| (x * x + y * y) / 40.0 + 0.125);
     history.set_gap(&raised).unwrap();
-    assert_eq!(history.gap(), &raised);
+    assert_eq!(history.unloaded_gap(), &raised);
     for [a, b] in [
         [history.traction()[0], twin.traction()[0]],
         [history.slip()[0], twin.slip()[0]],
         [history.accumulated_slip(), twin.accumulated_slip()],
-        [history.dissipation(), twin.dissipation()],
+        [
+            history.accumulated_dissipation(),
+            twin.accumulated_dissipation(),
+        ],
         [history.pressure(), twin.pressure()],
     ] {
         assert_eq!(a, b);
@@ -148,7 +151,7 @@ fn stale_pressure_causes_a_warning() {
         warnings.push(without_resolution_warnings(
             history.last_step().unwrap().warnings(),
         ));
-        let mut gap = history.gap().clone();
+        let mut gap = history.unloaded_gap().clone();
         gap.add_scaled(0.1, history.pressure())?;
         history.set_gap(&gap)?;
         Ok(ControlFlow::Continue(()))

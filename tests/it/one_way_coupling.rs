@@ -206,7 +206,7 @@ fn steps(history: &mut History, mut seen: impl FnMut(usize, &History)) {
     for (number, load) in path.iter().enumerate() {
         if number == 5 {
             let worn = Field::from_fn(history.grid(), |x, y| 1e-3 * (0.5 - x * x - y * y).max(0.0));
-            let mut gap = history.gap().clone();
+            let mut gap = history.unloaded_gap().clone();
             gap.add_scaled(1.0, &worn).unwrap();
             history.set_gap(&gap).unwrap();
         }

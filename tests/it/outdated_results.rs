@@ -164,7 +164,7 @@ fn stiffness_of_history_requires_step_after_new_friction_or_gap() {
     assert!(next_step(&history).is_ok());
     assert_ne!(history.stiffness().unwrap(), expected);
 
-    let worn = history.gap().map(|gap| gap.max(0.01));
+    let worn = history.unloaded_gap().map(|gap| gap.max(0.01));
     history.set_gap(&worn).unwrap();
     assert_eq!(outdated(history.stiffness()), "the gap");
     // A step that holds the pressure does not follow the gap.

@@ -87,7 +87,7 @@ fn differing_ranks_are_reported() {
         for is_early in [true, false] {
             let before = history.to_bytes();
             let outcome = fretting.run_observed(&mut history, 2, |history, _| {
-                let mut gap = history.gap().clone();
+                let mut gap = history.unloaded_gap().clone();
                 if is_first && is_early {
                     return Err(Error::EmptyPath);
                 }
@@ -323,7 +323,7 @@ fn change_is_made_completely_or_not_at_all() {
         |history, cycle, _| cycle.add(history),
         |history, _, early| history.set_state(early),
         |history, _, _| {
-            let worn = history.gap().map(|gap| gap + 1e-4);
+            let worn = history.unloaded_gap().map(|gap| gap + 1e-4);
             history.set_gap(&worn)
         },
         |history, _, _| history.set_friction(&Friction::coulomb(0.2)?),

@@ -33,7 +33,10 @@ pub(crate) fn friction(bodies: &HalfSpace) -> Friction {
 /// Returns the local state of a history.
 fn cells(history: &History) -> Vec<f64> {
     let [qx, qy] = history.traction();
-    let [slipped, lost] = [history.accumulated_slip(), history.dissipation()];
+    let [slipped, lost] = [
+        history.accumulated_slip(),
+        history.accumulated_dissipation(),
+    ];
     by_cell([history.pressure(), qx, qy, slipped, lost])
 }
 
@@ -160,7 +163,7 @@ pub(crate) fn started(bodies: &HalfSpace, is_rich: bool) -> History {
         builder.build().unwrap()
     };
     run(&mut history, 0..5);
-    let worn = history.gap().map(|gap| gap + 1e-4);
+    let worn = history.unloaded_gap().map(|gap| gap + 1e-4);
     history.set_gap(&worn).unwrap();
     history
 }

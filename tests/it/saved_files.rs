@@ -120,7 +120,11 @@ const KINDS: [Kind; 6] = [
             // The file stores the worn gap in addition to the gap of the pressure.
             let depth = 1e-3;
             let worn = Field::from_fn(grid, |x, y| depth * (1.0 - 0.1 * (x * x + y * y)));
-            let gap = history.gap().as_slice().iter().zip(worn.as_slice());
+            let gap = history
+                .unloaded_gap()
+                .as_slice()
+                .iter()
+                .zip(worn.as_slice());
             let gap = gap.map(|(gap, depth)| gap + depth).collect();
             history.set_gap(&Field::from_vec(grid, gap)?)?;
             Ok(history)
@@ -185,8 +189,8 @@ fn numbers(history: &History) -> Vec<f64> {
         normal.pressure().max(),
         normal.gap().max(),
         sum(history.accumulated_slip()),
-        sum(history.dissipation()),
-        sum(history.gap()),
+        sum(history.accumulated_dissipation()),
+        sum(history.unloaded_gap()),
     ];
     numbers.extend(history.shift());
     numbers.extend(history.tangential_force());

@@ -155,7 +155,7 @@ fn scene_work_is_stored_or_dissipated() {
         if scene.rolls() {
             return Ok(());
         }
-        let sum: f64 = history.dissipation().as_slice().iter().sum();
+        let sum: f64 = history.accumulated_dissipation().as_slice().iter().sum();
         check(total > 0.0 && (sum / total - 1.0).abs() < 1e-12, || {
             format!("{sum:e} of {total:e} is accumulated")
         })
@@ -180,7 +180,10 @@ fn scene_accumulated_slip_and_energy_move_with_particles() {
             };
             let taken = history.last_step().unwrap();
             let steps = [taken.slip_distance(), taken.dissipation()];
-            let found = [history.accumulated_slip(), history.dissipation()];
+            let found = [
+                history.accumulated_slip(),
+                history.accumulated_dissipation(),
+            ];
             for ((sum, now), found) in sums.iter_mut().zip(steps).zip(found) {
                 *sum = Field::from_indices(sum.grid(), |ix, iy| {
                     let from = ix.checked_add_signed(x).zip(iy.checked_add_signed(y));

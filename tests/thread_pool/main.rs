@@ -85,7 +85,7 @@ fn observe_step(cells: usize) -> (bool, [f64; 2], Field) {
         ControlFlow::Continue(())
     };
     history.step_observed(&load(1), see).unwrap();
-    let energy = history.dissipation().integral();
+    let energy = history.accumulated_dissipation().integral();
     let stiffness = history.stiffness().unwrap().normal.value;
     let pressure = history.pressure().clone();
     (is_elsewhere, [energy, stiffness], pressure)

@@ -392,10 +392,10 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LENGTH = 384
     ! Prescribes a creepage, the motion of body 2 over body 1 per unit length rolled (dimensionless). A positive creepage
     ! causes a positive force. Kalker and CONTACT define creepage and spin with the opposite sign.
-    integer(c_int32_t), parameter, public :: STICKSLIP_CREEPAGE = 0
+    integer(c_int32_t), parameter, public :: STICKSLIP_CREEPAGE = 6
     ! Prescribes the spin, the rotation of body 2 relative to body 1 about the origin of the grid per unit length rolled (one
     ! over a length, positive from x to y).
-    integer(c_int32_t), parameter, public :: STICKSLIP_SPIN = 0
+    integer(c_int32_t), parameter, public :: STICKSLIP_SPIN = 7
     ! Prescribes the moment on body 1 about the origin of the grid (a force times a length, positive from x to y).
     integer(c_int32_t), parameter, public :: STICKSLIP_MOMENT = 5
     ! Leading edge at the largest x, where particles enter the contact (default).
@@ -1083,7 +1083,7 @@ module stickslip_bindings
     ! Prescribed load of rolling bodies along an axis, or of their rotation.
     type, bind(c), public :: stickslip_rolling_control
         ! Kind of load: STICKSLIP_CREEPAGE or STICKSLIP_FORCE along an axis, STICKSLIP_SPIN or STICKSLIP_MOMENT for the
-        ! rotation.
+        ! rotation. Zero with the value zero means no creepage or no spin.
         integer(c_int32_t) :: kind = 0
         ! Value along an axis: the creepage, or the force that body 2 exerts on body 1, which must be less than friction can
         ! carry. Value for the rotation: the spin or the moment.

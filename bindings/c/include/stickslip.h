@@ -321,11 +321,11 @@
 
 // Prescribes a creepage, the motion of body 2 over body 1 per unit length rolled (dimensionless). A positive creepage
 // causes a positive force. Kalker and CONTACT define creepage and spin with the opposite sign.
-#define STICKSLIP_CREEPAGE 0
+#define STICKSLIP_CREEPAGE 6
 
 // Prescribes the spin, the rotation of body 2 relative to body 1 about the origin of the grid per unit length rolled (one
 // over a length, positive from x to y).
-#define STICKSLIP_SPIN 0
+#define STICKSLIP_SPIN 7
 
 // Prescribes the moment on body 1 about the origin of the grid (a force times a length, positive from x to y).
 #define STICKSLIP_MOMENT 5
@@ -1050,7 +1050,7 @@ typedef struct {
 // Prescribed load of rolling bodies along an axis, or of their rotation.
 typedef struct {
     // Kind of load: STICKSLIP_CREEPAGE or STICKSLIP_FORCE along an axis, STICKSLIP_SPIN or STICKSLIP_MOMENT for the
-    // rotation.
+    // rotation. Zero with the value zero means no creepage or no spin.
     int32_t kind;
     // Value along an axis: the creepage, or the force that body 2 exerts on body 1, which must be less than friction can
     // carry. Value for the rotation: the spin or the moment.

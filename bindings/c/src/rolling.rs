@@ -25,10 +25,10 @@ use crate::text_fields::{show, tell, warn};
 
 /// Prescribes a creepage, the motion of body 2 over body 1 per unit length rolled (dimensionless). A positive creepage
 /// causes a positive force. Kalker and CONTACT define creepage and spin with the opposite sign.
-pub const STICKSLIP_CREEPAGE: i32 = 0;
+pub const STICKSLIP_CREEPAGE: i32 = 6;
 /// Prescribes the spin, the rotation of body 2 relative to body 1 about the origin of the grid per unit length rolled (one
 /// over a length, positive from x to y).
-pub const STICKSLIP_SPIN: i32 = 0;
+pub const STICKSLIP_SPIN: i32 = 7;
 /// Prescribes the moment on body 1 about the origin of the grid (a force times a length, positive from x to y).
 pub const STICKSLIP_MOMENT: i32 = 5;
 
@@ -37,7 +37,7 @@ pub const STICKSLIP_MOMENT: i32 = 5;
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_rolling_control {
     /// Kind of load: STICKSLIP_CREEPAGE or STICKSLIP_FORCE along an axis, STICKSLIP_SPIN or STICKSLIP_MOMENT for the
-    /// rotation.
+    /// rotation. Zero with the value zero means no creepage or no spin.
     pub kind: i32,
     /// Value along an axis: the creepage, or the force that body 2 exerts on body 1, which must be less than friction can
     /// carry. Value for the rotation: the spin or the moment.
@@ -47,17 +47,25 @@ pub struct stickslip_rolling_control {
 impl stickslip_rolling_control {
     fn along(&self) -> Outcome<RollingControl> {
         match self.kind {
+            0 if self.value == 0.0 => Ok(RollingControl::Creepage(0.0)),
             STICKSLIP_CREEPAGE => Ok(RollingControl::Creepage(self.value)),
             STICKSLIP_FORCE => Ok(RollingControl::Force(self.value)),
-            other => Err(Failure::option("rolling control", other)),
+            other => Err(Failure::option(
+                "load along an axis: STICKSLIP_CREEPAGE or STICKSLIP_FORCE",
+                other,
+            )),
         }
     }
 
     fn about(&self) -> Outcome<SpinControl> {
         match self.kind {
+            0 if self.value == 0.0 => Ok(SpinControl::Spin(0.0)),
             STICKSLIP_SPIN => Ok(SpinControl::Spin(self.value)),
             STICKSLIP_MOMENT => Ok(SpinControl::Moment(self.value)),
-            other => Err(Failure::option("spin control", other)),
+            other => Err(Failure::option(
+                "load of the rotation: STICKSLIP_SPIN or STICKSLIP_MOMENT",
+                other,
+            )),
         }
     }
 }

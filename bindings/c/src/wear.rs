@@ -90,7 +90,10 @@ pub unsafe extern "C" fn stickslip_wear_threshold_energy(
     count: usize,
 ) -> stickslip_status {
     let law = |coefficient: Coefficient<'_>, history: &History, depth: &mut Field| {
-        let (total, step) = (history.dissipation(), history.last_step()?.dissipation());
+        let (total, step) = (
+            history.accumulated_dissipation(),
+            history.last_step()?.dissipation(),
+        );
         wear::threshold_energy(coefficient, threshold, total, step, depth)
     };
     // SAFETY: the caller follows the rule for pointers.

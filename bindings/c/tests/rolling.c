@@ -155,6 +155,13 @@ static void what_is_refused_leaves_the_solver(stickslip_rolling_solver *solver, 
     CHECK(numbers.value == 1.0 && 0.0 < numbers.limit && numbers.limit < 1.0);
     load.spin.kind = STICKSLIP_FORCE;
     CHECK(stickslip_rolling_solver_set_load(solver, &load) == STICKSLIP_UNKNOWN_OPTION);
+    load.spin.kind = STICKSLIP_CREEPAGE;
+    CHECK(stickslip_rolling_solver_set_load(solver, &load) == STICKSLIP_UNKNOWN_OPTION);
+    load.spin.kind = 0;
+    CHECK(stickslip_rolling_solver_set_load(solver, &load) == STICKSLIP_UNKNOWN_OPTION);
+    load = by_creepage(0.1, 0.0, 0.0);
+    load.x.kind = STICKSLIP_SPIN;
+    CHECK(stickslip_rolling_solver_set_load(solver, &load) == STICKSLIP_UNKNOWN_OPTION);
     load = by_creepage(0.0, 0.0, 0.0);
     load.reserved[7] = 1;
     CHECK(stickslip_rolling_solver_set_load(solver, &load) == STICKSLIP_UNKNOWN_OPTION);

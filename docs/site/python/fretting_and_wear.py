@@ -22,7 +22,7 @@ print(f"{outcome.last.regime}, energy ratio {outcome.last.energy_ratio:.3f}")
 
 # A thousand cycles of wear in jumps; the energy coefficient is 1e-14 cubic metres per joule.
 # wear.run computes the same loop in one call.
-fretting, cycle, cycles, gap = FrettingLoop(path, load), Cycle(history), 0, history.gap.copy()
+fretting, cycle, cycles, gap = FrettingLoop(path, load), Cycle(history), 0, history.gap_as_set
 while cycles < 1000:
     # The first cycle on a worn gap does not close; the second does.
     for _ in range(2):

@@ -8,6 +8,7 @@ use crate::error::{Error, Result};
 use crate::grid::boundary::Boundary;
 use crate::grid::field::Field;
 use crate::grid::record::checked_struct;
+use crate::half_space::HalfSpace;
 use crate::history::cycle::hysteresis::{LoopPoint, half_range, part_of};
 use crate::history::step::diagnostics::StepDiagnostics;
 use crate::history::{EnergyBalance, History};
@@ -204,8 +205,8 @@ impl Cycle {
     /// - [`Error::NoLastStep`] if the history has taken no step since it was created or since [`History::set_state`].
     /// - [`Error::StepOutOfOrder`] if the last step of the history is not the step after the last added one, or after the start of
     ///   the cycle. A call that takes several steps, such as [`History::press`], adds none of them: use its observer.
-    ///   The check compares only [`History::steps`]. It does not detect a step of a different history with a larger step
-    ///   number.
+    ///   The check compares only [`History::steps`]. It does not detect a step of a different history with this step number. In a
+    ///   program with several contacts, store each cycle next to its history.
     /// - [`Error::Ranks`] if ranks fail.
     ///
     /// The cycle is unchanged after an error.
@@ -252,8 +253,17 @@ impl Cycle {
 
     fn check(&self, history: &History) -> Result<()> {
         let grid = self.sums.slip_distance.grid();
-        let (bodies, quantity) = (&history.bodies, "history of the cycle");
+        let quantity = "history of the cycle";
         grid.check_equal(quantity, history.grid())?;
+        self.check_bodies(quantity, &history.bodies)
+    }
+
+    /// Returns an error if the cycle was computed for another boundary or other materials.
+    pub(in crate::history) fn check_bodies(
+        &self,
+        quantity: &'static str,
+        bodies: &HalfSpace,
+    ) -> Result<()> {
         if self.boundary != bodies.boundary() {
             return Err(Error::BoundaryMismatch { quantity });
         }

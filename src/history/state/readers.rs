@@ -56,8 +56,8 @@ readers! { state;
 
     /// Returns the gap before loading (lengths), which is the last gap set plus the [plastic depth](State::yielded). A program
     /// that changes this gap and sets it again would add the plastic depth twice. Such a program reads
-    /// [`gap_as_set`](State::gap_as_set).
-    gap: &Field = &state.gap;
+    /// [`gap_as_set`](State::gap_as_set). The gap of the [normal contact](Self::normal) is the gap under load.
+    unloaded_gap: &Field = &state.gap;
 
     /// Returns the normal contact: pressure, approach, gap under load, contact area and warnings.
     normal: &NormalSolution = &state.normal;
@@ -80,11 +80,10 @@ readers! { state;
     /// this length belongs to the particles.
     accumulated_slip: &Field = &state.accumulated_slip;
 
-    /// Returns the energy that each cell has dissipated in all steps, the sum of
-    /// [`StepResult::dissipation`](crate::history::StepResult::dissipation) (energies, force times length,
-    /// non-negative).
+    /// Returns the energy that each cell has dissipated in all steps (energies, force times length, non-negative). It is the sum
+    /// of [`StepResult::dissipation`](crate::history::StepResult::dissipation), from which the wear of a step is computed.
     #[doc(alias = "dissipated energy")]
-    dissipation: &Field = &state.dissipated_energy;
+    accumulated_dissipation: &Field = &state.dissipated_energy;
 
     /// Returns the zone of every cell after the last step, row-major with x fastest.
     zones: &[Zone] = &state.zones;
@@ -148,7 +147,7 @@ impl State {
     /// let mut history = builder.hardness(hardness).permanent_set(true).build()?;
     /// history.step(&LoadStep::hold().normal(NormalLoad::Force(0.1)))?;
     /// let depth = history.state().yielded().map_or(0.0, Field::max);
-    /// assert!(depth > 0.0 && history.gap().min() > 0.9 * depth);
+    /// assert!(depth > 0.0 && history.unloaded_gap().min() > 0.9 * depth);
     ///
     /// // Wear changes the gap as it was set. The history adds the plastic depth.
     /// let mut gap = history.gap_as_set()?;

@@ -190,7 +190,7 @@ impl NormalLoadRange {
             NormalControl::Hold => return Self::Linear,
             NormalControl::Force(end) => (3, 0.0, [state.normal().force(), end]),
             NormalControl::Approach(end) => {
-                let gap = state.gap().as_slice();
+                let gap = state.unloaded_gap().as_slice();
                 let touch = reduce::least(&layout, |i| Some((gap[i], i)));
                 let touch = touch.map_or(0.0, |(touch, _)| touch);
                 (2, touch, [state.approach(), end])

@@ -114,10 +114,11 @@ const CLOSED: f64 = 0.25;
 impl CycleJump {
     /// Creates a jump over cycles like `cycle`. `depth` is the depth removed from both bodies together in this cycle (lengths). A
     /// cell that did not slip under pressure sets no limit. Such a cell can have a depth next to the contact if the depth was
-    /// smoothed.
+    /// smoothed. A cycle of [rolled](crate::LoadStep::roll) steps has no jump, because its slip belongs to moving particles.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`] if the grids differ.
+    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::MaterialMismatch`] if the cycle was computed for other
+    ///   bodies.
     /// - [`Error::Sample`] at a depth that is negative or not finite.
     /// - [`Error::EmptyPath`] if the cycle has no steps.
     /// - [`Error::NotPositive`] for user-defined operators without a lower bound.
@@ -127,6 +128,7 @@ impl CycleJump {
         let (grid, slip_pressure) = (bodies.grid(), cycle.slip_pressure());
         let checked = check("pressure of the cycle", slip_pressure, grid)
             .and_then(|()| check("depth of the cycle", depth, grid))
+            .and_then(|()| cycle.check_bodies("bodies of the jump", bodies))
             .and_then(|()| cycle.cyclic_residual());
         let residual = bodies.collective_result(checked)?;
         let (pressure, removed) = (slip_pressure.as_slice(), depth.as_slice());

@@ -44,18 +44,22 @@ inline LoadStep rolled(LoadStep step, std::uint32_t cells, double creepage_x = 0
 }
 
 using RollingControl = stickslip_rolling_control;
+/// Spin or moment of rolling bodies, a different type than the load along an axis.
+struct SpinControl {
+    stickslip_rolling_control about;
+};
 using CreepPoint = stickslip_creep_point;
 using CreepForce = stickslip_creep_force;
 
 inline RollingControl creepage(double value) { return {STICKSLIP_CREEPAGE, value}; }
 inline RollingControl rolling_force(double value) { return {STICKSLIP_FORCE, value}; }
-inline RollingControl spin(double value) { return {STICKSLIP_SPIN, value}; }
-inline RollingControl moment(double value) { return {STICKSLIP_MOMENT, value}; }
+inline SpinControl spin(double value) { return {{STICKSLIP_SPIN, value}}; }
+inline SpinControl moment(double value) { return {{STICKSLIP_MOMENT, value}}; }
 
 /// Returns a load of rolling bodies: a creepage or a force along x and y, and a spin or a moment.
 inline stickslip_rolling_load rolling(RollingControl x, RollingControl y = creepage(0.0),
-                                      RollingControl about = spin(0.0)) {
-    return {x, y, about, {}};
+                                      SpinControl about = spin(0.0)) {
+    return {x, y, about.about, {}};
 }
 
 using Tractions = stickslip_tractions;

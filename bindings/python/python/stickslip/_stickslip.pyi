@@ -3330,7 +3330,7 @@ class History:
         one product.
         """
     @property
-    def dissipation(self, /) -> NDArray[float64]:
+    def accumulated_dissipation(self, /) -> NDArray[float64]:
         """
         Energy that each cell dissipated since the start (not negative), a copy.
         """
@@ -3361,7 +3361,7 @@ class History:
         Creates a history that continues from a state, on the bodies of that state.
         """
     @property
-    def gap(self, /) -> NDArray[float64]:
+    def unloaded_gap(self, /) -> NDArray[float64]:
         """
         The gap before loading (lengths), as last set, plus the yielded depth; a copy.
         """
@@ -3369,7 +3369,7 @@ class History:
     def gap_as_set(self, /) -> NDArray[float64]:
         """
         The gap before loading (lengths), as last set, without the yielded depth; a copy. Change this gap and pass it to
-        :meth:`set_gap`. The yielded depth in :attr:`gap` would count twice.
+        :meth:`set_gap`. The yielded depth in :attr:`unloaded_gap` would count twice.
         """
     @property
     def grid(self, /) -> Grid:
@@ -3499,7 +3499,7 @@ class History:
         """
         Sets the gap of later steps (lengths), for example after wear.
 
-        With ``permanent_set=True``, :attr:`gap` contains the yielded depth already. Subtract ``state().yielded`` before the gap is
+        With ``permanent_set=True``, :attr:`unloaded_gap` contains the yielded depth already. Subtract ``state().yielded`` before the gap is
         set again.
         """
     def set_relative_displacement(self, /, pattern: RelativeDisplacement) -> None:
@@ -6647,7 +6647,7 @@ class State:
         Coupling between pressure and traction in the model.
         """
     @property
-    def dissipation(self, /) -> NDArray[float64]:
+    def accumulated_dissipation(self, /) -> NDArray[float64]:
         """
         Energy that each cell dissipated since the start (not negative).
         """
@@ -6662,7 +6662,7 @@ class State:
         Restores a state from its bytes.
         """
     @property
-    def gap(self, /) -> NDArray[float64]:
+    def unloaded_gap(self, /) -> NDArray[float64]:
         """
         The gap before loading (lengths), as last set, plus the yielded depth.
         """

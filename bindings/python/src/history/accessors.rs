@@ -58,12 +58,12 @@ impl History {
 
     /// The gap before loading (lengths), as last set, plus the yielded depth; a copy.
     #[getter]
-    fn gap<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        self.read(|history| copy(py, history.gap()))
+    fn unloaded_gap<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.read(|history| copy(py, history.unloaded_gap()))
     }
 
     /// The gap before loading (lengths), as last set, without the yielded depth; a copy. Change this gap and pass it to
-    /// :meth:`set_gap`. The yielded depth in :attr:`gap` would count twice.
+    /// :meth:`set_gap`. The yielded depth in :attr:`unloaded_gap` would count twice.
     #[getter]
     fn gap_as_set<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         self.read(|history| history.gap_as_set().or_raise(py).map(|gap| copy(py, &gap)))?
@@ -113,8 +113,8 @@ impl History {
 
     /// Energy that each cell dissipated since the start (not negative), a copy.
     #[getter]
-    fn dissipation<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        self.read(|history| copy(py, history.dissipation()))
+    fn accumulated_dissipation<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        self.read(|history| copy(py, history.accumulated_dissipation()))
     }
 
     /// Computes the displacement of body 1 relative to body 2 due to the tractions along x and y (lengths). The cost is

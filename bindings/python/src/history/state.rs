@@ -116,8 +116,8 @@ impl State {
 
     /// The gap before loading (lengths), as last set, plus the yielded depth.
     #[getter]
-    fn gap<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
-        view(slf, |state| state.0.gap())
+    fn unloaded_gap<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
+        view(slf, |state| state.0.unloaded_gap())
     }
 
     /// The gap before loading (lengths), as last set, without the yielded depth; a copy.
@@ -171,8 +171,8 @@ impl State {
 
     /// Energy that each cell dissipated since the start (not negative).
     #[getter]
-    fn dissipation<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
-        view(slf, |state| state.0.dissipation())
+    fn accumulated_dissipation<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
+        view(slf, |state| state.0.accumulated_dissipation())
     }
 
     /// Zone of each cell: 0 separated, 1 stick, 2 slip.

@@ -81,7 +81,7 @@ pub fn cells(history: &History) -> Vec<[f64; 8]> {
         qx,
         qy,
         history.accumulated_slip(),
-        history.dissipation(),
+        history.accumulated_dissipation(),
         step.slip_distance(),
     ]
     .map(Field::as_slice);

@@ -331,7 +331,7 @@ impl Scene {
         if self.wear == 0.0 {
             return;
         }
-        let mut gap = history.gap().clone();
+        let mut gap = history.unloaded_gap().clone();
         let slipped = history.last_step().unwrap().slip_distance();
         let mut depth = Field::zeros(gap.grid());
         let rate = self.wear / pose.pressure;
