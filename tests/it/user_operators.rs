@@ -99,6 +99,27 @@ impl<F: Fn(&[f64], &mut [f64]) + Sync> Operator for AsymmetricOperator<F> {
     }
 }
 
+/// Operator that adds its displacements to the output.
+struct AccumulatingOperator(ModifiedOperator<1>);
+
+impl Operator for AccumulatingOperator {
+    fn cells(&self) -> usize {
+        self.0.cells()
+    }
+
+    fn scratch(&self) -> stickslip::Result<Scratch> {
+        self.0.scratch()
+    }
+
+    fn apply(&self, x: [&[f64]; 1], [out]: [&mut [f64]; 1], scratch: &mut Scratch) {
+        let before = out.to_vec();
+        self.0.apply(x, [&mut *out], scratch);
+        for (out, before) in out.iter_mut().zip(before) {
+            *out += before;
+        }
+    }
+}
+
 fn pair(coupled: bool) -> ElasticPair {
     let body = Material::new(1.0, 0.2).unwrap();
     let other = if coupled { Material::rigid() } else { body };
@@ -418,6 +439,11 @@ fn operator_that_is_not_a_compliance_is_rejected() {
         of(&bodies, [Z], |i| if i == 5 { f64::NAN } else { 0.0 }),
     );
     kit::assert_refused! { with(infinite) => Error::NotPositive { .. } | Error::NotFinite { .. } }
+    let adding = Operators::new().with([Z], AccumulatingOperator(one()));
+    let found = with(adding);
+    assert!(
+        matches!(found, Err(Error::UnsupportedByModel { value, .. }) if (value - 1.0).abs() < 1e-12)
+    );
     // One cell is displaced by twice the displacement that Betti's reciprocity allows.
     let skew = asymmetric(one(), |_, out| out[0] *= 2.0, 0.0);
     let skew = Operators::new().with([Z], skew);

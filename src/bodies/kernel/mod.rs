@@ -404,9 +404,9 @@ impl Kernel {
     /// - [`Error::Length`] if operators have different numbers of cells.
     /// - [`Error::NotPositive`] if the energy of one of two test fields with zero mean is not positive.
     /// - [`Error::NotFinite`] if a product or a lower bound is not finite.
-    /// - [`Error::UnsupportedByModel`] if an operator is not symmetric or has a coupling that `near` does not have. An operator
-    ///   counts as not symmetric if the work of each of two test fields on the displacements of the other differs by more than
-    ///   1e-9 of the energies.
+    /// - [`Error::UnsupportedByModel`] if an operator adds its product to the output instead of writing it, is not symmetric, or has
+    ///   a coupling that `near` does not have. An operator counts as not symmetric if the work of each of two test fields on the
+    ///   displacements of the other differs by more than 1e-9 of the energies.
     /// - [`Error::BelowMinimum`] if the energy of a test field is smaller than the lower bound allows.
     /// - [`Error::Memory`] if memory runs out.
     pub fn operators(near: ElasticPair, operators: Operators) -> Result<Self> {

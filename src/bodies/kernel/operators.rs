@@ -160,6 +160,7 @@ fn examined(given: &UserOperator) -> Result<[f64; 3]> {
     for energy in [xx, yy] {
         positive("energy of tractions under an operator", energy)?;
     }
+    check_overwrites(given, &x, &u)?;
     let mean = xx.sqrt() * yy.sqrt();
     let asymmetry = finite("product of an operator", (xy - yx).abs() / mean)?;
     if asymmetry > ROUNDED {
@@ -179,6 +180,29 @@ fn examined(given: &UserOperator) -> Result<[f64; 3]> {
         xx,
     )?;
     Ok([xx, yy, xy / mean])
+}
+
+/// Checks that the product `u` of `x` does not depend on the content of the buffer to which it is written.
+fn check_overwrites(given: &UserOperator, x: &[f64], u: &[f64]) -> Result<()> {
+    let mut again = zeros(u.len())?;
+    again.copy_from_slice(u);
+    given.product_into(x, &mut again)?;
+    for (again, u) in again.iter_mut().zip(u) {
+        *again -= u;
+    }
+    let change = finite(
+        "product of an operator",
+        (dot(&again, &again) / dot(u, u)).sqrt(),
+    )?;
+    if change > ROUNDED {
+        return Err(Error::UnsupportedByModel {
+            model: MODEL,
+            quantity: "a product that depends on the earlier content of `out` (change relative to the product)",
+            value: change,
+            remedy: "write the product to `out` instead of adding it",
+        });
+    }
+    Ok(())
 }
 
 /// Checks that pressure causes no tangential displacement.

@@ -96,12 +96,19 @@ impl UserOperator {
 
     /// Returns the product of all components, stored consecutively.
     pub(super) fn product(&self, x: &[f64]) -> Result<Vec<f64>> {
-        let (cells, mut out) = (self.cells(), zeros(x.len())?);
+        let mut out = zeros(x.len())?;
+        self.product_into(x, &mut out)?;
+        Ok(out)
+    }
+
+    /// Computes the product of all components in a buffer with any content.
+    pub(super) fn product_into(&self, x: &[f64], out: &mut [f64]) -> Result<()> {
+        let cells = self.cells();
         let mut scratch = self.operator.scratch()?;
         let x: Vec<&[f64]> = x.chunks(cells).collect();
         let mut parts: Vec<&mut [f64]> = out.chunks_mut(cells).collect();
         self.operator.apply(false, &x, &mut parts, &mut scratch);
-        Ok(out)
+        Ok(())
     }
 
     /// Returns the number of unknowns of all components.
