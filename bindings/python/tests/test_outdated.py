@@ -96,7 +96,7 @@ def test_stiffness_of_history_requires_step_after_change(small):
         assert caught.value.changed == "the friction" and caught.value.quantity == "stiffness"
     history.step(force_x=20.0)
     assert history.stiffness() != expected
-    history.set_gap(np.maximum(history.gap, 1e-8))
+    history.set_gap(np.maximum(history.gap_as_set, 1e-8))
     with pytest.raises(ss.errors.OutdatedSolution, match="the gap changed .*: take a step with a prescribed normal load first"):
         history.stiffness()
     history.step(normal_force=FORCE, force_x=20.0)

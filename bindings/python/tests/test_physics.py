@@ -193,7 +193,7 @@ def test_fretting_loop_becomes_steady_and_wears(scene):
     assert worn == pytest.approx(1e-14 * outcome.last.energy.dissipated_energy)
     jump = ss.wear.CycleJump(scene.bodies, outcome.last, depth, cycles_left=1e6, max_residual=1e-2).cycles()
     assert type(jump) is int and 0 < jump <= 1e6
-    history.set_gap(ss.Field(scene.grid, history.gap) + ss.Field(scene.grid, jump * depth))
+    history.set_gap(ss.Field(scene.grid, history.gap_as_set) + ss.Field(scene.grid, jump * depth))
     assert history.step(normal_force=FORCE).approach != 0.0
     stopped = loop.run(history, 5, observer=lambda history, cycle: cycle.steps < 3)
     assert stopped.ending == "stopped" and stopped.last.steps == 3

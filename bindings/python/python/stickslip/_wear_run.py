@@ -373,7 +373,7 @@ def run(
                 jump = CycleJump(history.bodies, cycle, of_cycle, **limits).cycles()
                 assert jump is not None  # `cycles_left` is finite
                 depth = depth + jump * of_cycle
-                history.set_gap(Field(history.grid, history.gap + jump * of_cycle))
+                history.set_gap(Field(history.grid, history.gap_as_set + jump * of_cycle))
                 done += jump
                 total_energy += jump * cycle.energy.dissipated_energy
                 rows.append((row[0], float(jump), *row[2:]))
