@@ -1502,7 +1502,7 @@ class CoupledRollingSolver:
     @property
     def gap(self, /) -> NDArray[float64]:
         """
-        The gap before loading of the next solve (lengths), as last set; a copy.
+        The gap before loading of the next solve (lengths), as last set; a read-only copy.
         """
     @property
     def report(self, /) -> CoupledRollingReport:
@@ -1590,7 +1590,7 @@ class CoupledSolution:
     @property
     def contact(self, /) -> NDArray[bool_]:
         """
-        Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A copy.
+        Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A read-only copy.
         """
     @property
     def displacement(self, /) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64]]:
@@ -1637,7 +1637,7 @@ class CoupledSolver:
     @property
     def gap(self, /) -> NDArray[float64]:
         """
-        The gap before loading of the next solve (lengths), as last set; a copy.
+        The gap before loading of the next solve (lengths), as last set; a read-only copy.
         """
     def reset(self, /) -> None:
         """
@@ -1800,7 +1800,7 @@ class CreepForces:
 class Cycle:
     """
     Slip, energy and the force-shift loop, accumulated over the steps of a cycle from the present state of the history.
-    The arrays are copies.
+    The arrays are read-only copies.
 
     Parameters
     ----------
@@ -3297,7 +3297,7 @@ class History:
     @property
     def accumulated_slip(self, /) -> NDArray[float64]:
         """
-        Length of the path that each cell slipped since the start (lengths, not negative), a copy.
+        Length of the path that each cell slipped since the start (lengths, not negative), a read-only copy.
         """
     @property
     def approach(self, /) -> float:
@@ -3322,7 +3322,7 @@ class History:
     @property
     def contact(self, /) -> NDArray[bool_]:
         """
-        Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A copy.
+        Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A read-only copy.
         """
     def displacement(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
         """
@@ -3332,7 +3332,7 @@ class History:
     @property
     def dissipation(self, /) -> NDArray[float64]:
         """
-        Energy that each cell dissipated since the start (not negative), a copy.
+        Energy that each cell dissipated since the start (not negative), a read-only copy.
         """
     def edges(self, /) -> TangentialEdges:
         """
@@ -3363,13 +3363,14 @@ class History:
     @property
     def gap(self, /) -> NDArray[float64]:
         """
-        The gap before loading (lengths), as last set, plus the yielded depth; a copy.
+        The gap before loading (lengths), as last set, plus the yielded depth; a read-only copy.
         """
     @property
     def gap_as_set(self, /) -> NDArray[float64]:
         """
-        The gap before loading (lengths), as last set, without the yielded depth; a copy. Change this gap and pass it to
-        :meth:`set_gap`. The yielded depth in :attr:`gap` would count twice.
+        The gap before loading (lengths), as last set, without the yielded depth; a read-only copy. Pass a
+        changed array to :meth:`set_gap`, as in ``history.set_gap(history.gap_as_set + depth)``. The yielded depth in :attr:`gap`
+        would count twice.
         """
     @property
     def grid(self, /) -> Grid:
@@ -3436,7 +3437,7 @@ class History:
     @property
     def pressure(self, /) -> NDArray[float64]:
         """
-        Pressure, not negative; exactly zero outside the contact. A copy.
+        Pressure, not negative; exactly zero outside the contact. A read-only copy.
         """
     def save(self, /, path: str | PathLike[str]) -> None:
         """
@@ -3542,7 +3543,7 @@ class History:
     @property
     def slip(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
         """
-        Slip since the start along x and y (lengths), copies.
+        Slip since the start along x and y (lengths), read-only copies.
         """
     @property
     def spots(self, /) -> ContactSpots:
@@ -3644,7 +3645,7 @@ class History:
     @property
     def traction(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
         """
-        Shear traction on body 1 along x and y (pressures), copies.
+        Shear traction on body 1 along x and y (pressures), read-only copies.
         """
     @property
     def twist(self, /) -> float:
@@ -3654,7 +3655,7 @@ class History:
     @property
     def zones(self, /) -> NDArray[uint8]:
         """
-        Zone of each cell: 0 separated, 1 stick, 2 slip.
+        Zone of each cell: 0 separated, 1 stick, 2 slip. A read-only copy.
         """
 
 @final
@@ -4869,7 +4870,7 @@ class NormalSolution:
     def contact(self, /) -> NDArray[bool_]:
         """
         Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. The properties
-        ``contact_cells`` and ``contact_area`` count these cells. A copy.
+        ``contact_cells`` and ``contact_area`` count these cells. A read-only copy.
         """
     @property
     def contact_area(self, /) -> float:
@@ -4997,7 +4998,7 @@ class NormalSolver:
     @property
     def gap(self, /) -> NDArray[float64]:
         """
-        The gap before loading of the next solve (lengths), as last set; a copy.
+        The gap before loading of the next solve (lengths), as last set; a read-only copy.
         """
     def chain(self, /, solution: NormalSolution, sensitivities: Sequence[Sensitivity], *, tolerance: float | None = None) -> list[Sensitivity]:
         """
@@ -5952,7 +5953,7 @@ class RollingProblem:
 class RollingSolution:
     """
     Traction, slip, zones, creepage and dissipation of steady rolling. Vectors are (x, y). Arrays are read-only views of
-    the memory of this object, except for the zones and the dissipation, which are copies.
+    the memory of this object, except for the zones and the dissipation, which are read-only copies.
     """
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
@@ -6623,7 +6624,7 @@ class Spot:
 class State:
     """
     A state of a history, which can be restored, continued or saved. It contains gap, friction and settings, but not
-    the bodies. Arrays are read-only views of the memory of this object, except for the zones, which are copies.
+    the bodies. Arrays are read-only views of the memory of this object, except for the zones, which are read-only copies.
     Vectors are (x, y). The guide page ``embedding`` states the number of bytes per cell.
     """
     def __reduce__(self, /) -> tuple[Any, tuple[type, bytes]]: ...
@@ -6651,7 +6652,7 @@ class State:
     @property
     def contact(self, /) -> NDArray[bool_]:
         """
-        Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A copy.
+        Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A read-only copy.
         """
     @property
     def coupling(self, /) -> Coupling:
@@ -6681,7 +6682,7 @@ class State:
     @property
     def gap_as_set(self, /) -> NDArray[float64]:
         """
-        The gap before loading (lengths), as last set, without the yielded depth; a copy.
+        The gap before loading (lengths), as last set, without the yielded depth; a read-only copy.
         """
     @property
     def grid(self, /) -> Grid:
@@ -7349,7 +7350,7 @@ class TangentialProblem:
 class TangentialSolution:
     """
     Traction, slip, zones and shift of a tangential contact. Vectors are (x, y); in the scalar model, the component across
-    the load is zero. Arrays are read-only views of the memory of this object, except for the zones, which are copies. Two
+    the load is zero. Arrays are read-only views of the memory of this object, except for the zones, which are read-only copies. Two
     objects are equal if their solutions are equal, even if the iterations differed.
     """
     def __eq__(self, other: object, /) -> bool: ...

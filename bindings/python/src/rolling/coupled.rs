@@ -9,7 +9,7 @@ use stickslip::history::EntryRule;
 use stickslip::rolling::{self, LeadingEdge};
 
 use crate::argument::Object;
-use crate::array::{Array, copy};
+use crate::array::{Array, snapshot};
 use crate::choice::Choice;
 use crate::conversion;
 use crate::digits::{in_python, rough, short, tuple};
@@ -289,10 +289,10 @@ impl CoupledRollingSolver {
             .or_raise(py)
     }
 
-    /// The gap before loading of the next solve (lengths), as last set; a copy.
+    /// The gap before loading of the next solve (lengths), as last set; a read-only copy.
     #[getter]
     fn gap<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        self.0.with(|solver| copy(py, solver.gap()))
+        self.0.with(|solver| snapshot(py, solver.gap()))
     }
 
     /// Sets the gap of the next solve (lengths).
