@@ -1536,7 +1536,7 @@ class CoupledRollingSolver:
     def settings(self, /, settings: Settings) -> None: ...
     def solve(self, /, *, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, normal_force: float | None = None, approach: float | None = None, progress: Any | None = None, warn: bool = True) -> CoupledRollingSolution:
         """
-        Solves for the given creepages, forces, spin or moment, or for the last ones if none is given.
+        Solves for the given creepages, forces, spin or moment. Omitted arguments keep their last values.
 
         The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
         leave it unchanged.
@@ -1544,7 +1544,8 @@ class CoupledRollingSolver:
         Parameters
         ----------
         creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
-            See :class:`RollingProblem`. If one of them is given, omitted creepages and an omitted spin are zero.
+            See :class:`RollingProblem`. A creepage or force along an axis replaces the last one along that axis only, and a
+            spin or moment replaces the last spin or moment.
         normal_force, approach : float, optional
             One of them sets the normal load together with the other arguments.
         progress, warn : optional
@@ -6135,7 +6136,7 @@ class RollingSolver:
     def settings(self, /, settings: Settings) -> None: ...
     def solve(self, /, *, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, progress: Any | None = None, warn: bool = True) -> RollingSolution:
         """
-        Solves for the given creepages, forces, spin or moment, or for the last ones if none is given.
+        Solves for the given creepages, forces, spin or moment. Omitted arguments keep their last values.
 
         The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
         leave it unchanged.
@@ -6143,7 +6144,8 @@ class RollingSolver:
         Parameters
         ----------
         creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
-            See :class:`RollingProblem`. If one of them is given, omitted creepages and an omitted spin are zero.
+            See :class:`RollingProblem`. A creepage or force along an axis replaces the last one along that axis only, and a
+            spin or moment replaces the last spin or moment.
         progress, warn : optional
             See :meth:`NormalProblem.solve`.
 
