@@ -271,7 +271,7 @@ class Scene:
             "RollingSolver.set_normal_solver": {"solver": presser},
             "RollingSolver.solve": {"creepage_x": 1e-3},
             "RoundedPunch": {"radius": 3.5e-3},
-            "SelfAffine": {"rms_height": 1e-7},
+            "SelfAffine": {"rms_height": 1e-7, "seed": 3},
             "PvdWriter": {"path": f"{self.folder}/series.pvd"},
             "State.from_bytes": {"bytes": history.state().to_bytes()},
             "TangentialProblem": {"force_x": 20.0},

@@ -268,7 +268,7 @@ def test_surfaces_with_different_units_are_rejected():
 def test_surfaces_convert_to_datasets_and_images(tmp_path):
     pytest.importorskip("xarray")
     grid = ss.Grid(6, 4, 0.5, 1.0)
-    rough = ss.surface.SelfAffine(rms_height=0.1, cut_off_wavelength=2.0).generate(grid)
+    rough = ss.surface.SelfAffine(rms_height=0.1, cut_off_wavelength=2.0, seed=0).generate(grid)
     dataset = ss.io.to_xarray(rough)
     assert np.array_equal(dataset.heights, rough.heights) and np.array_equal(dataset.x, grid.x)
     assert dataset.attrs["rms_slope"] == rough.rms_slope and "units" not in dataset.x.attrs
@@ -291,6 +291,13 @@ def test_surfaces_convert_to_datasets_and_images(tmp_path):
     for wrong in (1.0, [rough], None):
         with pytest.raises(TypeError, match="expected a solution, a state, a history, a Field, a surface"):
             ss.io.vti.to_bytes(wrong)
+
+
+def test_random_surface_requires_seed():
+    with pytest.raises(TypeError, match="seed"):
+        ss.surface.SelfAffine(rms_height=1.0)
+    first, other = (ss.surface.SelfAffine(rms_height=1.0, seed=seed).generate(ss.Grid.square(32, 1.0)) for seed in (0, 1))
+    assert first != other
 
 
 def test_xarray_arrays_convert_to_surfaces():

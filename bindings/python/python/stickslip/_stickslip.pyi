@@ -6355,8 +6355,9 @@ class SelfAffine:
         Whether the surface is the middle of a larger surface and therefore not periodic.
     skewness, kurtosis : float, optional
         Skewness and kurtosis of the heights (Gaussian heights have kurtosis 3). By default they follow from the phases.
-    seed : int, default 0
-        Seed of the random numbers, not negative; each seed gives a different surface.
+    seed : int
+        Seed of the random numbers, not negative; required. Each seed gives a different surface, and equal seeds give equal
+        surfaces.
 
     Examples
     --------
@@ -6368,7 +6369,7 @@ class SelfAffine:
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
-    def __new__(cls, /, *, rms_height: float | None = None, rms_slope: float | None = None, hurst: float | None = None, longest_wavelength: float | None = None, roll_off_wavelength: float | None = None, cut_off_wavelength: float | None = None, amplitudes: Amplitudes | str | None = None, cropped: bool = False, skewness: float | None = None, kurtosis: float | None = None, seed: int | None = None) -> SelfAffine: ...
+    def __new__(cls, /, *, rms_height: float | None = None, rms_slope: float | None = None, hurst: float | None = None, longest_wavelength: float | None = None, roll_off_wavelength: float | None = None, cut_off_wavelength: float | None = None, amplitudes: Amplitudes | str | None = None, cropped: bool = False, skewness: float | None = None, kurtosis: float | None = None, seed: int) -> SelfAffine: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     def generate(self, /, grid: Grid) -> RoughSurface:
