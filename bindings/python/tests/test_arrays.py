@@ -326,7 +326,7 @@ def test_surface_files_round_trip(scene, tmp_path):
     assert np.array_equal(np.load(tmp_path / "rough.npy"), field.array)
     assert ss.io.npy.read(tmp_path / "rough.npy", size=(10.0, 10.0)) == field
     assert ss.io.csv.parse(ss.io.csv.to_bytes(field), cell=(field.grid.dx, field.grid.dy)) == field
-    ss.io.sdf.write(tmp_path / "rough.sdf", field)
+    ss.io.sdf.write(tmp_path / "rough.sdf", field, unit="m")
     assert ss.io.read(tmp_path / "rough.sdf").max() == pytest.approx(field.max(), rel=1e-6)
     ss.io.vti.write(tmp_path / "rough.vti", {"height": field, "vector": (field.array, field.array)}, grid=field.grid)
     assert b"height" in (tmp_path / "rough.vti").read_bytes()

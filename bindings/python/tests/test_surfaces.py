@@ -65,6 +65,15 @@ def test_surfaces_keep_unit(tmp_path):
     assert metres.unit == "m" and metres.grid.dx == pytest.approx(1e-6) and metres.max() == pytest.approx(1e-6 * rough.max())
     with pytest.raises(ValueError, match="unit of the surface is um"):
         ss.io.sdf.write(tmp_path / "a.sdf", rough)
+    without = ss.Field(metres.grid, metres.array)
+    for call in (lambda: ss.io.sdf.write(tmp_path / "b.sdf", without), lambda: ss.io.sdf.to_bytes(without)):
+        with pytest.raises(ValueError, match="the surface has no unit: give unit='m' if its lengths are metres, or convert it"):
+            call()
+    assert not (tmp_path / "b.sdf").exists()
+    for field, unit, message in ((without, "um", "unit of the surface is um"), (rough, "m", "units um and m"), (without, "ell", "ell is not a unit")):
+        with pytest.raises(ValueError, match=message):
+            ss.io.sdf.to_bytes(field, unit=unit)
+    assert ss.io.sdf.to_bytes(without, unit="m") == ss.io.sdf.to_bytes(metres) == ss.io.sdf.to_bytes(metres, unit="m")
     ss.io.sdf.write(tmp_path / "a.sdf", metres)
     assert ss.io.read(tmp_path / "a.sdf").unit == ss.io.sdf.read(tmp_path / "a.sdf").unit == "m"
     with pytest.raises(ValueError, match="has no unit"):
@@ -315,6 +324,11 @@ def test_xarray_arrays_convert_to_surfaces():
         ss.io.from_xarray(array.assign_coords(x=x**2))
     with pytest.raises(ValueError, match="dimensions"):
         ss.io.from_xarray(array[0])
+    for wrong, message in ((dataset, r'must be a DataArray of xarray, got Dataset: give one of its variables, such as dataset\["values"\]'),
+                           (heights, "must be a DataArray of xarray, got ndarray")):  # fmt: skip
+        with pytest.raises(ss.errors.ArgumentType, match=message) as caught:
+            ss.io.from_xarray(wrong)
+        assert caught.value.argument == "array"
 
 
 def test_units_of_coordinates_of_xarray_are_converted():

@@ -8530,14 +8530,29 @@ def sdf_read(path: str | PathLike[str]) -> Field:
     Reads a surface from an SDF file (lengths in metres).
     """
 
-def sdf_to_bytes(field: Field | ArrayLike) -> bytes:
+def sdf_to_bytes(field: Field | ArrayLike, *, unit: str | None = None) -> bytes:
     """
-    Returns a surface as the bytes of an SDF file (lengths in metres).
+    Returns a surface as the bytes of an SDF file (lengths in metres); see :func:`write`.
     """
 
-def sdf_write(path: str | PathLike[str], field: Field | ArrayLike) -> None:
+def sdf_write(path: str | PathLike[str], field: Field | ArrayLike, *, unit: str | None = None) -> None:
     """
     Writes a surface to an SDF file (lengths in metres).
+
+    Parameters
+    ----------
+    path : path_like
+        The file.
+    field : Field or topography
+        The surface, in metres.
+    unit : str, optional
+        The unit of a surface that states none: ``"m"``.
+
+    Raises
+    ------
+    File
+    ValueError
+        If the unit of the surface is not known or is not the metre.
     """
 
 def set_num_threads(threads: int) -> None:
