@@ -242,7 +242,7 @@ impl Field {
         as_numpy(Self::array(slf).0, dtype, copy)
     }
 
-    /// Implements NumPy functions with a field among their operands.
+    /// Implements NumPy functions with a field among their operands. Fields of different units are rejected, as in arithmetic.
     #[pyo3(signature = (ufunc, method, *inputs, **kwargs))]
     fn __array_ufunc__<'py>(
         slf: &Bound<'py, Self>,
@@ -264,6 +264,14 @@ impl Field {
             if let Some(reflected) = reflected.filter(|_| right.is(slf)) {
                 return slf.call_method1(reflected, (left,));
             }
+        }
+        if !IGNORE_UNITS.contains(&&name[..]) {
+            let unit = |input: &Bound<'py, PyAny>| {
+                let heights = input.getattr("heights").ok();
+                let field = heights.as_ref().unwrap_or(input).cast::<Self>().ok()?;
+                field.get().1.clone()
+            };
+            one_of(inputs.iter().map(unit))?;
         }
         let arrays = inputs.into_iter().map(|input| match input.cast::<Self>() {
             Ok(field) => Self::array(field).0,
@@ -403,6 +411,20 @@ impl Stored for Field {
         Self(Arc::new(field), unit.map(Unit::from))
     }
 }
+
+/// NumPy functions that accept operands of different units: products, quotients, powers and logic, as in the arithmetic of
+/// fields.
+const IGNORE_UNITS: [&str; 9] = [
+    "multiply",
+    "divide",
+    "true_divide",
+    "matmul",
+    "power",
+    "float_power",
+    "logical_and",
+    "logical_or",
+    "logical_xor",
+];
 
 impl Field {
     /// Wraps a field computed from surfaces in this unit.

@@ -61,6 +61,18 @@ def test_surfaces_keep_unit(tmp_path):
     numbers = [rough * rough, rough / rough, 1.0 / (rough + 2.0), wave(grid, 8.0) / (rough + 2.0), rough**2, 2.0**rough]
     assert [field.unit for field in numbers] == [None] * len(numbers)
 
+    other = rough.to_unit("mm")
+    other = ss.Field(grid, other.array, "mm")
+    for function in (np.add, np.subtract, np.maximum, np.fmin, np.hypot, np.arctan2, np.less, np.equal):
+        with pytest.raises(ValueError, match="units um and mm: convert one of them by surface.to_unit"):
+            function(rough, other)
+        assert np.array_equal(function(rough, rough), function(rough.array, rough.array))
+        assert np.array_equal(function(rough, half), function(rough.array, half))
+    with pytest.raises(ValueError, match="units um and mm"):
+        np.maximum(rough, ss.surface.fill_missing(other))
+    for function in (np.multiply, np.divide):
+        assert np.array_equal(function(rough, other), function(rough.array, other.array))
+
     metres = rough.to_unit("m")
     assert metres.unit == "m" and metres.grid.dx == pytest.approx(1e-6) and metres.max() == pytest.approx(1e-6 * rough.max())
     with pytest.raises(ValueError, match="unit of the surface is um"):
