@@ -288,6 +288,48 @@ def test_wear_laws_accept_cycle_arrays(scene):
     assert np.allclose(depth, 1e-14 * cycle.dissipation / history.grid.cell_area, rtol=1e-12, atol=0.0)
 
 
+def test_total_instead_of_energy_of_each_cell_is_rejected(scene):
+    grid, total, cells = scene.grid, 0.25, np.full(scene.grid.shape, 1e-9)
+    energy, threshold, archard = ss.wear.energy, ss.wear.threshold_energy, ss.wear.archard
+    for number, shape in ((total, ()), (np.float64(total), ()), (np.array(total), ()), (np.array([total]), (1,)), (np.array([[total]]), (1, 1))):
+        calls = {
+            "energy is the number 0.25, .* (64, 64): .* step.dissipation or cycle.dissipation, instead of a total":
+                lambda number=number: energy(1e-13, number, grid=grid),
+            "accumulated energy is the number 0.25, .* history.dissipation, instead of a total":
+                lambda number=number: threshold(1e-13, 0.0, number, cells, grid=grid),
+            "^energy is the number 0.25": lambda number=number: threshold(1e-13, 0.0, cells, number, grid=grid),
+            "pressure is the number 0.25, .* history.pressure or cycle.slip_pressure":
+                lambda number=number: archard(1e-13, number, cells, grid=grid),
+            "slip length is the number 0.25, .* step.slip_distance or cycle.slip_distance":
+                lambda number=number: archard(1e-13, cells, number),
+        }  # fmt: skip
+        for message, call in calls.items():
+            with pytest.raises(ss.errors.Shape, match=message.replace("(64, 64)", r"\(64, 64\)")) as caught:
+                call()
+            assert caught.value.found == shape and caught.value.expected == grid.shape
+    assert energy(1e-13, cells, grid=grid).max() > 0.0 and energy(1e-13, ss.Field(grid, 1e-9)).max() > 0.0
+    assert energy(1e-13, 1e-9, grid=ss.Grid.square(1, 1.0)) == 1e-22
+
+
+def test_axes_of_xarray_arrays_are_recognised_by_name():
+    xarray = pytest.importorskip("xarray")
+    grid = ss.Grid.square(8, 1.0)
+    values = np.random.default_rng(1).uniform(size=grid.shape)
+    array = xarray.DataArray(values, dims=("y", "x"))
+    turned = array.transpose("x", "y")
+    assert turned.dims == ("x", "y") and not np.array_equal(turned, values)
+    assert ss.Field(grid, turned) == ss.Field(grid, array) == ss.Field(grid, values)
+    assert ss.Field(grid, values) + turned == 2.0 * ss.Field(grid, values)
+    # Other names keep their order.
+    assert ss.Field(grid, xarray.DataArray(values, dims=("row", "column"))) == ss.Field(grid, values)
+    with pytest.raises(ss.errors.Shape):
+        ss.Field(ss.Grid(4, 2, 1.0, 1.0), xarray.DataArray(np.zeros((2, 4)), dims=("x", "y")))
+    narrow = xarray.DataArray(np.arange(8.0).reshape(4, 2), dims=("x", "y"))
+    assert np.array_equal(ss.Field(ss.Grid(4, 2, 1.0, 1.0), narrow), narrow.T)
+    depth = ss.wear.archard(1e-14, narrow, narrow)
+    assert np.allclose(depth, 1e-14 * narrow.values.T**2, rtol=1e-12)
+
+
 def test_topography_is_transposed_and_holes_become_nan(scene):
     class Topography:
         physical_sizes = (4.0, 1.0)

@@ -2324,7 +2324,9 @@ class Field:
     and shared, so repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of a field, and
     ``field[iy, ix]`` is a sample. A sum, difference, product, quotient or power with a field, an array or a number, in
     either order, is computed cell by cell and is a field. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of
-    booleans. Two fields are compared as a whole by ``==``. Other NumPy functions treat a field as its array.
+    booleans. Two fields are compared as a whole by ``==``. Other NumPy functions, such as ``numpy.maximum``, treat a field as
+    its array: their result has no unit, and fields of different units raise an error. The axes of an array of xarray with the
+    dimensions x and y are recognised by their names.
 
     Parameters
     ----------
@@ -8035,7 +8037,9 @@ def archard(coefficient: Field | ArrayLike, pressure: Field | ArrayLike, slip_di
 
     Raises
     ------
-    NegativeOrNotFinite, Sample, GridMismatch, Shape, NotFinite
+    NegativeOrNotFinite, Sample, GridMismatch, NotFinite
+    Shape
+        If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
     """
 
 def asc_parse(bytes: bytes) -> Field:
@@ -8197,7 +8201,9 @@ def energy(coefficient: Field | ArrayLike, energy: Field | ArrayLike, *, depth: 
 
     Raises
     ------
-    NegativeOrNotFinite, Sample, GridMismatch, Shape, NotFinite
+    NegativeOrNotFinite, Sample, GridMismatch, NotFinite
+    Shape
+        If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
     """
 
 def fill_missing(heights: Field | ArrayLike) -> Filled:
@@ -8630,7 +8636,9 @@ def threshold_energy(coefficient: Field | ArrayLike, threshold: float, accumulat
 
     Raises
     ------
-    NegativeOrNotFinite, Sample, GridMismatch, Shape, NotFinite
+    NegativeOrNotFinite, Sample, GridMismatch, NotFinite
+    Shape
+        If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
     """
 
 def vti_to_bytes(fields: Any, *, grid: Grid | None = None) -> bytes:
