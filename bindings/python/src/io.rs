@@ -258,8 +258,9 @@ fn options(
 /// ``BAD``, ``No Data``, ``no_data``, ``no-data``, ``N/A``, ``#N/A``, ``NA``, ``null``, ``none``, ``void``, ``invalid``,
 /// ``missing`` and ``--``. Any other text is rejected with its line and column. Numbers that may be labels are also
 /// rejected: a first row or column 0, 1, 2, ..., also as 0.0, 1.0, 2.0, ... next to other decimals, and evenly spaced
-/// coordinates in the first row and column. Evenly spaced coordinates with other decimals in the first row alone, such as 0,
-/// 0.5, 1, are read as heights, because the first row of an inclined surface has the same form: skip them by ``skip_rows=1``.
+/// coordinates in the first row and column. Evenly spaced coordinates with other decimals in the first row or column alone, such
+/// as 0, 0.5, 1, are read as heights, because the first row or column of an inclined surface has the same form: skip them by
+/// ``skip_rows=1`` or ``skip_columns=1``.
 ///
 /// Parameters
 /// ----------

@@ -3525,7 +3525,8 @@ class History:
     def set_state(self, /, state: State) -> None:
         """
         Restores a state of this history or of a history on equal bodies. Gap, friction, hardness, permanent set, settings
-        and model (scalar, vector or coupled) of the state replace those of the history.
+        and model (scalar, vector or coupled) of the state replace those of the history. Changes made after the state was taken, as
+        by :meth:`set_friction` or :meth:`set_gap`, are therefore lost: make them again after this call.
 
         The history then has no :attr:`last_step` until its next step. Until then, :meth:`Cycle.add` raises ``NoLastStep``. In a
         retry, restore the state, take a smaller step, and add this step to the cycle. A rejected step that was added stays in
@@ -8123,8 +8124,9 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
     ``BAD``, ``No Data``, ``no_data``, ``no-data``, ``N/A``, ``#N/A``, ``NA``, ``null``, ``none``, ``void``, ``invalid``,
     ``missing`` and ``--``. Any other text is rejected with its line and column. Numbers that may be labels are also
     rejected: a first row or column 0, 1, 2, ..., also as 0.0, 1.0, 2.0, ... next to other decimals, and evenly spaced
-    coordinates in the first row and column. Evenly spaced coordinates with other decimals in the first row alone, such as 0,
-    0.5, 1, are read as heights, because the first row of an inclined surface has the same form: skip them by ``skip_rows=1``.
+    coordinates in the first row and column. Evenly spaced coordinates with other decimals in the first row or column alone, such
+    as 0, 0.5, 1, are read as heights, because the first row or column of an inclined surface has the same form: skip them by
+    ``skip_rows=1`` or ``skip_columns=1``.
 
     Parameters
     ----------
