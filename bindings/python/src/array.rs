@@ -1,10 +1,11 @@
-//! Fields as NumPy arrays of shape (ny, nx): read-only views of the data of a frozen object, or copies.
+//! Fields as NumPy arrays of shape (ny, nx): read-only views of the data of a frozen object, read-only copies of the data of an
+//! object that changes, or new arrays.
 
 use std::convert::Infallible;
 use std::marker::PhantomData;
 
 use numpy::ndarray::{ArrayView, Dimension};
-use numpy::{Element, IntoPyArray, PyArray, PyArray1, PyArray2, PyArrayMethods};
+use numpy::{Element, IntoPyArray, PyArray, PyArray1, PyArray2, PyArrayDyn, PyArrayMethods};
 use pyo3::PyClass;
 use pyo3::prelude::*;
 use pyo3::pyclass::boolean_struct::True;
@@ -46,6 +47,15 @@ impl<'py, E: Entry> Array<'py, E> {
     pub(crate) fn new(py: Python<'py>, entries: impl IntoIterator<Item = E>) -> Self {
         let entries: Vec<_> = entries.into_iter().collect();
         Self::of(entries.into_pyarray(py))
+    }
+
+    /// Makes a new array read-only. A change in place then raises an error, because it would have no effect on the object from
+    /// which the array is copied.
+    pub(crate) fn read_only(self) -> Self {
+        if let Ok(array) = self.0.cast::<PyArrayDyn<E>>() {
+            drop(array.readwrite().make_nonwriteable());
+        }
+        self
     }
 }
 
@@ -115,6 +125,11 @@ where
     view_of(owner, ArrayView::from(numbers(owner.get())))
 }
 
+/// Copies a field of an object that changes into a read-only array.
+pub(crate) fn snapshot<'py>(py: Python<'py>, field: &stickslip::Field) -> Array<'py> {
+    copy(py, field).read_only()
+}
+
 /// Copies a field into a new array.
 pub(crate) fn copy<'py>(py: Python<'py>, field: &stickslip::Field) -> Array<'py> {
     let array = PyArray1::from_slice(py, field.as_slice());
@@ -131,10 +146,10 @@ pub(crate) fn bytes(
     shaped(&array, grid)
 }
 
-/// Returns the mask of the cells that carry pressure. The crate counts the same cells in the contact area.
+/// Returns the mask of the cells that carry pressure, as a read-only array. The crate counts the same cells in the contact area.
 pub(crate) fn contact<'py>(py: Python<'py>, pressure: &stickslip::Field) -> Array<'py, bool> {
     let touching = pressure.as_slice().iter().map(|&pressure| pressure > 0.0);
-    mask(py, pressure.grid(), touching)
+    mask(py, pressure.grid(), touching).read_only()
 }
 
 /// Returns one boolean per cell as an array of shape (ny, nx).
@@ -161,7 +176,7 @@ fn shaped<'py, E: Entry>(flat: &Bound<'py, PyArray1<E>>, grid: stickslip::Grid) 
     shaped.map_or_else(|_| Array::of(flat.clone()), Array::of)
 }
 
-/// Returns the zones of the cells as numbers: 0 separated, 1 stick, 2 slip.
+/// Returns the zones of the cells as numbers in a read-only array: 0 separated, 1 stick, 2 slip.
 pub(crate) fn zones<'py>(
     py: Python<'py>,
     grid: stickslip::Grid,
@@ -173,5 +188,5 @@ pub(crate) fn zones<'py>(
         Zone::Stick => 1,
         Zone::Slip => 2,
     };
-    bytes(py, grid, zones.iter().map(number))
+    bytes(py, grid, zones.iter().map(number)).read_only()
 }

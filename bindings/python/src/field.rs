@@ -15,7 +15,7 @@ use crate::digits::short;
 use crate::error::OrRaise;
 use crate::grid::{Grid, size};
 use crate::pickle::{Reduced, Stored, reduced};
-use crate::real::{Count, is_real, misshapen, plane, wrong_type};
+use crate::real::{Count, by_axis, is_real, misshapen, plane, shape_error, wrong_type};
 use crate::unit::{Unit, factor, is_same, known, one_of};
 
 /// Samples at the cells of a grid, one number per cell, such as gaps, heights or pressures. A field is immutable.
@@ -24,7 +24,9 @@ use crate::unit::{Unit, factor, is_same, known, one_of};
 /// and shared, so repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of a field, and
 /// ``field[iy, ix]`` is a sample. A sum, difference, product, quotient or power with a field, an array or a number, in
 /// either order, is computed cell by cell and is a field. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of
-/// booleans. Two fields are compared as a whole by ``==``. Other NumPy functions treat a field as its array.
+/// booleans. Two fields are compared as a whole by ``==``. Other NumPy functions, such as ``numpy.maximum``, treat a field as
+/// its array: their result has no unit, and fields of different units raise an error. The axes of an array of xarray with the
+/// dimensions x and y are recognised by their names.
 ///
 /// Parameters
 /// ----------
@@ -242,7 +244,7 @@ impl Field {
         as_numpy(Self::array(slf).0, dtype, copy)
     }
 
-    /// Implements NumPy functions with a field among their operands.
+    /// Implements NumPy functions with a field among their operands. Fields of different units are rejected, as in arithmetic.
     #[pyo3(signature = (ufunc, method, *inputs, **kwargs))]
     fn __array_ufunc__<'py>(
         slf: &Bound<'py, Self>,
@@ -264,6 +266,14 @@ impl Field {
             if let Some(reflected) = reflected.filter(|_| right.is(slf)) {
                 return slf.call_method1(reflected, (left,));
             }
+        }
+        if !IGNORE_UNITS.contains(&&name[..]) {
+            let unit = |input: &Bound<'py, PyAny>| {
+                let heights = input.getattr("heights").ok();
+                let field = heights.as_ref().unwrap_or(input).cast::<Self>().ok()?;
+                field.get().1.clone()
+            };
+            one_of(inputs.iter().map(unit))?;
         }
         let arrays = inputs.into_iter().map(|input| match input.cast::<Self>() {
             Ok(field) => Self::array(field).0,
@@ -403,6 +413,20 @@ impl Stored for Field {
         Self(Arc::new(field), unit.map(Unit::from))
     }
 }
+
+/// NumPy functions that accept operands of different units: products, quotients, powers and logic, as in the arithmetic of
+/// fields.
+const IGNORE_UNITS: [&str; 9] = [
+    "multiply",
+    "divide",
+    "true_divide",
+    "matmul",
+    "power",
+    "float_power",
+    "logical_and",
+    "logical_or",
+    "logical_xor",
+];
 
 impl Field {
     /// Wraps a field computed from surfaces in this unit.
@@ -583,9 +607,7 @@ impl Samples<'_> {
         quantity: &str,
         grid: stickslip::Grid,
     ) -> PyResult<Arc<stickslip::Field>> {
-        let dimensions = |object: &Bound<'_, PyAny>| object.getattr("ndim")?.extract::<usize>();
-        let is_plane = self.field().is_some() || dimensions(&self.0).is_ok_and(|count| count > 0);
-        if let Some(number) = self.number().filter(|_| !is_plane) {
+        if let Some(number) = self.number() {
             let message = format!(
                 "must be a Field or an array of shape (ny, nx), got the number {}: for a uniform {quantity} give Field(grid, {0})",
                 short(number)
@@ -595,14 +617,56 @@ impl Samples<'_> {
         self.on(py, quantity, grid)
     }
 
-    /// Returns the single number, if the argument is one.
+    /// Returns the samples as a field on this grid, as [`on`](Self::on), but rejects a single number and an array of one number
+    /// on a larger grid: such a number is more likely the total or the largest value of a quantity that differs between cells.
+    pub(crate) fn of_each_cell(
+        &self,
+        py: Python<'_>,
+        quantity: &str,
+        grid: stickslip::Grid,
+        remedy: &str,
+    ) -> PyResult<Arc<stickslip::Field>> {
+        // Arrays of NumPy with one entry have this method.
+        let entry = || self.0.call_method0("item").ok()?.extract().ok();
+        let number: Option<f64> = self.number().or_else(entry);
+        match number.filter(|_| grid.cells() > 1) {
+            Some(number) => {
+                let message = format!(
+                    "{quantity} is the number {}, expected an array of shape (ny, nx) = {:?}: {remedy}",
+                    short(number),
+                    (grid.ny(), grid.nx())
+                );
+                let shape: Option<Vec<usize>> = self
+                    .0
+                    .getattr("shape")
+                    .and_then(|shape| shape.extract())
+                    .ok();
+                Err(shape_error(
+                    py,
+                    quantity,
+                    grid,
+                    &shape.unwrap_or_default(),
+                    &message,
+                ))
+            }
+            None => self.on(py, quantity, grid),
+        }
+    }
+
+    /// Returns the single number, if the argument is one. An array with one entry gives no value for other cells.
     pub(crate) fn number(&self) -> Option<f64> {
-        self.0.extract().ok()
+        let dimensions = self.0.getattr("ndim").and_then(|count| count.extract());
+        let is_array = dimensions.is_ok_and(|count: usize| count > 0);
+        if is_array {
+            None
+        } else {
+            self.0.extract().ok()
+        }
     }
 
     /// Returns the shape of an array.
     pub(crate) fn shape(&self) -> Option<(usize, usize)> {
-        self.0.getattr("shape").ok()?.extract().ok()
+        by_axis(&self.0).ok()?.getattr("shape").ok()?.extract().ok()
     }
 
     /// Returns one number or a field on this grid; without a grid, on the field's own grid.

@@ -16,7 +16,7 @@ use crate::field::{Field, Samples};
 use crate::grid::Grid;
 use crate::real::{Count, Real, is_plane};
 use crate::solution_pool::lock;
-use crate::unit::{Unit, factor, known};
+use crate::unit::{Unit, factor, known, one_of};
 
 /// Returns the sides of a cell or of the grid, for files that do not state them.
 fn sides(
@@ -81,14 +81,22 @@ pub(crate) fn read(py: Python<'_>, path: PathBuf) -> PyResult<Field> {
 /// Unit of the lengths in files that state a unit.
 const METRE: &str = "m";
 
-/// Returns a surface for a file in metres, or an error if the surface states a different unit.
-fn in_metres(field: &Samples<'_>) -> PyResult<Arc<stickslip::Field>> {
-    let unit = field.unit()?;
+/// Returns a surface for a file in metres, or an error if the surface states a different unit, or if its unit is not known.
+fn in_metres(field: &Samples<'_>, unit: Option<&str>) -> PyResult<Arc<stickslip::Field>> {
+    let given = unit.map(known).transpose()?;
+    let unit = one_of([field.unit()?, given])?;
     match unit.as_deref() {
-        None | Some(METRE) => field.alone("field"),
+        Some(METRE) => field.alone("field"),
         Some(unit) => Err(PyValueError::new_err(format!(
             "the unit of the file is the metre, but the unit of the surface is {unit}: convert it by surface.to_unit('m')"
         ))),
+        None => {
+            field.alone("field")?;
+            Err(PyValueError::new_err(
+                "the unit of the file is the metre, but the surface has no unit: give unit='m' if its lengths are metres, \
+                 or convert it by Field(grid, samples, unit=...).to_unit('m')",
+            ))
+        }
     }
 }
 
@@ -186,19 +194,42 @@ pub(crate) fn xyz_parse(
 }
 
 /// Writes a surface to an SDF file (lengths in metres).
+///
+/// Parameters
+/// ----------
+/// path : path_like
+///     The file.
+/// field : Field or topography
+///     The surface, in metres.
+/// unit : str, optional
+///     The unit of a surface that states none: ``"m"``.
+///
+/// Raises
+/// ------
+/// File
+/// ValueError
+///     If the unit of the surface is not known or is not the metre.
 #[pyfunction]
-pub(crate) fn sdf_write(py: Python<'_>, path: PathBuf, field: Samples<'_>) -> PyResult<()> {
-    let field = in_metres(&field)?;
+#[pyo3(signature = (path, field, *, unit=None))]
+pub(crate) fn sdf_write(
+    py: Python<'_>,
+    path: PathBuf,
+    field: Samples<'_>,
+    unit: Option<&str>,
+) -> PyResult<()> {
+    let field = in_metres(&field, unit)?;
     py.detach(|| io::sdf::write(&path, &field)).or_raise(py)
 }
 
-/// Returns a surface as the bytes of an SDF file (lengths in metres).
+/// Returns a surface as the bytes of an SDF file (lengths in metres); see :func:`write`.
 #[pyfunction]
+#[pyo3(signature = (field, *, unit=None))]
 pub(crate) fn sdf_to_bytes<'py>(
     py: Python<'py>,
     field: Samples<'py>,
+    unit: Option<&str>,
 ) -> PyResult<Bound<'py, PyBytes>> {
-    let field = in_metres(&field)?;
+    let field = in_metres(&field, unit)?;
     let bytes = py.detach(|| io::sdf::to_bytes(&field)).or_raise(py)?;
     Ok(PyBytes::new(py, &bytes))
 }
@@ -227,8 +258,9 @@ fn options(
 /// ``BAD``, ``No Data``, ``no_data``, ``no-data``, ``N/A``, ``#N/A``, ``NA``, ``null``, ``none``, ``void``, ``invalid``,
 /// ``missing`` and ``--``. Any other text is rejected with its line and column. Numbers that may be labels are also
 /// rejected: a first row or column 0, 1, 2, ..., also as 0.0, 1.0, 2.0, ... next to other decimals, and evenly spaced
-/// coordinates in the first row and column. Evenly spaced coordinates with other decimals in the first row alone, such as 0,
-/// 0.5, 1, are read as heights, because the first row of an inclined surface has the same form: skip them by ``skip_rows=1``.
+/// coordinates in the first row and column. Evenly spaced coordinates with other decimals in the first row or column alone, such
+/// as 0, 0.5, 1, are read as heights, because the first row or column of an inclined surface has the same form: skip them by
+/// ``skip_rows=1`` or ``skip_columns=1``.
 ///
 /// Parameters
 /// ----------

@@ -189,15 +189,29 @@ pub(crate) fn misshapen(
     grid: stickslip::Grid,
     found: &[usize],
 ) -> PyErr {
+    let shape =
+        PyTuple::new(py, found).map_or_else(|_| format!("{found:?}"), |shape| shape.to_string());
+    let expected = (grid.ny(), grid.nx());
+    let message = format!("{quantity} has shape {shape}, expected (ny, nx) = {expected:?}");
+    shape_error(py, quantity, grid, found, &message)
+}
+
+/// Creates the exception for an argument that does not have the shape of the grid, with a message.
+pub(crate) fn shape_error(
+    py: Python<'_>,
+    quantity: &str,
+    grid: stickslip::Grid,
+    found: &[usize],
+    message: &str,
+) -> PyErr {
     let exception = || -> PyResult<PyErr> {
         let expected = (grid.ny(), grid.nx());
         let found = PyTuple::new(py, found)?;
-        let message = format!("{quantity} has shape {found}, expected (ny, nx) = {expected:?}");
         let numbers = PyDict::new(py);
         numbers.set_item("quantity", quantity)?;
         numbers.set_item("expected", expected)?;
         numbers.set_item("found", found)?;
-        named(py, "Shape", &message, &numbers)
+        named(py, "Shape", message, &numbers)
     };
     exception().unwrap_or_else(|failure| failure)
 }
@@ -212,12 +226,27 @@ pub(crate) fn filled<'py>(object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyA
     }
 }
 
-/// Returns a two-dimensional array of numbers; masked entries become NaN.
+/// Returns an array whose axes have the names (x, y), as an array of xarray, with its axes in the order (y, x). Other objects
+/// are returned unchanged.
+pub(crate) fn by_axis<'py>(object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny>> {
+    let names = object.getattr("dims").ok();
+    let names: Option<(String, String)> = names.and_then(|names| names.extract().ok());
+    match names {
+        Some((first, second)) if first == "x" && second == "y" => {
+            object.call_method1("transpose", ("y", "x"))
+        }
+        _ => Ok(object.clone()),
+    }
+}
+
+/// Returns a two-dimensional array of numbers; masked entries become NaN. The names of the axes determine their order, if
+/// there are any.
 pub(crate) fn plane<'py>(
     object: &Bound<'py, PyAny>,
     quantity: &str,
     grid: stickslip::Grid,
 ) -> PyResult<PyArrayLike2<'py, f64, AllowTypeChange>> {
+    let object = &by_axis(object)?;
     filled(object)?.extract().map_err(|_| {
         let shape = as_array(object).and_then(|array| array.getattr("shape").ok()?.extract().ok());
         // NumPy converts an object of unknown type to a zero-dimensional array.

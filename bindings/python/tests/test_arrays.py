@@ -80,11 +80,33 @@ def test_history_arrays_are_copies_and_state_arrays_are_views(scene):
     pressure = history.pressure
     state = history.state()
     assert address(state.pressure) == address(state.pressure) == address(state.normal.pressure)
-    assert pressure.flags.writeable and address(pressure) != address(history.pressure)
+    assert address(pressure) != address(history.pressure)
     history.step(normal_force=50.0)
     assert pressure.max() == state.pressure.max() > history.pressure.max()
     history.set_state(state)
     assert history.approach == state.approach
+
+
+def test_copies_of_data_that_changes_are_read_only(scene):
+    history = scene.history(hardness=2e9, permanent_set=True)
+    history.step(normal_force=FORCE)
+    cycle = ss.history.Cycle(history)
+    step = history.step(force_x=30.0)
+    cycle.add(history)
+    state, solver = history.state(), ss.NormalSolver(scene.bodies, scene.ball, force=FORCE)
+    arrays = [
+        history.unloaded_gap, history.gap_as_set, history.pressure, history.contact, *history.traction, *history.slip, history.zones,
+        history.accumulated_slip, history.accumulated_dissipation, state.gap_as_set, state.yielded, state.contact, state.zones, step.dissipation,
+        cycle.slip_distance, cycle.slip_pressure, *cycle.slip_amplitude, cycle.dissipation, solver.gap, solver.solve().contact,
+    ]  # fmt: skip
+    for array in arrays:
+        with pytest.raises(ValueError, match="read-only"):
+            array[...] += 1
+    # A sum is a new array, which can be set.
+    gap = history.gap_as_set + ss.wear.energy(1e-13, step.dissipation, grid=history.grid)
+    gap[0, 0] += 1e-9
+    history.set_gap(gap)
+    assert history.gap_as_set[0, 0] == gap[0, 0]
 
 
 def test_step_fields_are_valid_until_next_step(scene):
@@ -214,7 +236,7 @@ def test_field_powers_and_comparisons_are_cell_by_cell(scene):
 
 
 def test_surfaces_convert_to_arrays_of_their_heights(scene):
-    rough = ss.surface.SelfAffine(rms_height=1e-6).generate(scene.grid)
+    rough = ss.surface.SelfAffine(rms_height=1e-6, seed=0).generate(scene.grid)
     field = rough.heights
     made = [rough, ss.surface.level(field, "plane"), ss.surface.fill_missing(field), ss.surface.gaussian_filter(field, s=2e-5)]
     for surface in made:
@@ -266,6 +288,48 @@ def test_wear_laws_accept_cycle_arrays(scene):
     assert np.allclose(depth, 1e-14 * cycle.dissipation / history.grid.cell_area, rtol=1e-12, atol=0.0)
 
 
+def test_total_instead_of_energy_of_each_cell_is_rejected(scene):
+    grid, total, cells = scene.grid, 0.25, np.full(scene.grid.shape, 1e-9)
+    energy, threshold, archard = ss.wear.energy, ss.wear.threshold_energy, ss.wear.archard
+    for number, shape in ((total, ()), (np.float64(total), ()), (np.array(total), ()), (np.array([total]), (1,)), (np.array([[total]]), (1, 1))):
+        calls = {
+            "energy is the number 0.25, .* (64, 64): .* step.dissipation or cycle.dissipation, instead of a total":
+                lambda number=number: energy(1e-13, number, grid=grid),
+            "accumulated energy is the number 0.25, .* history.accumulated_dissipation, instead of a total":
+                lambda number=number: threshold(1e-13, 0.0, number, cells, grid=grid),
+            "^energy is the number 0.25": lambda number=number: threshold(1e-13, 0.0, cells, number, grid=grid),
+            "pressure is the number 0.25, .* history.pressure or cycle.slip_pressure":
+                lambda number=number: archard(1e-13, number, cells, grid=grid),
+            "slip length is the number 0.25, .* step.slip_distance or cycle.slip_distance":
+                lambda number=number: archard(1e-13, cells, number),
+        }  # fmt: skip
+        for message, call in calls.items():
+            with pytest.raises(ss.errors.Shape, match=message.replace("(64, 64)", r"\(64, 64\)")) as caught:
+                call()
+            assert caught.value.found == shape and caught.value.expected == grid.shape
+    assert energy(1e-13, cells, grid=grid).max() > 0.0 and energy(1e-13, ss.Field(grid, 1e-9)).max() > 0.0
+    assert energy(1e-13, 1e-9, grid=ss.Grid.square(1, 1.0)) == 1e-22
+
+
+def test_axes_of_xarray_arrays_are_recognised_by_name():
+    xarray = pytest.importorskip("xarray")
+    grid = ss.Grid.square(8, 1.0)
+    values = np.random.default_rng(1).uniform(size=grid.shape)
+    array = xarray.DataArray(values, dims=("y", "x"))
+    turned = array.transpose("x", "y")
+    assert turned.dims == ("x", "y") and not np.array_equal(turned, values)
+    assert ss.Field(grid, turned) == ss.Field(grid, array) == ss.Field(grid, values)
+    assert ss.Field(grid, values) + turned == 2.0 * ss.Field(grid, values)
+    # Other names keep their order.
+    assert ss.Field(grid, xarray.DataArray(values, dims=("row", "column"))) == ss.Field(grid, values)
+    with pytest.raises(ss.errors.Shape):
+        ss.Field(ss.Grid(4, 2, 1.0, 1.0), xarray.DataArray(np.zeros((2, 4)), dims=("x", "y")))
+    narrow = xarray.DataArray(np.arange(8.0).reshape(4, 2), dims=("x", "y"))
+    assert np.array_equal(ss.Field(ss.Grid(4, 2, 1.0, 1.0), narrow), narrow.T)
+    depth = ss.wear.archard(1e-14, narrow, narrow)
+    assert np.allclose(depth, 1e-14 * narrow.values.T**2, rtol=1e-12)
+
+
 def test_topography_is_transposed_and_holes_become_nan(scene):
     class Topography:
         physical_sizes = (4.0, 1.0)
@@ -304,7 +368,7 @@ def test_surface_files_round_trip(scene, tmp_path):
     assert np.array_equal(np.load(tmp_path / "rough.npy"), field.array)
     assert ss.io.npy.read(tmp_path / "rough.npy", size=(10.0, 10.0)) == field
     assert ss.io.csv.parse(ss.io.csv.to_bytes(field), cell=(field.grid.dx, field.grid.dy)) == field
-    ss.io.sdf.write(tmp_path / "rough.sdf", field)
+    ss.io.sdf.write(tmp_path / "rough.sdf", field, unit="m")
     assert ss.io.read(tmp_path / "rough.sdf").max() == pytest.approx(field.max(), rel=1e-6)
     ss.io.vti.write(tmp_path / "rough.vti", {"height": field, "vector": (field.array, field.array)}, grid=field.grid)
     assert b"height" in (tmp_path / "rough.vti").read_bytes()

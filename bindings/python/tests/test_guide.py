@@ -23,8 +23,8 @@ def pages():
 def test_guide_programs_run(name, tmp_path):
     # The measured surface of the page on rough surfaces: a slightly rough ball.
     grid = ss.Grid.square(512, 500e-6)
-    rough = ss.surface.SelfAffine(rms_height=1e-8, cut_off_wavelength=20e-6).generate(grid)
-    ss.io.sdf.write(tmp_path / "surface.sdf", rough.heights - ss.surface.sphere(grid, 10e-3))
+    rough = ss.surface.SelfAffine(rms_height=1e-8, cut_off_wavelength=20e-6, seed=0).generate(grid)
+    ss.io.sdf.write(tmp_path / "surface.sdf", rough.heights - ss.surface.sphere(grid, 10e-3), unit="m")
     for index, program in enumerate(pages().programs(f"guide/{name}")):
         file = tmp_path / f"{name}_{index}.py"
         file.write_text(program)

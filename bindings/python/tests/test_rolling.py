@@ -98,6 +98,54 @@ def test_rolling_prescribed_force_gives_creepage(ball):
     assert mixed.force[0] == pytest.approx(0.1, rel=1e-8) and mixed.creepage[1] == 0.02
 
 
+def test_rolling_solver_keeps_last_values_of_omitted_arguments(ball):
+    solver = ball.problem(creepage=(0.05, 0.02), spin=0.1, tolerance=1e-8).solver()
+
+    def controls(rolling):
+        return (*rolling.creepage, rolling.spin)
+
+    assert controls(solver.solve(creepage_x=0.01)) == (0.01, 0.02, 0.1)
+    assert controls(solver.solve(spin=0.2)) == (0.01, 0.02, 0.2)
+    assert controls(solver.solve()) == (0.01, 0.02, 0.2)
+    forced = solver.solve(force_x=0.05)
+    assert forced.force[0] == pytest.approx(0.05, rel=1e-6) and controls(forced)[1:] == (0.02, 0.2)
+    turned = solver.solve(moment=0.0)
+    assert turned.force[0] == pytest.approx(0.05, rel=1e-6) and turned.creepage[1] == 0.02 and abs(turned.moment) < 1e-6
+    assert controls(solver.solve(creepage=(0.0, 0.01), spin=0.0)) == (0.0, 0.01, 0.0)
+    # Rejected arguments change nothing.
+    with pytest.raises(ss.errors.NotFinite):
+        solver.solve(creepage_x=np.nan, spin=0.3)
+    assert controls(solver.solve(creepage_y=0.02)) == (0.0, 0.02, 0.0)
+    # The last point of a creep curve, or the point that was cancelled, remains prescribed.
+    solver.creep_forces([(0.01, 0.0, 0.1), (0.02, 0.0, 0.2)])
+    assert controls(solver.solve(creepage_y=0.01)) == (0.02, 0.01, 0.2)
+    with pytest.raises(ss.NotConverged):
+        solver.creep_forces([(0.01, 0.0, 0.1), (0.02, 0.0, 0.3), (0.03, 0.0, 0.4)], progress=lambda point: False)
+    assert controls(solver.solve(creepage_y=0.02)) == (0.02, 0.02, 0.3)
+    with pytest.raises(ss.errors.NotFinite):
+        solver.creep_forces([(0.5, 0.0, 0.0), (np.inf, 0.0, 0.0)])
+    assert controls(solver.solve(creepage_y=0.01)) == (0.02, 0.01, 0.3)
+
+
+def test_coupled_rolling_solver_keeps_last_values_of_omitted_arguments(ball):
+    gap = ss.surface.sphere(ball.bodies.grid, 1.0)
+    problem = ss.rolling.CoupledRollingProblem(
+        ball.bodies, gap, FRICTION, normal_force=1.0, creepage=(0.05, 0.02), spin=0.1
+    )
+    solver = problem.solver()
+
+    def controls(solution):
+        return (*solution.rolling.creepage, solution.rolling.spin)
+
+    assert controls(solver.solve(creepage_x=0.01)) == (0.01, 0.02, 0.1)
+    lighter = solver.solve(normal_force=0.8)
+    assert controls(lighter) == (0.01, 0.02, 0.1) and lighter.normal.force == pytest.approx(0.8)
+    assert controls(solver.solve(normal_force=1.0, spin=0.2)) == (0.01, 0.02, 0.2)
+    with pytest.raises(ss.errors.NotFinite):
+        solver.solve(creepage_x=np.nan, spin=0.3)
+    assert controls(solver.solve(creepage_y=0.0)) == (0.01, 0.0, 0.2)
+
+
 def test_rolling_friction_can_change_between_solves(ball):
     solver = ball.problem(force=(0.1, 0.05)).solver()
     before = solver.solve()

@@ -61,10 +61,31 @@ def test_surfaces_keep_unit(tmp_path):
     numbers = [rough * rough, rough / rough, 1.0 / (rough + 2.0), wave(grid, 8.0) / (rough + 2.0), rough**2, 2.0**rough]
     assert [field.unit for field in numbers] == [None] * len(numbers)
 
+    other = rough.to_unit("mm")
+    other = ss.Field(grid, other.array, "mm")
+    for function in (np.add, np.subtract, np.maximum, np.fmin, np.hypot, np.arctan2, np.less, np.equal):
+        with pytest.raises(ValueError, match="units um and mm: convert one of them by surface.to_unit"):
+            function(rough, other)
+        assert np.array_equal(function(rough, rough), function(rough.array, rough.array))
+        assert np.array_equal(function(rough, half), function(rough.array, half))
+    with pytest.raises(ValueError, match="units um and mm"):
+        np.maximum(rough, ss.surface.fill_missing(other))
+    for function in (np.multiply, np.divide):
+        assert np.array_equal(function(rough, other), function(rough.array, other.array))
+
     metres = rough.to_unit("m")
     assert metres.unit == "m" and metres.grid.dx == pytest.approx(1e-6) and metres.max() == pytest.approx(1e-6 * rough.max())
     with pytest.raises(ValueError, match="unit of the surface is um"):
         ss.io.sdf.write(tmp_path / "a.sdf", rough)
+    without = ss.Field(metres.grid, metres.array)
+    for call in (lambda: ss.io.sdf.write(tmp_path / "b.sdf", without), lambda: ss.io.sdf.to_bytes(without)):
+        with pytest.raises(ValueError, match="the surface has no unit: give unit='m' if its lengths are metres, or convert it"):
+            call()
+    assert not (tmp_path / "b.sdf").exists()
+    for field, unit, message in ((without, "um", "unit of the surface is um"), (rough, "m", "units um and m"), (without, "ell", "ell is not a unit")):
+        with pytest.raises(ValueError, match=message):
+            ss.io.sdf.to_bytes(field, unit=unit)
+    assert ss.io.sdf.to_bytes(without, unit="m") == ss.io.sdf.to_bytes(metres) == ss.io.sdf.to_bytes(metres, unit="m")
     ss.io.sdf.write(tmp_path / "a.sdf", metres)
     assert ss.io.read(tmp_path / "a.sdf").unit == ss.io.sdf.read(tmp_path / "a.sdf").unit == "m"
     with pytest.raises(ValueError, match="has no unit"):
@@ -268,7 +289,7 @@ def test_surfaces_with_different_units_are_rejected():
 def test_surfaces_convert_to_datasets_and_images(tmp_path):
     pytest.importorskip("xarray")
     grid = ss.Grid(6, 4, 0.5, 1.0)
-    rough = ss.surface.SelfAffine(rms_height=0.1, cut_off_wavelength=2.0).generate(grid)
+    rough = ss.surface.SelfAffine(rms_height=0.1, cut_off_wavelength=2.0, seed=0).generate(grid)
     dataset = ss.io.to_xarray(rough)
     assert np.array_equal(dataset.heights, rough.heights) and np.array_equal(dataset.x, grid.x)
     assert dataset.attrs["rms_slope"] == rough.rms_slope and "units" not in dataset.x.attrs
@@ -293,6 +314,13 @@ def test_surfaces_convert_to_datasets_and_images(tmp_path):
             ss.io.vti.to_bytes(wrong)
 
 
+def test_random_surface_requires_seed():
+    with pytest.raises(TypeError, match="seed"):
+        ss.surface.SelfAffine(rms_height=1.0)
+    first, other = (ss.surface.SelfAffine(rms_height=1.0, seed=seed).generate(ss.Grid.square(32, 1.0)) for seed in (0, 1))
+    assert first != other
+
+
 def test_xarray_arrays_convert_to_surfaces():
     xarray = pytest.importorskip("xarray")
     heights = np.arange(12.0).reshape(3, 4)
@@ -308,6 +336,11 @@ def test_xarray_arrays_convert_to_surfaces():
         ss.io.from_xarray(array.assign_coords(x=x**2))
     with pytest.raises(ValueError, match="dimensions"):
         ss.io.from_xarray(array[0])
+    for wrong, message in ((dataset, r'must be a DataArray of xarray, got Dataset: give one of its variables, such as dataset\["values"\]'),
+                           (heights, "must be a DataArray of xarray, got ndarray")):  # fmt: skip
+        with pytest.raises(ss.errors.ArgumentType, match=message) as caught:
+            ss.io.from_xarray(wrong)
+        assert caught.value.argument == "array"
 
 
 def test_units_of_coordinates_of_xarray_are_converted():

@@ -63,6 +63,50 @@ def test_wear_agrees_with_loop_written_by_hand():
     assert np.allclose(worn.gap_as_set, ss.surface.sphere(GRID, 3.5e-3) + depth, rtol=0, atol=1e-18)
 
 
+def yielded_history():
+    history = ss.History(BODIES, ss.surface.sphere(GRID, 3.5e-3), 0.5, hardness=2e9, permanent_set=True, tolerance=1e-6)
+    history.step(normal_force=FORCE)
+    return history
+
+
+def test_permanent_set_counts_once_over_several_jumps():
+    worn = yielded_history()
+    loop().cycle(worn, ss.history.Cycle(worn))
+    before = worn.state()
+    assert before.yielded.max() > 0.01 * before.approach
+    found = ss.wear.run(worn, loop(), ss.wear.EnergyLaw(1e-40), 50, largest_jump=10).history
+    assert list(found.jump) == [10] * 5 + [0]
+    assert np.allclose(found.approach, before.approach, rtol=1e-5)
+    assert np.allclose(worn.state().yielded, before.yielded, rtol=0, atol=1e-4 * before.yielded.max())
+    assert np.allclose(worn.gap_as_set, before.gap_as_set, rtol=0, atol=1e-18)
+
+
+def test_wear_with_permanent_set_agrees_with_loop_written_by_hand():
+    limits = {"largest_depth": five_percent, "largest_jump": 100, "settling": 1, "max_residual": 1.0}
+    worn, by_hand = yielded_history(), yielded_history()
+    result = ss.wear.run(worn, loop(), LAW, 500, **limits)
+    cycle, done, depth = ss.history.Cycle(by_hand), 0, np.zeros(GRID.shape)
+    while True:
+        loop().cycle(by_hand, cycle)
+        if done == 500:
+            break
+        of_cycle = ss.wear.energy(COEFFICIENT, cycle.dissipation, grid=GRID)
+        jump = ss.wear.CycleJump(BODIES, cycle, of_cycle, largest_depth=five_percent(by_hand), max_residual=1.0).cycles()
+        jump = min(jump, 100, 500 - done)
+        depth = depth + jump * of_cycle
+        by_hand.set_gap(ss.surface.sphere(GRID, 3.5e-3) + depth)
+        done += jump
+    # The gaps differ by round-off, and the solves by their tolerance.
+    assert len(result.history) > 5 and np.allclose(result.depth, depth, rtol=0, atol=1e-6 * depth.max())
+    assert worn.approach == pytest.approx(by_hand.approach, rel=1e-6)
+    assert np.allclose(worn.state().yielded, by_hand.state().yielded, rtol=0, atol=1e-6 * by_hand.state().yielded.max())
+
+    first = ss.wear.run(yielded_history(), loop(), LAW, 500, progress=lambda _: False, **limits)
+    restored = first.snapshot.restored(BODIES)
+    rest = ss.wear.run(restored, loop(), LAW, 500, resume=first.snapshot, **limits)
+    assert np.array_equal(rest.depth, result.depth) and restored.approach == worn.approach
+
+
 def test_histories_are_consistent():
     worn = history()
     result = ss.wear.run(worn, loop(5e-6), LAW, 300, largest_depth=five_percent)

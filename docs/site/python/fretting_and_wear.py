@@ -22,7 +22,7 @@ print(f"{outcome.last.regime}, energy ratio {outcome.last.energy_ratio:.3f}")
 
 # A thousand cycles of wear in jumps; the energy coefficient is 1e-14 cubic metres per joule.
 # wear.run computes the same loop in one call.
-fretting, cycle, cycles, gap = FrettingLoop(path, load), Cycle(history), 0, history.gap_as_set
+fretting, cycle, cycles = FrettingLoop(path, load), Cycle(history), 0
 while cycles < 1000:
     # The first cycle on a worn gap does not close; the second does.
     for _ in range(2):
@@ -31,8 +31,8 @@ while cycles < 1000:
     limits = {"largest_depth": 0.01 * history.approach, "cycles_left": 1000 - cycles}
     jump = ss.wear.CycleJump(bodies, cycle, depth, **limits).cycles()
     # The gap opens where material is removed; tractions and slip are unchanged.
-    gap += jump * depth
-    history.set_gap(gap)
+    # The arrays of a history are read-only copies. With a permanent set, only `gap_as_set` excludes the yielded depth.
+    history.set_gap(history.gap_as_set + jump * depth)
     cycles += jump
     print(f"{cycles} cycles, {cycle.energy.dissipated_energy:.2e} J a cycle")
 

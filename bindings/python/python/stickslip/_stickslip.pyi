@@ -1502,7 +1502,7 @@ class CoupledRollingSolver:
     @property
     def gap(self, /) -> NDArray[float64]:
         """
-        The gap before loading of the next solve (lengths), as last set; a copy.
+        The gap before loading of the next solve (lengths), as last set; a read-only copy.
         """
     @property
     def report(self, /) -> CoupledRollingReport:
@@ -1536,7 +1536,7 @@ class CoupledRollingSolver:
     def settings(self, /, settings: Settings) -> None: ...
     def solve(self, /, *, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, normal_force: float | None = None, approach: float | None = None, progress: Any | None = None, warn: bool = True) -> CoupledRollingSolution:
         """
-        Solves for the given creepages, forces, spin or moment, or for the last ones if none is given.
+        Solves for the given creepages, forces, spin or moment. Omitted arguments keep their last values.
 
         The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
         leave it unchanged.
@@ -1544,7 +1544,8 @@ class CoupledRollingSolver:
         Parameters
         ----------
         creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
-            See :class:`RollingProblem`. If one of them is given, omitted creepages and an omitted spin are zero.
+            See :class:`RollingProblem`. A creepage or force along an axis replaces the last one along that axis only, and a
+            spin or moment replaces the last spin or moment.
         normal_force, approach : float, optional
             One of them sets the normal load together with the other arguments.
         progress, warn : optional
@@ -1590,7 +1591,7 @@ class CoupledSolution:
     @property
     def contact(self, /) -> NDArray[bool_]:
         """
-        Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A copy.
+        Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A read-only copy.
         """
     @property
     def displacement(self, /) -> tuple[NDArray[float64], NDArray[float64], NDArray[float64]]:
@@ -1637,7 +1638,7 @@ class CoupledSolver:
     @property
     def gap(self, /) -> NDArray[float64]:
         """
-        The gap before loading of the next solve (lengths), as last set; a copy.
+        The gap before loading of the next solve (lengths), as last set; a read-only copy.
         """
     def reset(self, /) -> None:
         """
@@ -1800,7 +1801,7 @@ class CreepForces:
 class Cycle:
     """
     Slip, energy and the force-shift loop, accumulated over the steps of a cycle from the present state of the history.
-    The arrays are copies.
+    The arrays are read-only copies.
 
     Parameters
     ----------
@@ -2323,7 +2324,9 @@ class Field:
     and shared, so repeated calls copy nothing. ``numpy.asarray(field)`` is a read-only view of a field, and
     ``field[iy, ix]`` is a sample. A sum, difference, product, quotient or power with a field, an array or a number, in
     either order, is computed cell by cell and is a field. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of
-    booleans. Two fields are compared as a whole by ``==``. Other NumPy functions treat a field as its array.
+    booleans. Two fields are compared as a whole by ``==``. Other NumPy functions, such as ``numpy.maximum``, treat a field as
+    its array: their result has no unit, and fields of different units raise an error. The axes of an array of xarray with the
+    dimensions x and y are recognised by their names.
 
     Parameters
     ----------
@@ -3297,7 +3300,7 @@ class History:
     @property
     def accumulated_slip(self, /) -> NDArray[float64]:
         """
-        Length of the path that each cell slipped since the start (lengths, not negative), a copy.
+        Length of the path that each cell slipped since the start (lengths, not negative), a read-only copy.
         """
     @property
     def approach(self, /) -> float:
@@ -3322,7 +3325,7 @@ class History:
     @property
     def contact(self, /) -> NDArray[bool_]:
         """
-        Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A copy.
+        Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A read-only copy.
         """
     def displacement(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
         """
@@ -3332,7 +3335,7 @@ class History:
     @property
     def accumulated_dissipation(self, /) -> NDArray[float64]:
         """
-        Energy that each cell dissipated since the start (not negative), a copy.
+        Energy that each cell dissipated since the start (not negative), a read-only copy.
         """
     def edges(self, /) -> TangentialEdges:
         """
@@ -3363,13 +3366,14 @@ class History:
     @property
     def unloaded_gap(self, /) -> NDArray[float64]:
         """
-        The gap before loading (lengths), as last set, plus the yielded depth; a copy.
+        The gap before loading (lengths), as last set, plus the yielded depth; a read-only copy.
         """
     @property
     def gap_as_set(self, /) -> NDArray[float64]:
         """
-        The gap before loading (lengths), as last set, without the yielded depth; a copy. Change this gap and pass it to
-        :meth:`set_gap`. The yielded depth in :attr:`unloaded_gap` would count twice.
+        The gap before loading (lengths), as last set, without the yielded depth; a read-only copy. Pass a
+        changed array to :meth:`set_gap`, as in ``history.set_gap(history.gap_as_set + depth)``. The yielded depth in :attr:`unloaded_gap`
+        would count twice.
         """
     @property
     def grid(self, /) -> Grid:
@@ -3436,7 +3440,7 @@ class History:
     @property
     def pressure(self, /) -> NDArray[float64]:
         """
-        Pressure, not negative; exactly zero outside the contact. A copy.
+        Pressure, not negative; exactly zero outside the contact. A read-only copy.
         """
     def save(self, /, path: str | PathLike[str]) -> None:
         """
@@ -3499,8 +3503,20 @@ class History:
         """
         Sets the gap of later steps (lengths), for example after wear.
 
-        With ``permanent_set=True``, :attr:`unloaded_gap` contains the yielded depth already. Subtract ``state().yielded`` before the gap is
-        set again.
+        The gap is given without the yielded depth, which the history adds: to change the present gap, start from
+        :attr:`gap_as_set`. With a permanent set, a gap that contains the yielded depth would add it twice.
+
+        Examples
+        --------
+        >>> import stickslip
+        >>> grid = stickslip.Grid.square(32, 0.3e-3)
+        >>> steel = stickslip.Material(213e9, 0.29)
+        >>> history = stickslip.History(stickslip.HalfSpace(grid, (steel, steel)), stickslip.surface.sphere(grid, 3.5e-3), 0.5)
+        >>> step = history.step(normal_force=100.0)
+        >>> step = history.step(normal_force=100.0, force_x=30.0)
+        >>> depth = stickslip.wear.energy(1e-13, step.dissipation, grid=grid)
+        >>> history.set_gap(history.gap_as_set + depth)
+        >>> step = history.step(normal_force=100.0)
         """
     def set_relative_displacement(self, /, pattern: RelativeDisplacement) -> None:
         """
@@ -3509,7 +3525,8 @@ class History:
     def set_state(self, /, state: State) -> None:
         """
         Restores a state of this history or of a history on equal bodies. Gap, friction, hardness, permanent set, settings
-        and model (scalar, vector or coupled) of the state replace those of the history.
+        and model (scalar, vector or coupled) of the state replace those of the history. Changes made after the state was taken, as
+        by :meth:`set_friction` or :meth:`set_gap`, are therefore lost: make them again after this call.
 
         The history then has no :attr:`last_step` until its next step. Until then, :meth:`Cycle.add` raises ``NoLastStep``. In a
         retry, restore the state, take a smaller step, and add this step to the cycle. A rejected step that was added stays in
@@ -3530,7 +3547,7 @@ class History:
     @property
     def slip(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
         """
-        Slip since the start along x and y (lengths), copies.
+        Slip since the start along x and y (lengths), read-only copies.
         """
     @property
     def spots(self, /) -> ContactSpots:
@@ -3632,7 +3649,7 @@ class History:
     @property
     def traction(self, /) -> tuple[NDArray[float64], NDArray[float64]]:
         """
-        Shear traction on body 1 along x and y (pressures), copies.
+        Shear traction on body 1 along x and y (pressures), read-only copies.
         """
     @property
     def twist(self, /) -> float:
@@ -3642,7 +3659,7 @@ class History:
     @property
     def zones(self, /) -> NDArray[uint8]:
         """
-        Zone of each cell: 0 separated, 1 stick, 2 slip.
+        Zone of each cell: 0 separated, 1 stick, 2 slip. A read-only copy.
         """
 
 @final
@@ -4857,7 +4874,7 @@ class NormalSolution:
     def contact(self, /) -> NDArray[bool_]:
         """
         Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. The properties
-        ``contact_cells`` and ``contact_area`` count these cells. A copy.
+        ``contact_cells`` and ``contact_area`` count these cells. A read-only copy.
         """
     @property
     def contact_area(self, /) -> float:
@@ -4985,7 +5002,7 @@ class NormalSolver:
     @property
     def gap(self, /) -> NDArray[float64]:
         """
-        The gap before loading of the next solve (lengths), as last set; a copy.
+        The gap before loading of the next solve (lengths), as last set; a read-only copy.
         """
     def chain(self, /, solution: NormalSolution, sensitivities: Sequence[Sensitivity], *, tolerance: float | None = None) -> list[Sensitivity]:
         """
@@ -5940,7 +5957,7 @@ class RollingProblem:
 class RollingSolution:
     """
     Traction, slip, zones, creepage and dissipation of steady rolling. Vectors are (x, y). Arrays are read-only views of
-    the memory of this object, except for the zones and the dissipation, which are copies.
+    the memory of this object, except for the zones and the dissipation, which are read-only copies.
     """
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
@@ -6122,7 +6139,7 @@ class RollingSolver:
     def settings(self, /, settings: Settings) -> None: ...
     def solve(self, /, *, creepage: Sequence[float] | NDArray[Any] | None = None, creepage_x: float | None = None, creepage_y: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, force_x: float | None = None, force_y: float | None = None, spin: float | None = None, moment: float | None = None, progress: Any | None = None, warn: bool = True) -> RollingSolution:
         """
-        Solves for the given creepages, forces, spin or moment, or for the last ones if none is given.
+        Solves for the given creepages, forces, spin or moment. Omitted arguments keep their last values.
 
         The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
         leave it unchanged.
@@ -6130,7 +6147,8 @@ class RollingSolver:
         Parameters
         ----------
         creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
-            See :class:`RollingProblem`. If one of them is given, omitted creepages and an omitted spin are zero.
+            See :class:`RollingProblem`. A creepage or force along an axis replaces the last one along that axis only, and a
+            spin or moment replaces the last spin or moment.
         progress, warn : optional
             See :meth:`NormalProblem.solve`.
 
@@ -6340,8 +6358,9 @@ class SelfAffine:
         Whether the surface is the middle of a larger surface and therefore not periodic.
     skewness, kurtosis : float, optional
         Skewness and kurtosis of the heights (Gaussian heights have kurtosis 3). By default they follow from the phases.
-    seed : int, default 0
-        Seed of the random numbers, not negative; each seed gives a different surface.
+    seed : int
+        Seed of the random numbers, not negative; required. Each seed gives a different surface, and equal seeds give equal
+        surfaces.
 
     Examples
     --------
@@ -6353,7 +6372,7 @@ class SelfAffine:
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
-    def __new__(cls, /, *, rms_height: float | None = None, rms_slope: float | None = None, hurst: float | None = None, longest_wavelength: float | None = None, roll_off_wavelength: float | None = None, cut_off_wavelength: float | None = None, amplitudes: Amplitudes | str | None = None, cropped: bool = False, skewness: float | None = None, kurtosis: float | None = None, seed: int | None = None) -> SelfAffine: ...
+    def __new__(cls, /, *, rms_height: float | None = None, rms_slope: float | None = None, hurst: float | None = None, longest_wavelength: float | None = None, roll_off_wavelength: float | None = None, cut_off_wavelength: float | None = None, amplitudes: Amplitudes | str | None = None, cropped: bool = False, skewness: float | None = None, kurtosis: float | None = None, seed: int) -> SelfAffine: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     def generate(self, /, grid: Grid) -> RoughSurface:
@@ -6611,7 +6630,7 @@ class Spot:
 class State:
     """
     A state of a history, which can be restored, continued or saved. It contains gap, friction and settings, but not
-    the bodies. Arrays are read-only views of the memory of this object, except for the zones, which are copies.
+    the bodies. Arrays are read-only views of the memory of this object, except for the zones, which are read-only copies.
     Vectors are (x, y). The guide page ``embedding`` states the number of bytes per cell.
     """
     def __reduce__(self, /) -> tuple[Any, tuple[type, bytes]]: ...
@@ -6639,7 +6658,7 @@ class State:
     @property
     def contact(self, /) -> NDArray[bool_]:
         """
-        Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A copy.
+        Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A read-only copy.
         """
     @property
     def coupling(self, /) -> Coupling:
@@ -6669,7 +6688,7 @@ class State:
     @property
     def gap_as_set(self, /) -> NDArray[float64]:
         """
-        The gap before loading (lengths), as last set, without the yielded depth; a copy.
+        The gap before loading (lengths), as last set, without the yielded depth; a read-only copy.
         """
     @property
     def grid(self, /) -> Grid:
@@ -7337,7 +7356,7 @@ class TangentialProblem:
 class TangentialSolution:
     """
     Traction, slip, zones and shift of a tangential contact. Vectors are (x, y); in the scalar model, the component across
-    the load is zero. Arrays are read-only views of the memory of this object, except for the zones, which are copies. Two
+    the load is zero. Arrays are read-only views of the memory of this object, except for the zones, which are read-only copies. Two
     objects are equal if their solutions are equal, even if the iterations differed.
     """
     def __eq__(self, other: object, /) -> bool: ...
@@ -8019,7 +8038,9 @@ def archard(coefficient: Field | ArrayLike, pressure: Field | ArrayLike, slip_di
 
     Raises
     ------
-    NegativeOrNotFinite, Sample, GridMismatch, Shape, NotFinite
+    NegativeOrNotFinite, Sample, GridMismatch, NotFinite
+    Shape
+        If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
     """
 
 def asc_parse(bytes: bytes) -> Field:
@@ -8103,8 +8124,9 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
     ``BAD``, ``No Data``, ``no_data``, ``no-data``, ``N/A``, ``#N/A``, ``NA``, ``null``, ``none``, ``void``, ``invalid``,
     ``missing`` and ``--``. Any other text is rejected with its line and column. Numbers that may be labels are also
     rejected: a first row or column 0, 1, 2, ..., also as 0.0, 1.0, 2.0, ... next to other decimals, and evenly spaced
-    coordinates in the first row and column. Evenly spaced coordinates with other decimals in the first row alone, such as 0,
-    0.5, 1, are read as heights, because the first row of an inclined surface has the same form: skip them by ``skip_rows=1``.
+    coordinates in the first row and column. Evenly spaced coordinates with other decimals in the first row or column alone, such
+    as 0, 0.5, 1, are read as heights, because the first row or column of an inclined surface has the same form: skip them by
+    ``skip_rows=1`` or ``skip_columns=1``.
 
     Parameters
     ----------
@@ -8181,7 +8203,9 @@ def energy(coefficient: Field | ArrayLike, energy: Field | ArrayLike, *, depth: 
 
     Raises
     ------
-    NegativeOrNotFinite, Sample, GridMismatch, Shape, NotFinite
+    NegativeOrNotFinite, Sample, GridMismatch, NotFinite
+    Shape
+        If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
     """
 
 def fill_missing(heights: Field | ArrayLike) -> Filled:
@@ -8514,14 +8538,29 @@ def sdf_read(path: str | PathLike[str]) -> Field:
     Reads a surface from an SDF file (lengths in metres).
     """
 
-def sdf_to_bytes(field: Field | ArrayLike) -> bytes:
+def sdf_to_bytes(field: Field | ArrayLike, *, unit: str | None = None) -> bytes:
     """
-    Returns a surface as the bytes of an SDF file (lengths in metres).
+    Returns a surface as the bytes of an SDF file (lengths in metres); see :func:`write`.
     """
 
-def sdf_write(path: str | PathLike[str], field: Field | ArrayLike) -> None:
+def sdf_write(path: str | PathLike[str], field: Field | ArrayLike, *, unit: str | None = None) -> None:
     """
     Writes a surface to an SDF file (lengths in metres).
+
+    Parameters
+    ----------
+    path : path_like
+        The file.
+    field : Field or topography
+        The surface, in metres.
+    unit : str, optional
+        The unit of a surface that states none: ``"m"``.
+
+    Raises
+    ------
+    File
+    ValueError
+        If the unit of the surface is not known or is not the metre.
     """
 
 def set_num_threads(threads: int) -> None:
@@ -8599,7 +8638,9 @@ def threshold_energy(coefficient: Field | ArrayLike, threshold: float, accumulat
 
     Raises
     ------
-    NegativeOrNotFinite, Sample, GridMismatch, Shape, NotFinite
+    NegativeOrNotFinite, Sample, GridMismatch, NotFinite
+    Shape
+        If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
     """
 
 def vti_to_bytes(fields: Any, *, grid: Grid | None = None) -> bytes:

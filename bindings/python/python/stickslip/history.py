@@ -81,6 +81,17 @@ class FrettingLoop:
     >>> outcome = loop.run(history, 10)
     >>> outcome.cycles, str(outcome.ending), str(outcome.last.regime)
     (2, 'steady', 'partial_slip')
+
+    A normal force that oscillates with a phase shift: the path is an ellipse of shift and force, and ``load`` uses its second
+    value as the change of the normal force. For any other load, take the steps in a loop and add each to a :class:`Cycle`.
+
+    >>> import math
+    >>> ellipse = LoadPath.ellipse((2e-6, 20.0), math.pi / 2, 20)
+    >>> step = history.step(normal_force=100.0 + ellipse.end[1])
+    >>> loop = FrettingLoop(ellipse, lambda value: ss.LoadStep(normal_force=100.0 + value[1], shift=(value[0], 0.0)))
+    >>> result = loop.run(history, 2)
+    >>> round(history.normal.force), result.last.energy.dissipated_energy > 0.0
+    (120, True)
     """
 
     def __init__(

@@ -2,7 +2,10 @@
 
 :func:`run` wears the gap of a history over many cycles. The functions of the laws return a new array of depths. Arrays,
 such as those of a :class:`~stickslip.history.Cycle`, do not contain the size of their cells, so the energy laws require
-``grid=history.grid`` with such arrays.
+``grid=history.grid`` with such arrays. The laws require one number per cell and reject a total.
+
+A loop without :func:`run` sets the worn gap by ``history.set_gap(history.gap_as_set + depth)``. The attribute ``gap_as_set``
+does not contain the depth yielded under a permanent set, which the history adds to every gap.
 """
 
 from ._enums import WearEnding

@@ -62,7 +62,7 @@ impl CoupledSolution {
         TangentialSolution::of_coupled(&self.0)
     }
 
-    /// Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A copy.
+    /// Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A read-only copy.
     #[getter]
     fn contact<'py>(&self, py: Python<'py>) -> Array<'py, bool> {
         contact(py, self.0.normal().pressure())

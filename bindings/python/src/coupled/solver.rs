@@ -2,7 +2,7 @@
 
 use pyo3::prelude::*;
 
-use crate::array::{Array, copy};
+use crate::array::{Array, snapshot};
 use crate::coupled::CoupledSolution;
 use crate::error::OrRaise;
 use crate::field::Samples;
@@ -58,10 +58,10 @@ impl CoupledSolver {
             .or_raise(py)
     }
 
-    /// The gap before loading of the next solve (lengths), as last set; a copy.
+    /// The gap before loading of the next solve (lengths), as last set; a read-only copy.
     #[getter]
     fn gap<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        self.0.with(|solver| copy(py, solver.gap()))
+        self.0.with(|solver| snapshot(py, solver.gap()))
     }
 
     /// Sets the gap of the next solve (lengths).

@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use stickslip::Axis;
 use stickslip::stiffness::StiffnessWorkspace;
 
-use crate::array::{Array, contact, copy, zones};
+use crate::array::{Array, contact, copy, snapshot, zones};
 use crate::boundary::Boundary;
 use crate::choice::Choice;
 use crate::digits::{short, tuple};
@@ -56,17 +56,23 @@ impl History {
         self.read(|history| Friction(history.friction().clone()))
     }
 
-    /// The gap before loading (lengths), as last set, plus the yielded depth; a copy.
+    /// The gap before loading (lengths), as last set, plus the yielded depth; a read-only copy.
     #[getter]
     fn unloaded_gap<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        self.read(|history| copy(py, history.unloaded_gap()))
+        self.read(|history| snapshot(py, history.unloaded_gap()))
     }
 
-    /// The gap before loading (lengths), as last set, without the yielded depth; a copy. Change this gap and pass it to
-    /// :meth:`set_gap`. The yielded depth in :attr:`unloaded_gap` would count twice.
+    /// The gap before loading (lengths), as last set, without the yielded depth; a read-only copy. Pass a
+    /// changed array to :meth:`set_gap`, as in ``history.set_gap(history.gap_as_set + depth)``. The yielded depth in :attr:`unloaded_gap`
+    /// would count twice.
     #[getter]
     fn gap_as_set<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        self.read(|history| history.gap_as_set().or_raise(py).map(|gap| copy(py, &gap)))?
+        self.read(|history| {
+            history
+                .gap_as_set()
+                .or_raise(py)
+                .map(|gap| snapshot(py, &gap))
+        })?
     }
 
     /// The normal solution, a copy.
@@ -75,13 +81,13 @@ impl History {
         self.read(|history| Arc::new(history.normal().clone()).into())
     }
 
-    /// Pressure, not negative; exactly zero outside the contact. A copy.
+    /// Pressure, not negative; exactly zero outside the contact. A read-only copy.
     #[getter]
     fn pressure<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        self.read(|history| copy(py, history.pressure()))
+        self.read(|history| snapshot(py, history.pressure()))
     }
 
-    /// Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A copy.
+    /// Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A read-only copy.
     #[getter]
     fn contact<'py>(&self, py: Python<'py>) -> PyResult<Array<'py, bool>> {
         self.read(|history| contact(py, history.pressure()))
@@ -93,28 +99,28 @@ impl History {
         self.read(stickslip::History::approach)
     }
 
-    /// Shear traction on body 1 along x and y (pressures), copies.
+    /// Shear traction on body 1 along x and y (pressures), read-only copies.
     #[getter]
     fn traction<'py>(&self, py: Python<'py>) -> PyResult<(Array<'py>, Array<'py>)> {
-        self.read(|history| history.traction().map(|field| copy(py, field)).into())
+        self.read(|history| history.traction().map(|field| snapshot(py, field)).into())
     }
 
-    /// Slip since the start along x and y (lengths), copies.
+    /// Slip since the start along x and y (lengths), read-only copies.
     #[getter]
     fn slip<'py>(&self, py: Python<'py>) -> PyResult<(Array<'py>, Array<'py>)> {
-        self.read(|history| history.slip().map(|field| copy(py, field)).into())
+        self.read(|history| history.slip().map(|field| snapshot(py, field)).into())
     }
 
-    /// Length of the path that each cell slipped since the start (lengths, not negative), a copy.
+    /// Length of the path that each cell slipped since the start (lengths, not negative), a read-only copy.
     #[getter]
     fn accumulated_slip<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        self.read(|history| copy(py, history.accumulated_slip()))
+        self.read(|history| snapshot(py, history.accumulated_slip()))
     }
 
-    /// Energy that each cell dissipated since the start (not negative), a copy.
+    /// Energy that each cell dissipated since the start (not negative), a read-only copy.
     #[getter]
     fn accumulated_dissipation<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        self.read(|history| copy(py, history.accumulated_dissipation()))
+        self.read(|history| snapshot(py, history.accumulated_dissipation()))
     }
 
     /// Computes the displacement of body 1 relative to body 2 due to the tractions along x and y (lengths). The cost is
@@ -126,7 +132,7 @@ impl History {
         Ok(moved.each_ref().map(|field| copy(py, field)).into())
     }
 
-    /// Zone of each cell: 0 separated, 1 stick, 2 slip.
+    /// Zone of each cell: 0 separated, 1 stick, 2 slip. A read-only copy.
     #[getter]
     fn zones<'py>(&self, py: Python<'py>) -> PyResult<Array<'py, u8>> {
         self.read(|history| zones(py, history.grid(), history.zones()))

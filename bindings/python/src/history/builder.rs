@@ -208,8 +208,20 @@ impl History {
 
     /// Sets the gap of later steps (lengths), for example after wear.
     ///
-    /// With ``permanent_set=True``, :attr:`gap` contains the yielded depth already. Subtract ``state().yielded`` before the gap is
-    /// set again.
+    /// The gap is given without the yielded depth, which the history adds: to change the present gap, start from
+    /// :attr:`gap_as_set`. With a permanent set, a gap that contains the yielded depth would add it twice.
+    ///
+    /// Examples
+    /// --------
+    /// >>> import stickslip
+    /// >>> grid = stickslip.Grid.square(32, 0.3e-3)
+    /// >>> steel = stickslip.Material(213e9, 0.29)
+    /// >>> history = stickslip.History(stickslip.HalfSpace(grid, (steel, steel)), stickslip.surface.sphere(grid, 3.5e-3), 0.5)
+    /// >>> step = history.step(normal_force=100.0)
+    /// >>> step = history.step(normal_force=100.0, force_x=30.0)
+    /// >>> depth = stickslip.wear.energy(1e-13, step.dissipation, grid=grid)
+    /// >>> history.set_gap(history.gap_as_set + depth)
+    /// >>> step = history.step(normal_force=100.0)
     fn set_gap(&self, py: Python<'_>, gap: Samples<'_>) -> PyResult<()> {
         let gap = gap.per_cell(py, "gap", self.grid())?;
         self.change(py, |history| history.set_gap(&gap))

@@ -5,7 +5,7 @@ use std::sync::{Mutex, MutexGuard};
 use pyo3::prelude::*;
 
 use crate::argument::Object;
-use crate::array::{Array, copy};
+use crate::array::{Array, snapshot};
 use crate::choice::Choice;
 use crate::digits::{counted, rough, short, tuple};
 use crate::error::OrRaise;
@@ -115,7 +115,7 @@ picklable!(LoopPoints: Vec<stickslip::history::LoopPoint>);
 frame!(LoopPoints, record: force, shift, moment, twist);
 
 /// Slip, energy and the force-shift loop, accumulated over the steps of a cycle from the present state of the history.
-/// The arrays are copies.
+/// The arrays are read-only copies.
 ///
 /// Parameters
 /// ----------
@@ -187,13 +187,13 @@ impl Cycle {
     /// Length of the path that each cell slipped in the cycle (lengths, not negative).
     #[getter]
     fn slip_distance<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        Ok(copy(py, self.lock()?.slip_distance()))
+        Ok(snapshot(py, self.lock()?.slip_distance()))
     }
 
     /// Pressure under which each cell slipped, averaged over its slip path; zero for cells without slip.
     #[getter]
     fn slip_pressure<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        Ok(copy(py, self.lock()?.slip_pressure()))
+        Ok(snapshot(py, self.lock()?.slip_pressure()))
     }
 
     /// Half the range of the slip of each cell along x and y (lengths, not negative).
@@ -202,14 +202,14 @@ impl Cycle {
         Ok(self
             .lock()?
             .slip_amplitude()
-            .map(|field| copy(py, field))
+            .map(|field| snapshot(py, field))
             .into())
     }
 
     /// Energy that each cell dissipated in the cycle (forces times lengths, not negative).
     #[getter]
     fn dissipation<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        Ok(copy(py, self.lock()?.dissipation()))
+        Ok(snapshot(py, self.lock()?.dissipation()))
     }
 
     /// Work, elastic energy and dissipation of the cycle.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyType};
 
-use crate::array::{Array, contact, copy, view, zones};
+use crate::array::{Array, contact, snapshot, view, zones};
 use crate::boundary::Boundary;
 use crate::choice::Choice;
 use crate::digits::{short, tuple};
@@ -23,7 +23,7 @@ use crate::settings::Settings;
 type Saved<'py> = (Bound<'py, PyType>, Bound<'py, PyBytes>);
 
 /// A state of a history, which can be restored, continued or saved. It contains gap, friction and settings, but not
-/// the bodies. Arrays are read-only views of the memory of this object, except for the zones, which are copies.
+/// the bodies. Arrays are read-only views of the memory of this object, except for the zones, which are read-only copies.
 /// Vectors are (x, y). The guide page ``embedding`` states the number of bytes per cell.
 #[pyclass(frozen, module = "stickslip.history")]
 pub(crate) struct State(pub(crate) Arc<stickslip::history::State>);
@@ -104,14 +104,14 @@ impl State {
     #[getter]
     fn relative_displacement<'py>(slf: &Bound<'py, Self>) -> Option<(Array<'py>, Array<'py>)> {
         let fields = slf.get().0.relative_displacement()?;
-        Some(fields.map(|field| copy(slf.py(), field)).into())
+        Some(fields.map(|field| snapshot(slf.py(), field)).into())
     }
 
     /// Yielded depth of the surfaces since the start (lengths, not negative); ``None`` without a permanent set.
     #[getter]
     fn yielded<'py>(slf: &Bound<'py, Self>) -> Option<Array<'py>> {
         let field = slf.get().0.yielded()?;
-        Some(copy(slf.py(), field))
+        Some(snapshot(slf.py(), field))
     }
 
     /// The gap before loading (lengths), as last set, plus the yielded depth.
@@ -120,11 +120,11 @@ impl State {
         view(slf, |state| state.0.unloaded_gap())
     }
 
-    /// The gap before loading (lengths), as last set, without the yielded depth; a copy.
+    /// The gap before loading (lengths), as last set, without the yielded depth; a read-only copy.
     #[getter]
     fn gap_as_set<'py>(slf: &Bound<'py, Self>) -> PyResult<Array<'py>> {
         let py = slf.py();
-        Ok(copy(py, &slf.get().0.gap_as_set().or_raise(py)?))
+        Ok(snapshot(py, &slf.get().0.gap_as_set().or_raise(py)?))
     }
 
     /// The normal solution, which shares the memory of the state.
@@ -139,7 +139,7 @@ impl State {
         view(slf, |state| state.0.pressure())
     }
 
-    /// Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A copy.
+    /// Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. A read-only copy.
     #[getter]
     fn contact<'py>(&self, py: Python<'py>) -> Array<'py, bool> {
         contact(py, self.0.pressure())

@@ -6,7 +6,7 @@ use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use stickslip::Field;
 
-use crate::array::{Array, copy, view};
+use crate::array::{Array, snapshot, view};
 use crate::digits::{short, tuple};
 use crate::history::{EnergyBalance, History};
 use crate::pickle::{Reduced, Stored, reduced};
@@ -115,7 +115,8 @@ impl StepResult {
                 Fields::Last { .. } => unreachable!("a frozen object stays what it is"),
             }));
         }
-        slf.get().read(slf.py(), |step| copy(slf.py(), of(step)))
+        slf.get()
+            .read(slf.py(), |step| snapshot(slf.py(), of(step)))
     }
 }
 

@@ -29,6 +29,15 @@ fn coefficient_of(given: &Spread) -> Coefficient<'_> {
 /// Noun for the coefficient in messages.
 const COEFFICIENT: &str = "coefficient of wear";
 
+/// Remedies for a single number instead of one number per cell. A total would wear every cell, also outside the contact.
+const ENERGY_OF_CELLS: &str =
+    "give the energy of each cell, step.dissipation or cycle.dissipation, instead of a total";
+const ACCUMULATED_OF_CELLS: &str =
+    "give the energy of each cell since the start, history.accumulated_dissipation, instead of a total";
+const PRESSURE_OF_CELLS: &str =
+    "give the pressure of each cell, history.pressure or cycle.slip_pressure";
+const SLIP_OF_CELLS: &str = "give the slip of each cell, step.slip_distance or cycle.slip_distance";
+
 /// Returns the previous depth, to which the laws add, or zero if none is given.
 fn before(py: Python<'_>, depth: Option<&Samples<'_>>, grid: stickslip::Grid) -> PyResult<Field> {
     match depth {
@@ -43,7 +52,8 @@ fn of_any_cells(
     grid: Option<&Grid>,
     fields: &[&Samples<'_>],
 ) -> PyResult<stickslip::Grid> {
-    match (grid_of(grid, fields), fields[0].shape()) {
+    let shape = fields.iter().find_map(|field| field.shape());
+    match (grid_of(grid, fields), shape) {
         (Err(_), Some((ny, nx))) => stickslip::Grid::new(nx, ny, 1.0, 1.0).or_raise(py),
         (known, _) => known,
     }
@@ -71,7 +81,9 @@ fn of_any_cells(
 ///
 /// Raises
 /// ------
-/// NegativeOrNotFinite, Sample, GridMismatch, Shape, NotFinite
+/// NegativeOrNotFinite, Sample, GridMismatch, NotFinite
+/// Shape
+///     If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
 #[pyfunction]
 #[pyo3(signature = (coefficient, pressure, slip_distance, *, depth=None, grid=None))]
 pub(crate) fn archard<'py>(
@@ -89,8 +101,8 @@ pub(crate) fn archard<'py>(
     )?;
     let mut worn = before(py, depth.as_ref(), grid)?;
     let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;
-    let pressure = pressure.on(py, "pressure", grid)?;
-    let distance = slip_distance.on(py, "slip length", grid)?;
+    let pressure = pressure.of_each_cell(py, "pressure", grid, PRESSURE_OF_CELLS)?;
+    let distance = slip_distance.of_each_cell(py, "slip length", grid, SLIP_OF_CELLS)?;
     unobserved_on(py, grid, || {
         wear::archard(coefficient_of(&given), &pressure, &distance, &mut worn)
     })?;
@@ -117,7 +129,9 @@ pub(crate) fn archard<'py>(
 ///
 /// Raises
 /// ------
-/// NegativeOrNotFinite, Sample, GridMismatch, Shape, NotFinite
+/// NegativeOrNotFinite, Sample, GridMismatch, NotFinite
+/// Shape
+///     If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
 #[pyfunction]
 #[pyo3(signature = (coefficient, energy, *, depth=None, grid=None))]
 pub(crate) fn energy<'py>(
@@ -130,7 +144,7 @@ pub(crate) fn energy<'py>(
     let grid = grid_of(grid.as_deref(), &[&energy])?;
     let mut worn = before(py, depth.as_ref(), grid)?;
     let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;
-    let energy = energy.on(py, "energy", grid)?;
+    let energy = energy.of_each_cell(py, "energy", grid, ENERGY_OF_CELLS)?;
     unobserved_on(py, grid, || {
         wear::energy(coefficient_of(&given), &energy, &mut worn)
     })?;
@@ -161,7 +175,9 @@ pub(crate) fn energy<'py>(
 ///
 /// Raises
 /// ------
-/// NegativeOrNotFinite, Sample, GridMismatch, Shape, NotFinite
+/// NegativeOrNotFinite, Sample, GridMismatch, NotFinite
+/// Shape
+///     If an array does not have one entry per cell. A single number, such as a total energy, is rejected too.
 #[pyfunction]
 #[pyo3(signature = (coefficient, threshold, accumulated, energy, *, depth=None, grid=None))]
 pub(crate) fn threshold_energy<'py>(
@@ -176,8 +192,9 @@ pub(crate) fn threshold_energy<'py>(
     let grid = grid_of(grid.as_deref(), &[&accumulated, &energy])?;
     let mut worn = before(py, depth.as_ref(), grid)?;
     let given = coefficient.spread(py, COEFFICIENT, Some(&Grid(grid)))?;
-    let accumulated = accumulated.on(py, "accumulated energy", grid)?;
-    let energy = energy.on(py, "energy", grid)?;
+    let accumulated =
+        accumulated.of_each_cell(py, "accumulated energy", grid, ACCUMULATED_OF_CELLS)?;
+    let energy = energy.of_each_cell(py, "energy", grid, ENERGY_OF_CELLS)?;
     unobserved_on(py, grid, || {
         wear::threshold_energy(
             coefficient_of(&given),

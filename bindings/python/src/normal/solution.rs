@@ -131,7 +131,7 @@ impl NormalSolution {
     }
 
     /// Mask of the cells in contact, booleans of shape (ny, nx): cells with positive pressure. The properties
-    /// ``contact_cells`` and ``contact_area`` count these cells. A copy.
+    /// ``contact_cells`` and ``contact_area`` count these cells. A read-only copy.
     #[getter]
     fn contact<'py>(&self, py: Python<'py>) -> Array<'py, bool> {
         contact(py, self.get().pressure())

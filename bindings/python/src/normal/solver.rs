@@ -7,7 +7,7 @@ use pyo3::types::PyTuple;
 use stickslip::{NormalLoad, cgm};
 
 use crate::argument::Object;
-use crate::array::{Array, copy};
+use crate::array::{Array, snapshot};
 use crate::choice::Choice;
 use crate::field::Samples;
 use crate::half_space::HalfSpace;
@@ -220,10 +220,10 @@ impl NormalSolver {
         self.change(py, Some(load::needed(force, approach)?), None)
     }
 
-    /// The gap before loading of the next solve (lengths), as last set; a copy.
+    /// The gap before loading of the next solve (lengths), as last set; a read-only copy.
     #[getter]
     fn gap<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        self.0.with(|solver| copy(py, solver.gap()))
+        self.0.with(|solver| snapshot(py, solver.gap()))
     }
 
     /// Sets the gap of the next solve, for example after wear.

@@ -12,6 +12,23 @@ use crate::real::Real;
 /// Creepages or forces along both axes.
 pub(super) type Both = (Option<conversion::Creepages>, Option<conversion::Force>);
 
+/// Prescribed creepages or forces along x and y, and the prescribed spin or moment.
+#[derive(Clone, Copy)]
+pub(super) struct Controls {
+    pub(super) along: [RollingControl; 2],
+    pub(super) spin: SpinControl,
+}
+
+impl Controls {
+    /// Returns the controls of a point `(creepage_x, creepage_y, spin)` of a creep curve.
+    pub(super) fn creepage([x, y, spin]: [f64; 3]) -> Self {
+        Self {
+            along: [x, y].map(RollingControl::Creepage),
+            spin: SpinControl::Spin(spin),
+        }
+    }
+}
+
 /// Keywords of the controls along each axis and of the rotation.
 pub(super) struct Keywords {
     controls: [Option<RollingControl>; 2],
@@ -56,15 +73,18 @@ impl Keywords {
         self.controls == [None; 2] && self.spin.is_none()
     }
 
-    /// Returns the controls along x and y; zero creepage along an axis without a keyword.
-    pub(super) fn controls(&self) -> [RollingControl; 2] {
-        let still = RollingControl::Creepage(0.0);
-        self.controls.map(|control| control.unwrap_or(still))
+    /// Returns the controls of a solve: those of the keywords, and the last ones where no keyword is given.
+    pub(super) fn after(&self, last: Controls) -> Controls {
+        let [x, y] = self.controls;
+        Controls {
+            along: [x.unwrap_or(last.along[0]), y.unwrap_or(last.along[1])],
+            spin: self.spin.unwrap_or(last.spin),
+        }
     }
 
-    /// Returns the control of the rotation; zero spin without a keyword.
-    pub(super) fn spin(&self) -> SpinControl {
-        self.spin.unwrap_or(SpinControl::Spin(0.0))
+    /// Returns the controls of a new problem: zero creepage and spin where no keyword is given.
+    pub(super) fn controls(&self) -> Controls {
+        self.after(Controls::creepage([0.0; 3]))
     }
 
     /// Adds the keywords to a recipe.

@@ -1,6 +1,6 @@
 //! Rolling of dissimilar bodies, with pressure and traction coupled both ways.
 
-use std::sync::Arc;
+use std::sync::{Arc, Mutex};
 
 use pyo3::prelude::*;
 use pyo3::types::{PyDict, PyTuple};
@@ -9,7 +9,7 @@ use stickslip::history::EntryRule;
 use stickslip::rolling::{self, LeadingEdge};
 
 use crate::argument::Object;
-use crate::array::{Array, copy};
+use crate::array::{Array, snapshot};
 use crate::choice::Choice;
 use crate::conversion;
 use crate::digits::{in_python, rough, short, tuple};
@@ -25,8 +25,9 @@ use crate::readers::{readers, record};
 use crate::real::{Count, Real};
 use crate::report::{Report, Warning, ending};
 use crate::rolling::RollingSolution;
-use crate::rolling::control::Keywords;
+use crate::rolling::control::{Controls, Keywords};
 use crate::settings::{Settings, chosen};
+use crate::solution_pool::lock;
 use crate::solver::{Reused, solve_once, solver};
 use crate::work::{unobserved_on, watch};
 
@@ -71,7 +72,12 @@ use crate::work::{unobserved_on, watch};
 /// >>> bool(rolling.normal.pressure.max() > smooth.pressure.max())  # the tractions raise the pressure
 /// True
 #[pyclass(frozen, module = "stickslip.rolling")]
-pub(crate) struct CoupledRollingProblem(rolling::CoupledRollingProblem, stickslip::Grid, Recipe);
+pub(crate) struct CoupledRollingProblem {
+    problem: rolling::CoupledRollingProblem,
+    grid: stickslip::Grid,
+    controls: Controls,
+    recipe: Recipe,
+}
 
 #[pymethods]
 impl CoupledRollingProblem {
@@ -143,12 +149,15 @@ impl CoupledRollingProblem {
             .with(py, "settings", Some(Settings(settings)))?;
         let recipe = keywords.recorded(py, recipe)?;
         let built = unobserved_on(py, grid, || {
-            let [x, y] = keywords.controls();
+            let Controls {
+                along: [x, y],
+                spin,
+            } = keywords.controls();
             let mut builder =
                 rolling::CoupledRollingProblem::builder(&bodies.0, gap, friction, normal)
                     .control(stickslip::Axis::X, x)
                     .control(stickslip::Axis::Y, y)
-                    .spin(keywords.spin())
+                    .spin(spin)
                     .settings(settings);
             if let Some(edge) = leading_edge {
                 builder = builder.leading_edge(edge.0);
@@ -164,7 +173,12 @@ impl CoupledRollingProblem {
             }
             builder.build()
         })?;
-        Ok(Self(built, grid, recipe))
+        Ok(Self {
+            problem: built,
+            grid,
+            controls: keywords.controls(),
+            recipe,
+        })
     }
 
     /// Solves the problem once; see :meth:`NormalProblem.solve`.
@@ -175,39 +189,44 @@ impl CoupledRollingProblem {
         progress: Option<Bound<'py, PyAny>>,
         warn: bool,
     ) -> PyResult<Bound<'py, CoupledRollingSolution>> {
-        let solver = || self.0.clone().into_solver();
-        solve_once(py, self.1.cells(), solver, progress, warn)
+        let solver = || self.problem.clone().into_solver();
+        solve_once(py, self.grid.cells(), solver, progress, warn)
     }
 
     /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
     fn solver(&self, py: Python<'_>) -> PyResult<CoupledRollingSolver> {
-        let solver = || self.0.clone().into_solver();
-        Reused::new(py, self.1, solver).map(CoupledRollingSolver)
+        let solver = || self.problem.clone().into_solver();
+        let solver = Reused::new(py, self.grid, solver)?;
+        Ok(CoupledRollingSolver(solver, Mutex::new(self.controls)))
     }
 
     fn __getnewargs_ex__<'py>(
         &self,
         py: Python<'py>,
     ) -> PyResult<(Bound<'py, PyTuple>, Bound<'py, PyDict>)> {
-        self.2.parts(py)
+        self.recipe.parts(py)
     }
 
     fn __repr__(&self) -> String {
-        format!("CoupledRollingProblem({})", size(self.1))
+        format!("CoupledRollingProblem({})", size(self.grid))
     }
 }
 
 /// Solves coupled rolling for successive loads, each time from the last solution; created by
 /// :meth:`CoupledRollingProblem.solver`.
 #[pyclass(frozen, module = "stickslip.rolling")]
-pub(crate) struct CoupledRollingSolver(Reused<rolling::CoupledRollingSolver>);
+pub(crate) struct CoupledRollingSolver(
+    Reused<rolling::CoupledRollingSolver>,
+    /// Controls of the next solve, which the solver of the crate does not return.
+    Mutex<Controls>,
+);
 
 solver!(rolling::CoupledRollingSolver as CoupledRollingSolver:
     rolling::CoupledRollingSolution as CoupledRollingSolution, rolling::CoupledRollingSolution::warnings);
 
 #[pymethods]
 impl CoupledRollingSolver {
-    /// Solves for the given creepages, forces, spin or moment, or for the last ones if none is given.
+    /// Solves for the given creepages, forces, spin or moment. Omitted arguments keep their last values.
     ///
     /// The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
     /// leave it unchanged.
@@ -215,7 +234,8 @@ impl CoupledRollingSolver {
     /// Parameters
     /// ----------
     /// creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
-    ///     See :class:`RollingProblem`. If one of them is given, omitted creepages and an omitted spin are zero.
+    ///     See :class:`RollingProblem`. A creepage or force along an axis replaces the last one along that axis only, and a
+    ///     spin or moment replaces the last spin or moment.
     /// normal_force, approach : float, optional
     ///     One of them sets the normal load together with the other arguments.
     /// progress, warn : optional
@@ -260,15 +280,18 @@ impl CoupledRollingSolver {
         let has_normal = normal_force.is_some() || approach.is_some();
         let normal = || load::needed_as("normal_force", normal_force, approach);
         let normal = has_normal.then(normal).transpose()?;
+        let mut last = lock(&self.1, "solver")?;
         let set = |solver: &mut rolling::CoupledRollingSolver| {
-            let (controls, spin) = (keywords.controls(), keywords.spin());
+            let controls = keywords.after(*last);
             let outcome = match (normal, keywords.is_empty()) {
                 (None, true) => Ok(()),
-                (None, false) => solver.set_load(controls, spin),
+                (None, false) => solver.set_load(controls.along, controls.spin),
                 (Some(normal), true) => solver.set_normal_load(normal),
-                (Some(normal), false) => solver.set_loads(normal, controls, spin),
+                (Some(normal), false) => solver.set_loads(normal, controls.along, controls.spin),
             };
-            outcome.or_raise(py)
+            outcome.or_raise(py)?;
+            *last = controls;
+            Ok(())
         };
         self.0.solve(py, set, progress, warn)
     }
@@ -289,10 +312,10 @@ impl CoupledRollingSolver {
             .or_raise(py)
     }
 
-    /// The gap before loading of the next solve (lengths), as last set; a copy.
+    /// The gap before loading of the next solve (lengths), as last set; a read-only copy.
     #[getter]
     fn gap<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        self.0.with(|solver| copy(py, solver.gap()))
+        self.0.with(|solver| snapshot(py, solver.gap()))
     }
 
     /// Sets the gap of the next solve (lengths).

@@ -16,7 +16,7 @@ use crate::load;
 use crate::normal::NormalSolution;
 use crate::pickle::Recipe;
 use crate::real::{Count, Real};
-use crate::rolling::control::Keywords;
+use crate::rolling::control::{Controls, Keywords};
 use crate::rolling::{RollingSolution, RollingSolver};
 use crate::settings::{Settings, chosen};
 use crate::solver::solve_once;
@@ -81,7 +81,12 @@ use crate::work::unobserved_on;
 /// >>> abs(rolling.force[0] / (a * a * 1e-5) / 4.12 - 1.0) < 0.02  # Kalker's coefficient C11
 /// True
 #[pyclass(frozen, module = "stickslip.rolling")]
-pub(crate) struct RollingProblem(rolling::RollingProblem, stickslip::Grid, Recipe);
+pub(crate) struct RollingProblem {
+    problem: rolling::RollingProblem,
+    grid: stickslip::Grid,
+    controls: Controls,
+    recipe: Recipe,
+}
 
 #[pymethods]
 impl RollingProblem {
@@ -145,11 +150,14 @@ impl RollingProblem {
         let recipe = keywords.recorded(py, recipe)?;
         let normal = normal.get();
         let built = unobserved_on(py, grid, || {
-            let [x, y] = keywords.controls();
+            let Controls {
+                along: [x, y],
+                spin,
+            } = keywords.controls();
             let mut builder = rolling::RollingProblem::builder(&bodies.0, normal, friction)
                 .control(stickslip::Axis::X, x)
                 .control(stickslip::Axis::Y, y)
-                .spin(keywords.spin())
+                .spin(spin)
                 .settings(settings);
             if let Some(edge) = leading_edge {
                 builder = builder.leading_edge(edge.0);
@@ -165,7 +173,12 @@ impl RollingProblem {
             }
             builder.build()
         })?;
-        Ok(Self(built, grid, recipe))
+        Ok(Self {
+            problem: built,
+            grid,
+            controls: keywords.controls(),
+            recipe,
+        })
     }
 
     /// Solves the problem once; see :meth:`NormalProblem.solve`.
@@ -176,23 +189,24 @@ impl RollingProblem {
         progress: Option<Bound<'py, PyAny>>,
         warn: bool,
     ) -> PyResult<Bound<'py, RollingSolution>> {
-        let solver = || self.0.clone().into_solver();
-        solve_once(py, self.1.cells(), solver, progress, warn)
+        let solver = || self.problem.clone().into_solver();
+        solve_once(py, self.grid.cells(), solver, progress, warn)
     }
 
     /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
     fn solver(&self, py: Python<'_>) -> PyResult<RollingSolver> {
-        RollingSolver::of(py, self.1, || self.0.clone().into_solver())
+        let solver = || self.problem.clone().into_solver();
+        RollingSolver::of(py, self.grid, self.controls, solver)
     }
 
     fn __getnewargs_ex__<'py>(
         &self,
         py: Python<'py>,
     ) -> PyResult<(Bound<'py, PyTuple>, Bound<'py, PyDict>)> {
-        self.2.parts(py)
+        self.recipe.parts(py)
     }
 
     fn __repr__(&self) -> String {
-        format!("RollingProblem({})", size(self.1))
+        format!("RollingProblem({})", size(self.grid))
     }
 }

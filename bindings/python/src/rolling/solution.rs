@@ -5,7 +5,7 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use stickslip::rolling;
 
-use crate::array::{Array, copy, view, zones};
+use crate::array::{Array, snapshot, view, zones};
 use crate::digits::{short, tuple};
 use crate::error::OrRaise;
 use crate::grid::Grid;
@@ -15,7 +15,7 @@ use crate::report::{Report, Warning, ending};
 use crate::sequence::pair;
 
 /// Traction, slip, zones, creepage and dissipation of steady rolling. Vectors are (x, y). Arrays are read-only views of
-/// the memory of this object, except for the zones and the dissipation, which are copies.
+/// the memory of this object, except for the zones and the dissipation, which are read-only copies.
 #[pyclass(frozen, module = "stickslip.rolling")]
 pub(crate) struct RollingSolution(Arc<rolling::RollingSolution>);
 
@@ -83,7 +83,7 @@ impl RollingSolution {
     #[getter]
     fn dissipation<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         let dissipation = self.0.dissipation().or_raise(py)?;
-        Ok(copy(py, &dissipation))
+        Ok(snapshot(py, &dissipation))
     }
 
     fn __repr__(&self) -> String {

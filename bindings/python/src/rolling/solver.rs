@@ -1,5 +1,7 @@
 //! Reusable solvers of rolling contacts.
 
+use std::sync::Mutex;
+
 use pyo3::prelude::*;
 use stickslip::rolling;
 
@@ -12,8 +14,9 @@ use crate::normal::NormalSolver;
 use crate::progress::Progress;
 use crate::real::Real;
 use crate::report::Report;
-use crate::rolling::control::Keywords;
+use crate::rolling::control::{Controls, Keywords};
 use crate::rolling::{CreepForces, RollingSolution};
+use crate::solution_pool::lock;
 use crate::solver::{Reused, solver};
 use crate::tangential::pressure::Pressure;
 use crate::work::watch;
@@ -21,15 +24,21 @@ use crate::work::watch;
 /// Solves for successive creepages, forces or spins, each time from the last solution; created by
 /// :meth:`RollingProblem.solver`.
 #[pyclass(frozen, module = "stickslip.rolling")]
-pub(crate) struct RollingSolver(Reused<rolling::RollingSolver>);
+pub(crate) struct RollingSolver(
+    Reused<rolling::RollingSolver>,
+    /// Controls of the next solve, which the solver of the crate does not return.
+    Mutex<Controls>,
+);
 
 impl RollingSolver {
     pub(super) fn of(
         py: Python<'_>,
         grid: stickslip::Grid,
+        controls: Controls,
         solver: impl FnOnce() -> stickslip::Result<rolling::RollingSolver> + Send,
     ) -> PyResult<Self> {
-        Reused::new(py, grid, solver).map(Self)
+        let solver = Reused::new(py, grid, solver)?;
+        Ok(Self(solver, Mutex::new(controls)))
     }
 }
 
@@ -38,7 +47,7 @@ solver!(rolling::RollingSolver as RollingSolver: rolling::RollingSolution as Rol
 
 #[pymethods]
 impl RollingSolver {
-    /// Solves for the given creepages, forces, spin or moment, or for the last ones if none is given.
+    /// Solves for the given creepages, forces, spin or moment. Omitted arguments keep their last values.
     ///
     /// The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
     /// leave it unchanged.
@@ -46,7 +55,8 @@ impl RollingSolver {
     /// Parameters
     /// ----------
     /// creepage, creepage_x, creepage_y, force, force_x, force_y, spin, moment : optional
-    ///     See :class:`RollingProblem`. If one of them is given, omitted creepages and an omitted spin are zero.
+    ///     See :class:`RollingProblem`. A creepage or force along an axis replaces the last one along that axis only, and a
+    ///     spin or moment replaces the last spin or moment.
     /// progress, warn : optional
     ///     See :meth:`NormalProblem.solve`.
     ///
@@ -82,12 +92,15 @@ impl RollingSolver {
             [force_x, force_y],
             (spin, moment),
         )?;
+        let mut last = lock(&self.1, "solver")?;
         let set = |solver: &mut rolling::RollingSolver| {
-            if keywords.is_empty() {
-                return Ok(());
+            if !keywords.is_empty() {
+                let controls = keywords.after(*last);
+                let outcome = solver.set_load(controls.along, controls.spin);
+                outcome.or_raise(py)?;
+                *last = controls;
             }
-            let outcome = solver.set_load(keywords.controls(), keywords.spin());
-            outcome.or_raise(py)
+            Ok(())
         };
         self.0.solve(py, set, progress, warn)
     }
@@ -211,10 +224,13 @@ impl RollingSolver {
         progress: Option<Bound<'py, PyAny>>,
     ) -> PyResult<CreepForces> {
         let progress = Progress::of_points(progress.as_ref(), points.0.len())?;
-        let mut found = Vec::new();
+        let mut last = lock(&self.1, "solver")?;
+        let (mut found, mut is_started) = (Vec::new(), false);
+        let prescribed = points.0.clone();
         let outcome = self.0.observed_in_stages(py, progress, |solver, observer| {
             let mut shown = 0;
             solver.creep_forces_into(points.0, &mut found, |_, solved| {
+                is_started = true;
                 let point = (solved.len() > shown).then(|| solved[shown]);
                 shown = solved.len();
                 observer(point.as_ref())
@@ -223,6 +239,14 @@ impl RollingSolver {
             let _ = found.last().map(|last| observer(Some(last)));
             Ok(())
         });
+        // The point after the solved points, or the last point, remains prescribed.
+        if let Some(&point) = prescribed
+            .get(found.len())
+            .or(prescribed.last())
+            .filter(|_| is_started)
+        {
+            *last = Controls::creepage(point);
+        }
         match outcome {
             Ok(()) => Ok(found.into()),
             Err(exception) => {

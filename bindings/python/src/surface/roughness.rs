@@ -39,8 +39,9 @@ use crate::work::{observed_on, watch};
 ///     Whether the surface is the middle of a larger surface and therefore not periodic.
 /// skewness, kurtosis : float, optional
 ///     Skewness and kurtosis of the heights (Gaussian heights have kurtosis 3). By default they follow from the phases.
-/// seed : int, default 0
-///     Seed of the random numbers, not negative; each seed gives a different surface.
+/// seed : int
+///     Seed of the random numbers, not negative; required. Each seed gives a different surface, and equal seeds give equal
+///     surfaces.
 ///
 /// Examples
 /// --------
@@ -58,7 +59,7 @@ impl SelfAffine {
     #[new]
     #[pyo3(signature = (*, rms_height=None, rms_slope=None, hurst=None, longest_wavelength=None,
         roll_off_wavelength=None, cut_off_wavelength=None, amplitudes=None, cropped=false, skewness=None,
-        kurtosis=None, seed=None))]
+        kurtosis=None, seed))]
     fn new(
         rms_height: Option<Real>,
         rms_slope: Option<Real>,
@@ -70,7 +71,7 @@ impl SelfAffine {
         cropped: bool,
         skewness: Option<Real>,
         kurtosis: Option<Real>,
-        seed: Option<Seed>,
+        seed: Seed,
     ) -> PyResult<Self> {
         use surface::SelfAffine as Recipe;
         type Setting = (Option<Real>, fn(Recipe, f64) -> Recipe);
@@ -100,10 +101,7 @@ impl SelfAffine {
         if cropped {
             recipe = recipe.cropped();
         }
-        if let Some(Seed(seed)) = seed {
-            recipe = recipe.seed(seed);
-        }
-        Ok(Self(recipe))
+        Ok(Self(recipe.seed(seed.0)))
     }
 
     /// Generates the surface on a grid.

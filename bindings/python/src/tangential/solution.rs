@@ -29,7 +29,7 @@ enum Source {
 }
 
 /// Traction, slip, zones and shift of a tangential contact. Vectors are (x, y); in the scalar model, the component across
-/// the load is zero. Arrays are read-only views of the memory of this object, except for the zones, which are copies. Two
+/// the load is zero. Arrays are read-only views of the memory of this object, except for the zones, which are read-only copies. Two
 /// objects are equal if their solutions are equal, even if the iterations differed.
 #[pyclass(frozen, module = "stickslip")]
 pub(crate) struct TangentialSolution(Source);

@@ -23,6 +23,7 @@ from .._stickslip import (
     State,
     TangentialSolution,
 )
+from ..errors import ArgumentType
 
 if TYPE_CHECKING:
     import xarray
@@ -145,10 +146,18 @@ def from_xarray(array: xarray.DataArray) -> Field:
 
     Raises
     ------
+    ArgumentType
+        If the argument is not a DataArray, for example a Dataset: give one of its variables, ``dataset["heights"]``.
     ValueError
         If the array has different dimensions, if its coordinates are not evenly spaced and increasing, if a unit is not a
         unit of length, or if the coordinates have units and the heights have none.
     """
+    if not all(hasattr(array, name) for name in ("dims", "attrs", "transpose")) or hasattr(array, "data_vars"):
+        variables = [str(name) for name in getattr(array, "data_vars", ())]
+        remedy = f': give one of its variables, such as dataset["{variables[0]}"]' if variables else ""
+        error = ArgumentType(f"array must be a DataArray of xarray, got {type(array).__name__}{remedy}")
+        error.argument = "array"
+        raise error
     if set(array.dims) != {"x", "y"}:
         raise ValueError(f"the array has the dimensions {tuple(array.dims)}, expected y and x")
     own, along = array.attrs.get("units"), [array[axis].attrs.get("units") for axis in ("x", "y")]
