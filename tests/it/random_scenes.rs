@@ -47,6 +47,18 @@ fn random_coated_scenes_are_solved_correctly() {
     );
 }
 
+/// Scattered spots have a preconditioner that the small contacts of the other scenes do not use.
+#[test]
+fn random_scattered_contacts_are_solved_correctly() {
+    let indices = (0..kit::thorough(4, 40)).map(|count| count * kinds::SCATTERED);
+    let indices: Vec<u64> = indices.collect();
+    let found = faults(&indices, kinds::rows);
+    assert!(found.is_empty(), "{}", found.join("\n"));
+    let is_scattered = |row: &Row| row.scene == "scattered" && row.ending == "converged";
+    let solved = kinds::rows(indices[0]);
+    assert!(solved.iter().any(is_scattered));
+}
+
 #[test]
 fn scenes_with_former_faults_are_solved_correctly() {
     let indices = [

@@ -45,3 +45,25 @@ pub(crate) fn waves(grid: Grid, amplitudes: [f64; 2]) -> Field {
         amplitudes[0] * wave(x, sides[0]) + amplitudes[1] * wave(y, sides[1])
     })
 }
+
+/// Returns the sum of waves with random directions and phases. Their lengths are between 6 and 20 cells, and the
+/// root-mean-square slope is about `slope`.
+pub(crate) fn asperities(grid: Grid, slope: f64, random: &mut Random) -> Field {
+    const WAVES: usize = 12;
+    let waves: Vec<_> = (0..WAVES)
+        .map(|_| {
+            let length = grid.dx().min(grid.dy()) * random.uniform(6.0, 20.0);
+            let number = std::f64::consts::TAU / length;
+            let angle = random.uniform(0.0, std::f64::consts::TAU);
+            let phase = random.uniform(0.0, std::f64::consts::TAU);
+            (number, angle.sin_cos(), phase)
+        })
+        .collect();
+    let height = slope * (2.0 / WAVES as f64).sqrt();
+    Field::from_fn(grid, |x, y| {
+        let wave = |&(number, (sin, cos), phase): &(f64, (f64, f64), f64)| {
+            height / number * (number * (cos * x + sin * y) + phase).sin()
+        };
+        waves.iter().map(wave).sum()
+    })
+}

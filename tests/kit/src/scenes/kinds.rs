@@ -47,6 +47,9 @@ const KINDS: [(Kind, &str); 9] = [
 /// Period of the indices that are also histories.
 const HISTORIES: u64 = 3;
 
+/// Period of the indices that also have a contact of scattered spots on a larger grid.
+pub const SCATTERED: u64 = 101;
+
 /// Relative deficit from the sliding force in the vector model. Below this deficit the solution depends on the last
 /// digits of the force, and a solve may stall.
 const LAST_DIGITS: f64 = 1e-7;
@@ -59,6 +62,12 @@ pub fn rows(index: u64) -> Vec<Row> {
         let contact = Contact::draw(kind, &mut random)?;
         let mut rows = contact.problems(name)?;
         if index / KINDS.len() as u64 % HISTORIES == 0 {
+            rows.extend(contact.history(name, &mut random)?);
+        }
+        if index % SCATTERED == 0 {
+            let mut random = draw::random_of(index ^ 0x7370_6f74);
+            let (contact, name) = (Contact::scattered(&mut random)?, "scattered");
+            rows.extend(contact.problems(name)?);
             rows.extend(contact.history(name, &mut random)?);
         }
         Ok(rows)
@@ -227,6 +236,24 @@ impl Contact {
             gap,
             force,
             model,
+        })
+    }
+
+    /// Draws a contact of scattered spots, for which the solver uses its sparse inverse.
+    fn scattered(random: &mut Random) -> Result<Self> {
+        let kind = random.pick(&[Kind::OneWay, Kind::Plane, Kind::Hardness]);
+        let contact = Self::draw(kind, random)?;
+        let [nx, ny] = [(); 2].map(|()| random.integer(76, 90));
+        let grid = Grid::new(nx, ny, 1.0, random.uniform(0.6, 1.7))?;
+        let (pair, slope) = (contact.bodies.pair(), random.decade(-2.0, 0.0));
+        // The contact area of rough surfaces is proportional to the load divided by the slope.
+        let pressure = 0.5 * pair.contact_modulus() * slope * random.uniform(0.03, 0.25);
+        Ok(Self {
+            bodies: HalfSpace::new(grid, *pair)?,
+            gap: gaps::asperities(grid, slope, random),
+            force: pressure * grid.area(),
+            hardness: None,
+            ..contact
         })
     }
 

@@ -24,6 +24,12 @@ fn bumpy(x: f64, y: f64) -> f64 {
     ball(x, y) + 0.004 * (7.0 * x + 3.0 * y).sin() + 0.003 * (2.0 * x - 8.0 * y).cos()
 }
 
+/// Returns the gap of many asperities, of which a light load brings few into contact.
+fn asperities(x: f64, y: f64) -> f64 {
+    let [one, two] = [19.0 * x + 5.0 * y, 17.0 * y - 8.0 * x];
+    0.012 * (2.0 + one.sin() + two.cos() + 0.4 * (13.0 * x - 14.0 * y).sin())
+}
+
 fn waves(x: f64, y: f64) -> f64 {
     0.02 * (2.0 + (3.1 * x).sin() * (2.3 * y).cos() + (4.1 * x + 2.7 * y).sin())
 }
@@ -198,6 +204,20 @@ fn repeating(scene: &Scene, load: f64) -> Scene {
     }
 }
 
+/// Returns scattered spots on a grid that is large enough for the sparse inverse.
+fn scattered(scene: &Scene, load: f64) -> Scene {
+    Scene {
+        size: [76, 70],
+        sides: [0.04, 0.042],
+        gap: asperities,
+        path: match scene.model {
+            TangentialModel::Vector => around(load),
+            _ => to_and_fro(load),
+        },
+        ..*scene
+    }
+}
+
 /// Returns a contact that is large, then small, and large again.
 fn shrinking(scene: &Scene) -> Scene {
     let press = |approach, shift| step(Approach(approach), TangentialControl::Shift(shift), HOLD);
@@ -261,6 +281,7 @@ pub fn scenes() -> Vec<Scene> {
         Scene { size: [9, 40], sides: [0.26, 0.055], ..scalar("slender cells") },
         shrinking(&scalar("shrinking")),
         repeating(&scalar("repeating"), 0.1),
+        scattered(&scalar("scattered"), 0.1),
         rows(Scene { path: to_and_fro(0.09), ..scalar("rows") }),
         line(Scene { path: to_and_fro(0.04), ..scalar("line") }),
         line(Scene { strain: stretch, path: strained(to_and_fro(0.04), &STRAINS), ..scalar("strained line") }),
@@ -274,6 +295,7 @@ pub fn scenes() -> Vec<Scene> {
         Scene { bodies: UNLIKE, coupling: one_way, ..plane("plane, one way") },
         shrinking(&plane("plane, shrinking")),
         repeating(&plane("plane, repeating"), 0.1),
+        scattered(&plane("plane, scattered"), 0.1),
         rows(Scene { path: around(0.09), ..plane("plane, rows") }),
         coupled("coupled"),
         Scene { bodies: ON_RIGID, gap: ball, entry_rule: EntryRule::WholeStep, ..coupled("on a rigid body") },
