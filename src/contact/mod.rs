@@ -5,6 +5,7 @@
 pub(crate) mod contact_counts;
 pub(crate) mod fragments;
 pub(crate) mod map;
+pub(crate) mod pressure_fingerprint;
 
 mod elastic_solver;
 mod extrapolation;

@@ -17,8 +17,8 @@ const LARGEST_MISS: f64 = 0.02;
 const STUCK: f64 = 1e-3;
 
 impl History {
-    /// Returns the edges of the contact and of the stick zone after the last step, located inside the cells. The function uses
-    /// the current friction. The documentation of [`edges`](crate::edges) describes the method.
+    /// Returns the edges of the contact and of the stick zone after the last step, located inside the cells. The
+    /// documentation of [`edges`](crate::edges) describes the method.
     ///
     /// The value in the stick zone is the friction reserve $`\mu p - q \cdot t`$ in the direction in which a cell would slip.
     /// Here t is the unit vector of the traction in the nearest slipping cell. After a reversal this value falls to zero at the
@@ -26,8 +26,7 @@ impl History {
     /// stuck until the last step and this step did not change the normal load. After small steps there might be no such cells.
     /// After [`set_state`](Self::set_state), after a restart and after a rolling step, these cells cannot be identified. In both
     /// cases the edge follows only from the values in the stick zone. A cell that continues to slip while its traction rotates by
-    /// a few degrees cannot be distinguished from a cell that stuck. After a change of the friction the zones still belong to the
-    /// previous friction.
+    /// a few degrees cannot be distinguished from a cell that stuck.
     ///
     /// The table is for a sphere with mu = 0.5 and forces along one axis. The grid has centre values and 128 x 128 cells on three
     /// contact radii. The table compares the errors of the raw cells and of the fit. The errors of the stick area are the mean
@@ -66,8 +65,11 @@ impl History {
     /// ```
     ///
     /// # Errors
-    /// The errors of [`NormalSolution::edges`](crate::NormalSolution::edges).
+    /// - [`Error::OutdatedSolution`](crate::Error::OutdatedSolution) if the friction has changed since the last step. The tractions
+    ///   still belong to the previous friction.
+    /// - The errors of [`NormalSolution::edges`](crate::NormalSolution::edges).
     pub fn edges(&self) -> Result<TangentialEdges> {
+        self.state.check_friction("edge of the stick zone")?;
         let [qx, qy] = self.traction().map(Field::as_slice);
         let directions = self.directions()?;
         let last_step = self.last_step().ok();

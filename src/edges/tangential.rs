@@ -122,19 +122,22 @@ impl TangentialSolution {
     /// ```
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::CellValueMismatch`] if the normal contact or the
-    ///   friction belongs to different bodies.
+    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or [`Error::MaterialMismatch`] if
+    ///   the normal contact or the friction belongs to different bodies.
+    /// - [`Error::OutdatedSolution`] if the solution was computed for a different pressure or a different friction.
     /// - The errors of [`NormalSolution::edges`].
     pub fn edges(&self, normal: &NormalSolution, friction: &Friction) -> Result<TangentialEdges> {
-        let (grid, quantity) = (self.grid(), "normal contact");
-        grid.check_equal(quantity, normal.grid())?;
-        if self.boundary() != normal.boundary() {
-            return Err(Error::BoundaryMismatch { quantity });
-        }
-        if self.cell_value() != normal.cell_value() {
-            return Err(Error::CellValueMismatch { quantity });
-        }
+        let (grid, quantity) = (self.grid(), "edge of the stick zone");
+        check_whole(grid)?;
+        self.check_normal(normal, quantity)?;
         friction.check(grid)?;
+        if !self.belongs_to(&grid.layout(), normal.pressure().as_slice(), friction) {
+            return Err(Error::OutdatedSolution {
+                quantity,
+                changed: "the friction",
+                remedy: "pass the friction of the tangential problem",
+            });
+        }
         let [qx, qy] = self.traction().map(Field::as_slice);
         let [slip_x, slip_y] = self.slip().map(Field::as_slice);
         PartialSlipContact {

@@ -525,7 +525,8 @@ pub enum Error {
         "the history has no last step, because it took no step since it was created or its state was set: make a step after set_state, from_state or from_bytes"
     )]
     NoLastStep,
-    /// A derivative was requested after a change of the input, so that it would combine the last solution with the new input.
+    /// A result was requested that would combine a solution with a different input. Examples are a derivative after a change of the
+    /// input, and the edges of a tangential contact with the pressure of another normal contact.
     #[error("{changed} changed since the last solution, to which the {quantity} belongs: {remedy}")]
     #[non_exhaustive]
     OutdatedSolution {

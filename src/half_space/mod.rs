@@ -385,6 +385,15 @@ impl HalfSpace {
         }
     }
 
+    /// Returns an error if a solution was computed for another pair of bodies.
+    pub(crate) fn check_pair(&self, quantity: &'static str, pair: &ElasticPair) -> Result<()> {
+        if pair == self.pair() {
+            Ok(())
+        } else {
+            Err(Error::MaterialMismatch { quantity })
+        }
+    }
+
     /// Checks that a quantity belongs to the grid and boundary of these bodies.
     pub(crate) fn check_host(
         &self,

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use crate::cgm::reduce;
 use crate::contact::contact_counts::ContactCounts;
+use crate::contact::pressure_fingerprint::PressureFingerprint;
 use crate::half_space::HalfSpace;
 use crate::parallel::ranks::partition::RowPartition;
 
@@ -15,6 +16,7 @@ pub(super) struct PressureSums {
     pub(super) sums: [f64; 3],
     /// Number of cells whose pressure exceeds the hardness of the softer body.
     pub(super) overloaded: usize,
+    pub(super) fingerprint: PressureFingerprint,
     /// Partition of the grid over the ranks.
     pub(super) share: Arc<RowPartition>,
 }
@@ -45,6 +47,7 @@ impl PressureSums {
             contact,
             sums: [total, moments[0], moments[1]],
             overloaded: reduce::sum(&layout, |i| usize::from(pressure[i] > hardness)),
+            fingerprint: PressureFingerprint::of(grid, &layout, |i| (i, pressure[i])),
             share,
         }))
     }

@@ -3,6 +3,7 @@
 use crate::bodies::component::Component;
 use crate::bodies::material::ElasticPair;
 use crate::cgm::reduce;
+use crate::contact::pressure_fingerprint::PressureFingerprint;
 use crate::error::{Error, Result};
 #[cfg(feature = "serde")]
 use crate::error::{all_non_negative, finite};
@@ -324,10 +325,16 @@ impl NormalSolution {
         let quantity = "normal contact";
         bodies.check_host(quantity, self.grid(), self.boundary)?;
         bodies.check_values(quantity, self.cell_value)?;
-        if self.pair == *bodies.pair() {
-            Ok(())
-        } else {
-            Err(Error::MaterialMismatch { quantity })
+        bodies.check_pair(quantity, &self.pair)
+    }
+
+    /// Returns the sums that identify the pressure, or `None` for a slab that was read without its sums.
+    pub(crate) fn fingerprint(&self) -> Option<PressureFingerprint> {
+        let (grid, pressure) = (self.grid(), self.pressure.as_slice());
+        match &self.whole {
+            Some(whole) => Some(whole.fingerprint),
+            None => (grid == grid.whole())
+                .then(|| PressureFingerprint::of(grid, &grid.layout(), |i| (i, pressure[i]))),
         }
     }
 

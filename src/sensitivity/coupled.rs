@@ -92,7 +92,7 @@ impl CoupledProblem {
             check_relative_displacement(bodies, relative, shear, [x, y])?;
         }
         let pressure = normal.pressure().as_slice();
-        let is_current = shear.belongs_to(bodies, pressure, &self.friction);
+        let is_current = shear.belongs_to(&bodies.grid_layout(), pressure, &self.friction);
         check_current(is_current, "the friction")?;
         let capacity = reduce::sum(&bodies.grid_layout(), |i| {
             self.friction.limit(i, pressure[i])

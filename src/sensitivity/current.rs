@@ -8,10 +8,9 @@ use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible;
 use crate::normal::{Hardness, NormalLoad, NormalSolution};
+use crate::numerics::agreement::agree;
 use crate::operator::Operator;
-use crate::tangential::{
-    Axis, RelativeDisplacement, RigidMotion, TangentialSolution, agree, centre,
-};
+use crate::tangential::{Axis, RelativeDisplacement, RigidMotion, TangentialSolution, centre};
 
 /// Returns an error that names the changed input unless the solution belongs to the present input.
 pub(super) fn check_current(is_current: bool, changed: &'static str) -> Result<()> {

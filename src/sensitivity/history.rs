@@ -161,8 +161,10 @@ impl History {
         };
         let of = (&view, functionals);
         let mut found = sheared.solve(self.axis(), of, None, buffers, context)?;
-        if !load.names_twist() {
-            for found in &mut found {
+        let fingerprint = normal.fingerprint();
+        for found in &mut found {
+            found.pressed = fingerprint;
+            if !load.names_twist() {
                 found.twist = None;
             }
         }

@@ -1,6 +1,7 @@
 //! Loads of a sheared contact, compared with the prescribed loads.
 
-use crate::tangential::{Axis, TangentialControl, TangentialSolution, TangentialTarget, agree};
+use crate::numerics::agreement::agree;
+use crate::tangential::{Axis, TangentialControl, TangentialSolution, TangentialTarget};
 
 /// Motion and loads of a sheared contact.
 #[derive(Debug, Clone, Copy)]

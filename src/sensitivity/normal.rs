@@ -138,9 +138,12 @@ impl<'a> Pressed<'a> {
 impl NormalSolver {
     /// Continues sensitivities of a tangential contact through the normal contact that supplies its pressure. The results also
     /// contain the derivatives with respect to the gap and the normal load. The derivatives with respect to the modulus include
-    /// the change of the pressure. `contact` must be the solution of the present problem.
+    /// the change of the pressure. `contact` must be the solution of the present problem. The tangential contact must have been
+    /// solved under its pressure.
     ///
     /// # Errors
+    /// - [`Error::OutdatedSolution`] if the tangential contact was solved under a different pressure, for instance before a change
+    ///   of the normal load or the gap.
     /// - [`Error::UnsupportedByModel`] if a sensitivity has no derivative with respect to the pressure.
     /// - The errors of [`sensitivity`](Self::sensitivity).
     pub fn chain(
@@ -168,11 +171,18 @@ impl NormalSolver {
         let converged = check_converged(contact.report());
         let mut checked = contact.check_bodies(bodies).and(converged);
         let mut gradients = fallible::with_room(sensitivities.len())?;
+        let given = contact.fingerprint();
         for found in &sensitivities {
             let mut of = Gradient::default();
             match &found.pressure {
                 Some(pressure) => {
-                    checked = checked.and_then(|()| pressure.check("pressure", bodies.grid()));
+                    let is_same = found
+                        .pressed
+                        .zip(given)
+                        .is_none_or(|(own, given)| own.agrees_with(&given));
+                    checked = checked
+                        .and_then(|()| pressure.check("pressure", bodies.grid()))
+                        .and_then(|()| check_pressure(is_same));
                     of.pressure = fallible::copied(pressure.as_slice())?;
                 }
                 None => {
@@ -218,6 +228,18 @@ impl Sensitivity {
             ..self
         }
     }
+}
+
+/// Returns an error unless the sensitivities of a tangential contact belong to the pressure of the normal contact.
+fn check_pressure(is_same: bool) -> Result<()> {
+    if is_same {
+        return Ok(());
+    }
+    Err(Error::OutdatedSolution {
+        quantity: "sensitivity of the tangential contact",
+        changed: "the pressure",
+        remedy: "solve the tangential contact under the new pressure, and chain its new sensitivities",
+    })
 }
 
 /// Returns the normal displacement of all cells, or an error if the solution does not belong to the present input.

@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use crate::contact::pressure_fingerprint::PressureFingerprint;
 use crate::contact::{Contact, ResponseContext, Solver, with_counts_of};
 use crate::error::Result;
 use crate::grid::field::Field;
@@ -46,6 +47,8 @@ pub struct Sensitivity {
     /// Report of the linear problem of this functional. The report excludes the responses to the prescribed forces, which all
     /// functionals share. [`StiffnessWorkspace::report`] includes them. The time is not measured.
     pub report: Report,
+    /// Sums that identify the pressure under which the tractions were computed.
+    pub(super) pressed: Option<PressureFingerprint>,
 }
 
 impl Sensitivity {
@@ -63,6 +66,7 @@ impl Sensitivity {
             contact_modulus: None,
             poisson_ratio: None,
             report: Report::unsolved(),
+            pressed: None,
         }
     }
 }

@@ -62,7 +62,7 @@ impl Linearised for TangentialProblem {
         bodies.joint(parallel::enter_with(grid.cells(), || {
             let mut pressure = fallible::zeros(grid.cells())?;
             pressed.region.scatter(&pressed.pressure, &mut pressure);
-            let is_current = shear.belongs_to(bodies, &pressure, &problem.friction);
+            let is_current = shear.belongs_to(&bodies.grid_layout(), &pressure, &problem.friction);
             check_current(is_current, "the pressure or the friction")?;
             let loads = ShearLoads::of(shear, solver.friction_capacity());
             let is_current = loads.are_prescribed_by(&problem.load.demand(), Some(0.0));
@@ -109,7 +109,11 @@ impl Linearised for TangentialProblem {
                 [0, 1].map(|axis| moved[axis] + slip[axis])
             };
             let of = (&view, functionals);
-            sheared.solve(shear.axis(), of, Some(&moved), buffers, &mut context)
+            let mut found = sheared.solve(shear.axis(), of, Some(&moved), buffers, &mut context)?;
+            for found in &mut found {
+                found.pressed = Some(shear.pressure_fingerprint());
+            }
+            Ok(found)
         }))
     }
 }

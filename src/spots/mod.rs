@@ -202,14 +202,17 @@ impl NormalSolution {
 }
 
 impl TangentialSolution {
-    /// Returns the contact spots under this pressure, with the sticking fraction of each spot. The call is collective over the
-    /// ranks that share the contact.
+    /// Returns the contact spots with the sticking fraction of each spot. `normal` must be the solution from which the tangential
+    /// problem took its pressure. The call is collective over the ranks that share the contact.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the pressure is on a different grid.
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch),
+    ///   [`Error::CellValueMismatch`](crate::Error::CellValueMismatch) or
+    ///   [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) if the normal contact belongs to different bodies.
+    /// - [`Error::OutdatedSolution`](crate::Error::OutdatedSolution) if the solution was computed for a different pressure.
     /// - The errors of [`NormalSolution::spots`].
     pub fn spots(&self, normal: &NormalSolution) -> Result<ContactSpots> {
-        let checked = self.grid().check_equal("normal contact", normal.grid());
+        let checked = self.check_normal(normal, "stick ratio of a spot");
         RankGroup::agreed_of(normal.share().map(|share| &**share.team()), checked)?;
         ContactSpots::new(normal, Some(self.zones()))
     }

@@ -132,7 +132,7 @@ impl TangentialSolution {
         friction: &Friction,
     ) -> Result<()> {
         let belongs = parallel::enter_with(bodies.grid().cells(), || {
-            self.belongs_to(bodies, pressure, friction)
+            self.belongs_to(&bodies.grid_layout(), pressure, friction)
         });
         let outdated = Error::OutdatedSolution {
             quantity: "stiffness",
@@ -192,8 +192,8 @@ impl TangentialSolution {
     /// the vector model also has the twist.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`] or [`Error::BoundaryMismatch`] if
-    ///   the solution belongs to other bodies.
+    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or
+    ///   [`Error::MaterialMismatch`] if the solution belongs to other bodies.
     /// - [`Error::CoupledMaterials`] for the tangential half of a coupled solution of dissimilar
     ///   bodies.
     /// - [`Error::NotFinite`] if a periodic contact is closed everywhere.

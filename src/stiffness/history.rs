@@ -102,15 +102,25 @@ impl History {
 impl State {
     /// Returns an error if friction or gap have changed since the tractions and the pressure were solved for.
     pub(crate) fn check_current(&self, quantity: &'static str) -> Result<()> {
-        let (changed, remedy) = match (self.is_friction_new(), self.is_pressure_stale()) {
-            (_, true) => ("the gap", "take a step with a prescribed normal load first"),
-            (true, false) => ("the friction", "take a step first"),
-            (false, false) => return Ok(()),
-        };
-        Err(Error::OutdatedSolution {
-            quantity,
-            changed,
-            remedy,
-        })
+        if self.is_pressure_stale() {
+            return Err(Error::OutdatedSolution {
+                quantity,
+                changed: "the gap",
+                remedy: "take a step with a prescribed normal load first",
+            });
+        }
+        self.check_friction(quantity)
+    }
+
+    /// Returns an error if the friction has changed since the tractions were solved for.
+    pub(crate) fn check_friction(&self, quantity: &'static str) -> Result<()> {
+        if self.is_friction_new() {
+            return Err(Error::OutdatedSolution {
+                quantity,
+                changed: "the friction",
+                remedy: "take a step first",
+            });
+        }
+        Ok(())
     }
 }

@@ -191,6 +191,8 @@ impl Planes {
     /// - [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch),
     ///   [`Error::CellValueMismatch`](crate::Error::CellValueMismatch) or
     ///   [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) if the tractions belong to different bodies.
+    /// - [`Error::OutdatedSolution`](crate::Error::OutdatedSolution) for a tangential solution that was computed for a different
+    ///   pressure than the normal solution.
     /// - [`Error::Sample`](crate::Error::Sample) if a traction or the uniform stress is not finite.
     /// - [`Error::Ranks`](crate::Error::Ranks) if a rank fails or the ranks disagree.
     pub fn solve<'a>(

@@ -6,7 +6,7 @@ use std::fmt::Debug;
 use crate::bodies::material::ElasticPair;
 #[cfg(feature = "history")]
 use crate::coupled::CoupledSolution;
-use crate::error::{Error, Result, all_finite};
+use crate::error::{Result, all_finite};
 use crate::grid::boundary::Boundary;
 use crate::grid::cell_value::CellValue;
 use crate::grid::field::Field;
@@ -51,6 +51,8 @@ pub struct Tractions<'a> {
     uniform: Stress,
     /// Boundary, cell values and bodies of the solution that contains the tractions.
     host: Option<(Boundary, CellValue, &'a ElasticPair)>,
+    /// Normal and tangential solutions that may belong to different problems.
+    solutions: Option<(&'a NormalSolution, &'a TangentialSolution)>,
 }
 
 impl<'a> Tractions<'a> {
@@ -62,6 +64,7 @@ impl<'a> Tractions<'a> {
             traction: None,
             uniform: Stress::default(),
             host: None,
+            solutions: None,
         }
     }
 
@@ -70,6 +73,7 @@ impl<'a> Tractions<'a> {
     pub fn with_traction(self, traction: [&'a Field; 2]) -> Self {
         Self {
             traction: Some(traction),
+            solutions: None,
             ..self
         }
     }
@@ -117,15 +121,16 @@ impl<'a> Tractions<'a> {
     }
 
     /// Returns the pressure and, if present, the tractions along x and y of uniform cells. Returns an error if they
-    /// belong to different bodies or are not finite.
+    /// belong to different bodies or different pressures, or are not finite.
     pub(super) fn checked(&self, bodies: &HalfSpace) -> Result<[Option<Cow<'a, [f64]>>; 3]> {
         let (grid, quantity) = (bodies.grid(), "the contact of the requested stress");
         if let Some((boundary, cell_value, pair)) = self.host {
             bodies.check_host(quantity, self.pressure.grid(), boundary)?;
             bodies.check_values(quantity, cell_value)?;
-            if pair != bodies.pair() {
-                return Err(Error::MaterialMismatch { quantity });
-            }
+            bodies.check_pair(quantity, pair)?;
+        }
+        if let Some((normal, tangential)) = self.solutions {
+            tangential.check_normal(normal, "requested stress")?;
         }
         self.pressure.check("pressure", grid)?;
         let mut fields = [Some(uniform(bodies, self.pressure)?), None, None];
@@ -167,10 +172,14 @@ impl<'a> From<&'a NormalSolution> for Tractions<'a> {
     }
 }
 
-/// Creates tractions from the pressure and the tractions of a contact with one-way coupling.
+/// Creates tractions from the pressure and the tractions of a contact with one-way coupling. A stress of these tractions is an
+/// error if the tangential solution was computed for a different pressure.
 impl<'a> From<(&'a NormalSolution, &'a TangentialSolution)> for Tractions<'a> {
     fn from((normal, tangential): (&'a NormalSolution, &'a TangentialSolution)) -> Self {
-        Self::from(normal).with_traction(tangential.traction())
+        Self {
+            solutions: Some((normal, tangential)),
+            ..Self::from(normal).with_traction(tangential.traction())
+        }
     }
 }
 
@@ -178,7 +187,7 @@ impl<'a> From<(&'a NormalSolution, &'a TangentialSolution)> for Tractions<'a> {
 #[cfg(feature = "history")]
 impl<'a> From<&'a CoupledSolution> for Tractions<'a> {
     fn from(solution: &'a CoupledSolution) -> Self {
-        Self::from((solution.normal(), solution.tangential()))
+        Self::from(solution.normal()).with_traction(solution.tangential().traction())
     }
 }
 

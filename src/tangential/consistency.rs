@@ -1,30 +1,24 @@
 //! Consistency of a tangential solution with the pressure and friction for which it was computed.
 
 use crate::cgm::reduce;
+use crate::error::{Error, Result};
 use crate::grid::field::Field;
-use crate::half_space::HalfSpace;
+use crate::normal::NormalSolution;
+use crate::numerics::agreement::{ROUND_OFF, agree};
 use crate::numerics::cell_vector::length;
+use crate::parallel::layout::Layout;
 use crate::tangential::friction_limits::NEGLIGIBLE;
 use crate::tangential::{Friction, TangentialSolution, Zone};
-
-/// Relative difference below which two values count as equal.
-const ROUND_OFF: f64 = 1e-9;
-
-/// Returns whether two values are equal within the round-off of values of the size `scale`.
-pub(crate) fn agree(one: f64, other: f64, scale: f64) -> bool {
-    (one - other).abs() <= ROUND_OFF * one.abs().max(other.abs()).max(scale)
-}
 
 impl TangentialSolution {
     /// Returns whether the solution belongs to this pressure of the local cells and this friction. Exactly the cells with pressure
     /// are then in contact, slipping cells are at their friction limit, and no traction exceeds its limit.
     pub(crate) fn belongs_to(
         &self,
-        bodies: &HalfSpace,
+        layout: &Layout,
         pressure: &[f64],
         friction: &Friction,
     ) -> bool {
-        let layout = bodies.grid_layout();
         let limit = |i: usize| {
             if pressure[i] > 0.0 {
                 friction.limit(i, pressure[i])
@@ -32,7 +26,7 @@ impl TangentialSolution {
                 0.0
             }
         };
-        let least = NEGLIGIBLE * reduce::max(&layout, limit);
+        let least = NEGLIGIBLE * reduce::max(layout, limit);
         let [x, y] = self.traction().map(Field::as_slice);
         let is_violated = |i: usize| {
             let (size, zone) = (length([x[i], y[i]]), self.zones()[i]);
@@ -45,6 +39,34 @@ impl TangentialSolution {
             };
             !is_permitted || (zone != Zone::Separated) != (pressure[i] > 0.0)
         };
-        !reduce::any(&layout, is_violated)
+        !reduce::any(layout, is_violated)
+    }
+
+    /// Returns an error unless the problem took its pressure from this normal solution. Ranks compare their local cells, and sums
+    /// over all cells.
+    pub(crate) fn check_normal(&self, normal: &NormalSolution, result: &'static str) -> Result<()> {
+        let quantity = "normal contact";
+        self.grid().check_equal(quantity, normal.grid())?;
+        if self.boundary() != normal.boundary() {
+            return Err(Error::BoundaryMismatch { quantity });
+        }
+        if self.cell_value() != normal.cell_value() {
+            return Err(Error::CellValueMismatch { quantity });
+        }
+        if self.pair() != normal.pair() {
+            return Err(Error::MaterialMismatch { quantity });
+        }
+        let has_zone = self.zones().iter().map(|zone| *zone != Zone::Separated);
+        let has_pressure = normal.pressure().iter().map(|pressure| *pressure > 0.0);
+        let (own, given) = (self.pressure_fingerprint(), normal.fingerprint());
+        let is_same = given.is_none_or(|given| own.agrees_with(&given));
+        if is_same && has_zone.eq(has_pressure) {
+            return Ok(());
+        }
+        Err(Error::OutdatedSolution {
+            quantity: result,
+            changed: "the pressure",
+            remedy: "pass the normal solution whose pressure the tangential problem took",
+        })
     }
 }

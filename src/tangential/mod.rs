@@ -77,8 +77,6 @@ mod step_solution;
 mod traction_solver;
 mod zone;
 
-#[cfg(feature = "sensitivity")]
-pub(crate) use consistency::agree;
 pub(crate) use entry_rule::EntryRule;
 pub(crate) use entry_rule::{
     EntryCompliance, EntryCompliances, entry_compliance, ratios_of_compliances,

@@ -71,10 +71,7 @@ pub(crate) fn check_bodies(normal: &NormalSolution, bodies: &HalfSpace) -> Resul
     let quantity = "normal solution";
     bodies.check_host(quantity, normal.grid(), normal.boundary())?;
     bodies.check_values(quantity, normal.cell_value())?;
-    if normal.pair() != bodies.pair() {
-        return Err(Error::MaterialMismatch { quantity });
-    }
-    Ok(())
+    bodies.check_pair(quantity, normal.pair())
 }
 
 /// Returns the smallest window that contains all cells with pressure. It covers the whole grid along a periodic axis.

@@ -1,7 +1,9 @@
 //! Solution of a tangential contact.
 
+use crate::bodies::material::ElasticPair;
 use crate::cgm::reduce;
 use crate::contact::map::ContactMap;
+use crate::contact::pressure_fingerprint::PressureFingerprint;
 use crate::error::{Error, Result};
 #[cfg(feature = "serde")]
 use crate::error::{all_finite, finite, length};
@@ -34,6 +36,7 @@ record! {
         values {
             boundary: Boundary,
             cell_value: CellValue,
+            pair: ElasticPair,
             axis: Option<Axis>,
             shift: [f64; 2],
             twist: f64,
@@ -44,6 +47,8 @@ record! {
             is_pressed_at_once: bool,
         }
         ignored {
+            /// Sums that identify the pressure of the problem.
+            pressed: PressureFingerprint,
             report: Report,
         }
         local {
@@ -77,11 +82,13 @@ impl TangentialSolution {
             zones: fallible::filled(Zone::Separated, grid.cells())?,
             boundary: bodies.boundary(),
             cell_value: bodies.cell_value(),
+            pair: *bodies.pair(),
             axis: Some(Axis::X),
             shift: [0.0; 2],
             twist: 0.0,
             coupled: None,
             is_pressed_at_once: false,
+            pressed: PressureFingerprint::default(),
             report: Report::with_room(),
             whole: None,
         })
@@ -99,9 +106,13 @@ impl TangentialSolution {
             field.as_mut_slice().fill(0.0);
         }
         (self.axis, self.cell_value) = (axis, bodies.cell_value());
+        self.pair = *bodies.pair();
         (self.shift, self.twist) = (answer.motion.shift, answer.motion.twist);
         self.report.clone_from(report);
-        answer.with_held(|answer| self.enter(answer));
+        answer.with_held(|answer| {
+            self.enter(answer);
+            self.pressed = answer.pressure_fingerprint(self.grid());
+        });
         self.whole = ShearSums::of(bodies, &self.traction, &self.slip, &self.zones);
     }
 
@@ -150,7 +161,18 @@ impl TangentialSolution {
     pub(crate) fn check_bodies(&self, bodies: &HalfSpace) -> Result<()> {
         let quantity = "tangential contact";
         bodies.check_host(quantity, self.grid(), self.boundary)?;
-        bodies.check_values(quantity, self.cell_value)
+        bodies.check_values(quantity, self.cell_value)?;
+        bodies.check_pair(quantity, &self.pair)
+    }
+
+    /// Returns the materials of the two bodies.
+    pub(crate) fn pair(&self) -> &ElasticPair {
+        &self.pair
+    }
+
+    /// Returns the sums that identify the pressure of the problem.
+    pub(crate) fn pressure_fingerprint(&self) -> PressureFingerprint {
+        self.pressed
     }
 
     /// Returns the grid of all fields.
@@ -238,8 +260,8 @@ impl TangentialSolution {
     /// operator of the bodies.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::CellValueMismatch`] if the solution belongs
-    ///   to other bodies.
+    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or
+    ///   [`Error::MaterialMismatch`] if the solution belongs to other bodies.
     /// - Errors of [`HalfSpace::operator`].
     pub fn displacement(&self, bodies: &HalfSpace) -> Result<[Field; 2]> {
         bodies.collective_result(self.check_bodies(bodies))?;

@@ -1,5 +1,7 @@
 //! Solution of a step in the cells of a window.
 
+use crate::contact::pressure_fingerprint::PressureFingerprint;
+use crate::grid::Grid;
 use crate::half_space::Region;
 use crate::numerics::cell_vector::{dot, length, minus, slices};
 use crate::tangential::friction_limits::is_at_limit;
@@ -87,6 +89,14 @@ impl<'a> StepSolution<'a> {
             offset: slices(&offset),
             entered: &entered,
             ..*self
+        })
+    }
+
+    /// Returns the sums that identify the pressure. The solution must be in the local cells of this grid.
+    pub(crate) fn pressure_fingerprint(&self, grid: Grid) -> PressureFingerprint {
+        let held = self.region.held();
+        PressureFingerprint::of(grid, &self.region.held_layout(), |k| {
+            (held.index(k), self.pressure[k])
         })
     }
 

@@ -84,6 +84,7 @@ mod load_validation;
 mod matrix_validation;
 mod messages;
 mod method_agreement;
+mod mixed_solutions;
 mod moments_and_energies;
 mod near_gross_slip;
 mod nested_start_accuracy;

@@ -95,6 +95,9 @@ fn different_bodies_are_rejected() {
         contact.displacement(&smaller) => Error::GridMismatch { .. },
         contact.elastic_energy(&softer) => Error::MaterialMismatch { .. },
         shear.displacement(&repeating) => Error::BoundaryMismatch { .. },
+        shear.displacement(&softer) => Error::MaterialMismatch { quantity: "tangential contact" },
+        shear.elastic_energy(&softer) => Error::MaterialMismatch { quantity: "tangential contact" },
+        shear.stiffness(&softer) => Error::MaterialMismatch { quantity: "tangential contact" },
         shear.spots(&press(&smaller, [0.0; 2], 1.0)) => Error::GridMismatch { .. },
     }
 }

@@ -174,6 +174,28 @@ fn stiffness_of_history_requires_step_after_new_friction_or_gap() {
     assert!(history.stiffness().is_ok() && next_step(&history).is_ok());
 }
 
+/// The tractions follow a new friction in the next step. The pressure and its edges do not depend on the friction.
+#[test]
+fn edges_of_history_require_step_after_new_friction() {
+    let bodies = bodies();
+    let mut history = pressed(&bodies);
+    history.step(&shear(0.6)).unwrap();
+    let expected = history.edges().unwrap();
+    history.set_friction(&friction()).unwrap();
+    assert!(history.edges().unwrap() == expected);
+    history
+        .set_friction(&Friction::coulomb(0.9 * FRICTION).unwrap())
+        .unwrap();
+    assert_eq!(outdated(history.edges()), "the friction");
+    assert!(history.normal().edges().is_ok());
+    history.step(&shear(0.6)).unwrap();
+    assert!(history.edges().unwrap() != expected);
+    // A gap that has changed moves no edge of the last step.
+    let worn = history.gap().map(|gap| gap.max(0.01));
+    history.set_gap(&worn).unwrap();
+    assert!(history.edges().is_ok());
+}
+
 fn normal(bodies: &HalfSpace, gap: &Field, force: f64) -> NormalSolution {
     let problem = NormalProblem::builder(bodies, gap, NormalLoad::Force(force));
     problem.build().unwrap().solve().unwrap()

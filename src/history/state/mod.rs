@@ -216,10 +216,6 @@ impl State {
             return Err(Error::BoundaryMismatch { quantity: QUANTITY });
         }
         bodies.check_values(QUANTITY, self.normal.cell_value())?;
-        if self.pair() == bodies.pair() {
-            Ok(())
-        } else {
-            Err(Error::MaterialMismatch { quantity: QUANTITY })
-        }
+        bodies.check_pair(QUANTITY, self.pair())
     }
 }

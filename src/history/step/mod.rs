@@ -344,7 +344,7 @@ impl History {
     }
 
     /// Changes the friction of the following steps. All other quantities are kept. The tractions follow in the next step.
-    /// Until then, the [stiffness](Self::stiffness) is an error.
+    /// Until then, the [stiffness](Self::stiffness) and the [edges](Self::edges) are an error.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.

@@ -1,0 +1,259 @@
+//! Results that combine several solutions reject solutions of different problems: other materials, loads, gaps or friction.
+
+use kit::{assert_refused, coulomb, sphere, square, unit_bodies};
+use stickslip::sensitivity::{Functional, Sensitivity};
+use stickslip::subsurface::{Body, Planes, Stress, Tractions, at_points};
+use stickslip::{
+    Boundary, CoupledProblem, Error, Field, HalfSpace, History, LoadStep, NormalLoad,
+    NormalProblem, NormalSolution, NormalSolver, Result, TangentialLoad, TangentialModel,
+    TangentialProblem, TangentialSolution, TangentialSolver,
+};
+
+use crate::rank_contacts::on_ranks;
+
+const FORCE: f64 = 4.0;
+const DRAG: f64 = 0.8;
+const FRICTION: f64 = 0.4;
+const POINT: [f64; 3] = [0.2, -0.1, 0.5];
+
+fn bodies() -> HalfSpace {
+    unit_bodies(square(32, 12.0), 0.3)
+}
+
+fn ball(bodies: &HalfSpace) -> Field {
+    sphere(bodies.grid(), 20.0)
+}
+
+/// Returns a gap of a round flat punch. Its contact cells do not depend on the force.
+fn punch(bodies: &HalfSpace) -> Field {
+    let height = |x: f64, y: f64| if x.hypot(y) < 2.0 { 0.0 } else { 100.0 };
+    Field::from_fn(bodies.grid(), height)
+}
+
+fn pressed(bodies: &HalfSpace, gap: &Field, force: f64) -> (NormalSolver, NormalSolution) {
+    let problem = NormalProblem::builder(bodies, gap, NormalLoad::Force(force));
+    let mut solver = kit::solver(problem);
+    let contact = kit::solved(&mut solver);
+    (solver, contact)
+}
+
+fn sheared(
+    bodies: &HalfSpace,
+    contact: &NormalSolution,
+    model: TangentialModel,
+) -> (TangentialSolver, TangentialSolution) {
+    let load = TangentialLoad::force([DRAG, 0.0]);
+    let problem = TangentialProblem::builder(bodies, contact, coulomb(FRICTION), load);
+    let mut solver = kit::solver(problem.model(model));
+    let shear = kit::solved(&mut solver);
+    (solver, shear)
+}
+
+/// Returns the changed input and the remedy of the error for an outdated solution.
+#[track_caller]
+fn outdated<T: std::fmt::Debug>(found: Result<T>) -> (&'static str, &'static str) {
+    match found {
+        Err(Error::OutdatedSolution {
+            changed, remedy, ..
+        }) => (changed, remedy),
+        other => panic!("{other:?}"),
+    }
+}
+
+const OTHER_PRESSURE: (&str, &str) = (
+    "the pressure",
+    "pass the normal solution whose pressure the tangential problem took",
+);
+
+fn stress_at_point(bodies: &HalfSpace, tractions: Tractions<'_>) -> Result<Stress> {
+    at_points(bodies, Body::One, tractions, &[POINT]).map(|found| found[0].stress)
+}
+
+fn stress_in_plane(bodies: &HalfSpace, tractions: Tractions<'_>) -> Result<Stress> {
+    let mut planes = Planes::new(bodies, &[POINT[2]])?;
+    let plane = planes.solve(0, Body::One, tractions)?;
+    Ok(plane.get(16, 16).unwrap_or_default())
+}
+
+#[test]
+fn shear_under_different_pressure_is_rejected() {
+    let bodies = bodies();
+    for model in [TangentialModel::Scalar, TangentialModel::Vector] {
+        // A change by a thousandth moves no cell to another set, and the force never moves a cell of the punch.
+        for (gap, factors) in [
+            (ball(&bodies), [1.001, 1.2, 0.8]),
+            (punch(&bodies), [1.001, 1.2, 0.8]),
+        ] {
+            let (_, contact) = pressed(&bodies, &gap, FORCE);
+            let (_, shear) = sheared(&bodies, &contact, model);
+            let friction = coulomb(FRICTION);
+            shear.edges(&contact, &friction).unwrap();
+            shear.spots(&contact).unwrap();
+            let both = Tractions::from((&contact, &shear));
+            stress_at_point(&bodies, both).unwrap();
+            stress_in_plane(&bodies, both).unwrap();
+            for factor in factors {
+                let (_, other) = pressed(&bodies, &gap, factor * FORCE);
+                assert_eq!(outdated(shear.edges(&other, &friction)), OTHER_PRESSURE);
+                assert_eq!(outdated(shear.spots(&other)), OTHER_PRESSURE);
+                let both = Tractions::from((&other, &shear));
+                assert_eq!(outdated(stress_at_point(&bodies, both)), OTHER_PRESSURE);
+                assert_eq!(outdated(stress_in_plane(&bodies, both)), OTHER_PRESSURE);
+                // Fields have no solve to compare.
+                let fields = Tractions::new(other.pressure()).with_traction(shear.traction());
+                stress_at_point(&bodies, fields).unwrap();
+                stress_at_point(&bodies, both.with_traction(shear.traction())).unwrap();
+            }
+        }
+    }
+}
+
+#[test]
+fn shear_under_pressure_at_another_place_is_rejected() {
+    let bodies = bodies();
+    let gap_at = |x0: f64| Field::from_fn(bodies.grid(), |x, y| ((x - x0).powi(2) + y * y) / 40.0);
+    let [(_, contact), (_, moved)] =
+        [0.0, 0.375].map(|place| pressed(&bodies, &gap_at(place), FORCE));
+    let (_, shear) = sheared(&bodies, &contact, TangentialModel::Scalar);
+    assert_eq!(outdated(shear.spots(&moved)), OTHER_PRESSURE);
+    assert_eq!(
+        outdated(shear.edges(&moved, &coulomb(FRICTION))),
+        OTHER_PRESSURE
+    );
+}
+
+#[test]
+fn edges_under_different_friction_are_rejected() {
+    let bodies = bodies();
+    let (_, contact) = pressed(&bodies, &ball(&bodies), FORCE);
+    for model in [TangentialModel::Scalar, TangentialModel::Vector] {
+        let (_, shear) = sheared(&bodies, &contact, model);
+        for coefficient in [0.401, 0.399, 0.8] {
+            assert_eq!(
+                outdated(shear.edges(&contact, &coulomb(coefficient))),
+                (
+                    "the friction",
+                    "pass the friction of the tangential problem"
+                )
+            );
+        }
+    }
+}
+
+#[test]
+fn shear_of_different_materials_is_rejected() {
+    let (bodies, softer) = (bodies(), unit_bodies(square(32, 12.0), 0.2));
+    let [(_, contact), (_, other)] =
+        [&bodies, &softer].map(|bodies| pressed(bodies, &ball(bodies), FORCE));
+    let (_, shear) = sheared(&bodies, &contact, TangentialModel::Vector);
+    let both = Tractions::from((&contact, &shear));
+    let mixed = Tractions::from((&other, &shear));
+    assert_refused! {
+        shear.displacement(&softer) => Error::MaterialMismatch { quantity: "tangential contact" },
+        shear.elastic_energy(&softer) => Error::MaterialMismatch { quantity: "tangential contact" },
+        shear.stiffness(&softer) => Error::MaterialMismatch { quantity: "tangential contact" },
+        shear.edges(&other, &coulomb(FRICTION)) => Error::MaterialMismatch { quantity: "normal contact" },
+        shear.spots(&other) => Error::MaterialMismatch { quantity: "normal contact" },
+        stress_at_point(&softer, both) => Error::MaterialMismatch { .. },
+        stress_in_plane(&softer, both) => Error::MaterialMismatch { .. },
+        stress_at_point(&softer, mixed) => Error::MaterialMismatch { quantity: "normal contact" },
+    }
+    // A solver that writes to a solution of other materials replaces the materials.
+    let (mut solver, _) = sheared(&softer, &other, TangentialModel::Vector);
+    let mut written = shear.clone();
+    solver.solve_into(&mut written).unwrap();
+    assert!(written.displacement(&softer).is_ok() && written.displacement(&bodies).is_err());
+}
+
+/// Both halves of a coupled solution belong to the same pressure.
+#[test]
+fn halves_of_coupled_solution_are_accepted() {
+    let bodies = HalfSpace::new(square(32, 12.0), kit::on_rigid(1.0, 0.3)).unwrap();
+    let (load, drag) = (NormalLoad::Force(FORCE), TangentialLoad::force([DRAG, 0.2]));
+    let friction = coulomb(FRICTION);
+    let problem = CoupledProblem::builder(&bodies, ball(&bodies), friction.clone(), load, drag);
+    let contact = kit::solve(problem);
+    let (normal, shear) = (contact.normal(), contact.tangential());
+    shear.edges(normal, &friction).unwrap();
+    shear.spots(normal).unwrap();
+    stress_at_point(&bodies, Tractions::from((normal, shear))).unwrap();
+    let (_, other) = pressed(&bodies, &ball(&bodies), FORCE);
+    assert_eq!(outdated(shear.spots(&other)), OTHER_PRESSURE);
+}
+
+const OTHER_SENSITIVITY: (&str, &str) = (
+    "the pressure",
+    "solve the tangential contact under the new pressure, and chain its new sensitivities",
+);
+
+fn by_pressure(solver: &TangentialSolver, shear: &TangentialSolution) -> Vec<Sensitivity> {
+    let functionals = [Functional::ElasticEnergy, Functional::DissipatedEnergy];
+    solver.sensitivities(shear, &functionals).unwrap()
+}
+
+#[test]
+fn chain_of_sensitivities_under_different_pressure_is_rejected() {
+    let bodies = bodies();
+    let tilted = Field::from_fn(bodies.grid(), |x, y| (x * x + y * y) / 40.0 + 1e-3 * x);
+    let (mut press, mut contact) = pressed(&bodies, &ball(&bodies), FORCE);
+    let (mut solver, mut shear) = sheared(&bodies, &contact, TangentialModel::Vector);
+    let found = by_pressure(&solver, &shear);
+    press.chain(&contact, found.clone()).unwrap();
+
+    for factor in [1.001, 1.2] {
+        press.set_load(NormalLoad::Force(factor * FORCE)).unwrap();
+        press.solve_into(&mut contact).unwrap();
+        let chained = press.chain(&contact, found.clone());
+        assert_eq!(outdated(chained), OTHER_SENSITIVITY);
+    }
+    press.set_load(NormalLoad::Force(FORCE)).unwrap();
+    press.set_gap(&tilted).unwrap();
+    press.solve_into(&mut contact).unwrap();
+    assert_eq!(outdated(press.chain(&contact, found)), OTHER_SENSITIVITY);
+
+    solver.set_pressure(&contact).unwrap();
+    solver.solve_into(&mut shear).unwrap();
+    press.chain(&contact, by_pressure(&solver, &shear)).unwrap();
+}
+
+/// A history that holds the normal load supplies sensitivities and its own normal contact.
+#[test]
+fn chain_of_history_under_different_pressure_is_rejected() {
+    let bodies = bodies();
+    let gap = ball(&bodies);
+    let builder = History::builder(&bodies, &gap, coulomb(FRICTION));
+    let mut history = builder.tolerance(1e-10).build().unwrap();
+    let press = LoadStep::hold().normal(NormalLoad::Force(FORCE));
+    history.step(&press).unwrap();
+    let drag = LoadStep::force([DRAG, 0.0]);
+    history.step(&drag).unwrap();
+    let found = history.sensitivity(&drag, &Functional::DissipatedEnergy);
+    let found = vec![found.unwrap()];
+    let (mut press, _) = pressed(&bodies, &gap, FORCE);
+    press.chain(history.normal(), found.clone()).unwrap();
+    press.set_load(NormalLoad::Force(1.001 * FORCE)).unwrap();
+    let other = kit::solved(&mut press);
+    assert_eq!(outdated(press.chain(&other, found)), OTHER_SENSITIVITY);
+}
+
+/// Solutions on ranks are compared like solutions on the whole grid.
+#[test]
+fn mixed_solutions_are_rejected_on_ranks() {
+    let grid = square(32, 12.0);
+    on_ranks(3, grid, Boundary::NonPeriodic, |bodies, _| {
+        let gap = ball(bodies);
+        let (mut press, contact) = pressed(bodies, &gap, FORCE);
+        let (solver, shear) = sheared(bodies, &contact, TangentialModel::Vector);
+        shear.spots(&contact).unwrap();
+        stress_in_plane(bodies, Tractions::from((&contact, &shear))).unwrap();
+        let found = by_pressure(&solver, &shear);
+        press.chain(&contact, found.clone()).unwrap();
+
+        press.set_load(NormalLoad::Force(1.001 * FORCE)).unwrap();
+        let other = kit::solved(&mut press);
+        assert_eq!(outdated(shear.spots(&other)), OTHER_PRESSURE);
+        let both = Tractions::from((&other, &shear));
+        assert_eq!(outdated(stress_in_plane(bodies, both)), OTHER_PRESSURE);
+        assert_eq!(outdated(press.chain(&other, found)), OTHER_SENSITIVITY);
+    });
+}
