@@ -191,7 +191,7 @@ fn edges_of_history_require_step_after_new_friction() {
     history.step(&shear(0.6)).unwrap();
     assert!(history.edges().unwrap() != expected);
     // A gap that has changed moves no edge of the last step.
-    let worn = history.gap().map(|gap| gap.max(0.01));
+    let worn = history.unloaded_gap().map(|gap| gap.max(0.01));
     history.set_gap(&worn).unwrap();
     assert!(history.edges().is_ok());
 }

@@ -174,8 +174,12 @@ impl History {
         self.read(stickslip::History::steps)
     }
 
-    /// Returns the edges of the contact and of the stick zone inside the cells after the last step, under the current
-    /// friction.
+    /// Returns the edges of the contact and of the stick zone inside the cells after the last step.
+    ///
+    /// Raises
+    /// ------
+    /// OutdatedSolution
+    ///     If the friction has changed since the last step.
     fn edges(&self, py: Python<'_>) -> PyResult<TangentialEdges> {
         let work = lock(&self.work, NAME)?;
         let history = &work.history;

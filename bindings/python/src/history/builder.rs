@@ -227,7 +227,8 @@ impl History {
         self.change(py, |history| history.set_gap(&gap))
     }
 
-    /// Sets the friction of later steps. Until the next step, :meth:`stiffness` raises ``OutdatedSolution``.
+    /// Sets the friction of later steps. Until the next step, :meth:`stiffness` and :meth:`edges` raise
+    /// ``OutdatedSolution``.
     fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
         let friction = friction.on(py, self.grid())?;
         self.change(py, |history| history.set_friction(&friction))

@@ -32,8 +32,7 @@ const COEFFICIENT: &str = "coefficient of wear";
 /// Remedies for a single number instead of one number per cell. A total would wear every cell, also outside the contact.
 const ENERGY_OF_CELLS: &str =
     "give the energy of each cell, step.dissipation or cycle.dissipation, instead of a total";
-const ACCUMULATED_OF_CELLS: &str =
-    "give the energy of each cell since the start, history.accumulated_dissipation, instead of a total";
+const ACCUMULATED_OF_CELLS: &str = "give the energy of each cell since the start, history.accumulated_dissipation, instead of a total";
 const PRESSURE_OF_CELLS: &str =
     "give the pressure of each cell, history.pressure or cycle.slip_pressure";
 const SLIP_OF_CELLS: &str = "give the slip of each cell, step.slip_distance or cycle.slip_distance";

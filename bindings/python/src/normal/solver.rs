@@ -253,6 +253,8 @@ impl NormalSolver {
     /// ------
     /// UnsupportedByModel
     ///     If a sensitivity has no derivative with respect to the pressure.
+    /// OutdatedSolution
+    ///     If a sensitivity was computed for another pressure, or the solution for another problem of this solver.
     /// GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, NotPositive, EmptyContact, NotFinite, NotConverged
     ///     See :meth:`sensitivity`.
     ///

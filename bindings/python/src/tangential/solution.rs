@@ -133,6 +133,13 @@ impl TangentialSolution {
 
     /// Returns the edges of the contact and of the stick zone inside the cells, for the pressure and the friction of the
     /// problem.
+    ///
+    /// Raises
+    /// ------
+    /// OutdatedSolution
+    ///     If the pressure or the friction is not that of this solution.
+    /// MaterialMismatch
+    ///     If the materials differ.
     fn edges(
         &self,
         py: Python<'_>,
@@ -146,6 +153,13 @@ impl TangentialSolution {
     }
 
     /// Returns the contact spots of the underlying normal contact, with their stick ratios.
+    ///
+    /// Raises
+    /// ------
+    /// OutdatedSolution
+    ///     If the pressure is not that of this solution.
+    /// MaterialMismatch
+    ///     If the materials differ.
     fn spots(&self, py: Python<'_>, normal: Object<NormalSolution>) -> PyResult<ContactSpots> {
         let (solution, normal) = (self.get(), normal.get());
         unobserved_on(py, solution.grid(), || solution.spots(normal)).map(ContactSpots::of)
