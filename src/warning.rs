@@ -165,7 +165,7 @@ pub enum Warning {
         sides: usize,
     },
     /// A layer of a [coated](crate::Material::coated) body is so thin that its effect on the shortest waves of the grid is below
-    /// a ten-thousandth: the thickness times the ratio of the shear moduli of layer and body (or its reciprocal, if larger) is less
+    /// a ten-thousandth. The thickness times the ratio of the shear moduli of layer and body (or its reciprocal, if larger) is less
     /// than a ten-thousandth of a cell side. The solution is then the limit of a contact without this layer. A common cause is an
     /// inconsistent unit of the thickness.
     CoatingBelowCell {

@@ -208,7 +208,7 @@ impl History {
 
     /// Sets the gap of later steps (lengths), for example after wear.
     ///
-    /// The gap is given without the yielded depth, which the history adds: to change the present gap, start from
+    /// The gap is given without the yielded depth, which the history adds. To change the present gap, start from
     /// :attr:`gap_as_set`. With a permanent set, a gap that contains the yielded depth would add it twice.
     ///
     /// Examples
