@@ -3339,8 +3339,12 @@ class History:
         """
     def edges(self, /) -> TangentialEdges:
         """
-        Returns the edges of the contact and of the stick zone inside the cells after the last step, under the current
-        friction.
+        Returns the edges of the contact and of the stick zone inside the cells after the last step.
+
+        Raises
+        ------
+        OutdatedSolution
+            If the friction has changed since the last step.
         """
     @property
     def friction(self, /) -> Friction:
@@ -3497,7 +3501,8 @@ class History:
         """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
-        Sets the friction of later steps. Until the next step, :meth:`stiffness` raises ``OutdatedSolution``.
+        Sets the friction of later steps. Until the next step, :meth:`stiffness` and :meth:`edges` raise
+        ``OutdatedSolution``.
         """
     def set_gap(self, /, gap: Field | ArrayLike) -> None:
         """
@@ -5028,6 +5033,8 @@ class NormalSolver:
         ------
         UnsupportedByModel
             If a sensitivity has no derivative with respect to the pressure.
+        OutdatedSolution
+            If a sensitivity was computed for another pressure, or the solution for another problem of this solver.
         GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, NotPositive, EmptyContact, NotFinite, NotConverged
             See :meth:`sensitivity`.
 
@@ -7398,6 +7405,13 @@ class TangentialSolution:
         """
         Returns the edges of the contact and of the stick zone inside the cells, for the pressure and the friction of the
         problem.
+
+        Raises
+        ------
+        OutdatedSolution
+            If the pressure or the friction is not that of this solution.
+        MaterialMismatch
+            If the materials differ.
         """
     def elastic_energy(self, /, bodies: HalfSpace) -> float:
         """
@@ -7447,6 +7461,13 @@ class TangentialSolution:
     def spots(self, /, normal: NormalSolution) -> ContactSpots:
         """
         Returns the contact spots of the underlying normal contact, with their stick ratios.
+
+        Raises
+        ------
+        OutdatedSolution
+            If the pressure is not that of this solution.
+        MaterialMismatch
+            If the materials differ.
         """
     @property
     def stick_area(self, /) -> float:
