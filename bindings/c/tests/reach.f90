@@ -248,8 +248,8 @@ contains
         ! These entries are the lateral force due to the spin, and the moment due to the lateral creepage.
         call check(stiffness%slopes(3, 2) * stiffness%slopes(2, 3) < 0, 'forces under spin')
 
-        call roller%set_load(stickslip_rolling_load(x=stickslip_rolling_control(value=1d-3), &
-            spin=stickslip_rolling_control(value=1d-3)))
+        call roller%set_load(stickslip_rolling_load(x=stickslip_rolling_control(STICKSLIP_CREEPAGE, 1d-3), &
+            spin=stickslip_rolling_control(STICKSLIP_SPIN, 1d-3)))
         call roller%solve(rolled)
         by_motion = rolled%result()
         report = rolled%report()
