@@ -454,7 +454,7 @@ contains
 
         ! Rolling: the stiffness predicts the force at a slightly larger creepage.
         call roller%new(bodies, heights, stickslip_coulomb(0.3d0), press, &
-            stickslip_rolling_load(x=stickslip_rolling_control(value=1d-3)))
+            stickslip_rolling_load(x=stickslip_rolling_control(STICKSLIP_CREEPAGE, 1d-3)))
         call roller%solve(rolled)
         call rolled%results(normal, first)
         call rolled%warnings(warnings)
@@ -463,7 +463,7 @@ contains
         zones => rolled%zones()
         call check(all(shape(zones) == [nx, ny]), 'zones of coupled rolling')
         slopes = roller%stiffness()
-        call roller%set_load(stickslip_rolling_load(x=stickslip_rolling_control(value=1.001d-3)))
+        call roller%set_load(stickslip_rolling_load(x=stickslip_rolling_control(STICKSLIP_CREEPAGE, 1.001d-3)))
         call roller%solve(rolled)
         call rolled%results(rolling=second)
         call check(abs((second%force(1) - first%force(1)) / (1d-6 * slopes%slopes(1, 1)) - 1) < 0.02d0, &
