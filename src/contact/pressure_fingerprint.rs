@@ -27,6 +27,9 @@ impl PressureFingerprint {
         let (width, depth) = (columns as f64 * grid.dx(), rows as f64 * grid.dy());
         let (sum, squares, moments) = reduce::sum(layout, |k| {
             let (i, pressure) = cell(k);
+            if pressure == 0.0 {
+                return (0.0, 0.0, [0.0; 2]);
+            }
             let (x, y) = (grid.x(i % columns), grid.y(i / columns));
             let moments = [x / width * pressure, y / depth * pressure];
             (pressure, pressure * pressure, moments)

@@ -105,6 +105,9 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
     /// Prepares the sparse inverse for the moving cells. Returns false if the moving cells are not scattered. The direction must
     /// be zero.
     pub(in crate::cgm) fn prepare(&mut self, sparse: &SparseInverse<N>) -> bool {
+        if !sparse.has_few(&self.moving) {
+            return false;
+        }
         self.mark_moving(1.0);
         let moves = &self.direction[0];
         let is_scattered = sparse.prepare(&self.moving, moves, &mut self.sparse);

@@ -159,21 +159,24 @@ pub(crate) struct SparseInverse<const N: usize> {
 }
 
 impl<const N: usize> SparseInverse<N> {
-    /// Returns whether the moving cells are so scattered that the sparse inverse takes less time than the circulant inverse. In
-    /// this case the scratch is prepared for these cells. `moves` is one on the moving cells and zero on the other cells.
+    /// Returns whether so few cells of a large grid move that the sparse inverse can take less time than the circulant inverse.
+    pub(super) fn has_few(&self, moving: &FreeCells) -> bool {
+        let (count, cells) = (moving.of_all_ranks(), moving.layout().of_all_ranks());
+        let is_dense = count as f64 > DENSE * cells as f64;
+        cells >= SMALL && count > 0 && !is_dense && self.factors.tables().is_some()
+    }
+
+    /// Returns whether the moving cells, which are [few](Self::has_few), are so scattered that the sparse inverse takes less time
+    /// than the circulant inverse. In this case the scratch is prepared for these cells. `moves` is one on the moving cells and
+    /// zero on the other cells.
     pub(super) fn prepare(
         &self,
         moving: &FreeCells,
         moves: &[f64],
         scratch: &mut SparseScratch<N>,
     ) -> bool {
-        let (count, cells) = (moving.of_all_ranks(), moving.layout().of_all_ranks());
-        let is_dense = count as f64 > DENSE * cells as f64;
-        if cells < SMALL || count == 0 || is_dense || self.factors.tables().is_none() {
-            return false;
-        }
         let found = self.find_patterns(moving, moves, scratch);
-        let most = COMPACT * (count * EARLIER.len()) as f64;
+        let most = COMPACT * (moving.of_all_ranks() * EARLIER.len()) as f64;
         found.is_ok_and(|neighbours| (neighbours as f64) < most)
     }
 
