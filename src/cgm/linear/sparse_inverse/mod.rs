@@ -159,7 +159,7 @@ pub(crate) struct SparseInverse<const N: usize> {
 }
 
 impl<const N: usize> SparseInverse<N> {
-    /// Returns whether so few cells of a large grid move that the sparse inverse can take less time than the circulant inverse.
+    /// Returns whether the grid is large and few of its cells move. Otherwise the circulant inverse takes less time.
     pub(super) fn has_few(&self, moving: &FreeCells) -> bool {
         let (count, cells) = (moving.of_all_ranks(), moving.layout().of_all_ranks());
         let is_dense = count as f64 > DENSE * cells as f64;
