@@ -219,9 +219,9 @@ impl<P: Contact> Solver<P> {
     }
 
     /// Solves like [`Self::solve_into`] with an observer that is called at every step and may cancel. After a cancellation or the
-    /// time limit the observer is not called again. After a cancellation
-    /// the solve returns [`Error::NotConverged`](crate::Error::NotConverged) with
-    /// [`Status::Cancelled`](crate::Status::Cancelled), even if the iterate satisfies the tolerance.
+    /// time limit the observer is not called again. After a cancellation the solve returns
+    /// [`Error::NotConverged`](crate::Error::NotConverged) with [`Status::Cancelled`](crate::Status::Cancelled), even if the
+    /// iterate satisfies the tolerance.
     ///
     /// # Errors
     /// The errors of [`Self::solve_into`].

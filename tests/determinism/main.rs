@@ -10,7 +10,7 @@ use stickslip::{
     TangentialProblem,
 };
 
-/// Returns the bits of pressure, gap, tractions, approach and shifts under a force.
+/// Returns pressure, gap, tractions, approach and shifts under a force as bytes.
 fn bits_of_a_contact(force: f64) -> Result<Vec<u8>> {
     let grid = Grid::new(150, 133, 1.0, 1.1)?;
     let (bodies, gap) = (unit_bodies(grid, 0.3), rough(grid, 21));
@@ -32,7 +32,7 @@ fn bits_of_a_contact(force: f64) -> Result<Vec<u8>> {
         .collect())
 }
 
-/// Returns the bits of a large contact and of a contact of scattered spots, which has a different preconditioner.
+/// Solves a large contact, and a contact of scattered spots, which has a different preconditioner.
 fn bits_of_contacts() -> Result<Vec<u8>> {
     Ok([bits_of_a_contact(60.0)?, bits_of_a_contact(6.0)?].concat())
 }

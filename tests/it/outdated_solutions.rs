@@ -98,7 +98,7 @@ fn sensitivity_of_normal_solution_of_earlier_input_is_rejected() {
     let bodies = bodies();
     let (mut solver, contact) = pressed(&bodies, NormalLoad::Force(FORCE));
     approach_of(&solver, &contact).unwrap();
-    // The same state under a prescribed approach is current.
+    // A prescribed approach that equals the computed approach does not outdate the solution.
     solver
         .set_load(NormalLoad::Approach(contact.approach()))
         .unwrap();

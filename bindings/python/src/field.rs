@@ -618,7 +618,7 @@ impl Samples<'_> {
     }
 
     /// Returns the samples as a field on this grid, as [`on`](Self::on), but rejects a single number and an array of one number
-    /// on a larger grid: such a number is more likely the total or the largest value of a quantity that differs between cells.
+    /// on a larger grid. Such a number is more likely the total or the largest value of a quantity that differs between cells.
     pub(crate) fn of_each_cell(
         &self,
         py: Python<'_>,

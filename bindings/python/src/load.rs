@@ -120,7 +120,7 @@ pub(crate) struct Keywords {
     pub(crate) twist: Option<Real>,
 }
 
-/// Collects the arguments of a function, which PyO3 requires one by one, in the order of the signatures.
+/// Collects the arguments of a function in the order of the signatures. PyO3 requires each argument as a parameter.
 macro_rules! keywords {
     [$force:expr, $shift:ident, $spring:ident, $force_x:ident, $force_y:ident, $shift_x:ident, $shift_y:ident,
      $spring_x:ident, $spring_y:ident, $twist:ident] => {

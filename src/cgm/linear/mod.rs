@@ -105,7 +105,7 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
     /// Prepares the sparse inverse for the moving cells. Returns false if the moving cells are not scattered. The direction must
     /// be zero.
     pub(in crate::cgm) fn prepare(&mut self, sparse: &SparseInverse<N>) -> bool {
-        if !sparse.has_few(&self.moving) {
+        if !sparse_inverse::has_few(&self.moving) {
             return false;
         }
         self.mark_moving(1.0);

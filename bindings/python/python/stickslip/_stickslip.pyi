@@ -3531,7 +3531,7 @@ class History:
         """
         Restores a state of this history or of a history on equal bodies. Gap, friction, hardness, permanent set, settings
         and model (scalar, vector or coupled) of the state replace those of the history. Changes made after the state was taken, as
-        by :meth:`set_friction` or :meth:`set_gap`, are therefore lost: make them again after this call.
+        by :meth:`set_friction` or :meth:`set_gap`, are therefore lost. Make them again after this call.
 
         The history then has no :attr:`last_step` until its next step. Until then, :meth:`Cycle.add` raises ``NoLastStep``. In a
         retry, restore the state, take a smaller step, and add this step to the cycle. A rejected step that was added stays in
@@ -7409,7 +7409,7 @@ class TangentialSolution:
         Raises
         ------
         OutdatedSolution
-            If the pressure or the friction is not that of this solution.
+            If this solution was computed for a different pressure or friction.
         MaterialMismatch
             If the materials differ.
         """
@@ -7465,7 +7465,7 @@ class TangentialSolution:
         Raises
         ------
         OutdatedSolution
-            If the pressure is not that of this solution.
+            If this solution was computed for a different pressure.
         MaterialMismatch
             If the materials differ.
         """

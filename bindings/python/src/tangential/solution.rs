@@ -137,7 +137,7 @@ impl TangentialSolution {
     /// Raises
     /// ------
     /// OutdatedSolution
-    ///     If the pressure or the friction is not that of this solution.
+    ///     If this solution was computed for a different pressure or friction.
     /// MaterialMismatch
     ///     If the materials differ.
     fn edges(
@@ -157,7 +157,7 @@ impl TangentialSolution {
     /// Raises
     /// ------
     /// OutdatedSolution
-    ///     If the pressure is not that of this solution.
+    ///     If this solution was computed for a different pressure.
     /// MaterialMismatch
     ///     If the materials differ.
     fn spots(&self, py: Python<'_>, normal: Object<NormalSolution>) -> PyResult<ContactSpots> {

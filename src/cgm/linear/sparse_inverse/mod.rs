@@ -18,7 +18,7 @@ mod tests;
 use std::sync::{Arc, OnceLock};
 
 use crate::cgm::free_cells::FreeCells;
-use crate::error::Result;
+use crate::error::{Result, positive};
 use crate::memory::fallible;
 
 /// Columns and rows from a cell to its neighbours within a radius of the root of five cells that precede the cell row by row.
@@ -58,7 +58,7 @@ type Table = Vec<[f64; ENTRIES]>;
 pub(crate) struct SparseFactors<const N: usize> {
     /// Diagonal coefficients of each component by the distance in rows and columns.
     coefficients: [[[f64; 5]; 3]; N],
-    tables: OnceLock<Option<[Table; N]>>,
+    tables: OnceLock<Result<[Table; N]>>,
 }
 
 /// Buffers of products with the sparse inverse. They are empty before the first scattered contact.
@@ -100,23 +100,30 @@ impl<const N: usize> SparseFactors<N> {
         }
     }
 
-    /// Returns the tables, or `None` if the coefficients are not positive definite.
-    fn tables(&self) -> Option<&[Table; N]> {
-        let make = || {
-            let mut tables = std::array::from_fn(|_| Vec::new());
-            for (table, coefficients) in tables.iter_mut().zip(&self.coefficients) {
-                let rows = (0..PATTERNS).map(|pattern| row(coefficients, pattern));
-                *table = rows.collect::<Option<Table>>()?;
-                table.push([0.0; ENTRIES]);
-            }
-            Some(tables)
-        };
-        self.tables.get_or_init(make).as_ref()
+    /// Returns the tables, which the first call computes.
+    ///
+    /// # Errors
+    /// - [`Error::NotPositive`](crate::Error::NotPositive) if the coefficients are not positive definite.
+    /// - [`Error::Memory`](crate::Error::Memory) if memory ran out in the first call.
+    fn tables(&self) -> Result<&[Table; N]> {
+        let make = || fallible::try_each(|n| table(&self.coefficients[n]));
+        self.tables.get_or_init(make).as_ref().map_err(Clone::clone)
     }
 }
 
-/// Computes the row of the factor for a pattern of moving neighbours, or `None` if their coefficients are not positive definite.
-fn row(coefficients: &[[f64; 5]; 3], pattern: usize) -> Option<[f64; ENTRIES]> {
+/// Computes the rows of the factor for all patterns, and the row of zeros of [`NOTHING`].
+fn table(coefficients: &[[f64; 5]; 3]) -> Result<Table> {
+    let mut table = fallible::with_room(PATTERNS + 1)?;
+    for pattern in 0..PATTERNS {
+        table.push(row(coefficients, pattern)?);
+    }
+    table.push([0.0; ENTRIES]);
+    Ok(table)
+}
+
+/// Computes the row of the factor for a pattern of moving neighbours, or returns an error if their coefficients are not positive
+/// definite.
+fn row(coefficients: &[[f64; 5]; 3], pattern: usize) -> Result<[f64; ENTRIES]> {
     let mut listed = [EARLIER.len(); ENTRIES];
     let mut count = 0;
     for neighbour in (0..EARLIER.len()).filter(|neighbour| pattern >> neighbour & 1 == 1) {
@@ -134,10 +141,8 @@ fn row(coefficients: &[[f64; 5]; 3], pattern: usize) -> Option<[f64; ENTRIES]> {
             let known = (0..q).fold(coefficient, |sum, k| sum - factor[p][k] * factor[q][k]);
             if p > q {
                 factor[p][q] = known / factor[q][q];
-            } else if known > 0.0 && known.is_finite() {
-                factor[p][p] = known.sqrt();
             } else {
-                return None;
+                factor[p][p] = positive("pivot of the coefficients of near cells", known)?.sqrt();
             }
         }
     }
@@ -148,7 +153,7 @@ fn row(coefficients: &[[f64; 5]; 3], pattern: usize) -> Option<[f64; ENTRIES]> {
         let later = (p + 1..=count).fold(unit, |sum, k| sum - factor[k][p] * row[listed[k]]);
         row[listed[p]] = later / factor[p][p];
     }
-    Some(row)
+    Ok(row)
 }
 
 /// Sparse inverse for a grid with the given number of columns.
@@ -158,15 +163,15 @@ pub(crate) struct SparseInverse<const N: usize> {
     pub(crate) columns: usize,
 }
 
-impl<const N: usize> SparseInverse<N> {
-    /// Returns whether the grid is large and few of its cells move. Otherwise the circulant inverse takes less time.
-    pub(super) fn has_few(&self, moving: &FreeCells) -> bool {
-        let (count, cells) = (moving.of_all_ranks(), moving.layout().of_all_ranks());
-        let is_dense = count as f64 > DENSE * cells as f64;
-        cells >= SMALL && count > 0 && !is_dense && self.factors.tables().is_some()
-    }
+/// Returns whether the grid is large and few of its cells move. Otherwise the circulant inverse takes less time.
+pub(super) fn has_few(moving: &FreeCells) -> bool {
+    let (count, cells) = (moving.of_all_ranks(), moving.layout().of_all_ranks());
+    let is_dense = count as f64 > DENSE * cells as f64;
+    cells >= SMALL && count > 0 && !is_dense
+}
 
-    /// Returns whether the moving cells, which are [few](Self::has_few), are so scattered that the sparse inverse takes less time
+impl<const N: usize> SparseInverse<N> {
+    /// Returns whether the moving cells, which are [few](has_few), are so scattered that the sparse inverse takes less time
     /// than the circulant inverse. In this case the scratch is prepared for these cells. `moves` is one on the moving cells and
     /// zero on the other cells.
     pub(super) fn prepare(
@@ -189,7 +194,8 @@ impl<const N: usize> SparseInverse<N> {
     ) -> Result<usize> {
         let (layout, columns) = (moving.layout(), self.columns);
         let halo = layout.with_halo(moves, REACH)?;
-        layout.collective_result(scratch.resize(halo.values.len()))?;
+        let tables = self.factors.tables();
+        layout.collective_result(tables.and_then(|_| scratch.resize(halo.values.len())))?;
         let pattern = |cell: usize| {
             let pattern = earlier(&halo.values, cell, columns, |moves| {
                 moves.bits(|moves| moves > 0.0)
@@ -224,7 +230,7 @@ impl<const N: usize> SparseInverse<N> {
         scratch: &mut SparseScratch<N>,
     ) -> bool {
         let (layout, columns) = (moving.layout(), self.columns);
-        let Some(tables) = self.factors.tables() else {
+        let Ok(tables) = self.factors.tables() else {
             return false;
         };
         let SparseScratch { patterns, half } = scratch;

@@ -1,4 +1,5 @@
 use super::*;
+use crate::error::Error;
 use crate::parallel::layout::Layout;
 
 const SIZE: [usize; 2] = [11, 9];
@@ -138,7 +139,7 @@ fn rows_have_unit_energy() {
 #[test]
 fn indefinite_coefficients_are_rejected() {
     let factors = SparseFactors::<1>::new(|_, x, y| if x + y == 0 { 1.0 } else { -2.0 });
-    assert!(factors.tables().is_none());
+    assert!(matches!(factors.tables(), Err(Error::NotPositive { .. })));
 }
 
 #[test]
@@ -151,7 +152,7 @@ fn sparse_inverse_is_for_few_scattered_cells() {
             .map(|cell| f64::from(u8::from(moves(cell))))
             .collect();
         let inverse = inverse(80);
-        inverse.has_few(&moving) && inverse.prepare(&moving, &marks, &mut SparseScratch::new())
+        has_few(&moving) && inverse.prepare(&moving, &marks, &mut SparseScratch::new())
     };
     assert!(suits(|cell| cell % 7 == 0));
     // Half of the cells.
