@@ -14,10 +14,10 @@ pub trait GapFunction {
     /// Writes the gap at each position `[x, y]` (lengths) into `gaps`.
     ///
     /// # Errors
-    /// An error ends the solve, which returns it.
+    /// The solve ends and returns the error.
     fn evaluate(&self, positions: &[[f64; 2]], gaps: &mut [f64]) -> Result<()>;
 
-    /// Returns the distances between samples along x and y (lengths), or `None` if the gap is known everywhere.
+    /// Returns the distances between samples along x and y (lengths), or `None` if the gap is defined everywhere.
     ///
     /// Smaller cells resolve only the interpolation between the samples. A solve therefore uses no cells below this size.
     fn sample_spacing(&self) -> Option<[f64; 2]> {
@@ -34,7 +34,7 @@ impl<F: Fn(f64, f64) -> f64> GapFunction for F {
     }
 }
 
-/// Gap that is given by samples, for instance by a measured surface.
+/// Gap interpolated between samples, for instance of a measured surface.
 #[cfg(feature = "roughness")]
 #[derive(Debug, Clone, PartialEq)]
 pub struct SampledGap {

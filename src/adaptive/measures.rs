@@ -118,7 +118,7 @@ impl Measures {
         })
     }
 
-    /// Returns the error of a coarser solution, estimated by its difference from this solution.
+    /// Returns the estimated error of a coarser solution, which is its difference from this solution.
     pub(super) fn difference(&self, coarse: &Self, quantity: Quantity) -> Result<f64> {
         let relative = |fine: f64, coarse: f64| (fine - coarse).abs() / fine.abs();
         let of_friction =
@@ -226,8 +226,8 @@ fn field_difference(extents: [Extent; 2], [fine, coarse]: [&Field; 2]) -> Result
     Ok(sum * fine.grid().cell_area() / fine.integral())
 }
 
-/// Returns the integrals of a row of means between successive positions, in units of a cell. The integral up to a position is
-/// interpolated by the cubic through the integrals at the four nearest edges of cells.
+/// Returns the integral of a row of cell means between each two successive positions. Positions are in units of a cell. The
+/// integral up to a position is interpolated by the cubic through the integrals at the four nearest edges of cells.
 fn integrals(means: &[f64], positions: &[f64]) -> Result<impl Iterator<Item = f64> + use<>> {
     let mut sums = fallible::with_room(means.len() + 1)?;
     let mut sum = 0.0;
@@ -246,8 +246,8 @@ fn integrals(means: &[f64], positions: &[f64]) -> Result<impl Iterator<Item = f6
 
 /// Returns the pressure that the part of the gap inside the cells would cause, relative to the force.
 ///
-/// The gap between the centres of the cells is compared with a cubic interpolation of the centres. A cell needs the pressure
-/// `difference / compliance` to flatten the difference.
+/// The differences are deviations of the gap inside the cells from the cubic interpolation between the centres. The pressure
+/// `difference / compliance` flattens a difference.
 pub(super) fn unresolved_pressure(pressure: &Field, differences: &[f64], compliance: f64) -> f64 {
     let pressures = pressure.as_slice();
     let [unresolved, whole] = reduce::sum(&pressure.grid().layout(), |i| {

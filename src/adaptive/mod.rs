@@ -1,8 +1,8 @@
 //! Contacts that are solved to a required accuracy. The solve chooses the grid.
 //!
-//! The input is a gap at any position, the load, the region where contact may occur, and a [target](Quantity) for the error
-//! of each quantity of interest. This sphere needs no choice of cells, although its region is a hundred times larger than
-//! the contact:
+//! The input is a gap at any position, the load, the region where contact may occur, and a [target](Quantity) for the error of
+//! each quantity of interest. In this example the region is a hundred times larger than the contact, and the solve chooses the
+//! cells:
 //!
 //! ```
 //! use stickslip::adaptive::{AdaptiveProblem, AdaptiveStatus, Quantity, Region};
@@ -29,12 +29,13 @@
 //!
 //! # Method
 //!
-//! 1. Search: the contact is solved on grids of 24 x 24 cells, first over the whole region. Each cell has the least gap of 64
-//!    points inside it. The extent shrinks to the contact, or widens if the contact reaches its end.
-//! 2. Refinement: the contact is solved on finer grids over this extent, with [values at the
-//!    centres](crate::CellValue::Centre) and [edges](crate::edges) inside the cells. The ratio of the cells along both axes
-//!    balances the second differences of the pressure. The next grid has 1.5 to 4 times as many cells along a side. The
-//!    estimated errors determine this factor.
+//! 1. Search: the contact is solved on grids of 24 x 24 cells. The first grid covers the whole region. The gap of a cell is the
+//!    least gap of 64 points inside it. The extent of the grid shrinks to the contact, or widens if the contact reaches an end of
+//!    the extent.
+//! 2. Refinement: the contact is solved on finer grids over this extent, with [values at the centres](crate::CellValue::Centre)
+//!    and [edges](crate::edges) inside the cells. The ratio of the numbers of cells along both axes balances the second
+//!    differences of the pressure. The next grid has 1.5 to 4 times as many cells along a side. The estimated errors determine
+//!    this factor.
 //! 3. Check: the displacement due to the pressure is computed on a coarse grid over the whole region. If the bodies overlap
 //!    outside the extent, the search continues with an extent that contains the overlap.
 //!
@@ -50,8 +51,8 @@
 //! e = \frac{D}{r^{3/2} - 1} \quad\text{for fields}, \qquad e = \frac{D}{r - 1} \quad\text{for numbers.}
 //! ```
 //!
-//! Fields are compared as means over the coarser cells. A number can agree on two grids by chance. Therefore its estimate is
-//! three times larger after two grids, and never less than the estimate of the grid before, reduced by $`r^{1.7}`$.
+//! Fields are compared as means over the coarser cells. A number can agree on two grids by chance. After two grids its estimate
+//! is therefore multiplied by three. Later estimates are at least the previous estimate divided by $`r^{1.7}`$.
 //!
 //! The error of the pressure is also at least the unresolved pressure
 //!
@@ -59,9 +60,9 @@
 //! \frac{\sum |h(x_i + s_i) - \tilde h(x_i + s_i)|}{c \sum p_i} ,
 //! ```
 //!
-//! where $`\tilde h`$ is the cubic interpolation of the gap between the centres $`x_i`$. The offsets $`s_i`$ lie inside the
-//! cells and differ from cell to cell. c is the displacement of a cell under its own unit pressure, and the sum is over the
-//! contact. Waves of the gap that are shorter than the cells therefore increase the estimate.
+//! where $`\tilde h`$ is the cubic interpolation of the gap between the centres $`x_i`$. The offsets $`s_i`$ lie inside the cells
+//! and differ from cell to cell. The compliance $`c`$ is the displacement of a cell under a unit pressure on it. The sums are
+//! over the contact. Waves of the gap that are shorter than the cells therefore increase the estimate.
 //!
 //! The estimates are not bounds. In a test with 1000 random contacts, two errors exceeded their target, by a factor of at most
 //! 1.64. The page on [accuracy](crate::guide::accuracy#contacts-with-a-required-accuracy) lists times, cells and errors.
@@ -71,7 +72,7 @@
 //! - The search evaluates the gap at 192 x 192 points of the region. It does not find a bump between these points.
 //! - Bodies with coatings and kernels have no edges inside the cells. Their areas are [corrected
 //!   counts](crate::NormalSolution::contact_area_corrected), which need more cells.
-//! - The pressure of a flat punch is infinite at its edge. Its estimates are poor.
+//! - The estimates for a flat punch are poor, because its pressure is infinite at the edge.
 //! - A [`SampledGap`] limits the accuracy: cells smaller than the distance between the samples resolve only the
 //!   interpolation. The solve then ends with [`AdaptiveStatus::SampleSpacing`].
 

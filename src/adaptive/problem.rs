@@ -1,4 +1,4 @@
-//! Input of a contact that is solved to an accuracy, checked when it is built.
+//! Checked input of a contact with a required accuracy.
 
 use std::ops::ControlFlow;
 use std::time::Duration;
@@ -18,9 +18,9 @@ use crate::tangential::{Friction, TangentialLoad, TangentialModel};
 
 /// Default target of the pressure.
 const DEFAULT_TARGET: f64 = 1e-2;
-/// Default limit of the cells of a grid.
+/// Default limit of the number of cells of a grid.
 const DEFAULT_CELLS: usize = 1 << 20;
-/// Least limit of the cells of a grid.
+/// Smallest permitted limit of the number of cells of a grid.
 const LEAST_CELLS: usize = 1024;
 
 /// Contact of bodies with a given gap and load, and the required accuracy.
@@ -88,7 +88,7 @@ impl<'a> AdaptiveProblem<'a> {
         }
     }
 
-    /// Solves the contact on finer and finer grids until all estimates are at most their targets or a limit is reached.
+    /// Solves the contact on successively finer grids until all estimates are at most their targets or a limit is reached.
     ///
     /// A limit is not an error. The solution then belongs to the finest grid. Its [status](AdaptiveSolution::status) states
     /// the limit, and its [warnings](AdaptiveSolution::warnings) contain
@@ -197,7 +197,7 @@ impl<'a> AdaptiveProblemBuilder<'a> {
     /// - [`Error::Tolerance`] if a target is not between 0 and 1.
     /// - [`Error::UnsupportedByModel`] if a target of the traction, stick ratio or shift is set without friction, or if the
     ///   friction varies over cells.
-    /// - [`Error::BelowMinimum`] if the limit of the cells is less than 1024.
+    /// - [`Error::BelowMinimum`] if the limit of the number of cells is less than 1024.
     pub fn build(mut self) -> Result<AdaptiveProblem<'a>> {
         let problem = &mut self.problem;
         let has_friction = problem.friction.is_some();

@@ -22,9 +22,9 @@ use crate::tangential::TangentialProblem;
 const FIRST_CELLS: f64 = 24.0;
 /// Number of cells of the first grid of a line.
 const FIRST_LINE_CELLS: f64 = 48.0;
-/// Limits of the ratio of the cells along a side of two successive grids.
+/// Limits of the ratio of the numbers of cells along a side of two successive grids.
 const GROWTH: [f64; 2] = [1.5, 4.0];
-/// Least ratio of the cells along a side for which a grid at a limit is solved.
+/// Least ratio of the numbers of cells along a side for which a grid reduced to a limit is solved.
 const LEAST_GROWTH: f64 = 1.2;
 /// Order of convergence that predicts the next grid.
 const ORDER: f64 = 1.7;
@@ -34,10 +34,10 @@ const SOLVER_SHARE: f64 = 0.02;
 const TOLERANCES: [f64; 2] = [1e-9, 1e-3];
 /// Factor of the estimated error of a number (not a field) if only two grids were solved.
 const FEW_GRIDS: f64 = 3.0;
-/// Number of times that the extent grows until it covers the region.
+/// Number of extents after which the next extent is the whole region.
 const MOST_EXTENTS: usize = 12;
 
-/// Solves a problem on finer and finer grids.
+/// Solves a problem on successively finer grids.
 pub(super) fn solve(
     problem: &AdaptiveProblem<'_>,
     observer: &mut dyn FnMut(&GridRecord) -> ControlFlow<()>,
@@ -101,7 +101,7 @@ pub(super) fn solve(
     }
 }
 
-/// Reduces the next grid to the limits of the cells. Returns the reason why no further grid is permitted, if any.
+/// Reduces the numbers of cells of the next grid to the limits. Returns the reason why no further grid is permitted, if any.
 fn limited(
     problem: &AdaptiveProblem<'_>,
     extent: Extent,
@@ -135,7 +135,7 @@ fn limited(
     status.filter(|_| !is_finer)
 }
 
-/// Multiplies the numbers of cells along the axes that are refined.
+/// Multiplies the numbers of cells along the refined axes by the factors.
 fn scaled(sizes: [f64; 2], factors: [f64; 2]) -> [f64; 2] {
     let scaled = |axis: usize| match sizes[axis] {
         size if size > 1.0 => (factors[axis] * size).max(2.0),
@@ -168,7 +168,7 @@ fn whole_cells(sizes: [f64; 2]) -> [usize; 2] {
     })
 }
 
-/// Returns the numbers of cells of the next grid, for the ratio of the errors to their targets.
+/// Returns the numbers of cells of the next grid, for the largest ratio of an error to its target.
 fn grown(sizes: [f64; 2], ratio: f64) -> [f64; 2] {
     let factor = (1.2 * ratio).powf(1.0 / ORDER).clamp(GROWTH[0], GROWTH[1]);
     scaled(sizes, [factor; 2])
@@ -200,7 +200,8 @@ fn balanced(problem: &AdaptiveProblem<'_>, sizes: [f64; 2], normal: &NormalSolut
     [sizes[0] * ratio, sizes[1] / ratio]
 }
 
-/// Returns a wider extent if the contact reaches an end of the extent inside the region, or if the bodies overlap outside.
+/// Returns a wider extent if the contact reaches an end of the extent inside the region, or if the bodies overlap outside the
+/// extent.
 fn wider_extent(
     problem: &AdaptiveProblem<'_>,
     extent: Extent,
@@ -243,7 +244,7 @@ impl OneGrid {
         })
     }
 
-    /// Estimates the errors of this solution by its differences from a coarser one.
+    /// Estimates the errors of this solution from its differences from a coarser solution.
     fn estimates(
         &self,
         problem: &AdaptiveProblem<'_>,

@@ -27,7 +27,7 @@ impl Region {
         Self::new([x, y], Boundary::NonPeriodic, false)
     }
 
-    /// Creates a rectangle of periodic surroundings ([`Boundary::Periodic`]). The gap must have these periods.
+    /// Creates a rectangle with periodic surroundings ([`Boundary::Periodic`]). The gap must have these periods.
     ///
     /// # Errors
     /// The errors of [`Self::rectangle`].
@@ -35,8 +35,8 @@ impl Region {
         Self::new([x, y], Boundary::Periodic, false)
     }
 
-    /// Creates the part from `x[0]` to `x[1]` (lengths) of a line contact in plane strain. All forces are per unit length.
-    /// `datum` is the distance of [`Boundary::PeriodicAlongY`], at least the length of the line.
+    /// Creates a line from `x[0]` to `x[1]` (lengths) for a line contact in plane strain. All forces are per unit length. `datum`
+    /// is the distance of [`Boundary::PeriodicAlongY`], at least the length of the line.
     ///
     /// # Errors
     /// - The errors of [`Self::rectangle`].

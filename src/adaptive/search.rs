@@ -19,17 +19,18 @@ const SEARCH_CELLS: usize = 24;
 const SEARCH_LINE_CELLS: usize = 96;
 /// Number of parts of a search cell along each axis at which the gap is evaluated.
 const SEARCH_PARTS: usize = 8;
-/// Ratio of the sides of the next extent and of this one below which the search continues.
+/// Ratio of a side of the next extent to this side of the current extent below which the search continues.
 const LARGE_SHRINKAGE: f64 = 0.7;
 /// Free border around the contact, as a fraction of its width.
 const BORDER: f64 = 0.12;
 /// Largest ratio of the sides of an extent.
 const MOST_ELONGATED: f64 = 8.0;
-/// Largest number of grids of a search. Each grid shrinks a side below [`LARGE_SHRINKAGE`], or widens it by a half or more.
+/// Largest number of grids of a search. Each grid shrinks a side by at least the factor [`LARGE_SHRINKAGE`], or widens a side by
+/// half at one end, within the region.
 const MOST_GRIDS: usize = 200;
 /// Tolerance of the solves of the search.
 const TOLERANCE: f64 = 1e-3;
-/// Overlap outside the extent that extends it, as a fraction of the approach.
+/// Least overlap outside the extent that widens the extent, as a fraction of the approach.
 const LEAST_OVERLAP: f64 = 0.02;
 
 /// Box of cells around the contact: for each axis the first cell and the cell after the last.
@@ -73,7 +74,7 @@ impl ContactBox {
         (wider != extent).then_some(wider)
     }
 
-    /// Returns the contact with a free border, and whether the contact covers too small a part of the grid.
+    /// Returns the extent of the contact with a free border, and whether this extent covers too small a part of the grid.
     fn bordered(
         &self,
         problem: &AdaptiveProblem<'_>,
@@ -155,8 +156,8 @@ fn least_gaps(problem: &AdaptiveProblem<'_>, extent: Extent, cells: [usize; 2]) 
     Field::from_vec(extent.grid(cells)?, least.collect())
 }
 
-/// Returns an extent that also contains the cells outside the given one where the bodies overlap, or `None` without such
-/// cells. The displacements are computed on a coarse grid over the whole region.
+/// Returns the given extent, widened to the cells outside it where the bodies overlap. Returns `None` without such cells. The
+/// displacements are computed on a coarse grid over the whole region.
 pub(super) fn overlap_outside(
     problem: &AdaptiveProblem<'_>,
     extent: Extent,

@@ -192,7 +192,7 @@ impl AdaptiveSolution {
         &self.estimates
     }
 
-    /// Returns the estimated error of a quantity, or `None` if it is not known.
+    /// Returns the estimated error of a quantity, or `None` if it was not estimated.
     #[must_use]
     pub fn estimate(&self, quantity: Quantity) -> Option<f64> {
         let mut estimates = self.estimates.iter();
@@ -201,9 +201,9 @@ impl AdaptiveSolution {
             .map(|estimate| estimate.error)
     }
 
-    /// Returns the difference of a quantity from a solution on a finer grid, in the definition of [`Quantity`]. The finer grid
-    /// should have at least twice as many cells along a side. The comparison of fields on similar grids has an additional error
-    /// due to interpolation. The difference is zero for a tangential quantity without friction.
+    /// Returns the difference of a quantity from a solution on a finer grid, as defined by [`Quantity`]. The finer grid should
+    /// have at least twice as many cells along a side. The comparison of fields on similar grids has an additional error due to
+    /// interpolation. The difference is zero for a tangential quantity without friction.
     ///
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
@@ -232,7 +232,7 @@ impl AdaptiveSolution {
 }
 
 impl Estimate {
-    /// Returns the error divided by the target.
+    /// Returns the error divided by the target, or `None` without a target.
     pub(super) fn ratio(&self) -> Option<f64> {
         self.target.map(|target| self.error / target)
     }
