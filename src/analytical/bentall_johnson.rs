@@ -10,9 +10,9 @@ const MIDDLE: f64 = 0.403_972_753_299_517_2;
 /// Cylinders of different materials that roll freely, without a tangential force and with little friction. The solution
 /// is the limit $`\mu \ll |\beta|`$ of Bentall and Johnson's solution.
 ///
-/// The pressure stretches the surfaces in the contact by different amounts, so that they slip. Let $`\beta`$ be
-/// [`dundurs_beta`](crate::ElasticPair::dundurs_beta) and $`\xi`$ the creepage. If friction is too weak to prevent this
-/// slip, the slip of body 1 over body 2 per rolled length is
+/// The pressure compresses the surfaces along x by different amounts, so that they slip. Let $`\beta`$ be
+/// [`dundurs_beta`](crate::ElasticPair::dundurs_beta) and $`\xi`$ the creepage. If friction is too weak to prevent this slip, the
+/// slip of body 1 over body 2 per rolled length is
 ///
 /// ```math
 /// s = \frac{2\beta}{E^*}\,p - \xi, \qquad q = -\mu p\,\operatorname{sign} s .
@@ -117,7 +117,6 @@ impl BentallJohnson {
     #[must_use]
     pub fn dissipation(&self) -> f64 {
         let sum = MIDDLE * (1.0 - MIDDLE * MIDDLE / 3.0) - 1.0 / 3.0;
-        // The stretch at the middle is the stretch under the largest pressure.
         let limit = self.friction * self.hertz.max_pressure() * self.hertz.half_width();
         4.0 * sum * limit * self.stretch(0.0).abs()
     }

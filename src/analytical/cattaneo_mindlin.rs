@@ -8,8 +8,7 @@ use super::partial_slip::PartialSlip;
 use super::sines::{arc_minus_sine, sine_minus_arc_cosine};
 use crate::error::{Result, finite};
 
-/// A sphere in partial slip: a constant normal load, then a tangential force along x that increases
-/// monotonically.
+/// A sphere in partial slip. Under a constant normal load, a tangential force along x increases monotonically.
 ///
 /// With $`f = |F|/\mu W`$, a disc of radius $`c`$ sticks. The ring around the disc slips, opposite to the traction:
 ///
@@ -213,8 +212,7 @@ impl CattaneoMindlin {
     }
 }
 
-/// An elliptic paraboloid in partial slip: a constant normal load, then a tangential force along x
-/// that increases monotonically.
+/// An elliptic paraboloid in partial slip. Under a constant normal load, a tangential force along x increases monotonically.
 ///
 /// The stick ellipse is the contact ellipse scaled by $`(1-f)^{1/3}`$. With $`\rho^2 = x^2/a_x^2 + y^2/a_y^2`$ and
 /// $`\lambda = (1-f)^{1/3}`$
@@ -224,10 +222,9 @@ impl CattaneoMindlin {
 /// \delta_x = \frac{3\mu W}{2}\,\frac{(1-\nu)K+\nu N}{2\pi Ga}\left[1-\lambda^2\right]
 /// ```
 ///
-/// where $`a`$ is the longer semi-axis, and $`K`$ and $`D = (K-E)/m`$ are complete elliptic integrals of
-/// $`m = 1-b^2/a^2`$. $`N = D`$ if the force is along the longer axis, and $`N = K-D`$ if it is along the shorter. This
-/// is the solution of the scalar model, with traction along x only, for every $`\nu`$. Mindlin (1949); Vermeulen and
-/// Johnson (1964).
+/// where $`a`$ is the longer semi-axis, and $`K`$ and $`D = (K-E)/m`$ are complete elliptic integrals of $`m = 1-b^2/a^2`$. $`N =
+/// D`$ if the force is along the longer axis, and $`N = K-D`$ if it is along the shorter axis. This is the solution of the scalar
+/// model, with traction along x only, for every $`\nu`$. Mindlin (1949); Vermeulen and Johnson (1964).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{CattaneoMindlinEllipse, HertzEllipse}};

@@ -150,8 +150,7 @@ impl Cone {
     }
 }
 
-/// A cone in partial slip: a constant normal load, then a tangential force along x that increases
-/// monotonically.
+/// A cone in partial slip. Under a constant normal load, a tangential force along x increases monotonically.
 ///
 /// The traction is $`\mu`$ times the difference between the pressure under $`W`$ and the pressure
 /// under the reduced load $`(1-f)W`$, $`f = |F|/\mu W`$. The contact circle under the reduced load is
@@ -261,7 +260,7 @@ impl ConePartialSlip {
         let scale = self.held.direction * self.held.friction;
         if rho < self.stick && rho < 1.0 {
             let inner = ((self.stick - rho) * (self.stick + rho)).sqrt();
-            // (1 + dome) / (c/a + inner) minus one, with 1 - c^2/a^2 = f.
+            // With 1 - c^2/a^2 = f, the argument of the logarithm minus one is (1 + dome) / (c/a + inner) - 1.
             let excess = self.ring() + self.held.fraction / (dome(rho) + inner);
             scale * self.cone.mean_pressure * (excess / (self.stick + inner)).ln_1p()
         } else if self.held.friction > 0.0 {

@@ -35,7 +35,7 @@ impl Integrals {
             }
             (a, b) = (f64::midpoint(a, b), (a * b).sqrt());
             let next = 0.25 * c * c / a;
-            // This yields 2^n c_(n+1)^2/m from 2^(n-1) c_n^2/m without a division by m.
+            // The factor yields 2^n c_(n+1)^2/m from 2^(n-1) c_n^2/m without a division by m.
             term *= 0.125 * c / a * (c / a);
             c = next;
             sum += term;

@@ -154,7 +154,7 @@ impl HertzSphere {
 /// A paraboloid with two different curvatures pressed on a half-space.
 ///
 /// The initial gap is $`x^2/2R_x + y^2/2R_y`$. The longer radius is $`R'`$ and the shorter radius is $`R''`$. The
-/// semi-axes are $`a \ge b`$, the longer along the longer radius. With $`m = 1-b^2/a^2`$ and the complete elliptic
+/// semi-axes are $`a \ge b`$, and $`a`$ lies along the longer radius. With $`m = 1-b^2/a^2`$ and the complete elliptic
 /// integrals $`K(m)`$, $`E(m)`$, $`D = (K-E)/m`$:
 ///
 /// ```math

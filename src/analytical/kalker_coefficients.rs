@@ -20,12 +20,12 @@ use crate::error::{Error, Result, at_least, positive};
 ///
 /// The values were computed with this crate for $`a/b`$ from 1/16 to 16. They result from [steady
 /// rolling](crate::rolling::RollingProblem) on 24 grids of 32 to 128 cells across each axis. The values are extrapolated to zero
-/// cell size and to reciprocity. They are accurate to about 0.1 % ($`C_{33}`$ to 0.3 %).
+/// cell size and to reciprocity, $`C_{32} = -C_{23}`$. They are accurate to about 0.1 % ($`C_{33}`$ to 0.3 %).
 ///
 /// Between the tabulated values, logarithms are interpolated in $`\ln(a/b)`$. The compliances $`1/C_{11}, 1/C_{22}, 1/C_{23}`$
 /// and the spin per moment without lateral force are interpolated as parabolas in $`\nu`$. The interpolation adds an error of at
 /// most 0.1 % for $`a/b`$ from 0.09 to 2.8 and up to 0.4 % outside this range. The error of $`C_{33}`$ is up to 1 % near 16,
-/// because this coefficient is a small difference.
+/// because this coefficient is a small difference of larger terms.
 ///
 /// Kalker's three-digit values of $`C_{11}`$, $`C_{22}`$ and $`C_{23}`$ differ by less than 0.6 % for $`0.2 \le a/b \le 2`$ and
 /// by up to 1.2 % at 10. The exception is $`C_{11} = 4.83`$ at $`a/b = 0.5`$, $`\nu = 0.5`$. A value of 4.87 would be consistent

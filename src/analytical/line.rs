@@ -106,8 +106,8 @@ impl HertzLine {
         self.max_pressure * dome(x.abs() / self.half_width)
     }
 
-    /// Returns the approach of the bodies (a length) relative to the [datum](crate::Boundary::PeriodicAlongY) d, a
-    /// length:
+    /// Returns the approach of the bodies (a length) relative to the [datum](crate::Boundary::PeriodicAlongY) d (a
+    /// length):
     ///
     /// ```math
     /// \delta = \frac{P}{\pi E^*}\left(2\ln\frac{2d}{a} + 1\right) .

@@ -91,7 +91,7 @@ impl CattaneoMindlinLine {
     /// stress causes the strain, use [`with_bulk_stress`](Self::with_bulk_stress).
     ///
     /// If $`|e| > fa/2`$, the first small loads reverse the slip at one end. Under the growing load this region then slips back.
-    /// The remaining effect is less than 1e-4 of the energy.
+    /// The remaining effect on the energy is less than 1e-4.
     ///
     /// # Errors
     /// - [`Error::NotFinite`] if the strain is not finite.
@@ -237,8 +237,8 @@ impl CattaneoMindlinLine {
     /// ```
     ///
     /// for body 1 under a positive force, and with the opposite sign of the bracket for body 2. The stress of body 1 is largest
-    /// at the edge that the traction pulls away from, x = -a under a positive force. There it rises as a square root, so the
-    /// stress on a grid converges slowly with the cell size. Johnson (1985), 2.23 and 7.2; Nowell & Hills (1987).
+    /// at the trailing edge, x = -a under a positive force. There it rises as a square root, so the stress on a grid converges
+    /// slowly with the cell size. Johnson (1985), 2.23 and 7.2; Nowell & Hills (1987).
     #[must_use]
     pub fn surface_stress(&self, x: f64) -> [f64; 2] {
         self.stress(x, 0.0).map(|[along, ..]| along)

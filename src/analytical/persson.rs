@@ -170,11 +170,11 @@ fn argument(reduced_pressure: f64, area_coefficient: f64) -> f64 {
 /// normal load `load` (a force) and the tangential force `force` (a force of either sign), with the coefficient of
 /// friction `friction`.
 ///
-/// The stick area is the contact area under the load $`W-F/\mu`$, and the real area of a rough surface is proportional
-/// to the load as long as it is a small fraction of the nominal area. This ratio is the straight line in figures 25 and
-/// 26 of the paper. The line is exact for a [`Cone`](super::Cone); for a smooth sphere the ratio is $`(1-F/\mu
-/// W)^{2/3}`$ ([`CattaneoMindlin`](super::CattaneoMindlin)). Without friction the function returns zero. The ratio
-/// computed for a single surface is within about 0.05 of the line. Paggi, Pohrt and Popov (2014); Ciavarella (1998b).
+/// The stick area is the contact area under the load $`W-F/\mu`$. The real area of a rough surface is proportional to
+/// the load while it is a small fraction of the nominal area. This ratio is the straight line in figures 25 and 26 of
+/// the paper. The line is exact for a [`Cone`](super::Cone); for a smooth sphere the ratio is $`(1-F/\mu W)^{2/3}`$
+/// ([`CattaneoMindlin`](super::CattaneoMindlin)). Without friction the function returns zero. The ratio computed for a
+/// single surface is within about 0.05 of the line. Paggi, Pohrt and Popov (2014); Ciavarella (1998b).
 ///
 /// # Errors
 /// - [`Error::NotPositive`](crate::Error::NotPositive) if the load is not positive and finite.

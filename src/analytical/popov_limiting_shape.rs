@@ -33,9 +33,9 @@ use crate::error::{Result, at_least, non_negative, positive};
 /// volume then exceeds the volume of this solution by 7 to 10 %, although the load is only 0.3 to 2 % smaller. The volume is more
 /// sensitive: 1 % of the stick radius changes it by 9.6 % at c/a = 0.8.
 ///
-/// A stick radius from counted cells is too inaccurate for a comparison of volumes. With the radius for which this solution has
-/// the simulated load, the volumes agree within 0.3 %. Under a constant normal force the approach increases during wear and the
-/// stick disc grows. The comparison then requires the final approach.
+/// A stick radius from counted cells is too inaccurate for a comparison of volumes. If $`c`$ is chosen such that this solution
+/// has the simulated load, the volumes agree within 0.3 %. Under a constant normal force the approach increases during wear and
+/// the stick disc grows. The comparison then requires the final approach.
 ///
 /// Popov (2014).
 ///

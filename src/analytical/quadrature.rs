@@ -19,7 +19,8 @@ pub(super) fn integral(length: f64, integrand: impl Fn(f64) -> f64) -> f64 {
     half * sum
 }
 
-/// Longest panel. The nearest singularity is then four half panels away, and eight nodes are exact to 1e-14.
+/// Length of the longest panel. The nearest singularity is then four half panels away, and eight nodes are exact to
+/// 1e-14.
 const LONGEST_PANEL: f64 = 0.5;
 
 /// Positive nodes of the Gauss-Legendre rule on `[-1, 1]` and their weights. The negative nodes have the same weights.

@@ -18,7 +18,7 @@ use crate::error::{Result, non_negative};
 /// with the complete elliptic integral $`K`$ of modulus $`k`$ and $`K'(k) = K(\sqrt{1-k^2})`$. The equations are valid
 /// for a flat punch, and for a sphere, a cone or any other power of the distance, because their contacts grow
 /// self-similarly. A numerical solution needs one load step for the punch and many steps for the other shapes. With
-/// full coupling, a larger coefficient of friction leads to the same $`k`$. At $`k = 0.5`$ it is larger by 0.5 % for
+/// full coupling, the same $`k`$ requires a larger coefficient of friction. At $`k = 0.5`$ it is larger by 0.5 % for
 /// $`\beta = 0.1`$, by 5 % for $`\beta = 2/7`$ and by 17 % for $`\beta = 1/2`$.
 ///
 /// Round: D. A. Spence, *J. Elasticity* 5 (1975) 297-319, [doi:10.1007/BF00126993](https://doi.org/10.1007/BF00126993).

@@ -205,8 +205,7 @@ fn root(alpha: f64, beta: f64) -> f64 {
     }
 }
 
-/// A wavy surface in partial slip: a constant mean pressure, then a traction along x that increases
-/// monotonically.
+/// A wavy surface in partial slip. Under a constant mean pressure, a traction along x increases monotonically.
 ///
 /// With the mean traction $`\bar q`$ and $`f = |\bar q|/\mu\bar p`$, the traction is $`\mu`$ times the
 /// difference between the pressure and the pressure under the reduced load:
