@@ -29,9 +29,9 @@ pub enum Coupling {
     /// Pressure and traction are solved simultaneously ([`coupled`](crate::coupled)).
     #[default]
     Full,
-    /// Shear does not change the pressure, but pressure moves the surfaces tangentially (Goodman's assumption, J. Appl.
-    /// Mech. 29 (1962) 515, <https://doi.org/10.1115/1.3640599>). Pressure and traction are solved one after the other.
-    /// Each solution is the minimum of a convex energy and has a certified error.
+    /// Shear does not change the pressure, but pressure moves the surfaces tangentially (Goodman's assumption, J. Appl. Mech. 29
+    /// (1962) 515, <https://doi.org/10.1115/1.3640599>). The pressure is solved first, then the traction. Each solution is the
+    /// minimum of a convex energy and has a certified error.
     OneWay,
     /// Pressure and traction do not affect each other. Pressing alone then causes neither traction nor slip.
     ///

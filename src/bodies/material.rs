@@ -166,9 +166,9 @@ impl Material {
         !self.layers().is_empty()
     }
 
-    /// Returns the strain of the bulk along x under the stress `stress` along x, without strain along y and stress
-    /// along z: $`\varepsilon = \sigma (1 - \nu^2)/E`$, positive in tension. A body that is free to contract along y
-    /// has the strains $`\sigma/E`$ along x and $`-\nu\sigma/E`$ along y.
+    /// Returns the strain of the bulk along x under the stress `stress` along x, without strain along y or stress along z:
+    /// $`\varepsilon = \sigma (1 - \nu^2)/E`$, positive in tension. A body that is free to contract along y has the strains
+    /// $`\sigma/E`$ along x and $`-\nu\sigma/E`$ along y.
     #[must_use]
     pub fn plane_strain_under(&self, stress: f64) -> f64 {
         stress * (1.0 - self.poisson_ratio * self.poisson_ratio) / self.youngs_modulus

@@ -8,7 +8,7 @@ use crate::grid::Grid;
 /// Largest difference of a tensor from its mirror image that counts as round-off.
 const MIRRORED: f64 = 1e-10;
 
-/// Meaning of the value 1 in checks of the allowed difference divided by the actual difference.
+/// Name of the value 1 in errors: the ratio of the permitted difference to the actual difference must be at least 1.
 pub(super) const AS_ALLOWED: &str = "a difference equal to the permitted difference";
 
 /// Least thickness of a layer divided by the diagonal of a grid, as limited by the range of the tables of coated

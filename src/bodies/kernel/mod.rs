@@ -1,9 +1,9 @@
 //! User-defined linear bodies, described by their response to waves, by influence coefficients, or by operators.
 //!
-//! A [`HalfSpace`](crate::HalfSpace) can be created from a [`Kernel`] instead of an [`ElasticPair`]. Pressure,
-//! traction, coupled problems, histories, wear and stiffness then work with the kernel. Rolling works with all kernels
-//! except operators. A kernel describes the relative displacement $`u_1 - u_2`$ of both bodies in one of four ways. The signs are
-//! the signs of the [`influence`](crate::influence) page.
+//! A [`HalfSpace`](crate::HalfSpace) can be created from a [`Kernel`] instead of an [`ElasticPair`]. Pressure, traction, coupled
+//! problems, histories, wear and stiffness then work with the kernel. Rolling works with all kernels except operators. A kernel
+//! describes the relative displacement $`u_1 - u_2`$ of both bodies in one of four ways. The [`influence`](crate::influence) page
+//! defines the signs.
 //!
 //! | constructor | input | grids |
 //! |---|---|---|
@@ -80,7 +80,7 @@
 //!
 //! The remainder R must be negligible at $`kH = 40`$. The constructors of `HalfSpace` return [`Error::BelowMinimum`] if $`k R`$
 //! exceeds 1e-10 of $`A_n`$ at this wave number. The remainder of a layer satisfies this if `thickness` is the thickness of the
-//! layer. The response of a body whose moduli vary gradually from the surface approaches A only like $`1/k`$. The response of a
+//! layer. The response of a body whose moduli vary gradually from the surface approaches A only as $`1/k`$. The response of a
 //! body without a half-space as its limit, such as springs, does not approach A at all. Such bodies require a grid that is
 //! periodic along both axes, or a table.
 //!
@@ -90,15 +90,14 @@
 //!
 //! # Certificate
 //!
-//! The smallest eigenvalue of a response or a table on the grid is computed when an operator is planned. If it is
-//! positive, errors are certified as for other bodies. If it is not positive, isotropic kernels on free grids and on grids
-//! periodic along y use an estimate. As for coated bodies ([`layers`](crate::layers#limits-of-the-model)), the estimate is
-//! computed on the infinite lattice of the cells. A solve returns [`Error::NotDefinite`] if this estimate is not positive either.
-//! It also returns this error for all tables whose smallest eigenvalue is not positive. For coupled problems, the separate
-//! eigenvalues of pressure and traction must be positive. User-defined operators report their own
-//! [bound](crate::Operator::lower_bound). Without a bound, pressure and traction can be solved only one after the other, and
-//! stiffnesses are rejected. [`Report::eigenvalue_bound`](crate::Report::eigenvalue_bound) reports the origin of the bound behind
-//! a certificate.
+//! The smallest eigenvalue of a response or a table on the grid is computed when an operator is planned. If it is positive,
+//! errors are certified as for other bodies. If it is not positive, isotropic kernels on free grids and on grids periodic along y
+//! use an estimate. As for coated bodies ([`layers`](crate::layers#limits-of-the-model)), the estimate is computed on the
+//! infinite lattice of the cells. A solve returns [`Error::NotDefinite`] if this estimate is not positive either. It also returns
+//! this error for all tables whose smallest eigenvalue is not positive. For coupled problems, the separate eigenvalues of
+//! pressure and traction must be positive. User-defined operators report their own [bound](crate::Operator::lower_bound). Without
+//! a bound, pressure and traction cannot be solved together, and stiffnesses are rejected.
+//! [`Report::eigenvalue_bound`](crate::Report::eigenvalue_bound) reports the origin of the bound behind a certificate.
 //!
 //! # Moduli and identity
 //!
@@ -389,13 +388,13 @@ impl Kernel {
     /// whether pressure and traction are [coupled](ElasticPair::is_coupled), and the strength of the coupling for
     /// [`CoupledReport::error_estimate`](crate::coupled::CoupledReport::error_estimate).
     ///
-    /// A contact is solved on all cells of the grid, without windows and coarser grids. The certificate requires a
-    /// [lower bound](crate::Operator::lower_bound) of the operator. Without a bound,
-    /// [`Report::duality_gap`](crate::Report::duality_gap) is the duality gap, which is not part of the convergence
-    /// test. Coupled problems, stiffnesses and jumps over cycles of wear are then not available. Rolling, ranks, dense
-    /// matrices, edges inside the cells and stresses reject such bodies. On a grid that is periodic along both axes an
-    /// operator must map constants to zero. A [cell value](crate::HalfSpace::with_cell_value) does not change an operator. It
-    /// states the interpretation of the values that the operator uses.
+    /// A contact is solved on all cells of the grid, without windows and coarser grids. The certificate requires a [lower
+    /// bound](crate::Operator::lower_bound) of the operator. Without a bound, [`Report::duality_gap`](crate::Report::duality_gap)
+    /// is the duality gap of the problem, and the convergence test ignores it. Coupled problems, stiffnesses and jumps over
+    /// cycles of wear are then not available. Rolling, ranks, dense matrices, edges inside the cells and stresses reject such
+    /// bodies. On a grid that is periodic along both axes an operator must map constants to zero. A [cell
+    /// value](crate::HalfSpace::with_cell_value) does not change an operator. It states the interpretation of the values that the
+    /// operator uses.
     ///
     /// # Errors
     /// - [`Error::UnsupportedForCoatings`] if `near` is not homogeneous.
@@ -404,9 +403,9 @@ impl Kernel {
     /// - [`Error::Length`] if operators have different numbers of cells.
     /// - [`Error::NotPositive`] if the energy of one of two test fields with zero mean is not positive.
     /// - [`Error::NotFinite`] if a product or a lower bound is not finite.
-    /// - [`Error::UnsupportedByModel`] if an operator adds its product to the output instead of writing it, is not symmetric, or has
-    ///   a coupling that `near` does not have. An operator counts as not symmetric if the work of each of two test fields on the
-    ///   displacements of the other differs by more than 1e-9 of the energies.
+    /// - [`Error::UnsupportedByModel`] if an operator adds its product to the output instead of writing it, is not symmetric, or
+    ///   has a coupling that `near` does not have. An operator counts as not symmetric if the works of two test fields on the
+    ///   displacements of the other field differ by more than 1e-9 of the energies.
     /// - [`Error::BelowMinimum`] if the energy of a test field is smaller than the lower bound allows.
     /// - [`Error::Memory`] if memory runs out.
     pub fn operators(near: ElasticPair, operators: Operators) -> Result<Self> {
@@ -468,7 +467,7 @@ impl Kernel {
         }
     }
 
-    /// Like [`Self::times_k`], but with the response of the half-space `near` for short waves.
+    /// Returns a product like [`Self::times_k`], but with the response of the half-space `near` for short waves.
     pub(crate) fn short_times_k(&self, k: f64) -> Response {
         match &self.given {
             Some(KernelSource::Isotropic(of)) if k * of.thickness > NEAR => self.pair.times_k(k),
@@ -550,8 +549,7 @@ const NEAR_IS: &str = "the pair `near` of a kernel";
 const NEAR_REMEDY: &str = "give a pair of homogeneous bodies";
 
 /// Returns a digest of a length and of values times k. Numbers are rounded to single precision, so that round-off differences
-/// between machines do not change the digest. They are in the units of the pair, so that they do not overflow or underflow in any
-/// system of units.
+/// between machines do not change the digest. Numbers in units of the pair do not overflow or underflow in any system of units.
 fn digest_of(near: &ElasticPair, length: f64, values: &[f64]) -> u64 {
     let unit = near.compliances().normal;
     let numbers = values.iter().map(|value| value / unit);

@@ -69,8 +69,8 @@ impl Operators {
     }
 
     /// Adds a symmetric operator for these directions. It maps the tractions (pressures) along these directions to the
-    /// displacements (lengths) along them. The signs are those of the [`influence`](crate::influence) page. The operator is
-    /// applied on many threads.
+    /// displacements (lengths) along them. The [`influence`](crate::influence) page defines the signs. The operator is applied on
+    /// many threads.
     #[must_use]
     pub fn with<T, const N: usize>(mut self, directions: [Direction; N], operator: T) -> Self
     where

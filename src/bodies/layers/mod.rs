@@ -43,10 +43,9 @@
 //! C_n = \frac{1-\nu_1}{G_1 k}\;\frac{1 + 4 a \kappa t - \lambda \kappa t^2}{1 - (\lambda + \kappa + 4 \kappa a^2) t + \lambda \kappa t^2} .
 //! ```
 //!
-//! The limits are the substrate for $`k \to 0`$ and the outermost layer for $`k \to \infty`$. On a rigid base
-//! $`C_n \to h (1-2\nu)/2G(1-\nu)`$ and $`C_l, C_t \to h/G`$ for $`k \to 0`$, and $`C_n \to k^2 h^3/3G`$ for an
-//! incompressible layer. The matrix of $`C_n, C_l, C_c`$ is symmetric (reciprocity) and positive definite at every k
-//! (energy), as is $`C_t`$.
+//! The limits are the substrate for $`k \to 0`$ and the outermost layer for $`k \to \infty`$. On a rigid base $`C_n \to h
+//! (1-2\nu)/2G(1-\nu)`$ and $`C_l, C_t \to h/G`$ for $`k \to 0`$, and $`C_n \to k^2 h^3/3G`$ for an incompressible layer. The
+//! matrix of $`C_n, C_l, C_c`$ is symmetric (reciprocity) and positive definite at every k (energy). $`C_t`$ is positive.
 //!
 //! # From waves to cells
 //!
@@ -71,14 +70,14 @@
 //!   the substrate with the given datum, and tends to zero on a rigid base. On such a grid the smallest eigenvalue for tractions
 //!   with zero mean certifies the error of a solve. If no sum is prescribed, the certificate also requires the energy of a flat
 //!   punch. A solve returns [`Error::DatumTooNear`] if the datum is too near for a prescribed approach, shift or spring.
-//! - The error of a solve on a free grid is certified by the smallest eigenvalue of a periodic continuation of the
-//!   kernel. For layers stiffer than the bodies below, on grids many thicknesses long, this eigenvalue can be negative
-//!   although the operator is positive. Examples are an incompressible layer of ten times the modulus of its base,
-//!   sheared on cells as wide as two thicknesses, and a layer of 1000 times the modulus of its base, pressed over sixty
-//!   thicknesses. A conservative estimate of the smallest eigenvalue of the infinite lattice of the same cells then
-//!   replaces this eigenvalue. The estimate is computed from sums over the aliases of waves with selected phases. For
-//!   coupled problems on such a grid, the separate problems of pressure and traction have bounds, and the coupled
-//!   problem has only an estimate and [no bound](crate::Report).
+//! - The error of a solve on a free grid is certified by the smallest eigenvalue of a periodic continuation of the kernel. For
+//!   layers stiffer than the bodies below, on grids many thicknesses long, this eigenvalue can be negative although the operator
+//!   is positive. One example is an incompressible layer of ten times the modulus of its base, sheared on cells as wide as two
+//!   thicknesses. Another example is a layer of 1000 times the modulus of its base, pressed over sixty thicknesses. A
+//!   conservative estimate of the smallest eigenvalue of the infinite lattice of the same cells then replaces this eigenvalue.
+//!   The estimate is computed from sums over the aliases of waves with selected phases. For coupled problems on such a grid, the
+//!   separate problems of pressure and traction have bounds, and the coupled problem has only an estimate and [no
+//!   bound](crate::Report).
 //! - On a grid that is periodic along both axes a mean pressure and a mean traction cause no displacement. This
 //!   convention also applies to a rigid base, where both displacements are finite. For one layer, add
 //!   $`h (1-2\nu)/2G(1-\nu)`$ times the mean pressure to the approach, and $`h/G`$ times the mean traction to the shift.
