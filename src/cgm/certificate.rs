@@ -135,7 +135,7 @@ impl IterateMeasures {
     /// small fractions of these values. A NaN counts as in range because it propagates to the result.
     pub(crate) fn has_squares(&self) -> bool {
         let [unknown, displacement, gradient] = self.sizes;
-        // A gradient that is small compared with the displacements is a small residual.
+        // Gradients far below the displacements may underflow, because their residuals are negligible.
         let moved = larger(displacement, gradient);
         let is_ordinary = |size: f64| size == 0.0 || size.is_nan() || ORDINARY.contains(&size);
         is_ordinary(unknown) && is_ordinary(moved)
@@ -185,8 +185,8 @@ pub(crate) fn measure<const N: usize>(
         })
     });
     let bound = 0.5 * squares.sqrt() + (0.25 * squares + found.dual).sqrt();
-    // An operator that maps constants to zero gives uniform unknowns neither displacement nor energy as a scale. The stretch of a
-    // spring, or the displacement computed from the smallest eigenvalue, then serves as the scale.
+    // If an operator maps constants to zero, uniform unknowns have no displacement and no energy that could be the scale. The
+    // stretch of a spring, or the displacement computed from the smallest eigenvalue, then serves as the scale.
     let springs = totals.into_iter().filter_map(Total::compliance);
     let stretch = springs
         .reduce(f64::min)
@@ -213,7 +213,7 @@ pub(crate) fn measure<const N: usize>(
     IterateMeasures {
         forbidden: found.forbidden,
         displacement: found.displacement,
-        // A single component is a magnitude itself.
+        // The magnitude of a single component is the component itself, so the other measures contain its size.
         sizes: if N == 1 {
             [found.largest, found.displacement, found.forbidden]
         } else {
@@ -407,8 +407,8 @@ fn ratio(a: f64, b: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Uniform gradients behind a spring of compliance c have the exact value `B^2 = 1 / c`. A computed value below it would not
-    /// bound the error, and a negative value has no square root.
+    /// Uniform gradients behind a spring of compliance c have the exact value `B^2 = 1 / c`. A computed value below the exact
+    /// value would not bound the error, and a negative value has no square root.
     #[test]
     fn spring_bound_of_uniform_gradients_is_not_below_exact_bound() {
         let (cells, lower_bound) = (64.0, 1.0);

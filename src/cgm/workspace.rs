@@ -33,8 +33,8 @@ impl<S: ConstraintSet<N>, const N: usize> Workspace<S, N> {
     /// Creates buffers for an operator and its preconditioner.
     ///
     /// # Memory
-    /// `7 N + N^2` numbers and a motion per cell, in addition to the buffers of operator and preconditioner. The first scattered
-    /// contact adds `N` numbers and two bytes per cell.
+    /// The buffers take `7 N + N^2` numbers and a motion per cell, in addition to the buffers of operator and preconditioner. The
+    /// first scattered contact adds `N` numbers and two bytes per cell.
     ///
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if the memory does not suffice.

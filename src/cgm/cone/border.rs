@@ -100,7 +100,7 @@ impl<F: FrictionCone> ConeRun<'_, '_, F> {
     }
 
     /// Selects the cells with the least slip among the cells that could carry more of the deficit. Returns `None` if no cell
-    /// could carry more, or if all cells have not yet been set to stick [`TRIALS`] times.
+    /// could carry more, or until all cells have been set to stick [`TRIALS`] times.
     fn cell_with_least_slip(&self) -> Option<NearestToStick> {
         if self.times_held <= TRIALS {
             return None;

@@ -75,7 +75,7 @@ impl<F: FrictionCone> NewtonSteps for ConeRun<'_, '_, F> {
         });
         let mut findings = self.findings();
         if is_early && findings.merit() <= self.monitor.tolerance() {
-            // Only an exact product may end the solve.
+            // Only a product in double precision may end the solve.
             self.refresh();
             findings = self.findings();
         }

@@ -35,11 +35,10 @@ pub(crate) enum DiscMotion {
 /// ```
 ///
 /// with the weights $`0 < W \le 1`$ of the cells. Both terms are symmetric and positive definite, and so is the preconditioner.
-/// It is exact in both limits. At the stiffness $`e`$, the weight $`W^2`$ of a pattern is one quarter. The value of $`e`$ is half
-/// of $`c_1`$, chosen from measurements. The number of steps was measured on smooth and rough balls in growing contact. In these
-/// tests $`e`$ was two fifths to three fifths of $`c_1`$. The value of $`c_1`$ was four to six times the least eigenvalue of a
-/// half-space. The number of steps changed by 2 %. The square root of this weight would require a tenth more steps, or a third
-/// more if cells come into contact.
+/// It is exact in both limits. At the stiffness $`e`$, the weight $`W^2`$ of $`M`$ is one quarter. The value of $`e`$ is half of
+/// $`c_1`$, chosen from measurements on smooth and rough balls in growing contact. For values from two fifths to three fifths of
+/// $`c_1`$, the number of steps changed by 2 %. In these tests $`c_1`$ was four to six times the least eigenvalue of a
+/// half-space. The square root of this weight would require a tenth more steps, or a third more if cells come into contact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Weight {
     /// Factor of the input and of the result of the inverse operator.

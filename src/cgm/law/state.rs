@@ -132,7 +132,7 @@ pub(crate) trait LinearisedSet<const N: usize>:
     /// Returns `x + d`, or the point of a bound if `x + d` reaches the bound up to round-off.
     fn arrive(self, x: [f64; N], d: [f64; N]) -> [f64; N];
 
-    /// Returns the motion of a cell at `x` before its gradient is known.
+    /// Returns the motion of a cell at `x` before its gradient has been computed.
     fn motion(self, x: [f64; N]) -> Self::CellMotion;
 
     /// Returns the motion with the curvature of the bound for a gradient `g`.

@@ -17,7 +17,7 @@ use crate::operator::Operator;
 use crate::parallel::layout::Layout;
 use crate::report::{Report, Status};
 
-/// Maximum number of bases before a response counts as not found.
+/// Maximum number of bases for a response. Beyond this number the response has not converged.
 const BASES: usize = 100;
 
 /// Right-hand side of the equations and their solution.
@@ -179,7 +179,7 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
         self.moving.places(&mut f);
     }
 
-    /// Returns the additional displacement of a cell that its row adds under these tractions.
+    /// Returns the displacement that the row of a cell adds under these tractions.
     pub(crate) fn lag(&self, cell: usize, tractions: [f64; N]) -> [f64; N] {
         if R::HAS_LAG {
             self.rows[cell].lag(tractions)

@@ -3,7 +3,7 @@
 //! Every step moves along `P(x - a g) - x` to the minimum of the objective on this segment. `P` is the exact projection on sets
 //! and sums. The objective decreases at every step for any start and any behaviour of the sets (Dai & Fletcher, Mathematical
 //! Programming 106 (2006) 403, <https://doi.org/10.1007/s10107-005-0595-2>). A few steps move the other methods away from most
-//! cycles. Many steps would be slow. They would be ineffective if the operator is ill-conditioned.
+//! cycles. Many steps would be slow, and ineffective for an ill-conditioned operator.
 
 use std::ops::ControlFlow;
 

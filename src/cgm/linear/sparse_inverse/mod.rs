@@ -9,8 +9,9 @@
 //! ```
 //!
 //! The coefficients depend only on the distance. Therefore the row depends only on the pattern of moving neighbours, and a table
-//! contains the rows of all patterns. In contrast to the circulant inverse, the rows contain the edges of the contact. A product
-//! costs a few operations per moving cell instead of two transforms of the grid. The couplings of the components are omitted.
+//! contains the rows of all patterns. In contrast to the circulant inverse, the rows depend on the edges of the contact. A
+//! product costs a few operations per moving cell instead of two transforms of the grid. The couplings of the components are
+//! omitted.
 
 #[cfg(test)]
 mod tests;
@@ -21,7 +22,8 @@ use crate::cgm::free_cells::FreeCells;
 use crate::error::{Result, positive};
 use crate::memory::fallible;
 
-/// Columns and rows from a cell to its neighbours within a radius of the root of five cells that precede the cell row by row.
+/// Columns and rows from a cell to its earlier neighbours, which precede the cell row by row. The neighbours lie within a radius
+/// of the square root of five cells.
 const EARLIER: [[i8; 2]; 10] = [
     [-1, -2],
     [0, -2],
@@ -44,10 +46,10 @@ const PATTERNS: usize = 1 << EARLIER.len();
 const NOTHING: u16 = 1 << EARLIER.len();
 /// Number of cells below which the transforms take little time, compared with the computation of the factors.
 const SMALL: usize = 4096;
-/// Fraction of moving cells from which a product costs as much as a product with the circulant inverse.
+/// Fraction of moving cells at which a product costs as much as a product with the circulant inverse.
 const DENSE: f64 = 0.3;
-/// Mean fraction of the earlier neighbours that move from which a contact is compact. The circulant inverse then saves more steps
-/// than the sparse inverse saves time.
+/// Mean fraction of moving cells among the earlier neighbours at which a contact becomes compact. The circulant inverse then
+/// saves more steps than the sparse inverse saves time.
 const COMPACT: f64 = 0.82;
 
 /// Rows of the factor for all patterns of moving neighbours.
@@ -336,8 +338,8 @@ impl<T: Copy> Neighbours<'_, T> {
     }
 }
 
-/// Calls `f` with the values at the earlier neighbours of a cell. Values beyond the ends of the vector are zero. A neighbour
-/// beyond the side of the grid has the value of a different cell.
+/// Calls `f` with the values at the earlier neighbours of a cell. Values beyond the ends of the vector are zero. The value at a
+/// neighbour beyond the side of the grid is the value of a different cell.
 #[inline]
 fn earlier<T: Copy + Default, R>(
     values: &[T],
@@ -359,7 +361,7 @@ fn earlier<T: Copy + Default, R>(
     }
 }
 
-/// Calls `f` with the values at the cells of which a cell is the earlier neighbour.
+/// Calls `f` with the values at the later neighbours of a cell, to which this cell is an earlier neighbour.
 #[inline]
 fn later<T: Copy + Default, R>(
     values: &[T],
