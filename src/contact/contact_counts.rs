@@ -39,7 +39,7 @@ pub(crate) struct Spots {
 }
 
 impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
-    /// Computes all counts, over all ranks if the map of each rank is its slab. After a failure of a rank the counts are zero.
+    /// Computes all counts, over all ranks if each rank stores a slab of the map. After a failure of a rank the counts are zero.
     pub(crate) fn survey(&self, share: Option<&Arc<RowPartition>>) -> Result<ContactCounts> {
         match self.try_survey(share) {
             // The solve that contains the survey returns the failure.
@@ -114,7 +114,8 @@ impl<F: Fn(usize) -> bool + Sync> ContactMap<'_, F> {
     }
 }
 
-/// Returns one bit per column, which is set if the column contains a label, and whether each row of `nx` cells contains one.
+/// Returns one bit per column, which is set if the column contains a label. Also returns for each row of `nx` cells whether it
+/// contains a label.
 fn taken(labels: &[u32], nx: usize) -> Result<(Vec<u64>, Vec<bool>)> {
     // Plain loops without branches, which the compiler vectorises.
     let mut columns: Vec<u32> = fallible::filled(0, nx)?;
@@ -186,7 +187,7 @@ mod tests {
     }
 
     /// Distributes random maps over ranks, some of which have few rows or none. The counts of the ranks equal the counts of one
-    /// process. Its spots equal the spots found by a walk from cell to cell.
+    /// process. The spots of one process equal the spots found by a walk from cell to cell.
     #[test]
     fn slabs_come_to_what_the_whole_comes_to() {
         let mut random = 1_u64;

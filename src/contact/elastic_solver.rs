@@ -30,7 +30,7 @@ pub(crate) struct ElasticSolver<S: ConstraintSet<N>, const N: usize> {
 pub(crate) type ElasticProblem<'a, K, const N: usize> =
     Problem<'a, ElasticOperator<N>, K, ElasticPreconditioner<N>, N>;
 
-/// Returns multipliers known from an earlier solve, and zero for components without a prescribed total.
+/// Returns the multipliers of an earlier solve, with zero for components without a prescribed total.
 pub(crate) fn multipliers<const N: usize>(totals: [Total; N], known: [f64; N]) -> [f64; N] {
     std::array::from_fn(|n| match totals[n] {
         Total::Free => 0.0,
@@ -56,7 +56,7 @@ impl<S: ConstraintSet<N>, const N: usize> ElasticSolver<S, N> {
         })
     }
 
-    /// Creates a problem of this operator and preconditioner with a linear term and sets.
+    /// Creates a problem with this operator and preconditioner, a linear term and sets.
     pub(crate) fn problem<'a, K: Constraint<N>>(
         &self,
         linear: [&'a [f64]; N],

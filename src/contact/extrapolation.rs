@@ -25,7 +25,7 @@ clone_in_place!(LoadTrend<const N: usize> { change, by });
 
 try_clone!(LoadTrend<const N: usize> { change } { by });
 
-/// Changes that are not known are equal, because no solve uses them.
+/// Trends without a change of the load are equal, because no solve uses them.
 impl<const N: usize> PartialEq for LoadTrend<N> {
     fn eq(&self, other: &Self) -> bool {
         self.by == other.by && (!self.is_known() || self.change == other.change)
@@ -75,7 +75,7 @@ impl<const N: usize> LoadTrend<N> {
         self.by = [[0.0; 2]; N];
     }
 
-    /// Returns whether the change of the load is known.
+    /// Returns whether a change of the load is stored.
     pub(crate) fn is_known(&self) -> bool {
         self.by.as_flattened().iter().any(|by| *by != 0.0)
     }

@@ -96,16 +96,15 @@ pub(crate) struct Fragments<'a> {
     sums: Vec<SpotSums>,
 }
 
-/// Place of links across the end of a slab.
+/// Type of a link across the end of a slab.
 const SLABS: usize = 0;
-/// Place of links across the edge of the grid in x.
+/// Type of a link across the edge of the grid in x.
 const EDGE_X: usize = 1;
-/// Place of links across the edge of the grid in y.
+/// Type of a link across the edge of the grid in y.
 const EDGE_Y: usize = 2;
 
 /// Link of two fragments, of which the second starts where the first ends. The first pair contains the numbers of the fragments
-/// among the fragments of all ranks. The second pair contains the type of the place where the fragments meet and the number of
-/// adjacent pairs of cells.
+/// among the fragments of all ranks. The second pair contains the type of the link and the number of adjacent pairs of cells.
 type Link = ([usize; 2], (usize, usize));
 
 impl<'a> Fragments<'a> {
@@ -128,8 +127,8 @@ impl<'a> Fragments<'a> {
         })
     }
 
-    /// Removes the fragments that no fragment of another rank can meet, and returns their sums. Removes no fragment without
-    /// ranks.
+    /// Removes the fragments that no fragment of another rank can meet, and returns their sums. Without ranks, removes no
+    /// fragment.
     pub(crate) fn take_closed(&mut self) -> Result<Vec<SpotSums>> {
         let (mut open, mut closed) = (Vec::new(), Vec::new());
         if self.share.is_none() {

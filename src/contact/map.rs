@@ -21,7 +21,7 @@ pub(crate) struct ContactMap<'a, F> {
 }
 
 impl<'a, F: Fn(usize) -> bool + Sync> ContactMap<'a, F> {
-    /// Creates the map of a solution. Before a solve, only the rows of a slab are known.
+    /// Creates the map of a solution. Without `counted`, as before a solve, the map contains only the local rows.
     pub(crate) fn of(
         grid: Grid,
         boundary: Boundary,

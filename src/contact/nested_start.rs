@@ -110,7 +110,7 @@ pub(crate) fn nested_start<S: MultilevelProblem<N>, const N: usize>(
     descend(bodies, size, scene, conditions).map(|(found, _)| found)
 }
 
-/// Returns whether a solution on cells twice as large is a start worth its cost.
+/// Returns whether a start from cells twice as large saves more time than it costs.
 pub(crate) fn is_worth_coarsening(bodies: &HalfSpace, size: [usize; 2]) -> bool {
     let is_line = bodies.lines().contains(&true);
     let is_small = if is_line {
