@@ -19,8 +19,8 @@ pub(crate) struct SensitivityInput<'a> {
 
 impl SensitivityInput<'_> {
     /// Returns whether a large fraction of the cells of a contact with friction came into contact in this step. Under a
-    /// growing load these cells would close one after the other. Cells with the least gap of the contact do not count,
-    /// because they close simultaneously under a growing load too.
+    /// growing load these cells would close at different loads. Cells with the least gap of the contact do not count,
+    /// because they also close simultaneously under a growing load.
     pub(crate) fn is_at_once(&self, layout: &Layout) -> bool {
         let Self { gap, pressure, .. } = *self;
         let [qx, qy] = self.traction;

@@ -7,8 +7,8 @@
 //! u_z = C_{zz}\,p + B\,q, \qquad u_t = B^{T} p + C_{tt}\,q, \qquad B = (C_{zx}, C_{zy}) .
 //! ```
 //!
-//! A [`CoupledProblem`] describes bodies that are pressed and sheared from rest in one step. In a
-//! [`History`](crate::History) this happens in many steps. Both solve for p and q that satisfy
+//! A [`CoupledProblem`] describes bodies that are pressed and sheared from rest in one step. A
+//! [`History`](crate::History) presses and shears bodies in many steps. Both solve for p and q that satisfy
 //!
 //! ```math
 //! g = h + u_z - \delta \ge 0,\; p \ge 0,\; p\,g = 0, \qquad
