@@ -160,8 +160,8 @@ impl ActiveSetSearch<'_> {
                 return Ok(DenseMinimum { x, multiplier });
             }
             if !next.is_finite() {
-                // One bracket is still infinite and the Newton step violates the other. Either this is round-off, or no entry can
-                // move.
+                // One bracket is still infinite and the Newton step violates the other bracket. The cause is round-off, or no
+                // entry can move.
                 let is_round_off = missing.abs() <= 1e-12 * magnitude.max(total.abs());
                 return if is_round_off {
                     Ok(DenseMinimum { x, multiplier })
