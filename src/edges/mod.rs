@@ -60,12 +60,12 @@
 //!
 //! # Narrow slip rings
 //!
-//! A slip ring of less than two cells provides no values of the slip. Its cells are also at the edge of the contact. In this case
-//! the fit is extrapolated from the stick zone. It is rejected if its residual exceeds 0.01 cells. Under spheres and ellipses the
-//! squared value is a quadratic, and the fit finds the edge. For a gap proportional to r^4, the fit is rejected and the cells
-//! keep their raw values. [`unfitted_fraction`](Edges::unfitted_fraction) of [`TangentialEdges::stick`] reports the fraction of
-//! these cells. The table lists errors on 32 x 32 cells over three contact radii, averaged over four positions. The first value
-//! is the error of the raw cells, and the second value is the error of the fit:
+//! A slip ring less than two cells wide provides no values of the slip. Its cells are also at the edge of the contact. In this
+//! case the fit is extrapolated from the stick zone. It is rejected if its residual exceeds 0.01 cells. Under spheres and
+//! ellipses the squared value is a quadratic, and the fit finds the edge. For a gap proportional to r^4, the fit is rejected and
+//! the cells keep their raw values. [`unfitted_fraction`](Edges::unfitted_fraction) of [`TangentialEdges::stick`] reports the
+//! fraction of these cells. The table lists errors on 32 x 32 cells over three contact radii, averaged over four positions. The
+//! first value is the error of the raw cells, and the second value is the error of the fit:
 //!
 //! | contact, force over mu W | slip ring, cells | traction | largest traction | stick area | rejected fits |
 //! |---|---|---|---|---|---|
