@@ -26,7 +26,7 @@ const APART: usize = 2;
 ///
 /// # Memory
 ///
-/// One byte per cell for each of the N (N + 1)/2 coefficients, and 4 N bytes per cell in each workspace.
+/// The inverse takes one byte per cell for each of the N (N + 1)/2 coefficients. Each workspace takes 4 N bytes per cell.
 #[derive(Debug, Clone)]
 pub struct CirculantInverse<const N: usize = 1> {
     product: SingleProduct<N>,

@@ -176,8 +176,9 @@ impl<const N: usize> Convolution<N> {
 }
 
 impl<const N: usize> Convolution<N> {
-    /// Replaces the smallest eigenvalue of the periodic continuation by a given value of the given origin. On a grid that is
-    /// periodic along y, the value applies to tractions without a mean. [`Self::with_uniform_waves`] completes the bound.
+    /// Replaces the smallest eigenvalue of the periodic continuation by a given value, and sets the origin of this value. On a
+    /// grid that is periodic along y, the value applies to tractions without a mean. [`Self::with_uniform_waves`] completes the
+    /// bound.
     pub(crate) fn bounded(self, least: f64, known: EigenvalueBound) -> Self {
         let lower_bound = (least - 1e-14 * self.upper_bound).max(0.0);
         Self {

@@ -21,7 +21,7 @@ use crate::parallel::ranks::partition::RowPartition;
 ///
 /// # Memory
 ///
-/// 96 bytes per cell, and a small amount per task.
+/// The transforms take 96 bytes per cell, and a small amount per task.
 #[derive(Debug, Clone)]
 pub(crate) struct Superposition {
     plan: Plan<f64>,

@@ -40,7 +40,7 @@ struct SymbolShape<const N: usize> {
     parity: Parity<N>,
 }
 
-/// Rules for the matrices of all waves from the real matrices of a quarter of the waves.
+/// Rules that derive the matrices of all waves from the real matrices of a quarter of the waves.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Parity<const N: usize> {
     /// Whether each entry changes sign with the wave number along y.
