@@ -42,8 +42,8 @@
 /// the largest eigenvalue of C. As for C, an operator reports bounds from the eigenvalues of its periodic continuation,
 /// which contains the grid. The [certificate](crate::cgm) thus remains valid without change.
 ///
-/// The stencil is the correction of a corrected trapezoidal rule for 1/r. It is not part of the paper. It is not the
-/// default either, because results of uniform cells agree to the last digit with the paper and with CONTACT.
+/// The stencil is the correction of a corrected trapezoidal rule for 1/r. It is not part of the paper. It is not the default,
+/// because results of uniform cells agree to the last digit with the paper and with CONTACT.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]

@@ -26,7 +26,7 @@ pub(crate) fn coarsened([nx, ny]: [usize; 2], fine: &[f64]) -> Result<Vec<f64>> 
                 .map(|row| row[columns.clone()].iter().sum::<f64>());
             sums.sum::<f64>() / cells as f64
         };
-        // Blocks of four cells need no division by their number.
+        // A complete block always has four cells, so these blocks are summed without counting their cells.
         let (upper, lower) = rows.split_at(nx);
         let blocks = upper.chunks_exact(2).zip(lower.chunks_exact(2));
         let whole = blocks.len();

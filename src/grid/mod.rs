@@ -73,7 +73,7 @@ impl Grid {
     ///
     /// # Errors
     /// - [`Error::GridSize`] if a number of cells is zero.
-    /// - [`Error::Memory`] if memory cannot index the padded grid.
+    /// - [`Error::Memory`] if the padded grid is larger than the address space.
     /// - [`Error::NotPositive`] if a side, the cell area or the grid area is not positive and finite.
     pub fn new(nx: usize, ny: usize, dx: f64, dy: f64) -> Result<Self> {
         if nx == 0 || ny == 0 {
