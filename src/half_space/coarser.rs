@@ -14,8 +14,8 @@ use crate::influence::KernelCorrection;
 use crate::parallel::get_or_make;
 use crate::parallel::ranks::partition::RowPartition;
 
-/// Largest number of cells of a coarser grid that every rank solves separately, because messages would take longer than
-/// the solve.
+/// Largest number of cells of a coarser grid that is not distributed. Every rank solves such a grid, because messages
+/// would take longer than the solve.
 const ALONE: usize = 1 << 16;
 
 impl HalfSpace {

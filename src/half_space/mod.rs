@@ -143,7 +143,7 @@ impl HalfSpace {
     ///
     /// # Errors
     /// - All errors of [`HalfSpace::new`].
-    /// - [`Error::BelowMinimum`] if the distance of the [datum](Boundary::PeriodicAlongY) is less than the length of the grid.
+    /// - [`Error::BelowMinimum`] if the [datum](Boundary::PeriodicAlongY) is less than the length of the grid.
     pub fn with_boundary(
         grid: Grid,
         bodies: impl Into<kernel::Kernel>,
