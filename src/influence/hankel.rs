@@ -1,4 +1,4 @@
-//! Tables, Hankel integrals and integrals over cells of functions of a distance that are smooth on the scale of a depth.
+//! Functions of a distance that are smooth on the scale of a depth: their tables, Hankel integrals and integrals over cells.
 
 use std::f64::consts::{SQRT_2, TAU};
 use std::sync::LazyLock;

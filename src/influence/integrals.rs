@@ -9,7 +9,7 @@ pub(super) struct Cell {
     pub(super) b: f64,
 }
 
-/// Integrals that compose all coefficients.
+/// Integrals whose weighted sums are the coefficients.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Integral {
     /// Integral of `1/R`, `S_X + S_Y`.

@@ -54,7 +54,7 @@
 //!
 //! The coefficients of [coated](crate::layers) bodies are the sum of two terms. The first term is these coefficients with the
 //! constants of the outermost layers. The second term is the correction described in [`layers`](crate::layers). The symbols of
-//! coated bodies are the symbols of the responses described on the same page.
+//! coated bodies follow from the responses described on the same page.
 //!
 //! Source: Appendix A of Wang, De Boer, Neville & Ghanbarzadeh, Tribology International 159 (2021) 106947. Three printed errors
 //! are corrected. In `C_xx`, `C_yy` and `C_zz` the numerator of the second logarithm is `(x+a) + hypot(x+a, y+b)`. The stray

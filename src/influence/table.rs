@@ -14,8 +14,8 @@ use crate::support::debug::shown;
 
 /// One influence coefficient at the cell distances `(i dx, j dy)` with `0 <= i < nx` and `0 <= j < ny`.
 ///
-/// Distances of the opposite sign follow from the parity of the component. Only a quarter of the samples that a convolution
-/// needs is therefore evaluated and stored. A sample takes 8 bytes, or 16 bytes for `XX` and `YY`.
+/// Coefficients at distances of the opposite sign follow from the parity of the component. Only a quarter of the samples that a
+/// convolution needs is therefore evaluated and stored. A sample takes 8 bytes, or 16 bytes for `XX` and `YY`.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, Material, influence::{Component, Table}};
