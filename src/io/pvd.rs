@@ -13,9 +13,9 @@ const FORMAT: Format = Format("PVD");
 
 /// Series of [VTI](super::vti) files and the PVD file that lists them with their times.
 ///
-/// The files of the series are in the same folder as the PVD file. Their names are its name and a number, for
-/// example `run.0000.vti` and `run.0001.vti` for `run.pvd`. The PVD file is replaced after every file. The series
-/// can therefore be opened during the run, and it is still readable if the run is aborted.
+/// The files of the series are in the same folder as the PVD file. Their names consist of the name of the PVD file and
+/// a number, for example `run.0000.vti` and `run.0001.vti` for `run.pvd`. The PVD file is replaced after every file.
+/// The series can therefore be opened during the run, and it is still readable if the run is aborted.
 ///
 /// ```no_run
 /// use stickslip::io::{pvd::PvdWriter, vti::Array};
