@@ -18,9 +18,9 @@ use crate::error::{Result, finite};
 /// \qquad \delta_x = \frac{3\mu W}{16a}\,\frac{2-\nu}{G}\left[1-(1-f)^{2/3}\right]
 /// ```
 ///
-/// A negative force reverses the signs of traction, displacement and slip. This is the solution of the scalar model,
-/// with traction along x only, for every $`\nu`$. If lateral traction is allowed, the solution is exact for $`\nu =
-/// 0`$. See equations 27-31 of the paper; Cattaneo (1938); Mindlin (1949); Johnson (1985), 7.41-7.44.
+/// A negative force reverses the signs of traction, displacement and slip. The solution belongs to the scalar model, with
+/// traction along x only. It is valid for every $`\nu`$. If lateral traction is allowed, the solution is exact for $`\nu = 0`$.
+/// See equations 27-31 of the paper; Cattaneo (1938); Mindlin (1949); Johnson (1985), 7.41-7.44.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{CattaneoMindlin, HertzSphere}};
@@ -115,8 +115,8 @@ impl CattaneoMindlin {
         self.gross_shift
     }
 
-    /// Returns the traction $`q`$ on body 1 along x (a pressure, with the sign of the force) at the distance $`r`$ from
-    /// the centre; zero outside the contact. See equation 31 of the paper.
+    /// Returns the traction $`q`$ on body 1 along x (a pressure, with the sign of the force) at the distance $`r`$ from the
+    /// centre. It is zero outside the contact. See equation 31 of the paper.
     ///
     /// In the stick disc the traction is evaluated as $`\mu p_0 (a^2-c^2)/a\,(\sqrt{a^2-r^2}+\sqrt{c^2-r^2})^{-1}`$,
     /// which avoids cancellation.
@@ -151,7 +151,8 @@ impl CattaneoMindlin {
         }
     }
 
-    /// Returns the slip $`s_x = u_x - \delta_x`$ (a length, opposite to the force) in the ring $`c < r \le a`$; zero elsewhere.
+    /// Returns the slip $`s_x = u_x - \delta_x`$ (a length, opposite to the force) in the ring $`c < r \le a`$. It is zero
+    /// elsewhere.
     ///
     /// With $`\cos\varphi = c/r`$,
     ///
@@ -188,8 +189,8 @@ impl CattaneoMindlin {
         self.slip.held.limit * self.gross_shift * self.slip.dissipated_fraction()
     }
 
-    /// Returns the energy that one full cycle of the force between $`\pm F`$ dissipates after the first loading (a force times a
-    /// length): four times the [energy of the first quarter](Self::energy_of_first_quarter). Johnson (1985), 7.57.
+    /// Returns the energy dissipated in a full cycle of the force between $`\pm F`$ after the first loading (a force times a
+    /// length). It is four times the [energy of the first quarter](Self::energy_of_first_quarter). Johnson (1985), 7.57.
     #[must_use]
     pub fn energy_per_cycle(&self) -> f64 {
         4.0 * self.energy_of_first_quarter()
@@ -222,9 +223,9 @@ impl CattaneoMindlin {
 /// \delta_x = \frac{3\mu W}{2}\,\frac{(1-\nu)K+\nu N}{2\pi Ga}\left[1-\lambda^2\right]
 /// ```
 ///
-/// where $`a`$ is the longer semi-axis, and $`K`$ and $`D = (K-E)/m`$ are complete elliptic integrals of $`m = 1-b^2/a^2`$. $`N =
-/// D`$ if the force is along the longer axis, and $`N = K-D`$ if it is along the shorter axis. This is the solution of the scalar
-/// model, with traction along x only, for every $`\nu`$. Mindlin (1949); Vermeulen and Johnson (1964).
+/// where $`a`$ is the longer semi-axis, and $`K`$ and $`D = (K-E)/m`$ are complete elliptic integrals of $`m = 1-b^2/a^2`$.
+/// $`N = D`$ if the force is along the longer axis, and $`N = K-D`$ if it is along the shorter axis. The solution belongs to the
+/// scalar model, with traction along x only. It is valid for every $`\nu`$. Mindlin (1949); Vermeulen and Johnson (1964).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{CattaneoMindlinEllipse, HertzEllipse}};
@@ -313,7 +314,7 @@ impl CattaneoMindlinEllipse {
         self.gross_shift
     }
 
-    /// Returns the traction $`q`$ on body 1 along x (a pressure, with the sign of the force); zero outside the contact. The
+    /// Returns the traction $`q`$ on body 1 along x (a pressure, with the sign of the force). It is zero outside the contact. The
     /// formula is given on the [type](Self); Vermeulen and Johnson (1964).
     #[must_use]
     pub fn traction(&self, x: f64, y: f64) -> f64 {
@@ -328,8 +329,8 @@ impl CattaneoMindlinEllipse {
         self.slip.held.limit * self.gross_shift * self.slip.dissipated_fraction()
     }
 
-    /// Returns the energy that one full cycle of the force between $`\pm F`$ dissipates after the first loading (a force times a
-    /// length): four times the [energy of the first quarter](Self::energy_of_first_quarter).
+    /// Returns the energy dissipated in a full cycle of the force between $`\pm F`$ after the first loading (a force times a
+    /// length). It is four times the [energy of the first quarter](Self::energy_of_first_quarter).
     #[must_use]
     pub fn energy_per_cycle(&self) -> f64 {
         4.0 * self.energy_of_first_quarter()

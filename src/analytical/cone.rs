@@ -107,15 +107,15 @@ impl Cone {
     }
 
     /// Returns the pressure $`p = \frac12 E^*\tan\beta\,\operatorname{arcosh}(a/r)`$ at the distance $`r`$ from the
-    /// centre; infinite at the apex, zero outside the contact. Sneddon (1965).
+    /// centre. It is infinite at the apex and zero outside the contact. Sneddon (1965).
     #[must_use]
     pub fn pressure(&self, r: f64) -> f64 {
         let rho = r.abs() / self.contact_radius;
         self.mean_pressure * (dome(rho) / rho).asinh()
     }
 
-    /// Returns the normal displacement of the surfaces (a length), summed over the bodies and positive into each, at
-    /// the distance $`r`$ from the centre, inside and outside the contact.
+    /// Returns the normal displacement of the surfaces (a length) at the distance $`r`$ from the centre, inside and
+    /// outside the contact. It is the sum over the bodies, positive into each body.
     ///
     /// ```math
     /// u_z = \delta - r\tan\beta \quad (r \le a), \qquad
@@ -135,7 +135,7 @@ impl Cone {
     }
 
     /// Returns the gap $`g = u_z + r\tan\beta - \delta`$ between the surfaces (a length) at the distance $`r`$ from the
-    /// centre; zero in the contact, positive outside.
+    /// centre. It is zero in the contact and positive outside.
     ///
     /// The gap is evaluated as $`(\sin\varphi - \varphi\cos\varphi)\,r\tan\beta`$ with $`\cos\varphi = a/r`$, which
     /// avoids cancellation.
@@ -163,8 +163,8 @@ impl Cone {
 /// \delta_x = \frac{2-\nu}{2(1-\nu)}\,\mu\delta\left[1-\sqrt{1-f}\right]
 /// ```
 ///
-/// The stick ratio decreases linearly with the force, as it does for a contact of many asperities. This is the solution
-/// of the scalar model, with traction along x only, for every $`\nu`$. Ciavarella (1998b); Jaeger (1998).
+/// The stick ratio decreases linearly with the force, as it does for a contact of many asperities. The solution belongs
+/// to the scalar model, with traction along x only. It is valid for every $`\nu`$. Ciavarella (1998b); Jaeger (1998).
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::{Cone, ConePartialSlip}};
@@ -250,7 +250,7 @@ impl ConePartialSlip {
     }
 
     /// Returns the traction $`q`$ on body 1 along x (a pressure, with the sign of the force) at the distance $`r`$ from
-    /// the centre; zero outside the contact. The formula is given on the [type](Self).
+    /// the centre. It is zero outside the contact. The formula is given on the [type](Self).
     ///
     /// In the stick disc the traction is evaluated as a single logarithm, which avoids cancellation. At the apex the
     /// traction is $`\frac12\mu E^*\tan\beta\,\ln(a/c)`$.

@@ -105,8 +105,8 @@ impl FlatPunch {
         edge_pole(self.load, self.radius, r)
     }
 
-    /// Returns the normal displacement of the surfaces (a length), summed over the bodies and positive into each, at
-    /// the distance $`r`$ from the centre. The displacement is the approach inside the contact, and
+    /// Returns the normal displacement of the surfaces (a length) at the distance $`r`$ from the centre. It is the sum over the
+    /// bodies, positive into each body. The displacement is the approach inside the contact, and
     /// $`u_z = \frac{2\delta}{\pi}\arcsin\frac ar`$ outside. Johnson (1985), 3.37.
     #[must_use]
     pub fn displacement(&self, r: f64) -> f64 {
@@ -118,8 +118,8 @@ impl FlatPunch {
         }
     }
 
-    /// Creates the punch in full stick under the tangential force `force` on body 1 along x (a force, of either sign),
-    /// with the coefficient of friction `friction`.
+    /// Creates the punch in full stick under the tangential force `force`, with the coefficient of friction `friction`. The force
+    /// acts on body 1 along x (a force, of either sign).
     ///
     /// Traction and pressure have the same distribution, $`q/p = F/W`$. The whole contact therefore sticks until
     /// $`|F| = \mu W`$, and then slides everywhere simultaneously.

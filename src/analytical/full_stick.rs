@@ -15,8 +15,8 @@ use crate::error::{Result, finite, positive};
 /// ```
 ///
 /// No finite coefficient of friction supports this traction at the edge of a smooth contact. For a sphere the solution
-/// is the limit $`\mu \to \infty`$ of [`CattaneoMindlin`](super::CattaneoMindlin), and the compliance of the circle is
-/// the compliance of the sphere under small forces. Under a [`FlatPunch`](super::FlatPunch) of bodies whose pressure and
+/// is the limit $`\mu \to \infty`$ of [`CattaneoMindlin`](super::CattaneoMindlin). The compliance of the circle is the
+/// compliance of the sphere under small forces. Under a [`FlatPunch`](super::FlatPunch) of bodies whose pressure and
 /// traction are uncoupled, the solution is valid up to sliding. For every $`\nu`$ the circle moves along x only, so no
 /// lateral traction is neglected. Mindlin (1949); Johnson (1985), 3.82 and section 7.2.
 ///

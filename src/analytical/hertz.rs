@@ -109,15 +109,15 @@ impl HertzSphere {
         self.approach
     }
 
-    /// Returns the pressure $`p = p_0\sqrt{1-r^2/a^2}`$ at the distance $`r`$ from the centre; zero outside the
+    /// Returns the pressure $`p = p_0\sqrt{1-r^2/a^2}`$ at the distance $`r`$ from the centre. It is zero outside the
     /// contact. Johnson (1985), 3.39.
     #[must_use]
     pub fn pressure(&self, r: f64) -> f64 {
         self.max_pressure * dome(r.abs() / self.contact_radius)
     }
 
-    /// Returns the normal displacement of the surfaces (a length), summed over the bodies and positive into each, at
-    /// the distance $`r`$ from the centre, inside and outside the contact.
+    /// Returns the normal displacement of the surfaces (a length) at the distance $`r`$ from the centre, inside and
+    /// outside the contact. It is the sum over the bodies, positive into each body.
     ///
     /// ```math
     /// u_z = \frac{\pi p_0}{4aE^*}(2a^2-r^2) \quad (r \le a), \qquad
@@ -136,7 +136,7 @@ impl HertzSphere {
     }
 
     /// Returns the gap $`g = u_z + r^2/2R - \delta`$ between the surfaces (a length) at the distance $`r`$ from the
-    /// centre; zero in the contact, positive outside.
+    /// centre. It is zero in the contact and positive outside.
     ///
     /// The gap is evaluated as $`\frac{\delta}{2\pi}\frac{r^2}{a^2}(\sin 2\varphi - 2\varphi\cos 2\varphi)`$ with
     /// $`\cos\varphi = a/r`$, which avoids cancellation. Johnson (1985), 3.42a.
@@ -266,7 +266,8 @@ impl HertzEllipse {
         self.approach
     }
 
-    /// Returns the pressure $`p = p_0\sqrt{1-x^2/a_x^2-y^2/a_y^2}`$; zero outside the contact. Johnson (1985), 3.58.
+    /// Returns the pressure $`p = p_0\sqrt{1-x^2/a_x^2-y^2/a_y^2}`$. It is zero outside the contact. Johnson (1985),
+    /// 3.58.
     #[must_use]
     pub fn pressure(&self, x: f64, y: f64) -> f64 {
         self.max_pressure * dome(self.relative_radius(x, y))

@@ -100,7 +100,7 @@ impl HertzLine {
         self.max_pressure
     }
 
-    /// Returns the pressure at the distance `x` from the middle; zero outside the contact. Johnson (1985), 4.44.
+    /// Returns the pressure at the distance `x` from the middle. It is zero outside the contact. Johnson (1985), 4.44.
     #[must_use]
     pub fn pressure(&self, x: f64) -> f64 {
         self.max_pressure * dome(x.abs() / self.half_width)

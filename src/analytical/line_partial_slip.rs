@@ -48,8 +48,8 @@ pub struct CattaneoMindlinLine {
 }
 
 impl CattaneoMindlinLine {
-    /// Creates the contact `hertz` with the coefficient of friction `friction`, under the tangential force `force` on body 1
-    /// along x (a force per length, of either sign), without bulk strain.
+    /// Creates the contact `hertz` with the coefficient of friction `friction`, without bulk strain. The tangential force `force`
+    /// acts on body 1 along x (a force per length, of either sign).
     ///
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`] if the coefficient of friction is negative or not finite.

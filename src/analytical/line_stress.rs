@@ -16,8 +16,8 @@ pub(super) fn of_pressure(x: f64, z: f64) -> [f64; 3] {
 pub(super) fn of_traction(x: f64, z: f64) -> [f64; 3] {
     let Roots { m, n, size } = Roots::new(x, z);
     let [along, _, across] = of_pressure(x, z);
-    // Next to the contact, n - x is computed from n^2 - x^2 = m^2 - z^2 - 1, because the difference n - x cancels far
-    // from the contact.
+    // Next to the contact, n - x is computed from n^2 - x^2 = m^2 - z^2 - 1. The difference n - x would cancel far from
+    // the contact.
     let beside = x * x > 1.0 + z * z;
     let excess = if beside {
         (m * m - z * z - 1.0) / (n + x)

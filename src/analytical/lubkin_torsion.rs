@@ -64,7 +64,7 @@ impl LubkinTorsion {
         let limit = positive("friction limit", friction * hertz.max_pressure())?;
         let strain = 2.0 * hertz.pair().equivalent_shear_modulus() / limit * twist.abs();
         let a = hertz.contact_radius();
-        // Because E is at least one, this is a lower bound of the stick radius.
+        // This product is a lower bound of the stick radius, because E is at least one.
         positive("stick radius", a * (-strain).exp())?;
         let log_stick = log_stick_ratio(strain);
         let sum = integral(-log_stick, |x| {
@@ -120,9 +120,9 @@ impl LubkinTorsion {
         3.0 * PI / 16.0 * self.friction * self.hertz.load() * self.hertz.contact_radius()
     }
 
-    /// Returns the traction $`q`$ on body 1 (a pressure, with the sign of the twist) at the distance $`r`$ from the
-    /// centre, along the circle of that radius from x to y: $`q_x = -qy/r`$, $`q_y = qx/r`$. The traction is zero
-    /// outside the contact. The formula is given on the [type](Self); Lubkin (1951).
+    /// Returns the traction $`q`$ on body 1 at the distance $`r`$ from the centre (a pressure, with the sign of the
+    /// twist). The traction acts along the circle of radius $`r`$, from x to y: $`q_x = -qy/r`$, $`q_y = qx/r`$. The
+    /// traction is zero outside the contact. The formula is given on the [type](Self); Lubkin (1951).
     ///
     /// The integral is evaluated with the substitution $`s = c\cosh x + \sqrt{c^2-r^2}\sinh x`$, which
     /// removes the root from the integrand.

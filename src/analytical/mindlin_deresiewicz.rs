@@ -16,10 +16,10 @@ use crate::error::Result;
 /// \delta_x = \delta_x^{CM}(F_1) + \dots + 2\,\delta_x^{CM}\!\left(\tfrac{F-F_n}{2}\right)
 /// ```
 ///
-/// Displacement and slip are superposed in the same way. When the force returns to an earlier reversal, it closes a loop.
-/// The contact then continues as if that loop had not occurred. When the force reaches its greatest magnitude so far, the
-/// contact continues along the first loading. This is the solution of the scalar model, with traction along x only, for
-/// every $`\nu`$. Mindlin and Deresiewicz (1953); Jaeger (1998); Johnson (1985), 7.52-7.57.
+/// Displacement and slip are superposed in the same way. When the force returns to an earlier reversal, it closes a loop. The
+/// contact then continues as if that loop had not occurred. When the force reaches its greatest magnitude so far, the contact
+/// continues along the first loading. The solution belongs to the scalar model, with traction along x only. It is valid for every
+/// $`\nu`$. Mindlin and Deresiewicz (1953); Jaeger (1998); Johnson (1985), 7.52-7.57.
 ///
 /// ```
 /// use stickslip::analytical::{CattaneoMindlin, HertzSphere, MindlinDeresiewicz};
@@ -127,8 +127,8 @@ impl MindlinDeresiewicz {
         self.first.sliding_shift()
     }
 
-    /// Returns the traction $`q`$ on body 1 along x (a pressure) at the distance $`r`$ from the centre; zero outside
-    /// the contact. The formula is given on the [type](Self); Johnson (1985), 7.53.
+    /// Returns the traction $`q`$ on body 1 along x (a pressure) at the distance $`r`$ from the centre. It is zero outside the
+    /// contact. The formula is given on the [type](Self); Johnson (1985), 7.53.
     #[must_use]
     pub fn traction(&self, r: f64) -> f64 {
         self.superposed(|part| part.traction(r))
@@ -141,9 +141,9 @@ impl MindlinDeresiewicz {
         self.superposed(|part| part.displacement(x, y))
     }
 
-    /// Returns the slip $`s_x = u_x - \delta_x`$ in the contact (a length): the motion of the surface of body 1 over
-    /// the surface of body 2, measured from the state before the first loading. The slip is zero elsewhere, and where
-    /// the surfaces have never slipped.
+    /// Returns the slip $`s_x = u_x - \delta_x`$ in the contact (a length), measured from the state before the first loading. It
+    /// is the motion of the surface of body 1 over the surface of body 2. The slip is zero elsewhere, and where the surfaces have
+    /// never slipped.
     #[must_use]
     pub fn slip(&self, x: f64, y: f64) -> f64 {
         self.superposed(|part| part.slip(x, y))
@@ -151,8 +151,8 @@ impl MindlinDeresiewicz {
 
     /// Returns the energy dissipated along the whole path (a force times a length), zero or positive.
     ///
-    /// The energy is the sum of [`CattaneoMindlin::energy_of_first_quarter`] for the first loading and, for every later
-    /// path between two reversals, twice that energy for half the change of force.
+    /// The first loading contributes [`CattaneoMindlin::energy_of_first_quarter`]. Every later path between two reversals
+    /// contributes twice this energy for half the change of force.
     #[must_use]
     pub fn dissipated_energy(&self) -> f64 {
         self.closed_energy + self.superposed(CattaneoMindlin::energy_of_first_quarter)

@@ -65,9 +65,9 @@
 //!   contact.
 //! - Slip is $`s_x = u_x - \delta_x`$, opposite in sign to the traction.
 //! - Normal and tangential tractions are uncoupled, except in [`NoSlipPunch`], [`NoSlipSphere`], [`SpencePressing`] and
-//!   [`BentallJohnson`]. This is exact if [`dundurs_beta`](crate::ElasticPair::dundurs_beta) is zero, as for bodies of the same
-//!   material. Otherwise the error of the pressure under pressing alone is of the order of $`\beta^2`$. The errors of the
-//!   tractions and of the pressure under shear are of the order of $`\beta`$
+//!   [`BentallJohnson`]. The solutions are exact if [`dundurs_beta`](crate::ElasticPair::dundurs_beta) is zero, as for bodies of
+//!   the same material. Otherwise the error of the pressure under pressing alone is of the order of $`\beta^2`$. The errors of
+//!   the tractions and of the pressure under shear are of the order of $`\beta`$
 //!   ([`Coupling::Neglected`](crate::Coupling::Neglected)).
 //!
 //! # References

@@ -80,7 +80,7 @@ impl NoSlipPunch {
 /// \vartheta = \frac1\pi \operatorname{artanh}\beta ,
 /// ```
 ///
-/// where $`f`$ is the factor of the [punch](NoSlipPunch). Without coupling $`I = 1/2`$, and the contact is that of Hertz. D. A.
+/// where $`f`$ is the factor of the [punch](NoSlipPunch). Without coupling $`I = 1/2`$, and the contact is a Hertz contact. D. A.
 /// Spence, *Proc. R. Soc. Lond. A* 305 (1968) 55-80, [doi:10.1098/rspa.1968.0105](https://doi.org/10.1098/rspa.1968.0105);
 /// Borodich & Keer (2004).
 ///

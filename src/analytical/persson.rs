@@ -117,8 +117,8 @@ impl Persson {
         libm::erf(argument(self.reduced_pressure, self.area_coefficient))
     }
 
-    /// Returns the fraction of the real contact area that sticks under the mean traction `mean_traction`, a tangential
-    /// force per nominal area of either sign, with the coefficient of friction `friction`.
+    /// Returns the fraction of the real contact area that sticks, with the coefficient of friction `friction`. The mean
+    /// traction `mean_traction` is a tangential force per nominal area, of either sign.
     ///
     /// ```math
     /// \frac{A_{stick}}{A} = \frac{\operatorname{erf}((1-f)B)}{\operatorname{erf}B}, \qquad
@@ -166,8 +166,8 @@ fn argument(reduced_pressure: f64, area_coefficient: f64) -> f64 {
     (area_coefficient * reduced_pressure / FRAC_2_SQRT_PI).min(f64::MAX)
 }
 
-/// Computes the fraction $`A_{stick}/A = 1-F/\mu W`$ of the contact area of a rough surface that sticks under the
-/// normal load `load` (a force) and the tangential force `force` (a force of either sign), with the coefficient of
+/// Computes the fraction $`A_{stick}/A = 1-F/\mu W`$ of the contact area of a rough surface that sticks. The surface
+/// carries the normal load `load` (a force) and the tangential force `force` (of either sign), with the coefficient of
 /// friction `friction`.
 ///
 /// The stick area is the contact area under the load $`W-F/\mu`$. The real area of a rough surface is proportional to

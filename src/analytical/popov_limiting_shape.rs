@@ -139,7 +139,7 @@ impl PopovLimitingShape {
         self.worn_radius
     }
 
-    /// Returns the gap without load $`f(r)`$ (a length) at the distance $`r`$ from the centre; zero at the centre. The
+    /// Returns the gap without load $`f(r)`$ (a length) at the distance $`r`$ from the centre. It is zero at the centre. The
     /// formula is given on the [type](Self); Popov (2014).
     #[must_use]
     pub fn profile(&self, r: f64) -> f64 {
@@ -174,7 +174,7 @@ impl PopovLimitingShape {
         square * (square / self.radius) * bracket / (4.0 * t)
     }
 
-    /// Returns the remaining pressure at the distance $`r`$ from the centre; zero outside the stick disc.
+    /// Returns the remaining pressure at the distance $`r`$ from the centre. It is zero outside the stick disc.
     ///
     /// ```math
     /// p = \frac{E^*}{\pi}\left[\frac{2}{R}\sqrt{c^2-r^2} +

@@ -1,7 +1,7 @@
 //! Quadrature of a smooth function.
 
-/// Computes the integral of `integrand` from zero to `length`, accurate to a few rounding errors if the integrand is
-/// analytic within a distance of one from the interval.
+/// Computes the integral of `integrand` from zero to `length`. The result is accurate to a few rounding errors if the
+/// integrand is analytic within a distance of one from the interval.
 pub(super) fn integral(length: f64, integrand: impl Fn(f64) -> f64) -> f64 {
     let panels = (length / LONGEST_PANEL).ceil().max(1.0);
     let half = 0.5 * length / panels;

@@ -21,8 +21,8 @@ use crate::error::{Result, non_negative, positive};
 /// the paper, is the initial slope of this law. The slope $`g`$ is the areal slope $`\langle z_x^2+z_y^2\rangle^{1/2}`$
 /// (Sdq), $`\sqrt2`$ times the slope of a profile of an isotropic surface.
 ///
-/// The law is valid if the roughness is small and fine: the height of the roughness is well below the approach $`a^2/R`$ of the
-/// smooth sphere, and there are many asperities within the circle. If the load is too light for these conditions, contact spreads
+/// The law is valid for small and fine roughness. The height of the roughness must be well below the approach $`a^2/R`$ of the
+/// smooth sphere, and many asperities must lie within the circle. If the load is too light for these conditions, contact spreads
 /// beyond the Hertz circle and the area is less certain. The law is given by equations 32, 33 and 37 of the paper, after Müser
 /// (2016), without the mean-field approximation of Pastewka and Robbins (2016). Greenwood and Tripp (1967) treat the rough sphere
 /// as independent asperities.

@@ -50,8 +50,8 @@ pub struct RoundedPunch {
 const LEAST: f64 = 1e-6;
 
 impl RoundedPunch {
-    /// Creates the contact of a punch with a flat of half-width `flat` and edges of radius `radius` (lengths) under the
-    /// normal load `load` (a force per length).
+    /// Creates the contact of a punch under the normal load `load` (a force per length). The flat has the half-width `flat`, and
+    /// the edges have the radius `radius` (lengths).
     ///
     /// # Errors
     /// - [`Error::NotPositive`](crate::Error::NotPositive) if an argument or a result is not positive and finite.
@@ -94,7 +94,7 @@ impl RoundedPunch {
         self.half_width
     }
 
-    /// Returns the pressure at the distance `x` from the middle; zero outside the contact.
+    /// Returns the pressure at the distance `x` from the middle. It is zero outside the contact.
     #[must_use]
     pub fn pressure(&self, x: f64) -> f64 {
         let ratio = x.abs() / self.half_width;

@@ -110,8 +110,8 @@ impl Westergaard {
         self.load_ratio >= 1.0
     }
 
-    /// Returns the half-width $`a = \frac\lambda\pi\arcsin\sqrt{\bar p/p^*}`$ of a contact strip (a length); half the
-    /// wavelength in full contact.
+    /// Returns the half-width $`a = \frac\lambda\pi\arcsin\sqrt{\bar p/p^*}`$ of a contact strip (a length). In full
+    /// contact it is half the wavelength.
     #[must_use]
     pub fn contact_half_width(&self) -> f64 {
         0.5 * self.wavelength * self.contact_fraction()
@@ -130,8 +130,8 @@ impl Westergaard {
         self.pressure(0.0)
     }
 
-    /// Returns the pressure $`p`$ at the distance $`x`$ from a crest; zero outside the contact. The formula is given on
-    /// the [type](Self); Johnson (1985), section 13.2.
+    /// Returns the pressure $`p`$ at the distance $`x`$ from a crest. It is zero outside the contact. The formula is
+    /// given on the [type](Self); Johnson (1985), section 13.2.
     #[must_use]
     pub fn pressure(&self, x: f64) -> f64 {
         let psi = self.phase(x);
@@ -139,8 +139,8 @@ impl Westergaard {
         self.full_contact_pressure * (self.excess() + strips)
     }
 
-    /// Returns the gap $`g`$ between the surfaces (a length) at the distance $`x`$ from a crest; zero in the contact,
-    /// positive outside.
+    /// Returns the gap $`g`$ between the surfaces (a length) at the distance $`x`$ from a crest. It is zero in the
+    /// contact and positive outside.
     ///
     /// ```math
     /// g = \Delta\,\frac{\bar p}{p^*}\left(\sinh w - w\right), \qquad
@@ -237,8 +237,8 @@ pub struct WestergaardPartialSlip {
 }
 
 impl WestergaardPartialSlip {
-    /// Creates the contact `contact` with the coefficient of friction `friction`, under the mean traction
-    /// `mean_traction` on body 1 along x: a tangential force divided by the nominal area, of either sign.
+    /// Creates the contact `contact` with the coefficient of friction `friction`. The mean traction `mean_traction` on
+    /// body 1 along x is a tangential force divided by the nominal area, of either sign.
     ///
     /// A mean traction equal to $`\mu\bar p`$ to within rounding counts as the onset of gross sliding: the stick strips
     /// vanish. Without friction the stick strips also vanish. The coupling between pressure and traction of dissimilar
@@ -282,7 +282,7 @@ impl WestergaardPartialSlip {
     }
 
     /// Returns the traction $`q`$ on body 1 along x (a pressure, with the sign of the mean traction) at the distance
-    /// $`x`$ from a crest; zero outside the contact. The formula is given on the [type](Self).
+    /// $`x`$ from a crest. It is zero outside the contact. The formula is given on the [type](Self).
     ///
     /// In the stick strips the difference of the two roots is evaluated as the difference of their squares
     /// divided by their sum, which avoids cancellation.
