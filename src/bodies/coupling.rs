@@ -38,8 +38,8 @@ pub enum Coupling {
     /// The following errors are root mean square differences from [`Full`](Self::Full), relative to the root mean square of
     /// the pressure. The contact is a sphere on 48 x 48 cells.
     ///
-    /// - Under pressing alone, the error of the pressure is of the order of $`\beta^2`$, or of $`\mu\beta`$ if friction is
-    ///   so weak that most of the contact slips. It is $`0.8\,\beta^2`$ for $`\mu = \beta`$ or more, and
+    /// - Under pressing alone, the error of the pressure is of the order of $`\beta^2`$. If friction is so weak that most of the
+    ///   contact slips, it is of the order of $`\mu\beta`$. It is $`0.8\,\beta^2`$ for $`\mu = \beta`$ or more, and
     ///   $`1.1\,\mu\beta`$ for $`\mu = 0.1\,\beta`$.
     /// - The missing tractions of pressing are of the order of $`\beta`$: $`0.66\,\beta`$ for $`\mu = 3\beta`$ or more.
     /// - Under shear, the error of the pressure is of the order of $`\mu\beta`$. At 0.6 of the sliding force and

@@ -228,7 +228,7 @@ impl Material {
         2.0 * (1.0 + self.poisson_ratio) / self.youngs_modulus
     }
 
-    /// Returns the three constants for the influence coefficients of short waves: those of the outermost layer, if any.
+    /// Returns the three constants for the influence coefficients of short waves: the constants of the outermost layer, if any.
     pub(crate) fn compliances(&self) -> Compliances {
         match self.layers() {
             [] => self.base_compliances(),
@@ -238,7 +238,7 @@ impl Material {
         }
     }
 
-    /// Returns the three constants for long waves: those of the body below all layers.
+    /// Returns the three constants for long waves: the constants of the body below all layers.
     pub(crate) fn base_compliances(&self) -> Compliances {
         Compliances::new(self.compliance(), self.poisson_ratio)
     }
@@ -541,19 +541,19 @@ impl ElasticPair {
 
     /// Returns Dundurs' second parameter `beta`, the strength of the coupling between pressure and traction.
     ///
-    /// `beta = ((1-2 nu_1)/G_1 - (1-2 nu_2)/G_2) / (2 ((1-nu_1)/G_1 + (1-nu_2)/G_2))`. It vanishes for identical
-    /// bodies, for two incompressible bodies, and for an incompressible body on a rigid body. A positive value means that
-    /// pressure draws the surface of body 1 inwards over the surface of body 2. This is the sign of Johnson (1985), section
-    /// 5.1. Texts on interface cracks often use the opposite sign. The magnitude of beta is at most 1/2 if no Poisson's
-    /// ratio is negative, and below 3/4 for auxetic bodies (2/3 for a body with Poisson's ratio -1/2 on a rigid body).
+    /// `beta = ((1-2 nu_1)/G_1 - (1-2 nu_2)/G_2) / (2 ((1-nu_1)/G_1 + (1-nu_2)/G_2))`. It vanishes for identical bodies, for two
+    /// incompressible bodies, and for an incompressible body on a rigid body. A positive value means that pressure draws the
+    /// surface of body 1 inwards over the surface of body 2. Johnson (1985), section 5.1, uses the same sign. Texts on interface
+    /// cracks often use the opposite sign. The magnitude of beta is at most 1/2 if no Poisson's ratio is negative. It is below
+    /// 3/4 for auxetic bodies (2/3 for a body with Poisson's ratio -1/2 on a rigid body).
     #[must_use]
     pub fn dundurs_beta(&self) -> f64 {
         0.5 * self.compliances.coupling / self.compliances.normal
     }
 
-    /// Returns whether pressure moves the surfaces tangentially and shear moves them normally. This is the case if
-    /// [`dundurs_beta`](Self::dundurs_beta) exceeds 1e-12 in magnitude. For coated bodies the ratio
-    /// $`C_c/\sqrt{C_n C_l}`$ of their [response](Self::response) must exceed this limit for waves of some length.
+    /// Returns whether pressure moves the surfaces tangentially and shear moves them normally. The bodies are coupled if
+    /// [`dundurs_beta`](Self::dundurs_beta) exceeds 1e-12 in magnitude. For coated bodies the ratio $`C_c/\sqrt{C_n C_l}`$ of
+    /// their [response](Self::response) must exceed this limit for waves of some length.
     #[must_use]
     pub fn is_coupled(&self) -> bool {
         self.coupling.abs() > UNCOUPLED

@@ -256,7 +256,7 @@ impl Kernel {
     /// # Errors
     /// - [`Error::UnsupportedForCoatings`] if `near` is not homogeneous.
     /// - [`Error::NotPositive`] if the thickness is not positive. The error is also returned if the response is not positive or
-    ///   its coupling is too strong at one of 41 wave numbers from $`2^{-14}`$ to $`2^6`$ over the thickness.
+    ///   its coupling is too strong. Both are tested at 41 wave numbers, $`2^{-14}`$ to $`2^6`$ over the thickness.
     /// - [`Error::NotFinite`] if a value is not finite.
     pub fn isotropic(
         near: ElasticPair,
@@ -404,8 +404,8 @@ impl Kernel {
     /// - [`Error::NotPositive`] if the energy of one of two test fields with zero mean is not positive.
     /// - [`Error::NotFinite`] if a product or a lower bound is not finite.
     /// - [`Error::UnsupportedByModel`] if an operator adds its product to the output instead of writing it, is not symmetric, or
-    ///   has a coupling that `near` does not have. An operator counts as not symmetric if the works of two test fields on the
-    ///   displacements of the other field differ by more than 1e-9 of the energies.
+    ///   has a coupling that `near` does not have. The works of two test fields on the displacements of the other field may
+    ///   differ by at most 1e-9 of the energies.
     /// - [`Error::BelowMinimum`] if the energy of a test field is smaller than the lower bound allows.
     /// - [`Error::Memory`] if memory runs out.
     pub fn operators(near: ElasticPair, operators: Operators) -> Result<Self> {

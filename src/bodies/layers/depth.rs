@@ -15,10 +15,10 @@ use crate::bodies::layers::response::{Base, LayerWaves, Surface};
 /// q' = \sigma_l = -\frac{2}{1 - \nu} U - \frac{\nu}{1 - \nu} p, \quad \sigma_t = \nu (\sigma_l - p) .
 /// ```
 ///
-/// Growing waves are not propagated. The bodies below a depth have a surface compliance C, computed from the minors on
-/// the [page](crate::layers). The surface of these bodies moves by C times the load that it carries. The load at the top
-/// of a layer is X times the load at its bottom. The load at the bottom is therefore adj X / det X times the load at the
-/// top. det X is the ratio of the first minors, a sum of positive terms. It grows as exp(2kh), and X grows as exp(kh).
+/// Growing waves are not propagated. The bodies below a depth have a surface compliance C, computed from the minors on the
+/// [page](crate::layers). The surface of these bodies moves by C times the load that it carries. The load at the top of a layer
+/// is X times the load at its bottom. The load at the bottom is therefore adj X / det X times the load at the top. The
+/// determinant det X is the ratio of the first minors, a sum of positive terms. It grows as exp(2kh), and X grows as exp(kh).
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct SubsurfaceResponse {
     pub(crate) by_pressure: [f64; 6],

@@ -43,9 +43,10 @@
 //! C_n = \frac{1-\nu_1}{G_1 k}\;\frac{1 + 4 a \kappa t - \lambda \kappa t^2}{1 - (\lambda + \kappa + 4 \kappa a^2) t + \lambda \kappa t^2} .
 //! ```
 //!
-//! The limits are the substrate for $`k \to 0`$ and the outermost layer for $`k \to \infty`$. On a rigid base $`C_n \to h
-//! (1-2\nu)/2G(1-\nu)`$ and $`C_l, C_t \to h/G`$ for $`k \to 0`$, and $`C_n \to k^2 h^3/3G`$ for an incompressible layer. The
-//! matrix of $`C_n, C_l, C_c`$ is symmetric (reciprocity) and positive definite at every k (energy). $`C_t`$ is positive.
+//! The limits are the substrate for $`k \to 0`$ and the outermost layer for $`k \to \infty`$. On a rigid base
+//! $`C_n \to h (1-2\nu)/2G(1-\nu)`$ and $`C_l, C_t \to h/G`$ for $`k \to 0`$, and $`C_n \to k^2 h^3/3G`$ for an incompressible
+//! layer. The matrix of $`C_n, C_l, C_c`$ is symmetric (reciprocity) and positive definite at every k (energy). $`C_t`$ is
+//! positive.
 //!
 //! # From waves to cells
 //!
@@ -66,10 +67,11 @@
 //! # Limits of the model
 //!
 //! - Layers are bonded, and their surfaces are plane. There are at most [`LIMIT`] layers.
-//! - On a [grid periodic along y only](crate::Boundary::PeriodicAlongY), the displacement far from the load is that of
-//!   the substrate with the given datum, and tends to zero on a rigid base. On such a grid the smallest eigenvalue for tractions
-//!   with zero mean certifies the error of a solve. If no sum is prescribed, the certificate also requires the energy of a flat
-//!   punch. A solve returns [`Error::DatumTooNear`] if the datum is too near for a prescribed approach, shift or spring.
+//! - On a [grid periodic along y only](crate::Boundary::PeriodicAlongY), the displacement far from the load equals the
+//!   displacement of the substrate with the given datum. On a rigid base it tends to zero. On such a grid the smallest eigenvalue
+//!   for tractions with zero mean certifies the error of a solve. If no sum is prescribed, the certificate also requires the
+//!   energy of a flat punch. A solve returns [`Error::DatumTooNear`] if the datum is too near for a prescribed approach, shift or
+//!   spring.
 //! - The error of a solve on a free grid is certified by the smallest eigenvalue of a periodic continuation of the kernel. For
 //!   layers stiffer than the bodies below, on grids many thicknesses long, this eigenvalue can be negative although the operator
 //!   is positive. One example is an incompressible layer of ten times the modulus of its base, sheared on cells as wide as two
@@ -83,11 +85,11 @@
 //!   $`h (1-2\nu)/2G(1-\nu)`$ times the mean pressure to the approach, and $`h/G`$ times the mean traction to the shift.
 //!   Several layers contribute the sum.
 //! - [Edges](crate::edges) inside the cells need an outermost layer at least four cells thick.
-//! - The law for cells that enter a growing or rolling contact uses the ratio of tangential to normal compliance of
-//!   waves with a period of two cells, $`k = \pi/h_{max}`$.
-//! - Scalar moduli of a pair ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus), Dundurs' beta) are
-//!   those of the outermost layers, which determine the response to waves much shorter than the layer thickness. Closed forms
-//!   depend only on these moduli and [reject](crate::Error::UnsupportedForCoatings) coated bodies. Stresses [at
+//! - The law for cells that enter a growing or rolling contact uses the ratio of tangential to normal compliance. This ratio
+//!   belongs to waves with a period of two cells, $`k = \pi/h_{max}`$.
+//! - Scalar moduli of a pair ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus), Dundurs' beta) are the
+//!   moduli of the outermost layers. These layers determine the response to waves much shorter than the layer thickness. Closed
+//!   forms depend only on these moduli and [reject](crate::Error::UnsupportedForCoatings) coated bodies. Stresses [at
 //!   points](crate::subsurface::at_points) also reject coated bodies. Stresses on [planes](crate::subsurface::Planes) are
 //!   available for coated bodies.
 //!

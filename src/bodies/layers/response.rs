@@ -33,8 +33,8 @@ impl Response {
         self.with(self, |value, _| f(value))
     }
 
-    /// Returns the response of two bodies in contact. It is the sum of the functions of both bodies, except for the
-    /// coupling, which is the value of body 1 minus the value of body 2.
+    /// Returns the response of two bodies in contact. The functions of both bodies are added. For the coupling, the
+    /// value of body 2 is subtracted from the value of body 1.
     pub(crate) fn and_second(self, other: Self) -> Self {
         Self {
             coupling: self.coupling - other.coupling,
