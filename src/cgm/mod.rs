@@ -60,8 +60,8 @@
 //! operator maps constants to zero, `lambda` bounds the other eigenvalues. In this case `x*` is the minimiser for the total of
 //! `x` even if no total is prescribed. Therefore `x - x*` has sum zero. Such an operator belongs to a periodic grid. Under a
 //! prescribed approach the bound is then relative to the contact under the computed force, and excludes the error of this force.
-//! A bowl at 0.999 of the mean gap, on 64 x 64 cells and with a tolerance of 1e-2, has a bound of 0.9 % and an error of the force
-//! of 3.8 %.
+//! An example is a bowl at 0.999 of the mean gap, on 64 x 64 cells with a tolerance of 1e-2. The bound is 0.9 %, and the error of
+//! the force is 3.8 %.
 //!
 //! All these statements hold up to the round-off of the product.
 //!

@@ -5,8 +5,8 @@ use crate::cgm::cone::cell_state::{CellKind, ConeCellState, EntryLag};
 use crate::cgm::law::state::Row;
 use crate::numerics::cell_vector::{dot, plus};
 
-/// State of a cell whose row is the transpose of the row of a [`ConeCellState`]. Its [`extend`](Row::extend) is the transpose of
-/// [`restrict`](Row::restrict) of that state, and the reverse.
+/// State of a cell whose row is the transpose of the row of a [`ConeCellState`]. Its [`extend`](Row::extend) is the
+/// transpose of [`restrict`](Row::restrict) of that state, and the reverse.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct TransposedState(pub(crate) ConeCellState);
 
