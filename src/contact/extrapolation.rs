@@ -15,7 +15,7 @@ pub(crate) type LoadPoint = [f64; 2];
 /// Change of the unknowns on a window in the last solve with a changed load, and the change of the load.
 #[derive(Debug)]
 pub(crate) struct LoadTrend<const N: usize> {
-    /// Change of every cell. Empty before the first change.
+    /// Change of every cell. The vectors are empty before the first change.
     pub(crate) change: [Vec<f64>; N],
     /// Change of sum and motion along each component. A change that cannot be used is zero.
     pub(crate) by: [LoadPoint; N],

@@ -1,4 +1,4 @@
-//! Nested iteration: starts from coarser grids, which leave far fewer steps for the finest grid. This is the cascadic method of
+//! Nested iteration: starts from coarser grids, which leave few steps for the finest grid. The method is the cascadic method of
 //! Bornemann & Deuflhard, Numer. Math. 75 (1996) 135, <https://doi.org/10.1007/s002110050234>.
 
 use crate::bodies::component::Direction;
