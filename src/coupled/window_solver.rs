@@ -99,14 +99,14 @@ pub(super) struct CoupledEngine {
     x: [Vec<f64>; N],
     /// Linear term in the cells of the window.
     asked: [Vec<f64>; N],
-    /// Tractions after the last alternating solves. Empty before the first of these solves.
+    /// Tractions after the last alternating solves. The vectors are empty before the first of these solves.
     kept: [Vec<f64>; N],
     /// Linear term of a half, including the displacements due to the other half.
     linear: [Vec<f64>; N],
-    /// `kappa g` of the cells that would come into contact. Empty if no cell lags.
+    /// `kappa g` of the cells that would come into contact. The vectors are empty if no cell lags.
     closing: CellTensors,
     enters: bool,
-    /// Entry compliance `kappa g / p` for the pressure of a half. Empty if no cell comes into contact.
+    /// Entry compliance `kappa g / p` for the pressure of a half. The vectors are empty if no cell comes into contact.
     own: CellTensors,
     image: [Vec<f64>; N],
     limits: Vec<f64>,
