@@ -30,8 +30,7 @@ pub(super) fn coefficients(grid: Grid, kernel: &Kernel, component: Component) ->
     })
 }
 
-/// Returns the sum at cell `i` of the wave with `k` periods on `n` cells and the wave with the opposite wave
-/// number, a cosine or a sine.
+/// Returns the sum of the waves with `k` and `-k` periods on `n` cells at cell `i`: a cosine or a sine.
 fn wave(n: usize, is_odd: bool, k: usize, i: usize) -> f64 {
     // The remainder keeps the angle small and its sine accurate.
     let angle = TAU * ((k * i) % n) as f64 / n as f64;
