@@ -151,8 +151,8 @@ impl<const N: usize> Convolution<N> {
         let symbol = Symbol::new(&frame, kernels)?;
         let plan = Plan::new(frame.clone());
         let normalisation = 1.0 / plan.cells_of_torus();
-        // The matrix of a free half-space is a principal submatrix of the matrix on the torus, whose eigenvalues are those of
-        // the symbol. The mean on a periodic grid has the eigenvalue zero.
+        // The matrix of a free half-space is a principal submatrix of the matrix on the torus. The symbol contains the
+        // eigenvalues of the matrix on the torus. The mean on a periodic grid has the eigenvalue zero.
         let range = symbol.extremes(repeats == [true; 2]);
         // On a grid that is periodic along y, waves on the torus have the period of the grid. A traction without a mean
         // therefore has no mean on the torus.
