@@ -244,10 +244,10 @@ fn radial_x_near(cell: Cell, x: f64, y: f64) -> f64 {
             return 0.0;
         }
         let (left, right) = (cell.a + x, cell.a - x);
-        // This is Y ln R at x + a minus Y ln R at x - a.
+        // The difference of Y ln R at x + a and at x - a is the logarithm of one ratio.
         let ratio = 4.0 * cell.a * x / (right * right + y * y);
         let logarithms = 0.5 * y * ratio.ln_1p();
-        // This is the same difference for X arctan(Y/X): left * atan(y/left) - right * atan(y/right).
+        // The same difference of X arctan(Y/X) is left * atan(y/left) - right * atan(y/right).
         let arcs = if right > 0.0 {
             let (at_left, at_right) = ((y / left).atan(), (y / right).atan());
             let difference = (-2.0 * x * y).atan2(left * right + y * y);
