@@ -25,10 +25,10 @@ impl HalfSpace {
     /// Writes a field to a single NPY file of the whole grid. The call is collective, and each rank writes only its own rows.
     /// The file is identical to the file of [`io::npy::write`](npy::write) for any number of ranks.
     ///
-    /// The rows are first written to `NAME.PID.NUMBER.part` in the same folder. When every rank has written its rows to the
-    /// disk, this temporary file replaces the target. The target is therefore replaced completely or not at all. A failed call
-    /// removes the temporary file. It remains only if the process is killed. A rank that loses the connection to the other ranks
-    /// at the very end returns an error although the file is complete.
+    /// The rows are first written to `NAME.PID.NUMBER.part` in the same folder. When every rank has written its rows to the disk,
+    /// this temporary file replaces the target. The target is therefore replaced completely or not at all. A failed call removes
+    /// the temporary file. It remains only if the process is killed. A rank that loses the connection to the other ranks after
+    /// the replacement returns an error although the file is complete.
     ///
     /// ```
     /// use std::sync::Arc;
