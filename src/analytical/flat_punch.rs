@@ -127,7 +127,7 @@ impl FlatPunch {
     /// The solution is valid if pressure and traction are uncoupled. On a rigid punch this requires a Poisson's ratio of 1/2.
     /// Otherwise tractions caused by pressing add to $`q`$, and slip spreads from the edge. For $`\nu = 0.3`$ and $`\mu = 0.3`$,
     /// a [history](crate::History) with full coupling on 64 x 64 cells slips on 20 % of the contact under pressing alone. Its
-    /// shift exceeds this solution by 3 % at 0.3 of the sliding force, by 8 % at 0.6 and by 27 % at 0.9.
+    /// shift exceeds the shift of this solution by 3 % at 0.3 of the sliding force, by 8 % at 0.6 and by 27 % at 0.9.
     ///
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the coefficient of friction is negative or not

@@ -192,8 +192,8 @@ pub struct HertzEllipse {
 }
 
 impl HertzEllipse {
-    /// Creates the contact of a paraboloid of radii of curvature `radius_x` and `radius_y` (lengths) under the normal
-    /// load `load` (a force).
+    /// Creates the contact of a paraboloid with the radii of curvature `radius_x` and `radius_y` (lengths) under the
+    /// normal load `load` (a force).
     ///
     /// # Errors
     /// - [`Error::NotPositive`](crate::Error::NotPositive) if a radius, the load or a result is not positive and

@@ -158,8 +158,8 @@ impl MindlinDeresiewicz {
         self.closed_energy + self.superposed(CattaneoMindlin::energy_of_first_quarter)
     }
 
-    /// Returns the energy that one full cycle of the force between $`\pm F_0`$ dissipates (a force times a length),
-    /// with $`F_0`$ the [`amplitude`](Self::amplitude).
+    /// Returns the energy dissipated in a full cycle of the force between $`\pm F_0`$ (a force times a length). $`F_0`$ is the
+    /// [`amplitude`](Self::amplitude).
     ///
     /// ```math
     /// \frac45\mu W\delta_0\left(1-\frac ca\right)^3\left(1+3\frac ca+\frac{c^2}{a^2}\right),
