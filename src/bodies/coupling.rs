@@ -39,9 +39,9 @@ pub enum Coupling {
     /// the pressure. The contact is a sphere on 48 x 48 cells.
     ///
     /// - Under pressing alone, the error of the pressure is of the order of $`\beta^2`$. If friction is so weak that most of the
-    ///   contact slips, it is of the order of $`\mu\beta`$. It is $`0.8\,\beta^2`$ for $`\mu = \beta`$ or more, and
+    ///   contact slips, it is of the order of $`\mu\beta`$. The error is $`0.8\,\beta^2`$ for $`\mu = \beta`$ or more, and
     ///   $`1.1\,\mu\beta`$ for $`\mu = 0.1\,\beta`$.
-    /// - The missing tractions of pressing are of the order of $`\beta`$: $`0.66\,\beta`$ for $`\mu = 3\beta`$ or more.
+    /// - The neglected tractions due to pressing are of the order of $`\beta`$: $`0.66\,\beta`$ for $`\mu = 3\beta`$ or more.
     /// - Under shear, the error of the pressure is of the order of $`\mu\beta`$. At 0.6 of the sliding force and
     ///   $`\beta = 0.1`$ it is 1.9 % for $`\mu = 0.3`$ and 5.8 % for $`\mu = 1`$.
     /// - The shift under a force has an error of the order of $`(\beta/\mu)^2`$. At 0.6 of the sliding force and

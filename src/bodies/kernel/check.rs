@@ -104,7 +104,7 @@ pub(super) fn wave_numbers(thickness: f64) -> impl Iterator<Item = f64> {
     (-28..=12).map(move |n| (0.5 * f64::from(n)).exp2() / thickness)
 }
 
-/// Iterates over half octaves from the longest wave of a grid to the shortest.
+/// Iterates over the wave numbers of a grid in half octaves, from the longest wave to the shortest.
 pub(super) fn waves_of(grid: Grid) -> impl Iterator<Item = f64> {
     let pi = std::f64::consts::PI;
     let longest = grid.longest_side();

@@ -289,7 +289,7 @@ impl Kernel {
         ))
     }
 
-    /// Sets the limit of k times the response for k to zero to `base` (one over a pressure). The limit is zero on a rigid base.
+    /// Sets `base` (one over a pressure) as the limit of k times the response for k to zero. The limit is zero on a rigid base.
     /// For elastic bodies it contains the constants of the half-space [below](crate::layers). By default the limit is
     /// extrapolated from the response at k = 1e-9 over the thickness and at half this k. `base` may differ from the extrapolated
     /// limit by 1e-3 of the value for `near`. The method has no effect on other kernels.
@@ -381,11 +381,11 @@ impl Kernel {
         Ok(Self::new(&near, mark, KernelSource::Table(Arc::new(table))))
     }
 
-    /// Creates a kernel from [operators](Operators) on the cells of a grid with any boundary. The operators may compute
-    /// any linear displacements from tractions. `near` is the pair of homogeneous half-spaces that approximates the
-    /// operators for waves a few cells long. The inverse of the operator of this pair preconditions the solves. A
-    /// better approximation gives faster convergence to the same solution. `near` also supplies hardness and moduli,
-    /// whether pressure and traction are [coupled](ElasticPair::is_coupled), and the strength of the coupling for
+    /// Creates a kernel from [operators](Operators) on the cells of a grid with any boundary. The operators may compute any
+    /// linear displacements from tractions. `near` is the pair of homogeneous half-spaces that approximates the operators for
+    /// waves a few cells long. The inverse of the operator of this pair preconditions the solves. A better approximation gives
+    /// faster convergence to the same solution. `near` also supplies hardness and moduli. It determines whether pressure and
+    /// traction are [coupled](ElasticPair::is_coupled), and the strength of the coupling for
     /// [`CoupledReport::error_estimate`](crate::coupled::CoupledReport::error_estimate).
     ///
     /// A contact is solved on all cells of the grid, without windows and coarser grids. The certificate requires a [lower
