@@ -499,8 +499,8 @@ impl<'a, 'b, K: Constraint<N>, const N: usize> ActiveSetSolve<'a, 'b, K, N> {
         let findings = self.certificate();
         let mut merit = self.merit(&findings);
         if self.is_extreme && !merit.is_nan() {
-            // No other unknowns have these sums, so only the sums can be inaccurate. Only in the limit of a large motion does the
-            // gradient point along the slip in all cells.
+            // No other unknowns have these sums, so only the sums can be inaccurate. The gradient points along the slip in all
+            // cells only in the limit of a large motion.
             merit = findings.load_error;
             let report = &mut self.monitor.report;
             (report.residual, report.duality_gap) = (0.0, 0.0);

@@ -49,7 +49,7 @@ use crate::parallel::layout::Layout;
 const LEAST_TURN: f64 = 1e-13;
 /// Mobility along the weakest direction, relative to the whole mobility, below which all cells are near sliding.
 const NEAR_SLIDING: f64 = 1e-6;
-/// Number of refinements of the multipliers. Each refinement reduces the error by a factor of 1e-3 or less.
+/// Number of refinements of the multipliers. Each refinement reduces the error to 1e-3 of its value or less.
 const REFINEMENTS: usize = 2;
 /// Relative deficit of the sums that counts as round-off near sliding.
 const ROUND_OFF_OF_SUMS: f64 = 4.0 * f64::EPSILON;
@@ -206,7 +206,7 @@ pub(super) struct TotalsSystem<const N: usize> {
     patterns: Small<N>,
     /// Matrix of all components that are prescribed or tied to a spring.
     pub(super) border: Border<N>,
-    /// Sum over the cells of the motion that they can follow if all cells are moved by one along a component.
+    /// Mobility: the sum of the motions that the cells can follow if all cells are moved by one along a component.
     pub(super) mobility: Small<N>,
 }
 

@@ -11,7 +11,7 @@ use crate::numerics::cell_vector::{at, dot, minus, norm, plus, slices, within};
 use crate::parallel;
 use crate::report::Status;
 
-/// Limit of the reduction of the residual by a basis, because its products are in single precision.
+/// Largest reduction of the residual by a basis. The products of the basis in single precision limit the reduction.
 const BASIS_REDUCTION: f64 = 1e-5;
 
 /// Number of basis vectors that are read together.

@@ -132,7 +132,7 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
         self.make_room(moving)
     }
 
-    /// Returns the sum over the cells of the motion that they can follow if all cells are moved by one along each component.
+    /// Returns the mobility: the sum of the motions that the cells can follow if all cells are moved by one along each component.
     pub(in crate::cgm) fn mobility(&self) -> Small<N> {
         if !R::IS_CURVED {
             let count = self.moving.of_all_ranks() as f64;

@@ -36,20 +36,20 @@ const EARLIER: [[i8; 2]; 10] = [
     [-2, 0],
     [-1, 0],
 ];
-/// Number of rows of cells before or after a cell in which its neighbours lie.
+/// Number of rows before or after the row of a cell that contain its neighbours.
 const REACH: usize = 2;
 /// Number of entries of a row of the factor. The last entry belongs to the cell itself.
 const ENTRIES: usize = EARLIER.len() + 1;
 /// Number of patterns of moving neighbours.
 const PATTERNS: usize = 1 << EARLIER.len();
-/// Pattern of a cell of another rank that does not move, whose row is zero.
+/// Pattern of a cell of another rank that does not move. The row of such a cell is zero.
 const NOTHING: u16 = 1 << EARLIER.len();
 /// Number of cells below which the transforms take little time, compared with the computation of the factors.
 const SMALL: usize = 4096;
 /// Fraction of moving cells at which a product costs as much as a product with the circulant inverse.
 const DENSE: f64 = 0.3;
-/// Mean fraction of moving cells among the earlier neighbours at which a contact becomes compact. The circulant inverse then
-/// saves more steps than the sparse inverse saves time.
+/// Mean fraction of moving cells among the earlier neighbours at which a contact becomes compact. In a compact contact, the steps
+/// that the circulant inverse saves outweigh the time that the sparse inverse saves.
 const COMPACT: f64 = 0.82;
 
 /// Rows of the factor for all patterns of moving neighbours.
