@@ -17,7 +17,7 @@ use crate::parallel::ranks::{RankGroup, WireFormat};
 pub(crate) struct SpotSums {
     pub(crate) cells: usize,
     pub(crate) stick: usize,
-    /// Numbers of sides of cells along y and along x beyond which the contact ends.
+    /// Numbers of cell sides along y and along x at which the contact ends.
     pub(crate) open_sides: [usize; 2],
     /// Numbers of cells in the first and the last column, and in the first and the last row of the whole grid.
     pub(crate) at_edges: [[usize; 2]; 2],
@@ -103,8 +103,9 @@ const EDGE_X: usize = 1;
 /// Type of a link across the edge of the grid in y.
 const EDGE_Y: usize = 2;
 
-/// Link of two fragments, of which the second starts where the first ends. The first pair contains the numbers of the fragments
-/// among the fragments of all ranks. The second pair contains the type of the link and the number of adjacent pairs of cells.
+/// Link between two fragments. The second fragment starts where the first fragment ends. The first pair contains the numbers of
+/// the fragments among the fragments of all ranks. The second pair contains the type of the link and the number of adjacent pairs
+/// of cells.
 type Link = ([usize; 2], (usize, usize));
 
 impl<'a> Fragments<'a> {

@@ -18,7 +18,7 @@ const COARSE_TOLERANCE: f64 = 3e-3;
 const COARSE_PART: f64 = 0.5;
 /// Minimum relative tolerance of a coarse solution.
 const LEAST_COARSE_TOLERANCE: f64 = 1e-5;
-/// Maximum number of steps of a coarse solve. A coarse solution that needs more steps is not worth its cost.
+/// Maximum number of steps of a coarse solve. A coarse solution that needs more steps costs more than it saves.
 const COARSE_STEPS: usize = 100;
 
 /// Settings, clock and observer of a solve.
