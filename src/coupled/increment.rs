@@ -70,8 +70,7 @@ pub(crate) fn check_joint(bodies: &HalfSpace) -> Result<()> {
 }
 
 impl CoupledTarget<'_> {
-    /// Returns whether the force may exceed the friction capacity, because the sum of the limits depends on the
-    /// distribution of the pressure.
+    /// Returns whether the force might exceed the friction capacity, which depends on the distribution of the pressure.
     fn is_doubtful(&self) -> bool {
         let [x, y] = self.tangential.force();
         let is_known =

@@ -14,11 +14,11 @@ use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialLoad, Ta
 
 /// Bodies, gap, friction and loads of a contact with coupled pressure and tractions, in one step from rest.
 ///
-/// For bodies without coupling or without friction, one step has the result of gradual pressing. It also equals gradual pressing
-/// if the contact has its full size from the first load (a flat punch). In a growing contact of dissimilar bodies, cells that
-/// come into contact later slip less than in one step. A ball of $`\beta = 1/2`$ pressed in one step sticks on 0.23 of the
-/// contact radius. Pressed in 32 steps, it sticks on 0.50 of the contact radius ([Spence](crate::analytical::SpencePressing)).
-/// The solution of such a contact has the warning [`SingleLoadStep`](crate::Warning::SingleLoadStep).
+/// For bodies without coupling or without friction, one step has the result of gradual pressing. One step also has this result if
+/// the contact has its full size from the first load (a flat punch). In a growing contact of dissimilar bodies, cells that come
+/// into contact later slip less than in one step. A ball of $`\beta = 1/2`$ pressed in one step sticks on 0.23 of the contact
+/// radius. Pressed in 32 steps, it sticks on 0.50 of the contact radius ([Spence](crate::analytical::SpencePressing)). The
+/// solution of such a contact has the warning [`SingleLoadStep`](crate::Warning::SingleLoadStep).
 /// [`History::press`](crate::History::press) takes as many steps as a tolerance requires.
 ///
 /// ```

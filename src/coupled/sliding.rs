@@ -12,8 +12,8 @@ use crate::report::Status;
 /// Shift of the sliding solve, divided by the largest displacement. The directions of slip of the cells differ by the
 /// inverse of this ratio.
 const FAR: f64 = 1e6;
-/// Least tolerance of the sliding solve, because the slip of a cell is a small difference between shift and
-/// displacement.
+/// Least tolerance of the sliding solve. Round-off prevents smaller errors, because the slip of a cell is a small
+/// difference between shift and displacement.
 const LEAST_TOLERANCE: f64 = 1e-8;
 
 impl CoupledIncrement {

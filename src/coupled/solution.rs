@@ -98,7 +98,7 @@ impl CoupledSolution {
     /// Returns the displacements of all cells along x, y and z due to pressure and traction together (lengths). Along x
     /// and y they are the displacement of body 1 minus the displacement of body 2. Along z they are the sum of the
     /// displacements of both bodies. The `displacement` functions of the normal and the tangential solution compute the
-    /// displacements due to only the pressure or only the tractions.
+    /// displacements due to the pressure alone or the tractions alone.
     #[must_use]
     pub fn displacement(&self) -> [&Field; 3] {
         let [z, x, y] = &self.displacement;

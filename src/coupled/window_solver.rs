@@ -31,7 +31,8 @@ const START: f64 = 1e-2;
 /// Number of rounds after which cycling active sets end the solve. Each round takes more sweeps than the previous
 /// round.
 const ROUNDS: usize = 12;
-/// Largest fraction of the friction capacity that a tangential half may use, because its pressure is not final.
+/// Largest fraction of the friction capacity that a tangential half may use. The fraction is below one because the pressure is
+/// not final.
 const HELD: f64 = 0.999;
 
 impl FrictionCone for &FrictionWithin<'_> {
