@@ -3,8 +3,8 @@
 //!
 //! For a given multiplier the method is block principal pivoting, with Murty's single pivots as a fallback (Judice & Pires,
 //! Computers & Operations Research 21 (1994) 587, <https://doi.org/10.1016/0305-0548(94)90106-6>). It terminates for every
-//! symmetric positive definite matrix. A prescribed total gives one equation for the multiplier, whose left-hand side is
-//! increasing and piecewise linear. This equation is solved by Newton's method between brackets.
+//! symmetric positive definite matrix. A prescribed total gives one equation for the multiplier, with an increasing, piecewise
+//! linear left-hand side. This equation is solved by Newton's method between brackets.
 
 use faer::linalg::cholesky::llt::factor::LltError;
 use faer::linalg::solvers::{Llt, Solve};
@@ -39,8 +39,8 @@ const BLOCK_TRIALS: usize = 10;
 
 impl DenseOperator {
     /// Minimises `1/2 x'Cx + b'x` over the constraint, with `sum x = total` if a total is given. The total must be strictly
-    /// between the sums of the bounds. The result is the same as from [`cgm::minimise`](crate::cgm::minimise), but is computed by
-    /// a direct method.
+    /// between the sums of the bounds. The method is direct. Its result is the minimum that
+    /// [`cgm::minimise`](crate::cgm::minimise) approximates.
     ///
     /// # Errors
     /// - [`Error::Length`] if the linear term or the constraint has a different number of entries.

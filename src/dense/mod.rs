@@ -1,7 +1,7 @@
 //! Dense reference implementation: operators as explicit matrices, and exact solutions of small problems.
 //!
 //! [`DenseOperator`] computes the same products as [`Convolution`](crate::fft::Convolution), in `n^2` operations and
-//! without a transform. [`DenseOperator::minimise`] computes the same solutions as [`crate::cgm`] up to round-off, by
+//! without a transform. [`DenseOperator::minimise`] computes the solutions that [`crate::cgm`] approximates, by
 //! Cholesky factorisation on active sets. Both are references for tests of the fast methods. They solve problems of a
 //! few hundred cells without a tolerance.
 
@@ -73,7 +73,8 @@ impl DenseOperator {
 
     /// Creates the matrix of influence coefficients of one component between all cells of a half-space (lengths over
     /// pressures). The matrix of a periodic grid maps constants to zero. [`minimise`](Self::minimise) therefore
-    /// requires a positive constant added to every entry, which does not change solutions with a prescribed total.
+    /// requires that a positive constant is added to every entry. The constant does not change solutions with a
+    /// prescribed total.
     ///
     /// # Errors
     /// - [`Error::TooManyCells`] above 4096 cells.
