@@ -10,15 +10,15 @@ const UNKNOWNS: usize = POWERS + 1;
 /// Number of rounds in which the slope at the edge is determined.
 const ROUNDS: usize = 3;
 
-/// Distance from the edge, in cells, within which the values of cells inside are not trusted.
+/// Distance from the edge, in cells, within which the values of cells inside are unreliable.
 const BLURRED_INSIDE: f64 = 0.8;
-/// Distance from the edge, in cells, within which the values of cells outside are not trusted.
+/// Distance from the edge, in cells, within which the values of cells outside are unreliable.
 const BLURRED_OUTSIDE: f64 = 0.5;
 
 /// Distance of a cell centre outside the edge, in cells, beyond which the edge is in a different cell.
 const FAR_OUTSIDE: f64 = 1.2;
 
-/// Weight of values that are not trusted, relative to trusted values.
+/// Weight of unreliable values, relative to reliable values.
 const DISTRUSTED: f64 = 2e-3;
 
 /// Distance from the edge, in cells, beyond which weights decrease.
@@ -47,7 +47,7 @@ pub(super) struct FitValues {
     pub(super) weights: Square<f64>,
 }
 
-/// Quantities of a round at each position of the stencil. These are the weights, the weights of trusted values, the signed
+/// Quantities of a round at each position of the stencil. These are the weights, the weights of reliable values, the signed
 /// distances from the edge (positive inside), and the squared distances of the cells outside.
 struct Sample {
     weights: Square<f64>,

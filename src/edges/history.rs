@@ -13,7 +13,7 @@ use crate::tangential::Zone;
 /// distorts the values.
 const LARGEST_MISS: f64 = 0.02;
 
-/// Relative difference between the two measures of the dissipated energy that indicates a cell that stuck before the step.
+/// Relative difference between the two measures of the dissipated energy of a cell above which the cell stuck before the step.
 const STUCK: f64 = 1e-3;
 
 impl History {
@@ -105,8 +105,8 @@ impl History {
         .edges()
     }
 
-    /// Returns a direction for each cell. It is the direction of the traction in slipping cells, and the direction in the nearest
-    /// slipping cell for sticking cells. The directions are zero in contacts without slipping cells.
+    /// Returns a direction for each cell. It is the direction of the traction in a slipping cell. In a sticking cell it is the
+    /// direction in the nearest slipping cell. The directions are zero in contacts without slipping cells.
     fn directions(&self) -> Result<Vec<[f64; 2]>> {
         let (zones, [qx, qy]) = (self.zones(), self.traction().map(Field::as_slice));
         let (size, repeats) = (self.grid().size(), self.boundary().repeats());

@@ -205,7 +205,7 @@ impl Search<'_> {
     /// Writes the means of a smooth pressure over the core cells of a row, given the values at the centres.
     fn raw_means(&self, states: &States, row: usize, means: &mut [f64]) {
         let [nx, ny] = self.grid.size();
-        // Core cells have all their neighbours, so rows at a free edge of the grid contain none.
+        // Core cells have all their neighbours, so rows at a free edge of the grid contain no core cells.
         let [Some(below), Some(above)] = beside(row, ny, self.repeats[1]) else {
             return;
         };
