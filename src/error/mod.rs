@@ -296,8 +296,8 @@ pub enum Error {
     BeyondFrictionMoment {
         /// The requested moment.
         moment: f64,
-        /// The end of the range that the moment reaches or exceeds: the largest moment, or the smallest moment for a
-        /// moment at or below it.
+        /// The end of the range that the moment reaches or exceeds: the largest moment, or the smallest moment if the requested
+        /// moment is at or below it.
         limit: f64,
         /// The smallest and the largest moment of full sliding.
         range: [f64; 2],
@@ -525,7 +525,7 @@ pub enum Error {
         "the history has no last step, because it took no step since it was created or its state was set: make a step after set_state, from_state or from_bytes"
     )]
     NoLastStep,
-    /// A result was requested that would combine a solution with a different input. Examples are a derivative after a change of the
+    /// The requested result would combine a solution with a different input. Examples are a derivative after a change of the
     /// input, and the edges of a tangential contact with the pressure of another normal contact.
     #[error("{changed} changed since the last solution, to which the {quantity} belongs: {remedy}")]
     #[non_exhaustive]
