@@ -321,7 +321,7 @@ fn reach(size: [usize; 2], boundary: Boundary) -> [usize; 2] {
 struct ConvolutionScratch<const N: usize> {
     tiles: Tiles<N>,
     double: TaskScratch<f64, N>,
-    /// Buffers for single precision, created by the first such product, because many callers never use it.
+    /// Buffers for single precision, created by the first product in single precision. Many callers compute no such product.
     single: Option<TaskScratch<f32, N>>,
 }
 

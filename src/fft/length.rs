@@ -1,6 +1,6 @@
 //! Lengths with fast transforms.
 
-/// Returns the number of cells of the torus. Along a free axis no periodic image of the `n` cells overlaps them.
+/// Returns the number of cells of the torus. Along a free axis, no periodic image overlaps the cells.
 pub(super) fn torus(size: [usize; 2], repeats: [bool; 2]) -> [usize; 2] {
     std::array::from_fn(|axis| match (size[axis], repeats[axis]) {
         (cells, true) => cells,
