@@ -1,4 +1,4 @@
-//! Reading of numbers in binary files, in order and never beyond the end.
+//! Sequential reading of numbers in binary files, with checks of the remaining length.
 
 use crate::error::Result;
 use crate::files::Format;

@@ -1,4 +1,4 @@
-//! Files that receive their names when they are complete. They are written by one process or by several ranks together.
+//! Files that are renamed to their target when they are complete. They are written by one process or by several ranks together.
 
 use std::fs::{File, OpenOptions};
 use std::io::{ErrorKind, Result as IoResult, Write};
