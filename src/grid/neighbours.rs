@@ -1,4 +1,4 @@
-//! Neighbours of a cell, which share a side with it, and the second difference of a field over them.
+//! Neighbours of a cell, which share a side with the cell, and the second difference of a field over these neighbours.
 
 /// Returns the cells to the left, below, to the right and above a cell of an `nx` x `ny` grid. Beyond an edge the entry
 /// is `None`, or the periodic image.
