@@ -77,8 +77,7 @@ impl Cell {
                 self.integrate(xs, y, at, &far, out);
             }
             Integral::RadialY => {
-                // The result must be bitwise identical to `RadialX` with the axes exchanged, where the pieces
-                // cancel.
+                // The result must be bitwise identical to `RadialX` with the axes exchanged, also where the pieces cancel.
                 let swapped = |y, _, r2| y / r2;
                 let at = |x, y| {
                     let odd = Integral::RadialX.is_odd();

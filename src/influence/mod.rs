@@ -52,9 +52,9 @@
 //! D_X = \pi \int_{-a}^{a} \operatorname{sgn}(x - s)\,\mathrm{d}s .
 //! ```
 //!
-//! The coefficients of [coated](crate::layers) bodies are the sum of two terms. The first term is these coefficients with the
-//! constants of the outermost layers. The second term is the correction described in [`layers`](crate::layers). The symbols of
-//! coated bodies follow from the responses described on the same page.
+//! The coefficients of [coated](crate::layers) bodies are the sum of two terms. The first term consists of these coefficients
+//! with the constants of the outermost layers. The second term is the correction described in [`layers`](crate::layers). The
+//! symbols of coated bodies follow from the responses described on the same page.
 //!
 //! Source: Appendix A of Wang, De Boer, Neville & Ghanbarzadeh, Tribology International 159 (2021) 106947. Three printed errors
 //! are corrected. In `C_xx`, `C_yy` and `C_zz` the numerator of the second logarithm is `(x+a) + hypot(x+a, y+b)`. The stray

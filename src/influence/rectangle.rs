@@ -92,7 +92,8 @@ impl Rectangle {
     ///
     /// The tractions act on body 1 and the opposite tractions on body 2. The coefficients `xx`, `yy`, `zz`, `xy` and `yx` of both
     /// bodies are added. The coefficients `xz`, `yz`, `zx` and `zy` between normal and tangential components are subtracted. For
-    /// a pair that [represents a kernel](ElasticPair::stands_for_kernel) the result is for its half-spaces, not for the kernel.
+    /// a pair that [represents a kernel](ElasticPair::stands_for_kernel) the result applies to its half-spaces, not to the
+    /// kernel.
     #[must_use]
     pub fn pair_tensor(&self, pair: &ElasticPair, x: f64, y: f64) -> Tensor {
         self.assemble(pair.compliances(), LayerCorrection::of(pair).as_ref(), x, y)

@@ -30,7 +30,7 @@ pub(crate) struct Samples {
     images: Option<(Images, usize)>,
     cell_value: CellValue,
     values: [OnceLock<Arc<Vec<f64>>>; Integral::COUNT],
-    /// Correction by coated bodies for each coefficient, or a kernel that replaces the coefficients, in the same unit.
+    /// Correction that coated bodies add to each coefficient, or a kernel that replaces the coefficients, in the same unit.
     added: Option<Arc<KernelCorrection>>,
     rests: [OnceLock<Arc<Vec<f64>>>; Component::ALL.len()],
 }
@@ -211,7 +211,7 @@ impl Samples {
         Ok(values)
     }
 
-    /// Writes the correction by coated bodies to a coefficient at the points of a row. On a grid that is periodic along y
+    /// Writes the correction that coated bodies add to a coefficient, at the points of a row. On a grid that is periodic along y
     /// the correction includes all images.
     fn rests_along_row(&self, component: Component, row: usize, xs: &[f64], out: &mut [f64]) {
         let unit = self.rectangle.unit;
