@@ -31,9 +31,9 @@
 //!
 //! # Damaged files
 //! A truncated, damaged or inconsistent file causes an [`Error::Format`](crate::Error::Format) with the problem and its
-//! [place](Place). Sizes are checked against the number of bytes before memory is allocated. Reading a file therefore needs less
-//! memory than fifty times its size. X3P files are compressed, and reading one needs less memory than eight times the largest
-//! permitted size of an expanded entry.
+//! [place](Place). Sizes are checked against the number of bytes before memory is allocated. The memory for reading a file is
+//! therefore less than fifty times its size. X3P files are compressed. The memory for reading such a file is less than eight
+//! times the largest permitted size of an expanded entry.
 
 mod slabs;
 

@@ -42,7 +42,7 @@ pub(crate) fn write(
         Ok(None)
     };
     let part = RankGroup::agreed_of(team, part)?;
-    // An earlier list is removed first. It would otherwise refer to a mixture of old and new pieces while the pieces
+    // An earlier list is removed first. Otherwise it would refer to a mixture of old and new pieces while the pieces
     // are renamed.
     RankGroup::agreed_of(team, of_first(&|| removed(path)))?;
     RankGroup::agreed_of(team, part.map_or(Ok(()), |part| part.take_name()))?;

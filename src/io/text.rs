@@ -78,10 +78,9 @@ pub(super) enum Separator {
 }
 
 impl Separator {
-    /// Determines the separator of a line. The separator is a semicolon if the line contains a semicolon, or else a tab
-    /// if the line contains a tab. Otherwise it is a comma if the line contains commas. The exception is a line of
-    /// several numbers in which every comma may be a decimal comma (`1,5 2,5`). In this case and in all other cases it
-    /// is white space.
+    /// Determines the separator of a line. The separator is a semicolon if the line contains a semicolon, or else a tab if the
+    /// line contains a tab. Otherwise it is a comma if the line contains commas. The exception is a line of several numbers in
+    /// which every comma may be a decimal comma (`1,5 2,5`). In this case and in all other cases the separator is white space.
     pub(super) fn of(line: &str) -> Self {
         if line.contains(';') {
             Self::Semicolon
