@@ -137,8 +137,7 @@ impl CattaneoMindlin {
     /// \sin\sigma = \frac ar, \quad w = \sin\sigma\cos\sigma
     /// ```
     ///
-    /// and $`u_x`$ is the difference of two such terms, of radii $`a`$ and $`c`$.
-    /// Johnson (1985), section 3.7 and 7.41-7.44.
+    /// and $`u_x`$ is the difference of two such terms, of radii $`a`$ and $`c`$. Johnson (1985), section 3.7 and 7.41-7.44.
     #[must_use]
     pub fn displacement(&self, x: f64, y: f64) -> f64 {
         let (xi, eta, rho) = self.relative(x, y);
@@ -161,8 +160,7 @@ impl CattaneoMindlin {
     /// - \frac\nu4\left[4\varphi - \sin 4\varphi\right]\cos 2\theta\right\}
     /// ```
     ///
-    /// which is the displacement in the ring minus the shift, written without cancellation.
-    /// Johnson (1985), 7.41-7.44.
+    /// which is the displacement in the ring minus the shift, written without cancellation. Johnson (1985), 7.41-7.44.
     #[must_use]
     pub fn slip(&self, x: f64, y: f64) -> f64 {
         let (xi, eta, rho) = self.relative(x, y);

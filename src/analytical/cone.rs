@@ -17,8 +17,8 @@ use crate::error::{Result, finite, positive};
 /// p = \frac{E^*\tan\beta}{2}\,\operatorname{arcosh}\frac ar
 /// ```
 ///
-/// The mean pressure is independent of the load, so the contact area is proportional to the load, as
-/// for a rough surface. Sneddon (1965); Johnson (1985), section 5.2.
+/// The mean pressure is independent of the load, so the contact area is proportional to the load, as for a rough
+/// surface. Sneddon (1965); Johnson (1985), section 5.2.
 ///
 /// ```
 /// use stickslip::{ElasticPair, Material, analytical::Cone};
@@ -152,9 +152,8 @@ impl Cone {
 
 /// A cone in partial slip. Under a constant normal load, a tangential force along x increases monotonically.
 ///
-/// The traction is $`\mu`$ times the difference between the pressure under $`W`$ and the pressure
-/// under the reduced load $`(1-f)W`$, $`f = |F|/\mu W`$. The contact circle under the reduced load is
-/// the stick disc, of radius $`c`$:
+/// The traction is $`\mu`$ times the difference between the pressure under $`W`$ and the pressure under the reduced
+/// load $`(1-f)W`$, $`f = |F|/\mu W`$. The contact circle under the reduced load is the stick disc, of radius $`c`$:
 ///
 /// ```math
 /// \frac{c^2}{a^2} = 1-f, \qquad

@@ -10,8 +10,8 @@ use crate::error::{Result, finite, positive};
 /// A sphere in torsion. Under a constant normal load, a twist about the normal increases monotonically.
 ///
 /// A disc of radius $`c`$ sticks and rotates rigidly, and the ring around it slips. The complete elliptic integrals
-/// $`K`$ and $`E`$ have the parameter $`m = 1-c^2/a^2`$, and the integral $`E(s)`$ has the parameter
-/// $`m = 1-s^2/a^2`$. The rotation of one body relative to the other is $`\beta`$:
+/// $`K`$ and $`E`$ have the parameter $`m = 1-c^2/a^2`$, and the integral $`E(s)`$ has the parameter $`m = 1-s^2/a^2`$.
+/// The rotation of one body relative to the other is $`\beta`$:
 ///
 /// ```math
 /// \beta = \frac{\mu p_0}{2G}(K-E), \qquad

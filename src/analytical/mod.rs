@@ -50,8 +50,7 @@
 //!
 //! # Conventions
 //! - The units can be any consistent set, for example `m, N, Pa` or `mm, N, MPa`.
-//! - The contact, or a crest of waves, is centred on the origin of the plane `z = 0`; z points into
-//!   body 1.
+//! - The contact, or a crest of waves, is centred on the origin of the plane `z = 0`; z points into body 1.
 //! - Pressure is positive in compression. Traction acts on body 1 and is positive along +x; body 2 receives the
 //!   opposite traction.
 //! - Displacements are relative. The normal displacement is the sum over the bodies, each measured into its own body; the
@@ -96,8 +95,8 @@
 //!   [doi:10.1007/978-94-015-7889-9](https://doi.org/10.1007/978-94-015-7889-9).
 //! - R. D. Mindlin, Compliance of elastic bodies in contact, *J. Appl. Mech.* 16 (1949) 259-268,
 //!   [doi:10.1115/1.4009973](https://doi.org/10.1115/1.4009973).
-//! - R. D. Mindlin and H. Deresiewicz, Elastic spheres in contact under varying oblique forces,
-//!   *J. Appl. Mech.* 20 (1953) 327-344, [doi:10.1115/1.4010702](https://doi.org/10.1115/1.4010702).
+//! - R. D. Mindlin and H. Deresiewicz, Elastic spheres in contact under varying oblique forces, *J. Appl. Mech.* 20 (1953)
+//!   327-344, [doi:10.1115/1.4010702](https://doi.org/10.1115/1.4010702).
 //! - E. M'Ewen, Stresses in elastic cylinders in contact along a generatrix, *Phil. Mag.* 40 (1949) 454-459,
 //!   [doi:10.1080/14786444908521733](https://doi.org/10.1080/14786444908521733).
 //! - V. I. Mossakovskii, *Prikl. Mat. Mekh.* 18 (1954) 187-196.
@@ -107,14 +106,14 @@
 //!   355-365.
 //! - M. Paggi, R. Pohrt, V. L. Popov, Partial-slip frictional response of rough surfaces, *Sci. Rep.* 4
 //!   (2014) 5178, [doi:10.1038/srep05178](https://doi.org/10.1038/srep05178).
-//! - L. Pastewka and M. O. Robbins, Contact area of rough spheres, *Appl. Phys. Lett.* 108 (2016)
-//!   221601, [doi:10.1063/1.4950802](https://doi.org/10.1063/1.4950802).
+//! - L. Pastewka and M. O. Robbins, Contact area of rough spheres, *Appl. Phys. Lett.* 108 (2016) 221601,
+//!   [doi:10.1063/1.4950802](https://doi.org/10.1063/1.4950802).
 //! - B. N. J. Persson, Theory of rubber friction and contact mechanics, *J. Chem. Phys.* 115 (2001)
 //!   3840-3861, [doi:10.1063/1.1388626](https://doi.org/10.1063/1.1388626).
-//! - V. L. Popov, Analytic solution for the limiting shape of profiles due to fretting wear, *Sci.
-//!   Rep.* 4 (2014) 3749, [doi:10.1038/srep03749](https://doi.org/10.1038/srep03749).
-//! - I. N. Sneddon, The relation between load and penetration in the axisymmetric Boussinesq problem
-//!   for a punch of arbitrary profile, *Int. J. Eng. Sci.* 3 (1965) 47-57,
+//! - V. L. Popov, Analytic solution for the limiting shape of profiles due to fretting wear, *Sci. Rep.* 4 (2014) 3749,
+//!   [doi:10.1038/srep03749](https://doi.org/10.1038/srep03749).
+//! - I. N. Sneddon, The relation between load and penetration in the axisymmetric Boussinesq problem for a punch of arbitrary
+//!   profile, *Int. J. Eng. Sci.* 3 (1965) 47-57,
 //!   [doi:10.1016/0020-7225(65)90019-4](https://doi.org/10.1016/0020-7225(65)90019-4).
 //! - D. A. Spence, *Proc. R. Soc. Lond. A* 305 (1968) 55-80,
 //!   [doi:10.1098/rspa.1968.0105](https://doi.org/10.1098/rspa.1968.0105).

@@ -67,8 +67,7 @@ impl Component {
         [DIRECTIONS[self as usize / 3], DIRECTIONS[self as usize % 3]]
     }
 
-    /// Returns whether the coefficient is odd in x, and whether it is odd in y. Otherwise it is
-    /// even.
+    /// Returns whether the coefficient is odd in x, and whether it is odd in y. Otherwise it is even.
     ///
     /// ```
     /// use stickslip::influence::Component;

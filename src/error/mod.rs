@@ -27,9 +27,9 @@ use crate::report::Report;
 /// `solve_into` and `solve_observed` then leave the last feasible iterate in the solution.
 ///
 /// A match requires a wildcard arm, because minor releases may add variants. Variants of the kinds
-/// [`Argument`](ErrorKind::Argument) and [`Memory`](ErrorKind::Memory) have fixed fields, so that a program can construct
-/// them for its own checks. Minor releases may add fields to the variants of other kinds, and a
-/// pattern for their fields ends with `..`.
+/// [`Argument`](ErrorKind::Argument) and [`Memory`](ErrorKind::Memory) have fixed fields, so that a program can construct them
+/// for its own checks. Minor releases may add fields to the variants of other kinds, and a pattern for their fields ends with
+/// `..`.
 #[derive(Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum Error {

@@ -36,11 +36,11 @@
 /// | friction limit, slip, dissipated energy, wear | the values at the centres |
 ///
 /// C' is positive definite if C is. Products are computed on a torus, where the stencil multiplies the symbol by
-/// $`1 + (4 - 2 \cos \theta_x - 2 \cos \theta_y)/24`$. Here $`\theta`$ is the phase between neighbouring cells, and the
-/// factor lies between 1 and 4/3. Therefore any tractions t of a grid without images satisfy
-/// $`t' C t \le t' C' t \le \tfrac43\,t' C t`$. The eigenvalues of C' lie between the smallest eigenvalue of C and 4/3 of
-/// the largest eigenvalue of C. As for C, an operator reports bounds from the eigenvalues of its periodic continuation,
-/// which contains the grid. The [certificate](crate::cgm) thus remains valid without change.
+/// $`1 + (4 - 2 \cos \theta_x - 2 \cos \theta_y)/24`$. Here $`\theta`$ is the phase between neighbouring cells, and the factor
+/// lies between 1 and 4/3. Therefore any tractions t of a grid without images satisfy
+/// $`t' C t \le t' C' t \le \tfrac43\,t' C t`$. The eigenvalues of C' lie between the smallest eigenvalue of C and 4/3 of the
+/// largest eigenvalue of C. As for C, an operator reports bounds from the eigenvalues of its periodic continuation, which
+/// contains the grid. The [certificate](crate::cgm) thus remains valid without change.
 ///
 /// The stencil is the correction of a corrected trapezoidal rule for 1/r. It is not part of the paper. It is not the default,
 /// because results of uniform cells agree to the last digit with the paper and with CONTACT.

@@ -80,10 +80,9 @@
 //!   The estimate is computed from sums over the aliases of waves with selected phases. For coupled problems on such a grid, the
 //!   separate problems of pressure and traction have bounds, and the coupled problem has only an estimate and [no
 //!   bound](crate::Report).
-//! - On a grid that is periodic along both axes a mean pressure and a mean traction cause no displacement. This
-//!   convention also applies to a rigid base, where both displacements are finite. For one layer, add
-//!   $`h (1-2\nu)/2G(1-\nu)`$ times the mean pressure to the approach, and $`h/G`$ times the mean traction to the shift.
-//!   Several layers contribute the sum.
+//! - On a grid that is periodic along both axes a mean pressure and a mean traction cause no displacement. This convention also
+//!   applies to a rigid base, where both displacements are finite. For one layer, add $`h (1-2\nu)/2G(1-\nu)`$ times the mean
+//!   pressure to the approach, and $`h/G`$ times the mean traction to the shift. Several layers contribute the sum.
 //! - [Edges](crate::edges) inside the cells need an outermost layer at least four cells thick.
 //! - The law for cells that enter a growing or rolling contact uses the ratio of tangential to normal compliance. This ratio
 //!   belongs to waves with a period of two cells, $`k = \pi/h_{max}`$.
