@@ -100,7 +100,7 @@ impl GridTransfer<'_> {
     }
 }
 
-/// Computes a start from the solution on cells twice as large. This solution has a start from still larger cells.
+/// Computes a start from the solution on cells twice as large. The function computes this solution recursively in the same way.
 pub(crate) fn nested_start<S: MultilevelProblem<N>, const N: usize>(
     bodies: &HalfSpace,
     size: [usize; 2],

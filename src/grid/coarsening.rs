@@ -6,8 +6,8 @@ use crate::error::Result;
 use crate::memory::fallible;
 use crate::parallel;
 
-/// Returns half the number of cells along each axis, rounded up. If the number is odd, the last coarse cell contains a
-/// single fine cell.
+/// Returns half the number of cells along each axis, rounded up. If the number is odd, the last coarse cell contains a single
+/// fine cell along this axis.
 pub(crate) fn halved(size: [usize; 2]) -> [usize; 2] {
     size.map(|n| n.div_ceil(2))
 }
