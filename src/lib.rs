@@ -15,10 +15,10 @@
 //! # Scope
 //!
 //! - Bodies are linear elastic half-spaces: homogeneous, [coated](guide::coatings) or described by a [`Kernel`].
-//! - Slopes and strains are small. A solution has a [`Warning`] if the contact radius exceeds 0.3 of the radius of
+//! - Slopes and strains are small. A solution contains a [`Warning`] if the contact radius exceeds 0.3 of the radius of
 //!   curvature, or if the rms slope of the gap within the contact exceeds 0.5.
 //! - Contacts are quasi-static and rate-independent. The static and the kinetic coefficient of friction are equal.
-//! - A finite shift does not carry the gap along. Only wear, a permanent set or the program changes the gap.
+//! - A finite shift does not move the gap. Only wear, a permanent set or the program changes the gap.
 //! - Adhesion, plasticity (except a [hardness](normal::Hardness)), junction growth, viscosity and heat are neglected.
 //!
 //! # Example
