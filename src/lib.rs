@@ -114,7 +114,7 @@
 //! | `mpi` | [`ranks`] that are processes of an MPI program; the build requires libclang and an MPI library |
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
-// Without some of the features a private function may be unused. With all features enabled, the lints report dead code.
+// A private function may be unused if some features are off. The lints report dead code if all features are on.
 #![cfg_attr(
     not(all(
         feature = "adaptive",
