@@ -26,7 +26,7 @@ const POISSON_RATIO: f64 = 0.3;
 const RADIUS: f64 = 10.0;
 const LENGTH: f64 = 20.0;
 const LOAD: f64 = 10e3;
-/// Numbers of cells and sides of the grid. Beyond the ends of the roller the gap is wide.
+/// Numbers of cells and sides of the grid. The gap beyond the ends of the roller exceeds the approach.
 const CELLS: (usize, usize) = (32, 128);
 const SIDES: (f64, f64) = (0.75, LENGTH * 128.0 / 120.0);
 const WIDE: f64 = 1.0;
