@@ -223,7 +223,7 @@ fn stresses(
 }
 
 /// Compares the largest tension, at the edge where a crack would start, with the closed form. The tension is computed for the
-/// cells of the surface and for a plane at a depth of a fiftieth of a. On the surface its error decreases only with the square
+/// cells of the surface and for a plane at a depth of a fiftieth of a. The error on the surface decreases only with the square
 /// root of the cell side.
 fn compare_tension(
     history: &History,

@@ -214,7 +214,8 @@ fn point(k: usize) -> f64 {
     0.5 * LENGTH * (FRAC_PI_2 * k as f64 / POINTS as f64).sin()
 }
 
-/// Returns the two parameters between which the profile is linear at a position, with their weights. Beyond the ends there are none.
+/// Returns the two parameters between which the profile is linear at a position, with their weights. Beyond the ends there are
+/// none.
 fn weights(y: f64) -> impl Iterator<Item = (usize, f64)> {
     let y = y.abs();
     let k = (1..=POINTS).find(|&k| y <= point(k));

@@ -92,7 +92,7 @@
 //! |---|---|---|---|---|
 //! | 1e-2 | 2e-4 | 0.7 % | 8e-2 | an initial guess, a rough estimate |
 //! | 1e-4 | 1e-6 | two cells | 4e-4 | area, approach and stick ratio of any surface |
-//! | 1e-6 | 2e-9 | none | 1e-5 | fields to 1e-5; steps of a few per cent |
+//! | 1e-6 | 2e-9 | none | 1e-5 | fields to 1e-5; load steps of a few per cent |
 //! | 1e-8 (default) | 2e-11 | none | 2e-8 | histories, derivatives, comparison with other codes |
 //!
 //! # Features
