@@ -1,5 +1,5 @@
-//! An elliptic contact of steel that rolls: creep curves compared with a different code and closed forms, and stick and slip
-//! zones under creepage and spin.
+//! A rolling elliptic contact of steel: creep curves compared with CONTACT and closed forms, and stick and slip zones under
+//! creepage and spin.
 //!
 //! `cargo run --release -p stickslip-examples --example creep_curves` prints the creep forces of CONTACT's example `tractcurv`
 //! with and without the entry rule, and writes `target/gallery/creep_curves.csv` and `.svg`.
@@ -96,7 +96,7 @@ fn steel() -> stickslip::Result<ElasticPair> {
     ElasticPair::new(steel, steel)
 }
 
-/// Creates the rolling problem on a grid with the given numbers of cells. The area of the grid does not depend on them.
+/// Creates the rolling problem on a grid with the given numbers of cells and a fixed area.
 fn problem(cells: [usize; 2], entry_rule: EntryRule) -> stickslip::Result<RollingProblem> {
     let [dx, dy] = [0, 1].map(|axis| SIDES[axis] * (CELLS[axis] / cells[axis]) as f64);
     let grid = Grid::new(cells[0], cells[1], dx, dy)?;

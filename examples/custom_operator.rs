@@ -70,7 +70,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         assert!((force.iter().sum::<f64>() - load).abs() < 1e-12);
     }
 
-    // An observer is called at the start and at every step, and can stop the solve. Here it stops the solve at the third step.
+    // The solver calls the observer at the start and at every step. This observer stops the solve at the third step.
     let mut force = [load / SPRINGS as f64; SPRINGS];
     let mut workspace = problem.workspace()?;
     let settings = Settings::default().method(Method::PolonskyKeer);

@@ -3,7 +3,7 @@
 //! energy dissipated per cycle.
 //!
 //! If tractions rotate, the error of a step is proportional to its length. Each loop is therefore also run with half as
-//! many steps, and the energy extrapolated to a step length of zero is printed as well.
+//! many steps. The example also prints the energy extrapolated to a step length of zero.
 //!
 //! `cargo run --release -p stickslip-examples --example elliptical_path [cells]` (default 64, at least 32)
 //! writes `target/gallery/elliptical_path.csv`, `elliptical_path_energy.csv` and `elliptical_path.svg`.

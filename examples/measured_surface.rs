@@ -111,7 +111,7 @@ fn make_measurement() -> Result<PathBuf, Box<dyn Error>> {
         4e-3 * x - 7e-3 * y + 30.0 * (x * x - 0.3 * x * y)
     });
     let mut measured = surface::sum(&[rough.heights(), noise.heights(), &form])?;
-    // Steep valleys and dust reflect no light, or too much light at single points.
+    // Steep valleys and dust reflect no light. Single points reflect too much light.
     let statistics = Statistics::of(rough.heights())?;
     let dust = Field::from_fn(grid, |x, y| (x - 31e-6).hypot(y + 12e-6));
     let flat = rough.heights().as_slice().iter().zip(dust.as_slice());

@@ -26,7 +26,7 @@ const POISSON_RATIO: f64 = 0.3;
 const RADIUS: f64 = 10.0;
 const LENGTH: f64 = 20.0;
 const LOAD: f64 = 10e3;
-/// Numbers of cells and sides of the grid. Beyond the ends of the roller the gap is wide.
+/// Numbers of cells and sides of the grid. The gap beyond the ends of the roller exceeds the approach.
 const CELLS: (usize, usize) = (32, 128);
 const SIDES: (f64, f64) = (0.75, LENGTH * 128.0 / 120.0);
 const WIDE: f64 = 1.0;
@@ -214,7 +214,8 @@ fn point(k: usize) -> f64 {
     0.5 * LENGTH * (FRAC_PI_2 * k as f64 / POINTS as f64).sin()
 }
 
-/// Returns the two parameters between which the profile is linear at a position, with their weights. Beyond the ends there are none.
+/// Returns the two parameters between which the profile is linear at a position, with their weights. Beyond the ends there are
+/// none.
 fn weights(y: f64) -> impl Iterator<Item = (usize, f64)> {
     let y = y.abs();
     let k = (1..=POINTS).find(|&k| y <= point(k));

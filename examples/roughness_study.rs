@@ -1,6 +1,6 @@
 //! Dependence of the area and the stick ratio of a nominally flat rough contact on rms height, rms slope, skewness and
-//! kurtosis, each varied separately (the paper's Figs 16 to 19). The shortest wave of the surfaces spans eight cells,
-//! or two cells, the limit of the grid, as in the paper.
+//! kurtosis, each varied separately (the paper's Figs 16 to 19). The shortest wave of the surfaces spans eight cells or, as in
+//! the paper, two cells, the limit of the grid.
 //!
 //! `cargo run --release -p stickslip-examples --example roughness_study [cells]` (default 512, at least 500)
 //! writes `target/gallery/roughness_study.csv` and `.svg`.
@@ -110,7 +110,7 @@ struct Answer {
     varied: f64,
     rms_slope: f64,
     cells: usize,
-    /// Contact area divided by the nominal area: by counting cells, and with the correction by the perimeter.
+    /// Contact area divided by the nominal area: counted in cells, and corrected with the perimeter.
     areas: [f64; 2],
     stick_ratio: f64,
 }

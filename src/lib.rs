@@ -15,10 +15,10 @@
 //! # Scope
 //!
 //! - Bodies are linear elastic half-spaces: homogeneous, [coated](guide::coatings) or described by a [`Kernel`].
-//! - Slopes and strains are small. A solution has a [`Warning`] if the contact radius exceeds 0.3 of the radius of
+//! - Slopes and strains are small. A solution contains a [`Warning`] if the contact radius exceeds 0.3 of the radius of
 //!   curvature, or if the rms slope of the gap within the contact exceeds 0.5.
 //! - Contacts are quasi-static and rate-independent. The static and the kinetic coefficient of friction are equal.
-//! - A finite shift does not carry the gap along. Only wear, a permanent set or the program changes the gap.
+//! - A finite shift does not move the gap. Only wear, a permanent set or the program changes the gap.
 //! - Adhesion, plasticity (except a [hardness](normal::Hardness)), junction growth, viscosity and heat are neglected.
 //!
 //! # Example
@@ -92,7 +92,7 @@
 //! |---|---|---|---|---|
 //! | 1e-2 | 2e-4 | 0.7 % | 8e-2 | an initial guess, a rough estimate |
 //! | 1e-4 | 1e-6 | two cells | 4e-4 | area, approach and stick ratio of any surface |
-//! | 1e-6 | 2e-9 | none | 1e-5 | fields to 1e-5; steps of a few per cent |
+//! | 1e-6 | 2e-9 | none | 1e-5 | fields to 1e-5; load steps of a few per cent |
 //! | 1e-8 (default) | 2e-11 | none | 2e-8 | histories, derivatives, comparison with other codes |
 //!
 //! # Features
@@ -114,7 +114,7 @@
 //! | `mpi` | [`ranks`] that are processes of an MPI program; the build requires libclang and an MPI library |
 
 #![cfg_attr(docsrs, feature(doc_cfg))]
-// Without some of the features a private function may be unused. With all features enabled, the lints report dead code.
+// A private function may be unused if some features are off. The lints report dead code if all features are on.
 #![cfg_attr(
     not(all(
         feature = "adaptive",

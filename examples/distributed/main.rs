@@ -40,7 +40,7 @@ struct Arguments {
     cells: usize,
     /// Whether the surface is pressed only.
     is_pressed_alone: bool,
-    /// File of the history that is computed instead, if requested.
+    /// File of the history with wear, if a history is requested.
     saved: Option<Saved>,
     /// Number of threads, if ranks are threads.
     threads: Option<usize>,

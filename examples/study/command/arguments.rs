@@ -53,9 +53,9 @@ pub(super) struct Study {
     pub(super) out: Option<PathBuf>,
 }
 
-/// Part of a study. Every `parts`-th press belongs to a shard. Without a shift, each pressure could always belong to
-/// the same shards. In that case the sequence is shifted by one, so that all shards have approximately equal numbers
-/// of cases of each pressure. Adding seeds does not move the other presses to different shards.
+/// Part of a study: every `parts`-th press of a sequence. The sequence is shifted by one when its pattern of
+/// pressures and shards would repeat, so that all shards have about equal numbers of cases of each pressure. Adding
+/// seeds does not move the other presses to different shards.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Shard {
     /// Number of the shard, starting at 1 like the tasks of batch systems.

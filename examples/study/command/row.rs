@@ -47,7 +47,7 @@ pub(super) enum Ending<T> {
     Solved(T),
     /// The solve did not converge.
     Failed(Box<Report>),
-    /// There was no problem to solve: the pressure is missing, or friction cannot carry the force.
+    /// No solve was possible: the pressure is missing, or friction cannot carry the force.
     Refused(&'static str),
 }
 

@@ -13,7 +13,7 @@ use super::failure::Failure;
 use super::plan::{self, Plan};
 use super::row;
 
-/// Time between two syncs. A power failure can lose only the rows of the last second.
+/// Time between two syncs to the disk. A power failure can lose only the rows of the last second.
 const BETWEEN_SYNCS: Duration = Duration::from_secs(1);
 
 /// Table to which rows are appended.
