@@ -269,7 +269,8 @@ impl AdaptiveSteps {
     }
 }
 
-/// Returns the difference between other tractions and the tractions of a history, over the sum of its friction limits.
+/// Returns the sum of the magnitudes of the traction differences from a history, divided by the sum of its friction
+/// limits.
 pub(in crate::history) fn traction_distance(history: &History, [x, y]: [&Field; 2]) -> f64 {
     let [u, v] = history.traction();
     let sum = reduce::sum(&history.bodies.grid_layout(), |i| {
