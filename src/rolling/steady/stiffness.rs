@@ -50,8 +50,8 @@ impl RollingSolver {
     /// products in double precision. A solve after an increase of the creepage by one per cent takes a third to half as
     /// many products.
     ///
-    /// The matrix requires that neither loads nor friction nor pressure have changed since the last solve. After a change it is
-    /// an error until the next solve or reset.
+    /// The matrix requires that neither loads nor friction nor pressure have changed since the last solve. After a change the
+    /// call returns an error until the next solve or reset.
     ///
     /// ```
     /// # use stickslip::{rolling::RollingProblem, *};
@@ -79,8 +79,8 @@ impl RollingSolver {
         self.stiffness_observed(unwatched)
     }
 
-    /// Returns [`stiffness`](Self::stiffness) with an observer. The observer is called before every product with the
-    /// operator and may cancel. The observer receives the residual of the current linear problem.
+    /// Computes [`stiffness`](Self::stiffness) with an observer. The observer is called before every product with the
+    /// operator and may cancel. It receives the residual of the current linear problem.
     ///
     /// # Errors
     /// The errors of [`stiffness`](Self::stiffness).
