@@ -21,7 +21,7 @@ use crate::tangential::{Axis, Zone};
 )]
 pub enum Functional {
     /// Generalised mean of the pressure, weighted by the load: $`(\sum p^{k+1} / \sum p)^{1/k}`$ with the exponent k >= 1. The
-    /// mean tends to the largest pressure for large k. Cells that come into contact at pressure zero do not change it.
+    /// mean tends to the largest pressure for large k. Cells that come into contact at pressure zero do not change the mean.
     PressureNorm {
         /// Exponent k, at least 1.
         exponent: f64,
@@ -55,8 +55,8 @@ impl Functional {
 /// \boldsymbol\delta`$.
 ///
 /// The sum covers the pressures p, the tractions q and the slips s of all cells. The other terms are multiples of the approach
-/// and the shifts. All weights are zero by default. The functional need not be linear: with its derivatives at the solution as
-/// weights, the sensitivity is the derivative of any smooth functional.
+/// and the shifts. All weights are zero by default. For a smooth nonlinear functional, pass its derivatives at the solution as
+/// weights.
 ///
 /// ```
 /// use stickslip::sensitivity::{Functional, Weights};

@@ -25,7 +25,8 @@ pub(super) struct Loading<'a, const N: usize> {
 }
 
 impl<const N: usize> UnitDisplacements<N> {
-    /// Computes the displacements, or returns `None` for bodies that are not homogeneous or distributed over ranks.
+    /// Computes the displacements, or returns `None` for bodies that are not homogeneous, or that are distributed over
+    /// ranks.
     pub(super) fn new(
         bodies: &HalfSpace,
         region: &Region,

@@ -37,8 +37,8 @@ pub(super) struct Sheared<'a> {
     pub(super) controls: [TangentialControl; 2],
     /// Whether the pressure moves the surfaces tangentially.
     pub(super) is_drawn: bool,
-    /// Whether to compute the derivatives with respect to Poisson's ratios. If so, whether a coupling of the bodies would move
-    /// the surfaces.
+    /// Whether a coupling of the bodies would move the surfaces. `None` if no derivatives with respect to Poisson's ratios are
+    /// computed.
     pub(super) poisson_ratio: Option<bool>,
 }
 
