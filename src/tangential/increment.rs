@@ -132,7 +132,7 @@ impl TangentialIncrement {
     }
 
     /// Subtracts the surface displacement due to the growth of the pressure from the offsets, if pressure moves the
-    /// surfaces. A cell that sticks resists this displacement by traction. `before` returns the previous pressure of a
+    /// surfaces. The traction of a sticking cell opposes this displacement. `before` returns the previous pressure of a
     /// cell of the grid.
     pub(crate) fn draw_from(&mut self, before: impl Fn(usize) -> f64) {
         if let Some(drawing) = &mut self.drawing {
