@@ -247,7 +247,7 @@ impl ErrorRow {
     }
 }
 
-/// Draws the time over the error, for the pressure of the sphere on the left and for its traction on the right. The
+/// Draws the time against the error, for the pressure of the sphere on the left and for its traction on the right. The
 /// grid size increases along a curve.
 fn draw(path: &Path, rows: &[ErrorRow]) -> std::result::Result<(), Box<dyn Error>> {
     let title = "Grids of 32 × 32 cells (right) to 512 × 512 cells (left)";
