@@ -23,7 +23,7 @@
 //! the same force or the same shift. It never truncates the tractions at the new friction limit.
 //!
 //! A load prescribes the force, the shift, or the far end of a spring
-//! ([`TangentialControl`](crate::TangentialControl)). A force beyond the friction capacity is an error
+//! ([`TangentialControl`](crate::TangentialControl)). A force beyond the friction capacity causes an error
 //! ([`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity)). A force at the limit slides the contact,
 //! with the least shift at which the whole contact slips.
 //!

@@ -26,8 +26,8 @@ const LARGEST_SLOPE: usize = 500;
 /// Here x is the middle of the pair, and s is the slope of the gap between the two cells.
 type Slopes = [f64; 6];
 
-/// Number of contact cells between two contact neighbours along an axis. Then the number of pairs of a contact cell and a
-/// separated neighbour, and the sum of their squared slopes.
+/// Number of contact cells between two contact neighbours along an axis, number of pairs of a contact cell and a separated
+/// neighbour, and sum of the squared slopes of these pairs.
 type Surroundings = [f64; 3];
 
 impl Scale {

@@ -308,8 +308,8 @@ impl NormalSolution {
         bodies.joint(Ok(displacement))
     }
 
-    /// Computes the elastic energy of the normal contact, $`\tfrac A2 \sum p\,u_z`$ (force times length). $`u_z`$ is the
-    /// displacement at the centre of a cell.
+    /// Computes the elastic energy of the normal contact, $`\tfrac A2 \sum p\,u_z`$ (force times length). The displacements
+    /// apply to the centres of the cells.
     ///
     /// # Errors
     /// Errors of [`NormalSolution::displacement`].

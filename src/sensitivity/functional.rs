@@ -139,7 +139,8 @@ pub(super) struct ContactView<'a> {
     pub(super) pressure: &'a [f64],
     /// Approach, if the contact has one.
     pub(super) approach: Option<f64>,
-    /// Displacement of each cell along z whose product with the pressure is stored, if any.
+    /// Displacement of each cell along z, whose product with the pressure is part of the elastic energy. It may be
+    /// empty.
     pub(super) lift: &'a [f64],
     pub(super) shear: ShearView<'a>,
 }
@@ -151,7 +152,7 @@ pub(super) struct ShearView<'a> {
     pub(super) slip: [&'a [f64]; 2],
     pub(super) zones: &'a [Zone],
     pub(super) shift: [f64; 2],
-    /// Displacements whose products with the tractions are stored.
+    /// Displacements whose products with the tractions are part of the elastic energy.
     pub(super) displacement: [&'a [f64]; 2],
 }
 

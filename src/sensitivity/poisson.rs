@@ -106,7 +106,7 @@ impl<const N: usize> UnitDisplacements<N> {
         let multipliers = slices(multipliers);
         let [by_normal, by_lateral, by_coupling] = [0, 1, 2].map(|sum| {
             let moved = slices(&self.0[sum]);
-            // The displacement by a separate pressure is not part of the energy.
+            // The displacement due to a separate pressure is not part of the energy.
             let energy = if sum == 2 && N < 3 { 0.0 } else { energy };
             reduce::sum(region.layout(), |cell| {
                 let stored = energy * dot(at(&loading.tractions, cell), at(&moved, cell));

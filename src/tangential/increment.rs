@@ -38,7 +38,7 @@ pub(crate) struct TangentialIncrement {
     pub(crate) offsets: Offsets,
     /// Linear term of the solve. A solve first overwrites the term. Between solves the vector is a scratch buffer.
     linear: TangentialVector,
-    /// Operator of the tangential displacement by pressure, if it is modelled.
+    /// Operator of the tangential displacement due to pressure, if the model includes this displacement.
     drawing: Option<CouplingDisplacement>,
     /// Motion of body 2 at the end of the last step.
     motion: RigidMotion,

@@ -310,7 +310,7 @@ fn sensitivity_of_present_solution_is_accepted() {
     }
 }
 
-/// A change on one rank is an error on all ranks.
+/// A change on one rank causes an error on all ranks.
 #[test]
 fn solution_of_earlier_gap_of_one_rank_is_rejected_on_all_ranks() {
     let grid = square(32, 12.0);

@@ -28,7 +28,7 @@ pub(in crate::history) struct StepDiagnostics {
     /// Largest loss of tangential force under a held shift in any step, in per cent.
     #[cfg_attr(feature = "serde", serde(default))]
     pub(in crate::history) lost_per_cent: usize,
-    /// Largest shift of a step that is larger than the grid, divided by the longest side of the grid, in tenths.
+    /// Largest shift of a step that is larger than the grid, over the longest side of the grid, in tenths.
     pub(in crate::history) shift_tenths: Option<usize>,
     /// Largest lift due to the tractions of a rolled step that the pressure ignores, in millionths of the normal
     /// displacement.

@@ -89,8 +89,8 @@ impl CoupledRollingSolver {
         Ok(())
     }
 
-    /// Returns the gap before loading of the next solve: the last gap that was given or [set](Self::set_gap). It does not contain
-    /// the lift by the tractions.
+    /// Returns the gap before loading of the next solve: the last gap that was given or [set](Self::set_gap). The gap does not
+    /// contain the lift due to the tractions.
     #[must_use]
     pub fn gap(&self) -> &Field {
         &self.problem.gap

@@ -331,7 +331,7 @@ impl CoupledRollingSolver {
         Ok(pass)
     }
 
-    /// Passes the gap with the lift by the tractions to the normal solver.
+    /// Passes the gap with the lift due to the tractions to the normal solver.
     fn lift_gap(&mut self) -> Result<()> {
         self.engine.normal.set_load(self.problem.normal)?;
         let Some(lifting) = &mut self.engine.lifting else {

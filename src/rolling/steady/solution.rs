@@ -28,7 +28,7 @@ record! {
         values {
             creepage: [f64; 2],
             spin: f64,
-            /// Lift by the tractions that the pressure ignores, in millionths of the normal displacement. `None` if the lift
+            /// Lift due to the tractions that the pressure ignores, in millionths of the normal displacement. `None` if the lift
             /// needs no warning.
             #[cfg_attr(feature = "serde", serde(default))]
             neglected_lift: Option<usize>,
@@ -116,7 +116,7 @@ impl RollingSolution {
         self.report.clone_from(report);
     }
 
-    /// Sets the lift by the tractions that the pressure ignores, in millionths of the normal displacement.
+    /// Sets the lift due to the tractions that the pressure ignores, in millionths of the normal displacement.
     pub(in crate::rolling) fn set_neglected_lift(&mut self, lift: Option<usize>) {
         self.neglected_lift = lift;
     }

@@ -73,8 +73,8 @@ pub type RollingSolver = Solver<RollingProblem>;
 pub(crate) struct RollingEngine {
     /// Pressure and limits that are checked before the problem accepts them.
     pub(in crate::rolling) candidate: PressureOnWindow,
-    /// Coupling operators for the tangential displacement by the pressure of bodies of different materials. `None` before the
-    /// first change of the pressure.
+    /// Coupling operators for the tangential displacement due to the pressure, for bodies of different materials. `None` before
+    /// the first change of the pressure.
     pub(in crate::rolling) drawing: Option<CouplingDisplacement>,
     /// Normal solver for new loads, or `None` until the caller has set a solver.
     pub(in crate::rolling) press: Option<Box<Press>>,
@@ -514,7 +514,8 @@ impl RollingSolver {
         self.largest_slip() / farthest
     }
 
-    /// Returns the approximate displacement of a cell along its path through the contact by tractions at their limits.
+    /// Returns the approximate displacement of a cell along its path through the contact under tractions at their
+    /// limits.
     pub(in crate::rolling) fn largest_slip(&self) -> f64 {
         let limit = self
             .engine
@@ -553,7 +554,7 @@ impl RollingSolver {
     }
 }
 
-/// Returns the slip of a cell over a step by a unit traction of that cell.
+/// Returns the slip of a cell over a step due to a unit traction of that cell.
 fn self_compliance(compliance: &impl Operator<2>, step: WindowShift) -> Result<f64> {
     let cells = compliance.cells();
     let (mut unit, mut image): ([Vec<f64>; 2], [Vec<f64>; 2]) =
