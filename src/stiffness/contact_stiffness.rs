@@ -150,10 +150,10 @@ impl NormalSolution {
     /// contact whose edge follows the cell sides. On a periodic grid the approach is the approach of the mean planes.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or
-    ///   [`Error::MaterialMismatch`] if the solution belongs to other bodies.
-    /// - [`Error::CoupledMaterials`] for the normal half of a coupled solution of dissimilar
-    ///   bodies, whose pressure also depends on the shear.
+    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::MaterialMismatch`] if the solution belongs to
+    ///   other bodies.
+    /// - [`Error::CoupledMaterials`] for the normal half of a coupled solution of dissimilar bodies, whose pressure
+    ///   also depends on the shear.
     /// - [`Error::NotFinite`] if a periodic contact is closed everywhere, because its resistance is
     ///   unbounded.
     /// - [`Error::NotPositive`] for a user-defined operator without a lower bound.
@@ -194,8 +194,7 @@ impl TangentialSolution {
     /// # Errors
     /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or
     ///   [`Error::MaterialMismatch`] if the solution belongs to other bodies.
-    /// - [`Error::CoupledMaterials`] for the tangential half of a coupled solution of dissimilar
-    ///   bodies.
+    /// - [`Error::CoupledMaterials`] for the tangential half of a coupled solution of dissimilar bodies.
     /// - [`Error::NotFinite`] if a periodic contact is closed everywhere.
     /// - [`Error::NotConverged`] for a solution that has not been solved, or if a linear solve fails or is cancelled.
     /// - [`Error::Ranks`] if ranks fail or pass different input.
@@ -235,8 +234,8 @@ impl ContactStiffness {
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the friction has a different grid.
-    /// - [`Error::OutdatedSolution`] if `shear` was computed for a different pressure or friction. Its contact cells or its tractions
-    ///   in slipping cells then differ from those of `normal` and `friction`.
+    /// - [`Error::OutdatedSolution`] if `shear` was computed for a different pressure or friction. Its contact cells or
+    ///   its tractions in slipping cells then differ from those of `normal` and `friction`.
     /// - The errors of [`NormalSolution::stiffness`] and [`TangentialSolution::stiffness`].
     pub fn new(
         bodies: &HalfSpace,

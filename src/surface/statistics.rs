@@ -79,8 +79,7 @@ impl Statistics {
     /// # Errors
     /// - [`Error::Sample`] with the first infinite height.
     /// - [`Error::Undetermined`] if all heights are missing.
-    /// - [`Error::NotFinite`] if the range of the heights or the square of their slopes
-    ///   overflows.
+    /// - [`Error::NotFinite`] if the range of the heights or the square of their slopes overflows.
     /// - [`Error::Memory`] if memory runs out.
     pub fn of(heights: &Field) -> Result<Self> {
         Self::of_slab(heights, &Slab::alone(heights)?)

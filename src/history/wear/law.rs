@@ -76,11 +76,12 @@ pub fn energy<'a>(
 /// Adds the depth that the energy law removes beyond a threshold (lengths). The depth is the increase of `alpha max(0, E/A - e)`
 /// in a step or cycle. The depths of the steps therefore sum to the law for the total energy.
 ///
-/// `threshold` e is the energy per area below which nothing wears. `accumulated` is the energy E that each cell has dissipated
-/// since the start, including the present step. [`History::accumulated_dissipation`](crate::history::History::accumulated_dissipation)
-/// returns this energy after the step. `energy` is the energy of the step or cycle. Fouvry, Liskiewicz, Kapsa, Hannel & Sauger,
-/// Wear 255 (2003) 287, <https://doi.org/10.1016/S0043-1648(03)00117-0>, use the energy of the whole contact. In contrast, this
-/// function uses the energy of each cell.
+/// `threshold` e is the energy per area below which nothing wears. `accumulated` is the energy E that each cell has
+/// dissipated since the start, including the present step.
+/// [`History::accumulated_dissipation`](crate::history::History::accumulated_dissipation) returns this energy after the
+/// step. `energy` is the energy of the step or cycle. Fouvry, Liskiewicz, Kapsa, Hannel & Sauger, Wear 255 (2003) 287,
+/// <https://doi.org/10.1016/S0043-1648(03)00117-0>, use the energy of the whole contact. In contrast, this function
+/// uses the energy of each cell.
 ///
 /// ```
 /// use stickslip::history::wear;
