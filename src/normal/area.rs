@@ -90,7 +90,7 @@ impl NormalSolution {
         Ok(warnings)
     }
 
-    /// Returns the warnings about layers that are much thicker than the grid or much thinner than a cell.
+    /// Returns the warnings about layers above [`THICKEST_LAYER`] or below [`THINNEST_LAYER`].
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,

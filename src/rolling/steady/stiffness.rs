@@ -50,8 +50,7 @@ impl RollingSolver {
     /// a sphere the three columns take 90 to 140 products in double precision. A solve after an increase of the
     /// creepage by one per cent takes a third to half as many products.
     ///
-    /// The matrix requires that neither loads nor friction nor pressure have changed since the last solve. After a change the
-    /// call returns an error until the next solve or reset.
+    /// After a change of the loads, the friction or the pressure, the call returns an error until the next solve or reset.
     ///
     /// ```
     /// # use stickslip::{rolling::RollingProblem, *};
