@@ -175,9 +175,9 @@
 //!
 //! The next table lists the error of the traction field, $`\sum|q - q_{ref}| / \sum|q_{ref}|`$. The columns are for one
 //! step and eight steps per leg, with whole steps and with the entry rule. The command
-//! `cargo run --release -p stickslip-examples --example growing_contact` computes these values and those of four steps.
-//! The contacts are smooth and rough balls on 64 x 64 cells, with the vector model and $`\mu = 0.5`$. The reference has
-//! 64 steps per leg.
+//! `cargo run --release -p stickslip-examples --example growing_contact` computes these values and the values for four
+//! steps. The contacts are smooth and rough balls on 64 x 64 cells, with the vector model and $`\mu = 0.5`$. The
+//! reference has 64 steps per leg.
 //!
 //! | path | bodies | whole, 1 step | rule, 1 step | whole, 8 steps | rule, 8 steps |
 //! |---|---|---|---|---|---|

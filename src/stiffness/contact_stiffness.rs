@@ -235,7 +235,7 @@ impl ContactStiffness {
     /// # Errors
     /// - [`Error::GridMismatch`] if the friction has a different grid.
     /// - [`Error::OutdatedSolution`] if `shear` was computed for a different pressure or friction. Its contact cells or
-    ///   its tractions in slipping cells then differ from those of `normal` and `friction`.
+    ///   its tractions in slipping cells then do not match `normal` and `friction`.
     /// - The errors of [`NormalSolution::stiffness`] and [`TangentialSolution::stiffness`].
     pub fn new(
         bodies: &HalfSpace,

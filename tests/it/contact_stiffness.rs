@@ -516,8 +516,8 @@ fn different_bodies_and_closed_gaps_are_rejected() {
     kit::assert_refused! { contact.stiffness(&bodies) => Error::NotFinite { .. } }
 }
 
-/// Covers steps in which the contact grows, with and without slip. The derivatives are those of the loads with respect
-/// to the motion and the approach at the end of the step.
+/// Covers steps in which the contact grows, with and without slip. The test compares the derivatives of the loads with
+/// respect to the motion and the approach at the end of the step.
 #[test]
 fn growing_contact_stiffness_matches_whole_steps() {
     use TangentialModel::{Scalar, Vector};

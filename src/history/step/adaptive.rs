@@ -47,7 +47,7 @@ pub struct StepErrorEstimate {
 /// The tolerance applies to the tractions. If cells slip while the contact grows, their dissipated energy converges
 /// more slowly. Compare [`StepErrorEstimate::dissipated_energy`] with the energy of the step.
 ///
-/// All prescribed quantities change proportionally from their previous values to those of the load.
+/// All prescribed quantities change proportionally from their previous values to their values in the load.
 ///
 /// # Memory
 /// The buffers need the memory of four states. If the contact outgrows its bounding box, each attempt of a step

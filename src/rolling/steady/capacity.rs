@@ -168,8 +168,8 @@ impl RollingProblem {
         }
     }
 
-    /// Returns a motion shifted along the axes with prescribed sums, such that tractions along the shifted motion have
-    /// these sums.
+    /// Returns a motion shifted along the axes with prescribed sums. Tractions along the shifted motion have these
+    /// sums.
     pub(in crate::rolling) fn shifted(
         &self,
         motion: SlidingMotion,
