@@ -135,7 +135,7 @@ impl State {
     }
 
     /// Computes the gap before loading without the [plastic depth](Self::yielded) (lengths): the gap that was given to the
-    /// builder or set by [`History::set_gap`] last. The result is accurate to round-off with a permanent set, and exact
+    /// builder or last set by [`History::set_gap`]. The result is accurate to round-off with a permanent set, and exact
     /// otherwise.
     ///
     /// ```

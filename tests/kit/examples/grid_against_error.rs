@@ -1,5 +1,5 @@
 //! Measures the cost of each digit of the solution. The example prints the time and the distance from closed forms for
-//! several grids and tolerances. It compares uniform cells without edges with centre values with subcell edges.
+//! several grids and tolerances. It compares uniform cells without edges to centre values with subcell edges.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
