@@ -7,7 +7,7 @@ use crate::error::{Error, Result};
 use crate::parallel::ranks::RankGroup;
 use crate::report::{Iteration, Report, Status};
 
-/// Callback that receives every step of an iteration and may cancel it.
+/// Callback that receives every step of an iteration and may cancel the iteration.
 pub(crate) type Observer<'a> = &'a mut (dyn FnMut(&Iteration) -> ControlFlow<()> + Send);
 
 /// Observer of work other than a solve, together with the progress that it receives.

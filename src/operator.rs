@@ -34,8 +34,8 @@ pub(crate) enum MeanBound {
 /// [`Self::is_symmetric`] returns false.
 ///
 /// A vector is passed as `N` slices, one per component, each with an entry per cell. The operator is immutable and
-/// shared. A product writes to a [`Scratch`] that the caller owns. It therefore does not allocate, and several threads
-/// can use the same operator. The trait is object-safe: a program may store a `Box<dyn Operator>`.
+/// shared. A product writes to a [`Scratch`] that the caller owns. A product therefore does not allocate, and several
+/// threads can use the same operator. The trait is object-safe: a program may store a `Box<dyn Operator>`.
 ///
 /// ```
 /// use stickslip::{Operator, Scratch};
@@ -84,8 +84,9 @@ pub trait Operator<const N: usize = 1>: Sync {
     /// a different size or type.
     fn apply(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch);
 
-    /// Writes `C x` to `out` in single precision, with an error of at most about 1e-6 of the largest result. This is
-    /// accurate enough for an iteration, but not for a convergence test. The default is [`Operator::apply`].
+    /// Writes `C x` to `out` in single precision, with an error of at most about 1e-6 of the largest result. Single
+    /// precision is accurate enough for an iteration, but not for a convergence test. The default is
+    /// [`Operator::apply`].
     fn apply_f32(&self, x: [&[f64]; N], out: [&mut [f64]; N], scratch: &mut Scratch) {
         self.apply(x, out, scratch);
     }
@@ -227,8 +228,8 @@ pub(crate) fn usable_bound(bound: f64) -> f64 {
 
 /// Memory that a product of an [`Operator`] writes to in addition to its result.
 ///
-/// [`Operator::scratch`] creates it, and the caller owns it. An operator stores buffers of any type in it and accesses
-/// them in [`Operator::apply`].
+/// [`Operator::scratch`] creates the scratch, and the caller owns it. An operator stores buffers of any type in its
+/// scratch and accesses them in [`Operator::apply`].
 ///
 /// ```
 /// use stickslip::{Operator, Result, Scratch};

@@ -111,9 +111,9 @@ pub struct Report {
     pub single_precision_products: usize,
     /// Largest complementarity residual (dimensionless). The residual of an entry is `|g_i|` on free entries, and the
     /// wrong-signed part of `g_i` on entries at a bound. The divisor is the largest `|(Cx)_i|` over the entries that
-    /// can move. If the smallest eigenvalue of the operator times the largest unknown is larger, this product is the
-    /// divisor. The product is needed on a periodic grid, where a uniform traction causes no displacement. If the sums
-    /// of the unknowns are prescribed, the eigenvalue is the smallest one for unknowns with zero sums.
+    /// can move. If the smallest eigenvalue of the operator times the largest unknown is larger, this value is the
+    /// divisor. It is needed on a periodic grid, where a uniform traction causes no displacement. If the sums of the
+    /// unknowns are prescribed, the eigenvalue is the smallest one for unknowns with zero sums.
     #[cfg_attr(feature = "serde", serde(with = "crate::support::serialise::number"))]
     pub residual: f64,
     /// Certified bound on the squared relative error in the energy norm (dimensionless):
@@ -207,8 +207,9 @@ impl Report {
     /// Returns the number of products with the operator in either precision. This number measures the cost of a solve
     /// independently of the machine.
     ///
-    /// Both precisions count the same. On 64 x 64 cells a product in single precision takes nine tenths of the time of
-    /// a product in double precision. On 512 x 512 cells or more it takes half to two thirds of this time.
+    /// Products in both precisions have the same weight. On 64 x 64 cells a product in single precision takes nine
+    /// tenths of the time of a product in double precision. On 512 x 512 cells or more it takes half to two thirds of
+    /// this time.
     #[must_use]
     pub fn products(&self) -> usize {
         self.double_precision_products + self.single_precision_products

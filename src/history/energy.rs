@@ -19,10 +19,10 @@ use crate::parallel::ranks::WireFormat;
 /// \; \underbrace{- \; A \textstyle\sum \bar q\,(\Delta u - \Delta\delta)}_{\text{the rest}}
 /// ```
 ///
-/// holds for any two states, because the operator is symmetric. A balance that closes therefore verifies the bookkeeping
-/// of the step. It verifies neither the laws of contact nor the accuracy of the tractions. In the plane the products are
-/// scalar products of vectors. If body 2 turns, the motion of a cell is $`\delta + \varphi\,(-y, x)`$. The moment then
-/// adds the work $`\tfrac12 (M_n + M_{n+1})\,\Delta\varphi`$.
+/// holds for any two states, because the operator is symmetric. A closed balance therefore verifies the energy accounting of the
+/// step, but neither the laws of contact nor the accuracy of the tractions. In the vector model the products are scalar products.
+/// If body 2 turns, the motion of a cell is $`\delta + \varphi\,(-y, x)`$. The moment then adds the work
+/// $`\tfrac12 (M_n + M_{n+1})\,\Delta\varphi`$.
 ///
 /// A cell that comes into contact within the step follows only a part of the motion
 /// ([`EntryRule`](crate::history::EntryRule)). This part replaces $`\Delta\delta`$ on both sides. If a [relative
@@ -62,7 +62,7 @@ pub struct EnergyBalance {
     /// energy is then exact for any length of the step.
     pub dissipated_energy: f64,
     /// Dissipated energy, computed from the mean tractions: $`-A \sum \bar q s`$. This energy closes the balance. It is
-    /// non-negative under an unchanged pressure and friction (in the plane up to the tolerance).
+    /// non-negative under an unchanged pressure and friction (in the vector model up to the tolerance).
     pub dissipated_energy_midpoint: f64,
     /// Energy of the tractions that cells lose when they leave the contact, computed from the mean tractions.
     pub released: f64,

@@ -13,25 +13,26 @@
 //! s = 0 \text{ where } |q| < m, \qquad q\,s \le 0 \text{ where } |q| = m .
 //! ```
 //!
-//! This is the problem of [`crate::tangential`] with a linear term. The solution is the minimum over $`|q| \le m`$ of
-//! $`\tfrac12 q' C q - S' q`$ under a force, or of $`\tfrac12 q' C q - (S + \delta)' q`$ under a shift. Each cell
-//! stores the offset $`S = u - \delta`$ of its last slip. Errors of a step are therefore not passed to the next step.
+//! The problem of a step is the problem of [`crate::tangential`] with an additional linear term. The solution is the
+//! minimum over $`|q| \le m`$ of $`\tfrac12 q' C q - S' q`$ under a force, or of $`\tfrac12 q' C q - (S + \delta)' q`$
+//! under a shift. Each cell stores the offset $`S = u - \delta`$ of its last slip. Errors of a step are therefore not
+//! passed to the next step.
 //!
-//! A cell that comes into contact within the step follows the motion from the moment it touches ([entry
-//! rule](#entry-rule)). A cell that leaves the contact loses its traction. If only the pressure changes, the step solves
-//! for the tractions again under the same force or the same shift. It never cuts them off at the new friction limit.
+//! A cell that comes into contact within the step follows the motion from the moment it touches ([entry rule](#entry-rule)). A
+//! cell that leaves the contact loses its traction. If only the pressure changes, the step solves for the tractions again under
+//! the same force or the same shift. It never truncates the tractions at the new friction limit.
 //!
 //! A load prescribes the force, the shift, or the far end of a spring
-//! ([`TangentialControl`](crate::TangentialControl)). A force beyond the friction capacity is an error
+//! ([`TangentialControl`](crate::TangentialControl)). A force beyond the friction capacity causes an error
 //! ([`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity)). A force at the limit slides the contact,
 //! with the least shift at which the whole contact slips.
 //!
 //! Steps may be long if the load increases in one direction. Under an unchanged pressure and with tractions along one
 //! axis, the state after a monotonic load does not depend on the steps. The page on [load
-//! steps](crate::guide::load_steps#number-of-steps) lists errors for other cases. This is the transient shift of
-//! CONTACT (Kalker, *Three-Dimensional Elastic Bodies in Rolling Contact*, 1990,
-//! <https://doi.org/10.1007/978-94-015-7889-9>). On the sphere the solution agrees with
-//! Mindlin & Deresiewicz, J. Appl. Mech. 20 (1953) 327, <https://doi.org/10.1115/1.4010702>.
+//! steps](crate::guide::load_steps#number-of-steps) lists errors for other cases. A step corresponds to a transient
+//! shift of CONTACT (Kalker, *Three-Dimensional Elastic Bodies in Rolling Contact*, 1990,
+//! <https://doi.org/10.1007/978-94-015-7889-9>). On the sphere the solution agrees with Mindlin & Deresiewicz, J. Appl.
+//! Mech. 20 (1953) 327, <https://doi.org/10.1115/1.4010702>.
 //!
 //! The [assumptions](crate::tangential#assumptions) of a tangential problem apply in every step. Between steps the gap stays in
 //! place: neither shift nor twist moves it. [`History::set_gap`] moves it for sliding distances that are not small.
@@ -40,7 +41,7 @@
 //! around a circle at 0.8 of the sliding force. Cycles of 32, 64 and 128 steps dissipate 14, 7 and 3.5 % too little.
 //! Extrapolations from the first two and from the last two of these results agree to 0.2 %.
 //!
-//! By default the tractions act along one axis, and tractions across it are neglected, as in the paper.
+//! By default the tractions act along one axis, and tractions across it are neglected, as in Wang et al. (2021).
 //! [`HistoryBuilder::model`] selects both components. The slip of a cell is then opposite to its traction. Each
 //! component of the load is prescribed separately, as a force, as a shift or by its own spring. Body 2 may also rotate.
 //! With a twist $`\varphi`$ about the origin of the grid, the motion of each cell is $`\delta + \varphi\,(-y, x)`$. The
@@ -103,10 +104,9 @@
 //! Rolled steps with [one-way coupling](crate::Coupling::OneWay) have the warning
 //! [`NeglectedLift`](crate::Warning::NeglectedLift).
 //!
-//! The following errors are for Carter's cylinder at 0.8 of the creepage of sliding, on 128 cells after 30 half-widths.
-//! The error of the force is within 2.1e-5 of $`\mu P`$, or within 3e-3 of it without the entry compliance. On the cells
-//! of CONTACT, without the entry compliance and with a tolerance of 1e-11, the forces agree with the forces of CONTACT
-//! to 1e-10 of $`\mu P`$.
+//! For Carter's cylinder at 0.8 of the creepage of sliding, on 128 cells after 30 half-widths, the error of the force is at most
+//! 2.1e-5 of $`\mu P`$. Without the entry compliance it is at most 3e-3 of $`\mu P`$. On the cells of CONTACT, without the entry
+//! compliance and with a tolerance of 1e-11, the forces agree with the forces of CONTACT to 1e-10 of $`\mu P`$.
 //!
 //! The next table lists the number of operator products per step for the tractions of a sphere. The three numbers are
 //! for 32, 64 and 128 cells over the contact. The numbers are means over steps 11 to 30 after pressing. The creepage is
@@ -126,10 +126,9 @@
 //! # Entry rule
 //! A step computes the state at its end from the state at its beginning. A sticking cell follows the motion of body 2
 //! in the step, $`u_{n+1} - u_n = \Delta`$. This is correct for a cell that was in contact during the whole step. An
-//! entering cell comes into contact during the step: at the beginning its surfaces are still separated, and they move
-//! past each other without friction until they touch. If the cell follows all of $`\Delta`$ ([`EntryRule::WholeStep`],
-//! the rule of codes such as CONTACT), its traction is too large, with an error of first order in the length of the
-//! step.
+//! entering cell comes into contact during the step. At the beginning its surfaces are separated. They move past each
+//! other without friction until they touch. If the cell follows all of $`\Delta`$ ([`EntryRule::WholeStep`], the rule
+//! of codes such as CONTACT), its traction is too large. This error is of first order in the length of the step.
 //!
 //! [`EntryRule::SinceTouch`], the default, gives each entering cell an additional compliance $`B`$, the entry
 //! compliance, in the step in which it enters. With the offset $`S`$ stored for the cell, its slip is
@@ -140,8 +139,8 @@
 //! ```
 //!
 //! with the gap g of the cell at the beginning of the step and its pressure p at the end. For bodies of the same
-//! material $`\kappa`$ is $`(1 - \nu/2)/(1 - \nu)`$. This is the ratio of tangential to normal displacement of a
-//! square cell under equal traction and pressure; a round punch has the same ratio.
+//! material $`\kappa`$ is $`(1 - \nu/2)/(1 - \nu)`$. This is the ratio of tangential to normal displacement of a square
+//! cell under equal traction and pressure. A round punch has the same ratio.
 //!
 //! During the step the pressure grows by $`\Delta p`$ and the bodies approach by $`\Delta\delta_z`$. If the whole
 //! growing contact sticks, the traction grows as $`\Delta q = c\,\Delta p`$, with one vector c for all cells (J.
@@ -171,12 +170,12 @@
 //! | leg with $`\lvert c\rvert > \mu`$ | first order | equal to the error with whole steps |
 //!
 //! A leg is straight if approach and shift, or normal and tangential force, remain proportional. For whole steps under
-//! a proportional force, the error of the shift is of the order of the square root of the length of the step: about 10
-//! % with eight steps.
+//! a proportional force, the error of the shift is proportional to the square root of the length of the step. With
+//! eight steps it is about 10 %.
 //!
-//! The next table lists the error of the traction field, $`\sum|q - q_{ref}| / \sum|q_{ref}|`$, in one step and in
-//! eight steps per leg, with whole steps and with the entry rule. The command
-//! `cargo run --release -p stickslip-examples --example growing_contact` computes these values and those of four
+//! The next table lists the error of the traction field, $`\sum|q - q_{ref}| / \sum|q_{ref}|`$. The columns are for one
+//! step and eight steps per leg, with whole steps and with the entry rule. The command
+//! `cargo run --release -p stickslip-examples --example growing_contact` computes these values and the values for four
 //! steps. The contacts are smooth and rough balls on 64 x 64 cells, with the vector model and $`\mu = 0.5`$. The
 //! reference has 64 steps per leg.
 //!
@@ -195,13 +194,13 @@
 //! | force, with a slip zone | $`\nu = 0.3`$, rough | 1.4e-1 | 1.3e-2 | 2.0e-2 | 1.4e-3 |
 //!
 //! The largest error remains for a ball with $`\nu = 0.3`$. The tangential displacement of its entering cells depends
-//! on their direction from the centre, and $`\kappa`$ averages over this direction. One long step from zero load has
-//! an error of 3.6 % of the tractions. A rule can be derived for a ball whose contact sticks everywhere while it
-//! grows. It is exact for this case, because the traction under a circular punch has the same profile as the pressure.
-//! On rough contacts, however, the error of such a rule in a few steps is up to four times the error of the entry
-//! rule. If a tensor that depends on the normal of the gap replaces $`\kappa`$, the error of a ball is halved and the
-//! error of rough contacts grows by a third (measured on 24 x 24 cells with explicit matrices). A twist from zero load
-//! has these errors:
+//! on their direction from the centre, and $`\kappa`$ averages over this direction. One long step from zero load has an
+//! error of 3.6 % of the tractions. A rule can be derived for a ball whose contact sticks everywhere while it grows. It
+//! is exact for this case, because the traction under a circular punch has the same profile as the pressure. On rough
+//! contacts, however, the error of such a rule in a few steps is up to four times the error of the entry rule. If a
+//! tensor that depends on the normal of the gap replaces $`\kappa`$, the error of a ball is halved. The error of rough
+//! contacts grows by a third (measured on 24 x 24 cells with explicit matrices). A twist from zero load has these
+//! errors:
 //!
 //! | $`\nu`$ | whole steps, 1 step | entry rule, 1 step | entry rule, 4 steps |
 //! |---|---|---|---|
@@ -209,9 +208,9 @@
 //! | 0.3 | 78 % | 5 % | 1.8 % |
 //!
 //! If the materials couple pressure and traction, the same solve determines the pressure on which $`B`$ depends. The
-//! entry rule then applies to slip caused by pressing as well as to slip caused by the prescribed motion. The table
-//! lists the error of the shift, in per cent, for a sphere whose normal load increases to six times its initial value
-//! while a force $`F = 0.6\,\mu\,\Delta W`$ shears it:
+//! entry rule then applies to slip caused by pressing and to slip caused by the prescribed motion. The table lists the
+//! error of the shift, in per cent, for a sphere. Its normal load increases to six times the initial value while a
+//! force $`F = 0.6\,\mu\,\Delta W`$ shears it:
 //!
 //! | $`\beta`$ | $`\mu`$ | rule, 1 step | rule, 4 steps | whole, 1 step | whole, 4 steps |
 //! |---|---|---|---|---|---|
@@ -222,9 +221,9 @@
 //! | 0.5 | 0.2 | 9.1 | 2.7 | 9.1 | 2.7 |
 //! | 0.5 | 0.6 | 0.6 | 0.1 | 0.3 | 0.6 |
 //!
-//! With the entry rule, a pressed contact that sticks everywhere does so for any number of steps. For example, a
-//! sphere pressed on a rigid plane in one step with $`\beta = 0.09`$ and $`\mu = 0.3`$ does not slip. With the
-//! whole-step rule, it slips beyond 0.87 of the contact radius. If most of the contact slips ($`\beta = 0.5`$,
+//! With the entry rule, a contact that sticks everywhere while it is pressed does so for any number of steps. For
+//! example, a sphere pressed on a rigid plane in one step with $`\beta = 0.09`$ and $`\mu = 0.3`$ does not slip. With
+//! the whole-step rule, it slips beyond 0.87 of the contact radius. If most of the contact slips ($`\beta = 0.5`$,
 //! $`\mu = 0.3`$), the two rules agree to first order for two steps or more.
 //!
 //! If pressure and traction are solved sequentially, the entry rule needs no additional products. The preconditioner
@@ -238,12 +237,12 @@
 //! entry rule. Growth without slip dissipates no energy.
 //!
 //! If all slip happens before or after the growth, the [`dissipated_energy`](EnergyBalance::dissipated_energy) of one
-//! step per leg equals the energy of many steps. If cells slip while the contact grows, the energies differ: slip that
-//! started under a small pressure is multiplied by the friction limit at the end of the step. The error of the energy
-//! is then of first order, even if tractions and force are exact.
+//! step per leg equals the energy of many steps. If cells slip while the contact grows, the energies differ. Slip that
+//! started under a small pressure is then multiplied by the friction limit at the end of the step. The error of the
+//! energy is then of first order, even if tractions and force are exact.
 //!
-//! The table is for a steel ball on 64 x 64 cells whose load grows from 100 to 200 N while a shift proportional to the
-//! load (2e-6 m) shears it into slip. It lists ratios to the dissipated energy of many steps:
+//! The table lists ratios to the dissipated energy of many steps, for a steel ball on 64 x 64 cells. Its load grows
+//! from 100 to 200 N while a shift proportional to the load (2e-6 m) shears it into slip:
 //!
 //! | steps | rule | energy of final tractions | [energy of mean tractions](EnergyBalance::dissipated_energy_midpoint) |
 //! |---|---|---|---|

@@ -184,7 +184,7 @@ impl Quarter {
         self.fold(|part| part)
     }
 
-    /// Extends `rise`, from zero to one in the first quarter, to the whole cycle by symmetry.
+    /// Extends `rise` by symmetry to the whole cycle. In the first quarter `rise` grows from zero to one.
     fn fold(self, rise: impl Fn(f64) -> f64) -> f64 {
         let part = |step: usize| step as f64 / self.steps as f64;
         match self.number % 4 {

@@ -72,7 +72,7 @@ pub(crate) fn resize<T: Clone>(buffer: &mut Vec<T>, len: usize, value: T) -> Res
     Ok(())
 }
 
-/// Resizes a buffer with zeros like [`resize`]. An empty buffer receives pages in the same way as in [`zeros`].
+/// Resizes a buffer with zeros like [`resize`]. An empty buffer is allocated as by [`zeros`].
 pub(crate) fn resize_with_zeros<T: Zeroable + Clone>(
     buffer: &mut Vec<T>,
     len: usize,
@@ -98,13 +98,13 @@ pub(crate) fn try_each<T, const N: usize>(
     });
     match failure {
         Some(error) => Err(error),
-        // Without a failure every value was created.
+        // Every value was created, because no call failed.
         None => Ok(made.map(|value| value.expect("each was made"))),
     }
 }
 
-/// Returns the value, or aborts the program if memory ran out, as `Vec` does. Functions whose signature has no error
-/// use it.
+/// Returns the value, or aborts the program if memory ran out, as `Vec` does. Functions without an error in their
+/// signature call this function.
 pub(crate) fn unwrap_or_abort<T>(outcome: Result<T>) -> T {
     outcome.unwrap_or_else(|error| {
         let bytes = match error {

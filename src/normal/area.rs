@@ -9,8 +9,8 @@ use crate::normal::NormalSolution;
 use crate::parallel::ranks::partition::RowPartition;
 use crate::warning::{THICKEST_LAYER, Warning};
 
-/// Product of thickness and contrast of the shear moduli below which a layer has no effect, over the side of a cell. The relative
-/// change of the response to the shortest waves is of the order of this ratio.
+/// Smallest effective layer: the thickness over the side of a cell, times the contrast of the shear moduli. A layer changes the
+/// response to the shortest waves by about this relative amount.
 const THINNEST_LAYER: f64 = 1e-4;
 
 impl NormalSolution {
@@ -90,7 +90,7 @@ impl NormalSolution {
         Ok(warnings)
     }
 
-    /// Returns the warnings about layers that are much thicker than the grid or much thinner than a cell.
+    /// Returns the warnings about layers above [`THICKEST_LAYER`] or below [`THINNEST_LAYER`].
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,

@@ -19,8 +19,9 @@ pub enum NormalLoad {
     /// Approach delta of the bodies from the datum of the gap (a length, positive for bodies that move together). The
     /// force follows from the approach. At an approach at or below the least gap, the bodies do not touch.
     ///
-    /// On a periodic grid the approach must be less than the mean gap, because the mean gap closes the whole gap. On
-    /// such a grid the certified error is measured against the exact contact under the computed force.
+    /// On a periodic grid the approach must be less than the mean gap. An approach equal to the mean gap would close
+    /// the gap everywhere. On such a grid the certified error is measured against the exact contact under the computed
+    /// force.
     Approach(f64),
 }
 

@@ -19,8 +19,8 @@
 //! # Assumptions
 //!
 //! - Bodies are linear elastic half-spaces, with small strains and small slopes. A solution has a
-//!   [warning](NormalSolution::warnings) if the contact radius exceeds 0.3 of the radius of curvature, or if the rms slope
-//!   of the surface within the contact exceeds 0.5. Both limits are conventional and do not bound an error.
+//!   [warning](NormalSolution::warnings) if the contact radius exceeds 0.3 of the radius of curvature, or if the rms slope within
+//!   the contact exceeds 0.5. Both limits are conventional and do not bound an error.
 //! - Loads are quasi-static: the contact has no inertia and no viscosity, and its state does not depend on the rate.
 //! - Surfaces do not adhere, and do not overlap except at their hardness.
 //! - On a periodic grid under a prescribed approach, the [certified bound](crate::Report::duality_gap) is relative to the

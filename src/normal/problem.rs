@@ -109,7 +109,7 @@ impl NormalProblemBuilder {
     settings_methods!(problem.settings);
 
     /// Sets the largest pressure that the cells can carry (default: no limit). A force beyond the capacity of all cells
-    /// is an error. An approach may bring all cells to their limit.
+    /// causes an error. An approach may bring all cells to their limit.
     pub fn hardness(mut self, hardness: Hardness) -> Self {
         self.problem.hardness = Some(hardness);
         self

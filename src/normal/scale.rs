@@ -9,9 +9,9 @@ use crate::warning::Warning;
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Scale {
-    /// Approach from the first touch over the longest side of the grid, in tenths.
+    /// Approach from the first touch divided by the longest side of the grid, in tenths.
     approach_tenths: usize,
-    /// Contact radius over the radius of curvature, in thousandths.
+    /// Contact radius divided by the radius of curvature, in thousandths.
     radius_per_mille: usize,
     /// Rms slope within the contact, or around it if it is at most two cells wide, in thousandths.
     slope_per_mille: usize,
@@ -26,8 +26,8 @@ const LARGEST_SLOPE: usize = 500;
 /// Here x is the middle of the pair, and s is the slope of the gap between the two cells.
 type Slopes = [f64; 6];
 
-/// Number of cells in contact between two neighbours in contact along an axis, and number and sum of the squared slopes between
-/// cells in contact and neighbours that are not in contact.
+/// Number of contact cells between two contact neighbours along an axis, number of pairs of a contact cell and a separated
+/// neighbour, and sum of the squared slopes of these pairs.
 type Surroundings = [f64; 3];
 
 impl Scale {

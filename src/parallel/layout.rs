@@ -17,7 +17,7 @@ use crate::report::Status;
 ///
 /// ```
 /// use stickslip::{ElasticPair, Grid, HalfSpace, Layout, Material, Operator, influence::Component};
-/// // Fields of bodies are laid out in rows, those of a user-defined operator by default in one piece.
+/// // Cells of bodies are in rows, and cells of a user-defined operator are by default in one sequence.
 /// let pair = ElasticPair::new(Material::new(1.0, 0.3)?, Material::rigid())?;
 /// let bodies = HalfSpace::new(Grid::new(40, 30, 1.0, 1.0)?, pair)?;
 /// let rows = bodies.operator(Component::ZZ)?.layout();

@@ -24,9 +24,9 @@ pub(crate) const CHUNK: usize = 4096;
 /// Number of cells up to which all work on a contact runs on the calling thread, including its operators, fields and stresses.
 /// Sharing so little work between threads would cost more time than it saves.
 ///
-/// A program with its own pool need not enter the pool to solve contacts with at most this number of cells. There are two
-/// exceptions, in which the work is shared. One is a call with many contacts ([`History::step_all`](crate::History::step_all)),
-/// and the other is a call that computes stresses at more points than this number ([`at_points`](crate::subsurface::at_points)).
+/// A program with its own pool need not enter the pool to solve contacts with at most this number of cells. Only two calls share
+/// such work: [`History::step_all`](crate::History::step_all) with many contacts, and [`at_points`](crate::subsurface::at_points)
+/// with more points than this number.
 ///
 /// ```
 /// assert!(stickslip::Grid::square(64, 1.0)?.cells() <= stickslip::SERIAL_CELL_LIMIT);

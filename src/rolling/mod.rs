@@ -12,10 +12,10 @@
 //!
 //! with the traction q on body 1, the creepages $`\xi, \eta`$ and the spin $`\varphi`$ about the origin of the grid. The
 //! displacement $`u_p`$ due to the pressure is zero between bodies of the same material. Creepages and spin are per length
-//! rolled, and x and y are in the middle of the path of the particle. Coulomb's law is satisfied in every cell:
+//! rolled, and x and y are the coordinates of the middle of the path of the particle. Coulomb's law is satisfied in every cell:
 //! $`|q| \le \mu p`$, and the cell slips against the traction only if $`|q| = \mu p`$. A positive creepage moves body 2 along the
-//! axis over body 1 and causes a positive force, as a positive [shift](crate::TangentialSolution::shift) does. Kalker's
-//! creepage is the motion of body 1 over body 2. It has the opposite sign, and causes a force of the opposite sign on body 1.
+//! axis over body 1 and causes a positive force, as a positive [shift](crate::TangentialSolution::shift) does. Kalker's creepage
+//! is the motion of body 1 over body 2. It has the opposite sign, and causes a force of the opposite sign on body 1.
 //!
 //! Along each axis either the creepage or the force is prescribed. If the force is prescribed, the same solve determines the
 //! creepage as its multiplier. A moment can be prescribed instead of the spin.
@@ -54,7 +54,7 @@
 //! | 0.5 | 1 | 0.22 | 21 | 802 |
 //!
 //! [`CoupledRollingReport`] contains a rigorous bound for each half, the residual of the coupling, and an estimate for the whole
-//! coupled contact. [`CoupledRollingSolver::stiffness`] includes the pressure that follows the tractions.
+//! coupled contact. [`CoupledRollingSolver::stiffness`] includes the effect of the tractions on the pressure.
 //!
 //! # Uniqueness and error
 //!
@@ -83,12 +83,12 @@
 //! | products, cold | 46 | 62 | 83 | 114 |
 //!
 //! A product is one application of the compliance of both directions to the tractions of a window around the contact. All
-//! products are computed in double precision, also the products that the report counts as
-//! [single-precision products](crate::Report::single_precision_products). One application of the preconditioner in single
-//! precision follows each product. After an increase of the creepage by one per cent, a solve takes 27, 37, 49 and 64 products.
+//! products are computed in double precision, including the products that the report counts as [single-precision
+//! products](crate::Report::single_precision_products). One application of the preconditioner in single precision follows each
+//! product. After an increase of the creepage by one per cent, a solve takes 27, 37, 49 and 64 products.
 //!
-//! The following errors of the force are for Carter's cylinder at 0.64 of the sliding force, on 32, 64, 128, 256 and 512 cells.
-//! They are 9e-5, 4e-5, 8e-6, 3e-6 and 4e-7 of $`\mu P`$. Without the entry rule they are 9e-3, 4e-3, 2e-3, 1e-3 and 6e-4.
+//! For Carter's cylinder at 0.64 of the sliding force, on 32, 64, 128, 256 and 512 cells, the errors of the force are 9e-5, 4e-5,
+//! 8e-6, 3e-6 and 4e-7 of $`\mu P`$. Without the entry rule they are 9e-3, 4e-3, 2e-3, 1e-3 and 6e-4.
 //!
 //! The grid must extend beyond the leading edge by at least one step. Otherwise the problem is rejected
 //! ([`Error::GridTooShort`](crate::Error::GridTooShort)). The entry rule also uses slopes of the gap around the previous

@@ -132,8 +132,8 @@ impl<'s, R: Row<N>, const N: usize> Adjoint<'s, R, N> {
         Ok(Multipliers { cells, sums, loads })
     }
 
-    /// Computes the displacement of the cells under these tractions, including the displacement by their own compliance, with the
-    /// transposed system.
+    /// Computes the displacement of the cells under these tractions, including the displacement due to their own compliance, with
+    /// the transposed system.
     fn whole_displacement(
         &mut self,
         tractions: impl Fn(usize) -> [f64; N] + Sync,

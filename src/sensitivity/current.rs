@@ -64,9 +64,9 @@ pub(super) fn check_gap(
     check_current(!reduce::any(&layout, is_changed), "the gap")
 }
 
-/// Checks that the slip of a solution follows from the present relative displacement and the tangential displacement of all cells by
-/// pressure and tractions. Only slipping cells are checked, whose slip is exact. The slip of sticking cells is zero within the
-/// residual of the solve.
+/// Checks that the slip of a solution follows from the present relative displacement and the tangential displacement of all cells
+/// due to pressure and tractions. Only slipping cells are checked, whose slip is exact. The slip of sticking cells is zero within
+/// the residual of the solve.
 pub(super) fn check_relative_displacement(
     bodies: &HalfSpace,
     relative: &RelativeDisplacement,
@@ -80,7 +80,7 @@ pub(super) fn check_relative_displacement(
     };
     let slip = shear.slip().map(Field::as_slice);
     let axes = shear.axis().map_or(Axis::BOTH, Axis::alone);
-    // Slip by the motion, by the displacement and by the relative displacement.
+    // Slip due to the motion, the displacement and the relative displacement.
     let parts = |axis: &Axis, i: usize| {
         let axis = axis.index();
         let moved = motion.at(centre(grid, i))[axis];

@@ -21,7 +21,7 @@ use crate::tangential::{Axis, Zone};
 )]
 pub enum Functional {
     /// Generalised mean of the pressure, weighted by the load: $`(\sum p^{k+1} / \sum p)^{1/k}`$ with the exponent k >= 1. The
-    /// mean tends to the largest pressure for large k. Cells that come into contact at pressure zero do not change it.
+    /// mean tends to the largest pressure for large k. Cells that come into contact at pressure zero do not change the mean.
     PressureNorm {
         /// Exponent k, at least 1.
         exponent: f64,
@@ -55,8 +55,8 @@ impl Functional {
 /// \boldsymbol\delta`$.
 ///
 /// The sum covers the pressures p, the tractions q and the slips s of all cells. The other terms are multiples of the approach
-/// and the shifts. All weights are zero by default. The functional need not be linear: with its derivatives at the solution as
-/// weights, the sensitivity is the derivative of any smooth functional.
+/// and the shifts. All weights are zero by default. For a smooth nonlinear functional, pass its derivatives at the solution as
+/// weights.
 ///
 /// ```
 /// use stickslip::sensitivity::{Functional, Weights};
@@ -139,7 +139,8 @@ pub(super) struct ContactView<'a> {
     pub(super) pressure: &'a [f64],
     /// Approach, if the contact has one.
     pub(super) approach: Option<f64>,
-    /// Displacement of each cell along z whose product with the pressure is stored, if any.
+    /// Displacement of each cell along z, whose product with the pressure is part of the elastic energy. It may be
+    /// empty.
     pub(super) lift: &'a [f64],
     pub(super) shear: ShearView<'a>,
 }
@@ -151,7 +152,7 @@ pub(super) struct ShearView<'a> {
     pub(super) slip: [&'a [f64]; 2],
     pub(super) zones: &'a [Zone],
     pub(super) shift: [f64; 2],
-    /// Displacements whose products with the tractions are stored.
+    /// Displacements whose products with the tractions are part of the elastic energy.
     pub(super) displacement: [&'a [f64]; 2],
 }
 

@@ -24,7 +24,7 @@ impl ShearLoads {
         }
     }
 
-    /// Returns whether the values are those of a prescribed load. A control that keeps the shift prescribes `held`, if known.
+    /// Returns whether the values agree with a prescribed load. A control that keeps the shift prescribes `held`, if known.
     pub(super) fn are_prescribed_by(&self, target: &TangentialTarget, held: Option<f64>) -> bool {
         let is_prescribed = |axis: Axis| {
             let (force, shift) = (self.force[axis.index()], self.shift[axis.index()]);

@@ -25,7 +25,8 @@ pub(super) struct Loading<'a, const N: usize> {
 }
 
 impl<const N: usize> UnitDisplacements<N> {
-    /// Computes the displacements, or returns `None` for bodies that are not homogeneous or distributed over ranks.
+    /// Computes the displacements, or returns `None` for bodies that are not homogeneous, or that are distributed over
+    /// ranks.
     pub(super) fn new(
         bodies: &HalfSpace,
         region: &Region,
@@ -105,7 +106,7 @@ impl<const N: usize> UnitDisplacements<N> {
         let multipliers = slices(multipliers);
         let [by_normal, by_lateral, by_coupling] = [0, 1, 2].map(|sum| {
             let moved = slices(&self.0[sum]);
-            // The displacement by a separate pressure is not part of the energy.
+            // The displacement due to a separate pressure is not part of the energy.
             let energy = if sum == 2 && N < 3 { 0.0 } else { energy };
             reduce::sum(region.layout(), |cell| {
                 let stored = energy * dot(at(&loading.tractions, cell), at(&moved, cell));

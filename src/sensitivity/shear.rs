@@ -21,8 +21,8 @@ pub(super) fn total_of(bodies: &HalfSpace, control: TangentialControl) -> Total 
     }
 }
 
-/// Returns the derivative with respect to the prescribed value of a control from the derivative with respect to a sum of
-/// tractions, a motion or the far end of a spring.
+/// Returns the derivative with respect to the prescribed value of a control. `load` is the derivative with respect to the sum of
+/// tractions, the motion or the far end of the spring.
 pub(super) fn by_control(bodies: &HalfSpace, control: TangentialControl, load: f64) -> Option<f64> {
     match control {
         TangentialControl::Force(_) => Some(load / bodies.grid().cell_area()),

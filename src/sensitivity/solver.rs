@@ -41,7 +41,7 @@ pub struct Sensitivity {
     /// ratios. `None` for steps of histories.
     pub contact_modulus: Option<f64>,
     /// Derivatives with respect to Poisson's ratio of each body at constant Young's moduli. `None` for coatings and kernels. For
-    /// tangential and coupled contacts also `None` on ranks and without the
+    /// tangential and coupled contacts the field is also `None` on ranks and without the
     /// [option](StiffnessWorkspace::poisson_ratio).
     pub poisson_ratio: Option<[f64; 2]>,
     /// Report of the linear problem of this functional. The report excludes the responses to the prescribed forces, which all
@@ -125,8 +125,8 @@ impl<P: Linearised> Solver<P> {
         Ok(found.remove(0))
     }
 
-    /// Computes the [`sensitivity`](Self::sensitivity) of several functionals, in their order. They share the responses to the
-    /// prescribed forces.
+    /// Computes the [`sensitivity`](Self::sensitivity) of several functionals, in their order. The functionals share the
+    /// responses to the prescribed forces.
     ///
     /// # Errors
     /// The errors of [`sensitivity`](Self::sensitivity).

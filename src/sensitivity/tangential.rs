@@ -37,8 +37,8 @@ pub(super) struct Sheared<'a> {
     pub(super) controls: [TangentialControl; 2],
     /// Whether the pressure moves the surfaces tangentially.
     pub(super) is_drawn: bool,
-    /// Whether to compute the derivatives with respect to Poisson's ratios. If so, whether a coupling of the bodies would move
-    /// the surfaces.
+    /// Whether a coupling of the bodies would move the surfaces. `None` if no derivatives with respect to Poisson's ratios are
+    /// computed.
     pub(super) poisson_ratio: Option<bool>,
 }
 
@@ -96,7 +96,7 @@ impl Linearised for TangentialProblem {
             let cells = &mut buffers.cells;
             cells.take_zones(&pressed.region, shear.zones())?;
             cells.take(&pressed.region, &SolvedContact::sheared(bodies, shear))?;
-            // The displacement by pressure and tractions follows from the motion and the slip.
+            // The displacement due to pressure and tractions follows from the motion and the slip.
             let motion = RigidMotion {
                 shift: shear.shift(),
                 twist: shear.twist(),
@@ -118,7 +118,7 @@ impl Linearised for TangentialProblem {
     }
 }
 
-/// Computes the tangential displacement of all cells by tractions and pressure.
+/// Computes the tangential displacement of all cells due to tractions and pressure.
 fn tangential_displacement(
     problem: &TangentialProblem,
     shear: &TangentialSolution,
@@ -146,9 +146,9 @@ fn tangential_displacement(
 pub(super) type Displacement<'a> = &'a (dyn Fn(usize) -> [f64; 2] + Sync);
 
 impl Sheared<'_> {
-    /// Computes the sensitivities of functionals for the states in the buffers, in the scalar model along an axis or in the vector
-    /// model. `moved` returns the displacement by pressure and tractions. Without it there is no derivative with respect to the
-    /// modulus.
+    /// Computes the sensitivities of functionals for the states in the buffers, in the scalar model along an axis or in the
+    /// vector model. `moved` returns the displacement due to pressure and tractions. Without `moved` there is no derivative with
+    /// respect to the modulus.
     pub(super) fn solve(
         &self,
         axis: Option<Axis>,
@@ -255,7 +255,8 @@ impl Sheared<'_> {
         let (friction, own) = (&self.friction.within(region), &self.pressed.pressure);
         let mut pressure = on_region(region, &of.pressure)?;
         if self.is_drawn {
-            // The displacement by pressure is the transpose of the lift by tractions.
+            // The operator of the displacement due to pressure is the transpose of the operator of the lift due to
+            // tractions.
             let (size, mut lift) = (region.window().size, fallible::zeros(region.cells())?);
             for (axis, part) in axes.iter().zip(&found.cells) {
                 context.notify_observer(region.layout())?;

@@ -46,8 +46,8 @@ pub struct TangentialStiffness {
     ///
     /// Cells that came into contact in the step follow the motion with their [entry compliance](crate::guide::load_steps). After
     /// a step that presses a ball from zero load, all cells stick. The loading stiffness is nevertheless about two thirds of
-    /// Mindlin's stiffness, because of the entry compliance. In the stiffness of the next step, these cells resist fully
-    /// ([option](crate::stiffness::StiffnessWorkspace::next_step)).
+    /// Mindlin's stiffness, because of the entry compliance. In the stiffness of the next step, these cells have no entry
+    /// compliance ([option](crate::stiffness::StiffnessWorkspace::next_step)).
     pub loading: [[Option<f64>; 3]; 3],
     /// Stiffness if the motion reverses, so that all cells of the contact stick. For a circular contact, this stiffness is
     /// [Mindlin's](crate::analytical::MindlinFullStick) $`8 G^* a`$.
@@ -69,9 +69,9 @@ pub struct ContactStiffness {
     /// Derivatives of the tangential forces and the moment with respect to shift and twist.
     pub tangential: TangentialStiffness,
     /// Derivatives of the tangential forces (over a length) and the moment (a force) with respect to the approach while slip
-    /// continues. They follow from the friction limit of the slipping cells. In a history they also follow from the lag of the
-    /// cells that came into contact in the step. They are valid if the shift grows in the same step or if the approach decreases.
-    /// If the bodies are pressed further at a constant shift, these cells stick and the derivative is zero.
+    /// continues. They follow from the friction limit of the slipping cells and, in a history, from the lag of the cells that
+    /// came into contact in the step. They are valid if the shift grows in the same step or if the approach decreases. If the
+    /// bodies are pressed further at a constant shift, these cells stick and the derivative is zero.
     ///
     /// The entries have no error bound. They follow from a change of the pressure. The relative error of this change in the
     /// energy norm is at most the square root of the bound of `normal`. For problems with [one-way
@@ -150,10 +150,10 @@ impl NormalSolution {
     /// contact whose edge follows the cell sides. On a periodic grid the approach is the approach of the mean planes.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or
-    ///   [`Error::MaterialMismatch`] if the solution belongs to other bodies.
-    /// - [`Error::CoupledMaterials`] for the normal half of a coupled solution of dissimilar
-    ///   bodies, whose pressure also depends on the shear.
+    /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::MaterialMismatch`] if the solution belongs to
+    ///   other bodies.
+    /// - [`Error::CoupledMaterials`] for the normal half of a coupled solution of dissimilar bodies, whose pressure
+    ///   also depends on the shear.
     /// - [`Error::NotFinite`] if a periodic contact is closed everywhere, because its resistance is
     ///   unbounded.
     /// - [`Error::NotPositive`] for a user-defined operator without a lower bound.
@@ -194,8 +194,7 @@ impl TangentialSolution {
     /// # Errors
     /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or
     ///   [`Error::MaterialMismatch`] if the solution belongs to other bodies.
-    /// - [`Error::CoupledMaterials`] for the tangential half of a coupled solution of dissimilar
-    ///   bodies.
+    /// - [`Error::CoupledMaterials`] for the tangential half of a coupled solution of dissimilar bodies.
     /// - [`Error::NotFinite`] if a periodic contact is closed everywhere.
     /// - [`Error::NotConverged`] for a solution that has not been solved, or if a linear solve fails or is cancelled.
     /// - [`Error::Ranks`] if ranks fail or pass different input.
@@ -235,8 +234,8 @@ impl ContactStiffness {
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the friction has a different grid.
-    /// - [`Error::OutdatedSolution`] if `shear` was computed for a different pressure or friction. Its contact cells or its tractions
-    ///   in slipping cells then differ from those of `normal` and `friction`.
+    /// - [`Error::OutdatedSolution`] if `shear` was computed for a different pressure or friction. Its contact cells or
+    ///   its tractions in slipping cells then do not match `normal` and `friction`.
     /// - The errors of [`NormalSolution::stiffness`] and [`TangentialSolution::stiffness`].
     pub fn new(
         bodies: &HalfSpace,

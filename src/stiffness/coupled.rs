@@ -163,12 +163,14 @@ impl CoupledSolution {
     /// ```
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
-    ///   [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) if the solution was computed for other bodies, or if the friction
-    ///   has a different grid.
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch),
+    ///   [`Error::BoundaryMismatch`](crate::Error::BoundaryMismatch) or
+    ///   [`Error::MaterialMismatch`](crate::Error::MaterialMismatch) if the solution was computed for other bodies, or
+    ///   if the friction has a different grid.
     /// - [`Error::OutdatedSolution`](crate::Error::OutdatedSolution) if the solution was computed for a different friction.
     /// - [`Error::NotFinite`](crate::Error::NotFinite) if a periodic contact is closed everywhere.
-    /// - [`Error::NotConverged`](crate::Error::NotConverged) for a solution that has not been solved, or if a linear solve fails or is cancelled.
+    /// - [`Error::NotConverged`](crate::Error::NotConverged) for a solution that has not been solved, or if a linear
+    ///   solve fails or is cancelled.
     /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail or pass different input.
     /// - The errors of [`NormalSolution::stiffness`](crate::NormalSolution::stiffness) for a contact that has yielded.
     /// - The errors of [`HalfSpace::operator`].

@@ -1,7 +1,7 @@
 //! Stiffness of a contact: derivatives of its forces with respect to its motions, at fixed sets of cells.
 //!
 //! A multi-body code or a Newton iteration around this crate needs $`dW/d\delta_z`$ and $`dF/d\delta`$. Finite differences of
-//! solves contain the noise of the sets, and one-sided differences mix loading with reversal. This module computes the
+//! solves contain noise from changes of the sets, and one-sided differences mix loading with reversal. This module computes the
 //! derivatives from linear solves with the operator on the cells of the contact:
 //!
 //! - **normal**: All cells that carry pressure follow a change of the approach.
@@ -18,7 +18,8 @@
 //!
 //! - In steps in which the contact grows, cells that came into contact follow the motion with their [entry
 //!   compliance](crate::guide::load_steps). The stiffness is the derivative of the force of the step with respect to the motion
-//!   at the end of the step. In the stiffness of the [next step](StiffnessWorkspace::next_step) these cells resist fully.
+//!   at the end of the step. In the stiffness of the [next step](StiffnessWorkspace::next_step) these cells have no entry
+//!   compliance.
 //! - Cells at the hardness carry no additional pressure while the bodies are pressed further.
 //! - With one-way coupling, pressing also shears the contact.
 //! - If pressure and shear are [coupled](crate::coupled), both respond to each motion. The normal force then has a [derivative

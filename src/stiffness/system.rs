@@ -245,7 +245,7 @@ impl<R: Row<N>, const N: usize> System<R, N> {
         slices(&self.forced)
     }
 
-    /// Returns a displacement of a cell plus the displacement by its own compliance under these tractions.
+    /// Returns a displacement of a cell plus the displacement due to its own compliance under these tractions.
     pub(crate) fn with_own_displacement(
         &self,
         displacement: [f64; N],

@@ -53,7 +53,7 @@ impl ContactCells {
         axes.map(|axis| self.traction[axis.index()][cell])
     }
 
-    /// Returns the displacement of a cell by its entry compliance.
+    /// Returns the displacement of a cell due to its entry compliance.
     pub(crate) fn entry_lag<const N: usize>(&self, axes: [Axis; N], cell: usize) -> [f64; N] {
         let q = self.traction(axes, cell);
         q.map(|q| self.entered[cell] * q)

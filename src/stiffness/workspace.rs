@@ -120,9 +120,10 @@ impl StiffnessWorkspace {
     /// Sets whether a history returns the stiffness of its next step instead of its last step (default: the last step).
     ///
     /// [`loading`](crate::stiffness::TangentialStiffness::loading) is then the derivative of the force with respect to the motion
-    /// of the next step, which starts from the current state. Sticking cells resist fully, including cells that came into contact
-    /// in the last step. Cells at their limit continue to slip. Their traction is constant in the scalar model and can turn
-    /// freely in the vector model. [`by_approach`](crate::stiffness::ContactStiffness::by_approach) refers to the same cells.
+    /// of the next step, which starts from the current state. Sticking cells have no entry compliance, even if they came into
+    /// contact in the last step. Cells at their limit continue to slip. Their traction is constant in the scalar model and can
+    /// turn freely in the vector model. [`by_approach`](crate::stiffness::ContactStiffness::by_approach) refers to the same
+    /// cells.
     ///
     /// A simulation that shears the contact in its next step under the same normal load needs this stiffness. If [pressure and
     /// shear are coupled](crate::coupled), `loading` is the stiffness at a constant approach. For a constant normal force,

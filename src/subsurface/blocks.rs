@@ -6,18 +6,17 @@
 //!
 //! # Error
 //!
-//! Along one axis of the block, the functions are analytic except where the distance to the point vanishes. For a block of half
-//! side `h`, these are the positions `x ± i d` relative to its middle, if `x` and `d` are the distances of the point along and
-//! across the axis. They lie on the ellipse around the side with the parameter
+//! Along one axis of the block, the functions are analytic except where the distance to the point vanishes. Let `x` and `d` be
+//! the distances of the point from the middle of the block along and across the axis. The distance vanishes at the positions
+//! `x ± i d`. For a half side `h` these positions lie on the ellipse around the side with the parameter
 //!
 //! ```math
 //! \rho + \frac1\rho = \frac{1}{h} \left[\sqrt{(x - h)^2 + d^2} + \sqrt{(x + h)^2 + d^2}\right] .
 //! ```
 //!
 //! The error of interpolation at `n` nodes decreases like `rho^-n` (Trefethen, Approximation Theory and Approximation Practice,
-//! 2013, theorem 8.2). For the derivatives of the potentials in the stresses the largest error is about `0.6 n^2 rho^-n`,
-//! relative to the stress `1/(2 pi r^2)` of a unit force at the distance `r`. With `rho >= 4` along both axes and 24 nodes it is
-//! 1.0e-12.
+//! 2013, theorem 8.2). The largest error of the derivatives of the potentials in the stresses is about `0.6 n^2 rho^-n`, relative
+//! to the stress `1/(2 pi r^2)` of a unit force at the distance `r`. With `rho >= 4` along both axes and 24 nodes it is 1.0e-12.
 
 use std::ops::Range;
 

@@ -20,7 +20,7 @@ use crate::subsurface::kernel::{FieldComponent, Load};
 /// let pressure = Field::constant(bodies.grid(), 0.1);
 /// let at = |body| at_points(&bodies, body, Tractions::new(&pressure), &[[0.1, 0.2, 0.3]]);
 /// let (one, two) = (at(Body::One)?[0], at(Body::Two)?[0]);
-/// // Both bodies are pressed away from the contact, the stiffer one less, under the same stress.
+/// // Both bodies have the same stress and move away from the contact. The stiffer body moves less.
 /// assert!((one.displacement[2] / two.displacement[2] + 4.0).abs() < 1e-12);
 /// assert!((one.stress.zz / two.stress.zz - 1.0).abs() < 1e-12);
 /// # Ok::<(), Error>(())

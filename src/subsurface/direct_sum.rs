@@ -42,12 +42,12 @@ pub(super) struct Loaded<'a> {
 
 /// Loaded cells, in rows or in blocks.
 enum Cells<'a> {
-    /// All loaded cells; rows without loaded cells are omitted.
+    /// All loaded cells. Rows without loaded cells are omitted.
     Rows(Vec<Row>),
     Blocks(Box<BlockTree<'a>>),
 }
 
-/// Returns the columns from the first to the last loaded cell of a part of a row; `None` if it has no loaded cell.
+/// Returns the columns from the first to the last loaded cell of a part of a row, or `None` without a loaded cell.
 pub(super) fn row(
     fields: &[Option<&[f64]>; 3],
     nx: usize,

@@ -22,7 +22,7 @@ use crate::warning::Warning;
 /// let pressure = Field::from_fn(grid, |x, y| 200.0 * (-10.0 * (x * x + y * y)).exp());
 /// let plane = Planes::new(&bodies, &[0.2])?.solve(0, Body::Two, Tractions::new(&pressure))?;
 /// assert_eq!((plane.depth(), plane.z()), (0.2, -0.2));
-/// // Every plane carries the load, and more evenly at larger depths.
+/// // Every plane carries the load. The stress is more uniform at larger depths.
 /// let [_, _, zz] = plane.normal_stress();
 /// assert!((zz.integral() / pressure.integral() + 1.0).abs() < 1e-12);
 /// assert!(-zz.min() < 0.8 * pressure.max());

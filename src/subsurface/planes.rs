@@ -67,7 +67,7 @@ use crate::support::debug::shown;
 /// use stickslip::layers::Layer;
 /// use stickslip::subsurface::{Body, Planes, Tractions};
 /// use stickslip::*;
-/// // A stiff layer on a soft body bends under a ball: its lower side is in tension, the body below is not.
+/// // A stiff layer on a soft body bends under a ball: its lower side is in tension, and the body below is not.
 /// let coated = Material::new(1.0, 0.3)?.coated(&[Layer::new(50.0, 0.3, 0.1)?])?;
 /// let bodies = HalfSpace::new(Grid::square(31, 1.0)?, ElasticPair::new(coated, Material::rigid())?)?;
 /// let pressure = Field::from_fn(bodies.grid(), |x, y| (0.05 - x * x - y * y).max(0.0));

@@ -61,14 +61,14 @@ pub struct PointResult {
 ///
 /// # Accuracy and cost
 ///
-/// Up to 2048 loaded cells or three points are summed cell by cell. The effect of a cell is accurate to 1e-13 of its largest
-/// component at the point, at any position and depth up to 1e60 cells away. Round-off of the sum adds up to 2e-12 of the largest
-/// stress below 512 x 512 cells. A point takes about 0.3 microseconds per loaded cell. If several rows are periodic along y, it
-/// takes about fifty times as long.
+/// With at most 2048 loaded cells, or at most three points, the sum is computed cell by cell. The effect of a cell is accurate to
+/// 1e-13 of its largest component at the point, at any position and depth up to 1e60 cells away. Below 512 x 512 cells, the
+/// round-off of the sum is at most 2e-12 of the largest stress. A point takes about 0.3 microseconds per loaded cell. On a grid
+/// of several rows that is periodic along y, a point takes about fifty times as long.
 ///
 /// If there are more cells and points, and the grid is not periodic along y, distant cells are summed in blocks. Interpolation at
 /// 24 x 24 nodes of a block adds an error of at most 1e-12 of the stress that each cell causes alone. The sum over tractions of a
-/// contact is accurate to 1e-13 of its largest stress. If tractions of opposite signs cancel at a point, its error is larger
+/// contact is accurate to 1e-13 of its largest stress. If tractions of opposite signs cancel at a point, the error is larger
 /// relative to the remaining stress. A point takes about 0.6 milliseconds below 65 536 loaded cells.
 ///
 /// The forces of the blocks need about 100 bytes per cell under a pressure, and 300 bytes with tractions along x and y. Their

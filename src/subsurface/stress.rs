@@ -101,8 +101,8 @@ impl Stress {
         (self.xx + self.yy + self.zz) / 3.0
     }
 
-    /// Returns the largest shear stress on any plane through the point (a pressure). It is half the difference of the
-    /// largest and the smallest principal stress. This is Tresca's measure.
+    /// Returns the largest shear stress on any plane through the point (a pressure). This value, Tresca's measure, is
+    /// half the difference of the largest and the smallest principal stress.
     #[must_use]
     pub fn max_shear(&self) -> f64 {
         let [largest, _, smallest] = self.principal().values;

@@ -27,8 +27,8 @@ use crate::tangential::TangentialSolution;
 /// carry $`p - \Delta_h p/24`$. These uniform cells cause the same surface displacements as the values at the centres.
 /// On a free grid this holds only if the outermost cells carry no traction.
 ///
-/// The sign convention is the convention of the whole crate. A positive pressure is compression, and the tractions act
-/// on body 1 along x and y.
+/// The sign convention of the crate applies. A positive pressure is compression, and the tractions act on body 1 along
+/// x and y.
 ///
 /// ```
 /// use stickslip::subsurface::{Body, Tractions, at_points};
@@ -172,8 +172,8 @@ impl<'a> From<&'a NormalSolution> for Tractions<'a> {
     }
 }
 
-/// Creates tractions from the pressure and the tractions of a contact with one-way coupling. A stress of these tractions is an
-/// error if the tangential solution was computed for a different pressure.
+/// Creates tractions from the pressure and the tractions of a contact with one-way coupling. A stress computation with these
+/// tractions returns an error if the tangential solution was computed for a different pressure.
 impl<'a> From<(&'a NormalSolution, &'a TangentialSolution)> for Tractions<'a> {
     fn from((normal, tangential): (&'a NormalSolution, &'a TangentialSolution)) -> Self {
         Self {

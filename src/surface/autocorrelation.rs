@@ -16,8 +16,8 @@ const BYTES: usize = 48;
 
 /// Autocorrelation function of the heights, with the spatial parameters of ISO 25178-2:2021.
 ///
-/// The heights $`z`$ are relative to their mean. At the lag $`t`$, the function is the mean over all pairs of measured
-/// points at this distance, relative to its value without a lag:
+/// The heights $`z`$ are relative to their mean. At the lag $`t`$, the function is the mean product of two heights at
+/// this distance, divided by its value without a lag. The mean is over all pairs of measured points:
 ///
 /// ```math
 /// f(t) = \frac{\langle z(x)\, z(x + t) \rangle}{\langle z^2 \rangle} .
@@ -28,9 +28,9 @@ const BYTES: usize = 48;
 /// [`level`](super::level()) the surface first, because a tilt correlates over any distance.
 ///
 /// # Parameters
-/// Each ray from the origin to a lag at the edge of the domain has the decay length $`r`$. This is the first distance at
-/// which $`f`$ falls to the threshold $`s`$ (usually 0.2). The value of $`f`$ on a ray is interpolated linearly between
-/// the lags. Then
+/// Each ray from the origin to a lag at the edge of the domain has the decay length $`r`$. The decay length is the first distance
+/// at which $`f`$ falls to the threshold $`s`$ (usually 0.2). The value of $`f`$ on a ray is interpolated linearly between the
+/// lags. Then
 ///
 /// ```math
 /// S_{al} = \min r , \qquad S_{tr} = \frac{\min r}{\max r} .

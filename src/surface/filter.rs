@@ -21,10 +21,10 @@ const REACH: f64 = 1.7;
 
 /// Gaussian filter of heights: areal filters after ISO 16610-61, profile filters after ISO 16610-21.
 ///
-/// An *S filter* removes the waves that are short compared with its nesting index $`\lambda_s`$. Such waves are, for example, the
-/// noise of the instrument. An *L filter* removes the waviness: the waves that are long compared with its nesting index
-/// $`\lambda_c`$. Both filters together leave the S-L surface. Nesting indices are cut-off wavelengths (lengths, in the unit of
-/// the cell sides). The weighted mean
+/// An *S filter* removes the waves that are short compared with its nesting index $`\lambda_s`$. An example is the noise of the
+/// instrument. An *L filter* removes the waviness: the waves that are long compared with its nesting index $`\lambda_c`$. Both
+/// filters together leave the S-L surface. Nesting indices are cut-off wavelengths (lengths, in the unit of the cell sides). The
+/// weighted mean
 ///
 /// ```math
 /// \bar z(x, y) = \int s(\xi)\, s(\eta)\, z(x - \xi, y - \eta)\, \mathrm d\xi\, \mathrm d\eta , \qquad

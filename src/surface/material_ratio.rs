@@ -15,10 +15,10 @@ const CORE: f64 = 0.4;
 /// heights (NaN) have no weight. Ratios are fractions, not percentages.
 ///
 /// # Core
-/// The *equivalent straight line* of the curve has two steps. First, the secants over 40 % of the material ratio are
-/// compared. The secant of the smallest height difference selects the central region; of equal secants, the first is
-/// used. Then a straight line is fitted to the heights in this region by least squares. It reaches the heights
-/// $`c_1`$ and $`c_2`$ at the material ratios 0 and 1, and
+/// The *equivalent straight line* of the curve is determined in two steps. First, the secants over 40 % of the material
+/// ratio are compared. The first secant of the smallest height difference selects the central region. Then a straight
+/// line is fitted to the heights in this region by least squares. The line reaches the heights $`c_1`$ and $`c_2`$ at
+/// the material ratios 0 and 1, and
 ///
 /// ```math
 /// S_k = c_1 - c_2, \quad S_{mr1} = S_{mr}(c_1), \quad S_{mr2} = S_{mr}(c_2), \quad

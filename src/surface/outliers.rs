@@ -24,7 +24,7 @@ const ROUND_OFF: f64 = 1e-12;
 /// ```
 ///
 /// with the threshold $`k`$. The scale $`\sigma`$ is 1.4826 times the median of the sizes of the deviations of all points. It
-/// estimates the standard deviation of the deviations and is hardly affected by outliers.
+/// estimates the standard deviation of the deviations. Outliers have little effect on a median.
 ///
 /// The local scale distinguishes an outlier from an edge, ridge or groove of the surface. All points along an edge deviate,
 /// whereas an outlier deviates alone. A straight line through the point contains `2 radius` of the other points that are at
@@ -39,7 +39,7 @@ const ROUND_OFF: f64 = 1e-12;
 /// - Smooth surfaces lose no points: spheres, waves, steps, ramps, cones and pyramids at the default radius and $`k = 6`$. At
 ///   $`k = 3`$ some points of oblique edges of a surface without roughness are outliers.
 /// - The threshold $`k = 3`$ removes about 0.3 % of normally distributed independent heights.
-/// - A group of more than `2 radius` outliers counts as an edge. It requires a larger radius.
+/// - A group of more than `2 radius` outliers counts as an edge. Use a larger radius to remove it.
 /// - An outlier next to an edge is detected only if it exceeds the deviation at the edge several times.
 /// - On a single row of cells, the point of a ridge deviates alone and is an outlier.
 /// - The corner points of the surface have no pairs and are not outliers. Deviations below 1e-12 of the largest height are
@@ -274,8 +274,8 @@ fn normal_size(probability: f64) -> f64 {
     t - numerator / denominator
 }
 
-/// Returns the median of the values, whose order changes, or `None` without values. An even number of values has two medians;
-/// the result is the median nearer to `target`.
+/// Returns the median of the values, whose order changes, or `None` without values. An even number of values has two medians. The
+/// result is the median nearer to `target`.
 fn nearest_median(values: &mut [f64], target: f64) -> Option<f64> {
     if values.is_empty() {
         return None;
@@ -307,7 +307,7 @@ mod tests {
         let grid = Grid::new(40, 30, 1.0, 1.0).unwrap();
         let clean = rough(grid);
         let mut measured = clean.clone();
-        // Inside, a pair of neighbours, at an edge, and next to a hole.
+        // One spike at an edge, two neighbouring spikes inside, and one spike next to a hole.
         let spikes = [20, 15 * 40 + 7, 15 * 40 + 8, 20 * 40 + 31];
         for cell in spikes {
             measured.as_mut_slice()[cell] += if cell % 2 == 0 { 3.0 } else { -3.0 };
@@ -396,7 +396,8 @@ mod tests {
 
     #[test]
     fn normal_noise_loses_expected_fraction() {
-        // The sum of twelve uniform numbers is nearly normal; 0.27 % of a normal distribution is beyond three sigma.
+        // The sum of twelve uniform numbers is nearly normal. A fraction of 0.27 % of a normal distribution is beyond
+        // three sigma.
         let mut state = 7_u64;
         let mut uniform = || {
             state = state

@@ -26,13 +26,13 @@ use crate::parallel::reduce;
 /// The kurtosis is not the excess kurtosis: its value is 3 for a Gaussian surface.
 ///
 /// # Missing heights
-/// Missing heights (NaN) have no weight. [`measured_points`](Statistics::measured_points) is the number of the other
-/// heights. Slopes use pairs of measured neighbours, and the developed area uses groups of four measured neighbours. The
-/// spectral slope requires a complete surface and is otherwise NaN; see [`fill_missing`](super::fill_missing).
+/// Missing heights (NaN) have no weight. [`measured_points`](Statistics::measured_points) is the number of the other heights.
+/// Slopes use pairs of measured neighbours, and the developed area uses groups of four measured neighbours. The spectral slope
+/// requires a complete surface and is otherwise NaN (see [`fill_missing`](super::fill_missing)).
 ///
 /// # Slopes
 /// On a grid the slope depends on the method of differentiation. The effect is stronger for shorter waves. Each method
-/// therefore has its own function. A wave of wave number $`q`$ along x has the finite-difference slope
+/// therefore has a separate function. A wave of wave number $`q`$ along x has the finite-difference slope
 /// $`\sin(q\,\Delta x/2)/(q\,\Delta x/2)`$ times the spectral slope. The factor is 0.97 at eight cells per period and
 /// $`2/\pi`$ at two cells per period.
 ///
@@ -79,8 +79,7 @@ impl Statistics {
     /// # Errors
     /// - [`Error::Sample`] with the first infinite height.
     /// - [`Error::Undetermined`] if all heights are missing.
-    /// - [`Error::NotFinite`] if the range of the heights or the square of their slopes
-    ///   overflows.
+    /// - [`Error::NotFinite`] if the range of the heights or the square of their slopes overflows.
     /// - [`Error::Memory`] if memory runs out.
     pub fn of(heights: &Field) -> Result<Self> {
         Self::of_slab(heights, &Slab::alone(heights)?)
@@ -218,9 +217,9 @@ impl Statistics {
     ///          + \frac{1}{n_x\,(n_y-1)} \sum \left(\frac{z_{i,j+1}-z_{ij}}{\Delta y}\right)^2 ,
     /// ```
     ///
-    /// over the pairs of measured neighbours within the grid, without pairs across its edge. The formula is for a
-    /// complete surface. This is the definition for a measured surface, which is not periodic. The slope along an axis of
-    /// one cell is zero. It is NaN along an axis without a pair of measured neighbours.
+    /// over the pairs of measured neighbours within the grid, without pairs across its edge. The formula is for a complete
+    /// surface. Use this slope for a measured surface, which is not periodic. The slope along an axis of one cell is zero. It is
+    /// NaN along an axis without a pair of measured neighbours.
     #[doc(alias = "Sdq")]
     #[doc(alias = "rms slope")]
     #[doc(alias = "rms gradient")]
@@ -243,7 +242,7 @@ impl Statistics {
     }
 
     /// Returns the root-mean-square slopes of the profiles along x and of the profiles along y, the two terms of
-    /// [`finite_difference_rms_slope`](Self::finite_difference_rms_slope). See equation 34 of the paper.
+    /// [`finite_difference_rms_slope`](Self::finite_difference_rms_slope). See equation 34 of Wang et al. (2021).
     ///
     /// On an isotropic surface each of the two values is $`1/\sqrt2`$ times the slope of the surface.
     #[must_use]

@@ -38,7 +38,7 @@ pub(crate) struct TangentialIncrement {
     pub(crate) offsets: Offsets,
     /// Linear term of the solve. A solve first overwrites the term. Between solves the vector is a scratch buffer.
     linear: TangentialVector,
-    /// Operator of the tangential displacement by pressure, if it is modelled.
+    /// Operator of the tangential displacement due to pressure, if the model includes this displacement.
     drawing: Option<CouplingDisplacement>,
     /// Motion of body 2 at the end of the last step.
     motion: RigidMotion,
@@ -132,7 +132,7 @@ impl TangentialIncrement {
     }
 
     /// Subtracts the surface displacement due to the growth of the pressure from the offsets, if pressure moves the
-    /// surfaces. A cell that sticks resists this displacement by traction. `before` returns the previous pressure of a
+    /// surfaces. The traction of a sticking cell opposes this displacement. `before` returns the previous pressure of a
     /// cell of the grid.
     pub(crate) fn draw_from(&mut self, before: impl Fn(usize) -> f64) {
         if let Some(drawing) = &mut self.drawing {

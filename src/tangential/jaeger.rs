@@ -18,7 +18,7 @@ use crate::tangential::Zone;
 ///
 /// The stick zone is the contact area under the smaller load. The superposition is exact if the tangential compliance
 /// is proportional to the normal compliance. It is exact on any surface for Poisson's ratio zero, and on spheres for
-/// any Poisson's ratio. On ellipsoids the traction is exact, but the ratio of the shift is not `kappa`. On rough
+/// any Poisson's ratio. On ellipsoids the traction is exact, but the factor of the shift differs from `kappa`. On rough
 /// surfaces with Poisson's ratio 0.29, the traction has an error of 4 to 6 %, and the shift an error of 0.7 %.
 ///
 /// See Jaeger, J. Tribology 120 (1998) 677, <https://doi.org/10.1115/1.2833765>. Ciavarella proved the superposition for

@@ -45,10 +45,10 @@ impl Lifting {
     }
 }
 
-/// Returns the residual of the normal law due to the lift (the normal displacement by tractions). The residual is half
-/// the range of the lift within the contact, relative to the largest normal displacement. It uses the range because a
-/// uniform lift changes only the approach. Under a prescribed approach (`is_fixed`) the residual uses the largest lift
-/// instead of half the range.
+/// Returns the residual of the normal law due to the lift (the normal displacement due to tractions). The residual is
+/// half the range of the lift within the contact, relative to the largest normal displacement. It uses the range
+/// because a uniform lift changes only the approach. Under a prescribed approach (`is_fixed`) the residual uses the
+/// largest lift instead of half the range.
 pub(crate) fn lift_residual(
     layout: &Layout,
     is_contact: impl Fn(usize) -> bool + Sync,

@@ -280,7 +280,8 @@ impl TangentialTarget {
         Ok(totals)
     }
 
-    /// Returns the motion of body 2 before the first contact. A non-zero force is an error, and a spring is slack.
+    /// Returns the motion of body 2 before the first contact. A non-zero force causes an error, and a spring exerts no
+    /// force.
     pub(crate) fn without_contact(
         &self,
         axes: &[Axis],

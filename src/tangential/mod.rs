@@ -6,15 +6,15 @@
 //! \qquad F = \Delta \textstyle\sum q
 //! ```
 //!
-//! (eqs 13-16 of Wang et al. 2021). Here `q` is the traction on body 1 along one axis, and `C` is `C_xx` or `C_yy`.
-//! `delta` is the shift of the bodies, and `s` is the slip. The shift is the relative rigid tangential displacement of the
-//! literature, and `s` is the relative slip or microslip. `m = min(mu p, tau_max)` is the friction limit of each cell, and
-//! `Delta` is the area of a cell. Consider one monotonic load step with a pressure that shear does not change. If the
-//! force is prescribed, the traction minimises `1/2 q'Cq` over `|q| <= m` with `Delta sum q = F`. If the shift is
-//! prescribed, the traction minimises `1/2 q'Cq - delta sum q` over `|q| <= m`.
+//! (eqs 13-16 of Wang et al. 2021). Here `q` is the traction on body 1 along one axis, and `C` is `C_xx` or `C_yy`. `delta` is
+//! the shift of the bodies, which the literature calls the relative rigid tangential displacement. `s` is the slip, also called
+//! relative slip or microslip. `m = min(mu p, tau_max)` is the friction limit of each cell, and `Delta` is the area of a cell.
+//! Consider one monotonic load step with a pressure that shear does not change. If the force is prescribed, the traction
+//! minimises `1/2 q'Cq` over `|q| <= m` with `Delta sum q = F`. If the shift is prescribed, the traction minimises
+//! `1/2 q'Cq - delta sum q` over `|q| <= m`.
 //!
-//! The traction across the load is neglected, as in the paper, except in [`TangentialModel::Vector`]. This model solves
-//! for both components:
+//! The traction across the load is neglected, as in Wang et al. (2021), except in [`TangentialModel::Vector`]. This
+//! model solves for both components:
 //!
 //! ```math
 //! s = \begin{pmatrix} C_{xx} & C_{xy} \\ C_{xy} & C_{yy} \end{pmatrix} q - \delta, \qquad |q| \le m, \qquad
@@ -35,16 +35,15 @@
 //! - Friction is quasi-static and independent of the rate. A cell has one [coefficient](Friction), for sticking and for
 //!   sliding (static equals kinetic).
 //! - Tractions do not enlarge the contact: there is no junction growth and no adhesion.
-//! - The shift does not carry the gap along. It must be small compared with the contact, and on rough surfaces compared
-//!   with the shortest wave. For larger shifts, a [`History`](crate::History) takes a
-//!   [new gap](crate::History::set_gap) in each step.
+//! - The shift does not move the gap. It must be small compared with the contact, and on rough surfaces compared with
+//!   the shortest wave. For larger shifts, a [`History`](crate::History) takes a [new gap](crate::History::set_gap) in
+//!   each step.
 //! - The assumptions of the [normal contact](crate::normal#assumptions) apply.
 //!
-//! Under a force oblique to the surface, normal and tangential force grow together. For elastic bodies of the same material
-//! such a contact does not slip if $`F/W < \mu`$ (Mindlin and Deresiewicz, J. Appl. Mech. 20 (1953) 327,
+//! Under a force oblique to the surface, normal and tangential force grow together. For elastic bodies of the same material such
+//! a contact does not slip if $`F/W < \mu`$ (Mindlin and Deresiewicz, J. Appl. Mech. 20 (1953) 327,
 //! <https://doi.org/10.1115/1.4010702>, for spheres; Deresiewicz, J. Appl. Mech. 24 (1957) 623, for nonspherical bodies). A
-//! problem of this module applies the tangential load after the normal load; a [`History`](crate::History) applies both
-//! together.
+//! problem of this module applies the tangential load after the normal load. A [`History`](crate::History) applies both together.
 //!
 //! [`TangentialProblem`] validates and stores the input. [`TangentialSolver`] owns the buffers and starts each solve
 //! from its last solution. [`TangentialSolution`] is the result, with one [`Zone`] per cell. [`JaegerSuperposition`] is

@@ -8,7 +8,7 @@ use crate::operator::{Operator, Scratch};
 use crate::tangential::Axis;
 use crate::tangential::traction_solver::TangentialVector;
 
-/// Operator of the displacement along one direction by tractions along another direction, on a window.
+/// Operator of the displacement along one direction due to tractions along another direction, on a window.
 #[derive(Debug, Clone)]
 pub(super) struct CrossOperator {
     operator: ElasticOperator<1>,
@@ -32,7 +32,7 @@ impl CrossOperator {
     }
 }
 
-/// Operator of the tangential displacement by pressures on a window, along the axes of a model.
+/// Operator of the tangential displacement due to pressures on a window, along the axes of a model.
 #[derive(Debug, Clone)]
 pub(crate) struct CouplingDisplacement {
     parts: Vec<(Axis, CrossOperator)>,

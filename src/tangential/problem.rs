@@ -139,7 +139,7 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
     /// ([`Coupling::OneWay`]) includes this displacement and computes the tractions for this pressure.
     ///
     /// The pressure of a normal problem is frictionless. For this pressure the default is Goodman's assumption, whose
-    /// errors are listed at [`Coupling`]. [`Coupling::Full`] is an error for such bodies, because the pressure then
+    /// errors are listed at [`Coupling`]. [`Coupling::Full`] causes an error for such bodies, because the pressure then
     /// depends on the tractions ([`CoupledProblem`](crate::CoupledProblem)).
     ///
     /// In this problem, such bodies are pressed together in one step. One step is exact for a contact that does not

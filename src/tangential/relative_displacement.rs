@@ -132,8 +132,8 @@ impl RelativeDisplacement {
         self.fields.each_mut()
     }
 
-    /// Returns an error if the displacement is on a different grid or has a strain along a periodic axis. A non-zero
-    /// component along an axis without tractions is also an error.
+    /// Returns an error if the displacement is on a different grid or has a strain along a periodic axis. Also returns
+    /// an error for a non-zero component along an axis without tractions.
     pub(crate) fn check(&self, bodies: &HalfSpace, axes: &[Axis]) -> Result<()> {
         let grid = bodies.grid();
         grid.check_equal("relative displacement", self.fields[0].grid())?;

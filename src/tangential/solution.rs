@@ -399,8 +399,8 @@ impl TangentialSolution {
 impl TangentialSolution {
     /// Estimates the discretisation error of the tractions in the same way as the error of the pressure
     /// ([`NormalSolution::discretisation_estimate`](crate::NormalSolution::discretisation_estimate)). The estimate is
-    /// the sum of the magnitudes of the errors over the sum of the magnitudes of the tractions. A magnitude includes
-    /// both components. Returns `None` without traction and on a slab of a distributed grid.
+    /// the sum of the magnitudes of the errors, divided by the sum of the magnitudes of the tractions. A magnitude
+    /// includes both components. Returns `None` without traction and on a slab of a distributed grid.
     ///
     /// The table lists the ratio of the estimate to the error relative to exact means in partial slip. The grid has N x
     /// N cells over three contact radii. The contacts are a sphere, a gap r^4 and an ellipse 2 : 1. Each contact has
@@ -416,7 +416,8 @@ impl TangentialSolution {
     ///
     /// The ring of an ellipse is measured at its longer half axis. The ratios for spheres lie between 0.81 and 1.23 for
     /// values at the centres of 48 cells or more. A traction can change sign from cell to cell, for instance after many
-    /// reversals. It has a larger error at its many edges than a smooth traction with the same sum of magnitudes.
+    /// reversals. Such a traction has a larger error at its many edges than a smooth traction with the same sum of
+    /// magnitudes.
     #[must_use]
     pub fn discretisation_estimate(&self) -> Option<f64> {
         estimate(self.traction(), self.boundary(), self.cell_value())

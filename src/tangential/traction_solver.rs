@@ -114,8 +114,8 @@ pub(super) fn engine_along(
     })
 }
 
-/// Returns an error if the bodies lack an operator for tractions along these axes. The operator of the displacement by
-/// pressure along these axes is also required if the coupling includes it.
+/// Returns an error if the bodies lack an operator for tractions along these axes. The operator of the displacement due
+/// to pressure along these axes is also required if the coupling includes this displacement.
 pub(crate) fn check_axes(bodies: &HalfSpace, axes: &[Axis], coupling: Coupling) -> Result<()> {
     match axes {
         [axis] => bodies.check_directions([axis.direction()], false)?,

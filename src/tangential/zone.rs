@@ -59,7 +59,7 @@ impl Axis {
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum TangentialModel {
-    /// Traction along the load (default). The traction across the load is neglected, as in the paper.
+    /// Traction along the load (default). The traction across the load is neglected, as in Wang et al. (2021).
     #[default]
     Scalar,
     /// Both components, with `hypot(q_x, q_y) <= m`. Slip is opposite to the traction, and loads may have any

@@ -1,6 +1,6 @@
 //! Results are bitwise identical with and without threads. For each build configuration of the crate, the program
-//! writes the solutions of two rough contacts to a file. `.ci/run` compares the files. The program is separate, so that
-//! little is compiled twice.
+//! writes the solutions of two rough contacts to a file. `.ci/run` compares the files. The test is a separate program,
+//! so that each configuration compiles little code.
 
 #![allow(clippy::unwrap_used, reason = "tests panic on failure")]
 
@@ -47,6 +47,6 @@ fn contact_is_bitwise_identical_in_every_build() {
     };
     let folder = std::path::Path::new(env!("CARGO_TARGET_TMPDIR"));
     std::fs::write(folder.join(way), &bits).unwrap();
-    // A second solve of this configuration must at least give the same bits.
+    // A second solve of this configuration must give the same bits.
     assert!(bits == bits_of_contacts().unwrap());
 }

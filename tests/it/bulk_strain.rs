@@ -265,7 +265,7 @@ fn replaced_relative_displacement_survives_restart() {
 }
 
 /// The bulk stress is in phase with the force. The area of the loop of force and shift is the work of the force. The
-/// bulk stress does the rest of the dissipated work, here a sixth. Both shares agree with Nowell and Hills.
+/// bulk stress does the rest of the dissipated work, one sixth in this test. Both shares agree with Nowell and Hills.
 #[test]
 fn loop_of_force_and_shift_encloses_work_of_force() {
     let (part, bulk_stress) = (0.6, 150.0);

@@ -1,7 +1,7 @@
 //! Contacts of a cone, a flat punch and a wavy surface converge to their closed forms with the expected orders.
 //!
 //! The constants and orders bound the largest error over offsets of the body within a cell. The errors are functions of
-//! a/h, the contact radius over the side of a cell.
+//! a/h, the contact radius divided by the side of a cell.
 
 use std::f64::consts::PI;
 
@@ -134,7 +134,7 @@ fn flat_punch_converges_to_closed_form() {
     }
 }
 
-/// The resolution is the wavelength over the side of a cell, on a periodic grid.
+/// The resolution is the wavelength divided by the side of a cell, on a periodic grid.
 #[test]
 fn wavy_surface_converges_to_closed_form() {
     let pair = unit_pair(0.3);

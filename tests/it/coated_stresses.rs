@@ -249,7 +249,7 @@ fn coated_stresses_are_in_equilibrium() {
         sum * 4.0 / grid.cells() as f64
     };
     let step = 0.01;
-    // The weights are the weights of a central difference of eighth order.
+    // These are the weights of a central difference of eighth order.
     let weights = [0.8, -0.2, 4.0 / 105.0, -1.0 / 280.0].map(|weight| weight / step);
     for middle in [0.25, 0.65, 0.9, 1.3] {
         let depths: Vec<f64> = (-4..=4).map(|n| middle + step * f64::from(n)).collect();

@@ -63,7 +63,7 @@ proptest! {
     }
 
     /// A larger force reduces the stick zone. For a Poisson's ratio of zero, the smaller stick zone is part of the
-    /// larger one.
+    /// larger stick zone.
     #[test]
     fn stick_zone_shrinks_with_force(case in random_contact(0.0)) {
         let (normal, friction) = (case.press(), kit::coulomb(FRICTION));

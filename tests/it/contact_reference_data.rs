@@ -147,8 +147,8 @@ const CASES: [(&str, usize, usize); 6] = [
     ("catt_to_cart_shift_history", 21, 621),
 ];
 
-/// Checks the first steps of each file, or all steps in the campaign. Cells come into contact at the leading edge and
-/// leave it at the trailing edge in the last file.
+/// Checks the first steps of each file, or all steps in the campaign. In the last file, cells come into contact at the
+/// leading edge and leave the contact at the trailing edge.
 #[test]
 fn cases_satisfy_contact_laws() {
     for (name, steps, cells) in CASES {

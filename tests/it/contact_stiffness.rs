@@ -173,8 +173,8 @@ fn partial_slip_stiffness_is_that_of_lighter_contact() {
             assert!(relative.abs() < 1e-8, "{part}: {relative:e}");
             assert!((reversal / full.value - 1.0).abs() < 1e-9);
             assert!((found.normal.value / full.value - 1.0).abs() < 1e-12);
-            // The force is F = mu (W - W'), where the approach of W' is reduced by the shift over mu. Its derivative is
-            // taken for a fixed shift.
+            // The force is F = mu (W - W'), where the approach of W' is reduced by the shift divided by mu. Its
+            // derivative is taken for a fixed shift.
             let exact = FRICTION * (full.value - stick.value);
             assert!((found.by_approach[0].unwrap() / exact - 1.0).abs() < 1e-8);
             let closed = CattaneoMindlin::new(hertz, FRICTION, force).unwrap();
@@ -516,8 +516,8 @@ fn different_bodies_and_closed_gaps_are_rejected() {
     kit::assert_refused! { contact.stiffness(&bodies) => Error::NotFinite { .. } }
 }
 
-/// Covers steps in which the contact grows, with and without slip. The derivatives are those of the loads with respect
-/// to the motion and the approach at the end of the step.
+/// Covers steps in which the contact grows, with and without slip. The test compares the derivatives of the loads with
+/// respect to the motion and the approach at the end of the step.
 #[test]
 fn growing_contact_stiffness_matches_whole_steps() {
     use TangentialModel::{Scalar, Vector};

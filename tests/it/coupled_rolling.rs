@@ -1,6 +1,5 @@
 //! Rolling of dissimilar bodies with full coupling of pressure and traction. The tests compare solutions with numbers
-//! of CONTACT, closed forms and limits. They also check that errors are below the reported
-//! estimates.
+//! of CONTACT, closed forms and limits. They also check that errors are below the reported estimates.
 
 use proptest::prelude::*;
 use stickslip::analytical::{BentallJohnson, HertzLine};

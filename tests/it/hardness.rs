@@ -339,7 +339,8 @@ fn coupled_problem_with_hardness_matches_first_history_step() {
             assert!(x[cell].hypot(y[cell]) <= 0.4 * p * (1.0 + 1e-12));
         }
 
-        // If the solve continues under a smaller load, no cell is at the limit, and the contact equals that of elastic bodies.
+        // If the solve continues under a smaller load, no cell is at the limit, and the contact equals the contact of elastic
+        // bodies.
         let lighter = (NormalLoad::Force(0.02), TangentialLoad::force([0.003, 0.0]));
         solver.set_load(lighter.0, lighter.1).unwrap();
         solver.solve_into(&mut contact).unwrap();

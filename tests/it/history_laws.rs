@@ -93,7 +93,7 @@ fn hold_step_leaves_state_unchanged() {
     assert!(slipped < 1e-8 * path.max());
 }
 
-/// In a contact that grows under a constant force, new cells have no slip to resist and therefore carry no traction.
+/// In a contact that grows under a constant force without slip, new cells carry no traction.
 #[test]
 fn new_contact_cells_start_without_traction() {
     let mut history = new_history(&kit::sphere(kit::square(64, 16.0), 20.0), Axis::X);

@@ -244,7 +244,7 @@ fn max_stable_cycles_separate_stable_from_unstable_wear() {
     let grid = bodies.grid();
     let modulus = bodies.pair().contact_modulus();
     let stable = |slip: f64| wear::max_stable_cycles(&bodies, 1e-12, &Field::constant(grid, slip));
-    // The expected number of cycles is 1.16 dx/E* over k s.
+    // The expected number of cycles is 1.16 dx/E* divided by k s.
     let cycles = stable(0.5).unwrap();
     assert!((cycles * 1e-12 * 0.5 * modulus / 1.161 - 1.0).abs() < 1e-3);
     assert!(stable(0.0).unwrap() == f64::INFINITY && stable(-1.0).is_err());

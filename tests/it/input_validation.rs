@@ -40,7 +40,7 @@ fn grids_with_invalid_sizes_are_rejected() {
     }
     kit::assert_refused! {
         Grid::square(0, 1.0) => Error::GridSize { nx: 0, ny: 0 },
-        // Cell area underflows.
+        // The cell area underflows.
         Grid::new(2, 2, 1e-200, 1e-200) => Error::NotPositive { .. },
         Rectangle::new(1e-300, 1e300) => Error::CellsTooLong { .. },
     }

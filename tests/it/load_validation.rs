@@ -416,7 +416,7 @@ fn tangential_loads_of_extreme_size_converge_or_are_rejected() {
     }
 }
 
-/// A setting that a model does not support is an error in problems, solvers and histories.
+/// A setting that a model does not support causes an error in problems, solvers and histories.
 #[test]
 fn unsupported_method_is_rejected() {
     let bodies = unit_bodies(kit::square(24, 12.0), 0.3);

@@ -1,5 +1,5 @@
-//! Runs the shared test cases on ranks that are MPI processes. The local results are bitwise identical to those of a
-//! single process.
+//! Runs the shared test cases on ranks that are MPI processes. The local results are bitwise identical to the results
+//! of a single process.
 //!
 //! Run with `mpirun`. Every rank solves each case together with the other ranks and on its own. With `--stop-the-last`
 //! the last rank is stopped instead. The other ranks must report the loss and end. With `--lose-the-last` the last rank

@@ -235,7 +235,7 @@ fn sensitivity_of_history_for_a_different_load_is_rejected() {
     assert_outdated(found(step(0.99 * FORCE, DRAG)), "the normal load");
 }
 
-/// The check adds one product, which the observer sees.
+/// The check adds one product, before which the observer is called.
 #[test]
 fn check_of_the_gap_can_be_cancelled() {
     use std::ops::ControlFlow::Break;
@@ -310,7 +310,7 @@ fn sensitivity_of_present_solution_is_accepted() {
     }
 }
 
-/// A change on one rank is an error on all ranks.
+/// A change on one rank causes an error on all ranks.
 #[test]
 fn solution_of_earlier_gap_of_one_rank_is_rejected_on_all_ranks() {
     let grid = square(32, 12.0);

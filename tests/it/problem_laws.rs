@@ -239,8 +239,8 @@ fn check_friction(problem: &Problem, found: &Found) -> Result<usize, String> {
     Ok(slipped)
 }
 
-/// The motion of a solution under forces causes the forces, and the forces cause the motion. Springs whose ends fit this
-/// state lead to the same state.
+/// Prescribing the motion of a solution gives its forces, and prescribing its forces gives its motion. Springs whose ends fit
+/// this solution give the same solution.
 #[test]
 fn problem_with_motion_forces_or_springs_of_solution_has_this_solution() {
     assert_every_problem(thorough(2, 6), |problem| {
@@ -427,7 +427,7 @@ fn check_stops(problem: &Problem) -> LawResult {
         }
         ControlFlow::Continue(())
     });
-    // A solve of several grids and passes ends each of them without a call.
+    // A solve of several grids and passes ends each of them without a call of the observer.
     check(calls <= 2, || format!("{calls} calls, the time ends at 2"))?;
     check_stopped(problem, stopped, Status::TimeLimit)
 }

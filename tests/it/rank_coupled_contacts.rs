@@ -79,8 +79,8 @@ fn continued_coupled_solves_on_ranks_match_one_process() {
     });
 }
 
-/// Only the observer of the first rank ends the solve. Every rank solves the coarse cells of the smaller grid on its own,
-/// whereas those of the larger grid are distributed.
+/// Only the observer of the first rank ends the solve. Every rank solves the coarse cells of the smaller grid on its own, whereas
+/// the coarse cells of the larger grid are distributed.
 #[test]
 fn first_rank_decides_for_all() {
     for &cells in kit::thorough(&[96][..], &[96, 600]) {

@@ -273,7 +273,7 @@ fn friction_can_change_between_solves() {
     kit::assert_refused! { solver.set_friction(&kit::coulomb(0.01)) => Error::BeyondFrictionCapacity { .. } }
     let small = Friction::per_cell(Field::constant(kit::square(3, 1.0), 0.3)).unwrap();
     kit::assert_refused! { solver.set_friction(&small) => Error::GridMismatch { .. } }
-    // A refused friction leaves the stiffness valid, a new friction does not.
+    // A rejected friction leaves the stiffness valid. A new friction does not.
     assert_eq!(solver.stiffness().unwrap(), stiffness);
     solver.set_friction(&half).unwrap();
     kit::assert_refused! { solver.stiffness() => Error::OutdatedSolution { changed: "the friction", .. } }

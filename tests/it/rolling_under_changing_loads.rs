@@ -230,7 +230,8 @@ fn rejected_load_leaves_rolling_solver_unchanged() {
     assert!((rolling.force()[0] - 0.2).abs() < 1e-9);
 }
 
-/// After a new pressure the stiffness is an error until the next solve, for any window of the new contact.
+/// After a new pressure the call for the stiffness returns an error until the next solve, for any window of the new
+/// contact.
 #[test]
 fn stiffness_after_new_pressure_requires_solve() {
     let bodies = bodies(24, &similar_pair());

@@ -227,7 +227,7 @@ fn seed_determines_surface() {
         // The product is smaller than the squares by a margin that allows for the few dominant waves.
         assert!(product.abs() < 0.9 * grid.cells() as f64);
     }
-    // The surfaces equal those of the first release.
+    // The surfaces equal the surfaces of the first release.
     let golden = [
         (
             asked,

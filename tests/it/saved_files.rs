@@ -1,5 +1,5 @@
-//! Files of saved histories in `tests/data/saved` are read, continued and written again. They keep the promise that a minor
-//! series reads its older files.
+//! Files of saved histories in `tests/data/saved` are read, continued and written again. These tests verify that a minor series
+//! reads its older files.
 //!
 //! `FREEZE=write cargo test --test it saved_files` writes the files and their numbers. A release writes them once. Later
 //! versions of the format add files and keep the existing ones.

@@ -12,7 +12,7 @@ use stickslip::{
     Boundary, CellValue, ElasticPair, Field, Grid, HalfSpace, Kernel, Material, surface,
 };
 
-/// Tolerance of the solves, of which differences are taken.
+/// Tolerance of the solves whose differences are computed.
 const SOLVE: f64 = 1e-13;
 
 /// Relative error that a derivative may have.

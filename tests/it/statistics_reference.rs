@@ -383,7 +383,7 @@ fn missing_heights_have_no_weight() {
     assert_equal("x", found.profile_rms_slope()[0], along_x);
     assert_equal("y", found.profile_rms_slope()[1], along_y);
     assert!(found.spectral_rms_slope().is_nan());
-    // A plane has its slope and area whatever is missing.
+    // Missing heights do not change the slope and the area of a plane.
     let plane = Field::from_fn(grid, |x, y| 0.3 * x - 0.4 * y);
     let complete = Statistics::of(&plane).unwrap();
     let holed = plane.iter().zip(heights.iter());

@@ -151,8 +151,8 @@ fn plane_of_periodic_rows_is_sum_over_images() {
     }
 }
 
-/// At depth zero the stresses balance the tractions, and the relative displacement of the bodies equals the displacement by
-/// the contact operators.
+/// At depth zero the stresses balance the tractions, and the relative displacement of the bodies equals the displacement that the
+/// contact operators give.
 #[test]
 fn plane_at_depth_zero_has_surface_tractions_and_displacements() {
     for (nx, ny) in [(12, 10), (9, 7), (16, 1), (8, 2)] {

@@ -401,7 +401,7 @@ fn invalid_kernels_are_rejected() {
     let thick = Kernel::isotropic(near, 0.9, response).unwrap();
     kit::assert_refused! { HalfSpace::new(grid, &thick) => Error::BelowMinimum { .. } }
 
-    // Reject responses that are indefinite, NaN or infinite.
+    // Responses that are indefinite, NaN or infinite are rejected.
     let with = |change: fn(&mut Response, f64)| {
         Kernel::isotropic(near, 0.4, move |k| {
             let mut of = response(k);
@@ -424,7 +424,7 @@ fn invalid_kernels_are_rejected() {
     .unwrap();
     kit::assert_refused! { HalfSpace::with_boundary(kit::square(16, 0.1), &late, Boundary::Periodic) => Error::NotPositive { .. } }
 
-    // Reject axes that are not aligned with the grid, and free grids.
+    // Axes that are not aligned with the grid, and free grids, are rejected.
     let oblique = |[x, y]: [f64; 2]| {
         let c = 1.0 / (x * x + x * y + y * y).sqrt();
         ResponseTensor {

@@ -142,7 +142,7 @@ fn pressure_under_same_load_is_not_solved_again() {
             assert_eq!(work(&history), 0);
             assert_eq!(history.pressure(), &pressed);
         }
-        // A different gap has a different contact, and the first gap again has the first contact.
+        // A different gap gives a different contact. The first gap gives the first contact again.
         let mut worn = gap.clone();
         for (i, gap) in worn.as_mut_slice().iter_mut().enumerate() {
             *gap += 1e-4 * (i % 7) as f64;

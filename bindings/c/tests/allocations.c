@@ -16,8 +16,8 @@ void *__libc_calloc(size_t count, size_t size);
 void *__libc_realloc(void *pointer, size_t size);
 void *__libc_memalign(size_t alignment, size_t size);
 
-/* Allocations of this thread, which solves grids of this size. Threads of the pool are not counted: they allocate when they
- * start, possibly late. */
+/* Allocations of this thread, which solves grids of this size. Threads of the pool are not counted, because they may start and
+ * allocate late. */
 static __thread size_t allocations = 0;
 
 /* These functions replace those of the C library, also within the stickslip library. */

@@ -511,7 +511,7 @@ static void step_is_rejected(stickslip_history *history, stickslip_load_step loa
     CHECK(error.value == value || (isnan(value) && isnan(error.value)));
 }
 
-/* A number that another member excludes is rejected, not ignored. */
+/* A number that has no effect because of another member is rejected. */
 static void numbers_without_effect_are_rejected(void) {
     stickslip_half_space *bodies = make_bodies();
     stickslip_history *history = make_history(bodies), *made = NULL;

@@ -25,7 +25,7 @@ typedef struct {
 
 static double ball[MOST * MOST], heights[MOST * MOST], values[MOST * MOST];
 
-/* Returns the number of threads of this process; 0 if the system does not report it. */
+/* Returns the number of threads of this process, or 0 if the system does not report it. */
 static int threads(void) {
     DIR *tasks = opendir("/proc/self/task");
     int count = 0;

@@ -82,10 +82,10 @@ static stickslip_load_step load(double normal, double shear) {
 
 static const char *name;
 
-/* Number of attempts with failing memory, and number of those that returned STICKSLIP_MEMORY. */
+/* Number of attempts with failing memory, and number of attempts that returned STICKSLIP_MEMORY. */
 static size_t attempts = 0, refused = 0;
 
-/* Approximate largest number of attempts on each call; with `memory all` one attempt for every allocation. */
+/* Approximate largest number of attempts on each call. With `memory all` there is one attempt for every allocation. */
 #define SAMPLES 24
 static int is_complete = 0;
 /* Only scene to run, or NULL for all scenes. */
@@ -139,7 +139,7 @@ static void run(const char *scene_name, scene *scene) {
     fflush(stdout);
 }
 
-/* Returns the bytes of a history; the caller frees them. */
+/* Returns the bytes of a history. The caller frees them. */
 static uint8_t *bytes_of(const stickslip_history *history, size_t *length) {
     OK(stickslip_history_to_bytes(history, NULL, 0, length));
     uint8_t *bytes = __libc_malloc(*length);
@@ -637,7 +637,7 @@ int main(int count, char **arguments) {
     for (size_t i = 0; i < MOST; i++) {
         halves[i] = 0.5;
     }
-    /* The small grid is solved on the calling thread, the large one on the threads of the pool. */
+    /* The small grid is solved on the calling thread, and the large grid on the threads of the pool. */
     scenes(48, 48);
     scenes(65, 64);
     printf("%zu allocations failed, %zu calls returned an error, the process never ended\n", attempts, refused);

@@ -1,4 +1,4 @@
-/* Times of warm steps in C, for comparison with those of overhead.rs with the same contact and the same loads.
+/* Times of warm steps in C, for comparison with the times of overhead.rs for the same contact and loads.
  *   overhead [cells along a side, default 64] [steps, default 2000] */
 
 #define _POSIX_C_SOURCE 200809L

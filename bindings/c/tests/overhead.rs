@@ -1,4 +1,4 @@
-//! Times of warm steps in Rust, for comparison with those of `overhead.c` with the same contact and the same loads.
+//! Times of warm steps in Rust, for comparison with the times of `overhead.c` for the same contact and loads.
 
 #![allow(clippy::print_stdout, reason = "it is what it is for")]
 

@@ -161,8 +161,8 @@ void *__libc_calloc(size_t count, size_t size);
 void *__libc_realloc(void *pointer, size_t size);
 void *__libc_memalign(size_t alignment, size_t size);
 
-/* Number of large allocations that this thread may still make; negative for no limit. An allocation is large if it has the
- * size of the local part of a field; blocks are smaller. */
+/* Number of large allocations that this thread may still make, or negative for no limit. An allocation is large if it has the
+ * size of the local part of a field. Blocks are smaller. */
 #define LARGE (CELLS / MOST * sizeof(double) / 2)
 static __thread long may_have = -1;
 
@@ -258,7 +258,7 @@ static void on_threads(size_t size, void *(*run)(void *), work *works) {
     }
 }
 
-/* Creates kernels and solver of a normal contact; the second rank has too little memory for them. */
+/* Creates kernels and solver of a normal contact. The second rank has too little memory for them. */
 static void *make_one(void *argument) {
     work *own = argument;
     stickslip_half_space *bodies = NULL;

@@ -353,7 +353,7 @@ static void histories_that_roll_on_end_in_the_steady_state(const stickslip_half_
     OK(stickslip_history_free(history));
 }
 
-/* A ball rolls alike in all directions. */
+/* A ball rolls in the same way in all directions. */
 static void histories_roll_to_each_side(const stickslip_half_space *bodies) {
     const int32_t edges[] = {STICKSLIP_PLUS_X, STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y, STICKSLIP_MINUS_Y};
     const double length = 2.0 * 3.0 / N, spin = 0.01;

@@ -12,7 +12,7 @@
 
 static const stickslip_material RUBBER = {1.0, 0.5, 0.0}, RIGID = {INFINITY, 0.0, 0.0};
 
-/* Computes the gap of two balls side by side; the second ball is lower by 0.05. */
+/* Computes the gap of two balls side by side. The second ball is lower by 0.05. */
 static void two_balls(const stickslip_grid *grid, double *gap) {
     for (size_t iy = 0; iy < NY; iy++) {
         for (size_t ix = 0; ix < NX; ix++) {
@@ -67,7 +67,7 @@ static void spots_are_told(void) {
     CHECK(stickslip_normal_solution_spots(pressed, spots, SPOTS, &count, labels, CELLS - 1) == STICKSLIP_LENGTH);
     CHECK(spots[0].cells == 77);
 
-    /* The drag makes the ball with the smaller load slide; it loses its stick zone first. */
+    /* The drag makes the ball with the smaller load slide. This ball loses its stick zone first. */
     stickslip_friction friction = stickslip_coulomb(0.3);
     stickslip_tangential_load drag = {{STICKSLIP_FORCE, 0.1, 0.0}, {0}, 0.0};
     stickslip_tangential_solver *shearer = NULL;

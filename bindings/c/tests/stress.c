@@ -109,7 +109,7 @@ static void stresses_are_those_of_hertz(const stickslip_half_space *bodies, cons
     tractions.x = pressure;
     CHECK(stickslip_planes_solve(planes, 0, STICKSLIP_BODY_1, &tractions) == STICKSLIP_BAD_POINTER);
     CHECK(memcmp(values, stickslip_planes_field(planes, STICKSLIP_STRESS_ZZ, NULL), sizeof values) == 0);
-    /* The shear traction along x equals the pressure, and the one along y is half of it. */
+    /* The shear traction along x equals the pressure, and the traction along y is half of it. */
     for (int i = 0; i < CELLS; i++) {
         half[i] = 0.5 * pressure[i];
     }

@@ -1,4 +1,4 @@
-/* Stiffnesses with a workspace agree with those without one, for each option and for several histories. */
+/* Stiffnesses with and without a workspace agree, for each option and for several histories. */
 
 #include <math.h>
 #include <string.h>

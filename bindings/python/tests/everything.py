@@ -384,7 +384,7 @@ def calls(scene):
 
 
 def kept(target):
-    """Pickles and unpickles an object; results of a history are copied by `keep` first."""
+    """Pickles and unpickles an object. Results of a history are copied by `keep` first."""
     return pickle.loads(pickle.dumps(target.keep() if hasattr(target, "keep") else target))
 
 
@@ -407,7 +407,7 @@ def sweep(cells, told=lambda name: None):
 
 
 def in_a_forked_process(cells):
-    """Runs the work in a forked process and reports its result; kills the process after the time limit."""
+    """Runs the work in a forked process and reports its result. Kills the process after the time limit."""
     reading, writing = os.pipe()
     child = os.fork()
     if child == 0:

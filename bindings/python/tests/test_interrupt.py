@@ -116,7 +116,7 @@ def test_ctrl_c_ends_long_loop_of_short_solves(session):
 
 
 def test_ctrl_c_ends_small_slow_contact(session):
-    # The solve runs on the calling thread, where the observer checks for signals; a slow operator makes it long.
+    # The solve runs on the calling thread, where the observer checks for signals. A slow operator makes the solve long.
     prepare(session, 16)
     session.send("import numpy as np, time\n")
     slow = "ss.cgm.minimise(lambda x: (time.sleep(0.05), np.linspace(1.0, 1e4, 2000) * x)[1], -np.ones(2000))"

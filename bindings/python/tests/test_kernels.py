@@ -42,7 +42,7 @@ def test_layers_match_crate():
         body.coated([layer] * 7)
     with pytest.raises(ss.errors.NotPositive):
         ss.layers.Layer(4.0, 0.25, thickness=0.0)
-    # Short waves have the response of the layer, long waves the response of the base.
+    # Short waves have the response of the layer, and long waves have the response of the base.
     assert COATED.response(1e4).normal * 1e4 == pytest.approx(OUTERMOST.response(1.0).normal, rel=1e-12)
     assert COATED.response(1e-6).normal * 1e-6 == pytest.approx(2 * (1 - 0.3**2), rel=1e-5)
     with pytest.raises(ss.errors.NotPositive):
@@ -119,7 +119,7 @@ def test_spring_bed_matches_closed_form():
     contact = ss.NormalProblem(bodies, ball, approach=depth).solve()
     pressure = np.maximum(depth - ball.array, 0.0) / 0.5
     assert np.abs(contact.pressure - pressure).max() < 1e-8 * pressure.max()
-    # The bound is that of the caller.
+    # The caller has stated the bound.
     assert contact.report.eigenvalue_bound is ss.EigenvalueBound.STATED == "stated"
     assert "by the stated bound of the smallest eigenvalue" in repr(contact.report)
     shear = ss.TangentialProblem(bodies, contact, 0.5, shift_x=shift, shift_y=0.0, model="vector").solve()

@@ -9,7 +9,7 @@ from conftest import FORCE, Scene
 
 
 def cancel_after(count):
-    """Returns a callback that returns ``None``, then ``False`` from a certain call on."""
+    """Returns a callback that returns ``None`` until a certain call, and ``False`` from this call."""
     calls = []
 
     def progress(stage):

@@ -388,7 +388,7 @@ def test_line_contact_stresses_match_closed_forms():
     x = np.linspace(-2.0, 2.0, 9) * a
     assert np.array_equal(hertz.surface_stress(x), -hertz.pressure(x))
     assert isinstance(hertz.stress(0.0, a)[0], float) and hertz.stress(x[:, None], depth)[0].shape == (9, 3)
-    # The largest stress is at the trailing edge with respect to the traction, Johnson (1985), 7.2.
+    # The largest stress is at the trailing edge with respect to the traction (Johnson 1985, section 7.2).
     shear = ss.analytical.CattaneoMindlinLine(hertz, friction=0.5, force=40.0)
     one, two = shear.surface_stress(-a)
     assert one == pytest.approx(2.0 * 0.5 * p0 * math.sqrt(0.4)) and two == pytest.approx(-one)

@@ -169,7 +169,7 @@ def test_rolling_prescribed_moment_gives_spin(ball):
 def test_rolling_work_equals_dissipation(ball):
     def missing(rolling):
         motion = (*rolling.creepage, rolling.spin)
-        # The spin displaces a particle by the value at the midpoint of its path, half a cell ahead.
+        # The spin displaces a particle by the displacement at the midpoint of its path, half a cell ahead.
         moment = rolling.moment + 0.5 * rolling.grid.dx * rolling.force[1]
         assert rolling.work == pytest.approx(np.dot(motion, (*rolling.force, moment)))
         return 1.0 - rolling.dissipation.sum() * rolling.grid.cell_area / rolling.work

@@ -126,7 +126,7 @@ def test_material_ratio_of_gaussian_heights():
     heights[0, :3] = np.nan
     found = ss.surface.MaterialRatio(ss.Field(grid, heights))
     assert found.measured_points == grid.cells - 3 and found.core_height == found.Sk
-    # Sk of a normal distribution is 2.574 standard deviations; the limits of the core are at half of it.
+    # Sk of a normal distribution is 2.574 standard deviations. The limits of the core are at half of Sk.
     assert found.Sk == pytest.approx(2.574 * 2.0, rel=0.02)
     tail = stats.norm.sf(2.574 / 2)
     assert found.Smr1 == pytest.approx(tail, abs=5e-3) and found.Smr2 == pytest.approx(1.0 - tail, abs=5e-3)

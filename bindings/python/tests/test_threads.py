@@ -34,7 +34,7 @@ def expected():
 
 @pytest.mark.parametrize("method", ["fork", "spawn"])
 def test_processes_are_bitwise_identical(method, expected):
-    # The pool of this process is already in use; a forked process must not wait for its threads.
+    # The pool of this process is already in use. A forked process must not wait for its threads.
     context = multiprocessing.get_context(method)
     with context.Pool(2) as pool:
         assert pool.map_async(approach_of, FORCES).get(TIMEOUT) == expected

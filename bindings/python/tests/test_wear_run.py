@@ -113,13 +113,13 @@ def test_histories_are_consistent():
     found = result.history
     assert found.cycles[0] == 0 and found.cycles[-1] == 300 == found.jump.sum() and found.jump[-1] == 0
     assert np.array_equal(np.diff(found.cycles), found.jump[:-1]) and found.cycles.dtype.kind == "i"
-    # Energy and volume are sums over the cycles; the energy law links them.
+    # Energy and volume are sums over the cycles. The energy law links them.
     assert np.allclose(np.diff(found.dissipated_energy), found.jump[:-1] * found.energy_per_cycle[:-1], rtol=1e-12)
     assert np.allclose(found.worn_volume, COEFFICIENT * found.dissipated_energy, rtol=1e-10)
     assert found.worn_volume[-1] == pytest.approx(result.depth.sum() * GRID.cell_area)
     assert found.max_depth[-1] == result.depth.max()
     assert np.allclose(found.normal_force, FORCE, rtol=1e-5)
-    # Gross slip: the amplitude of the force is that of sliding. The contact of a worn ball grows.
+    # In gross slip the amplitude of the force is the sliding force. The contact of a worn ball grows.
     assert np.allclose(found.force_amplitude_x, 0.5 * FORCE, rtol=1e-3) and np.allclose(found.shift_amplitude_x, 5e-6)
     assert (found.cyclic_residual <= 0.05).all() and found.contact_area[-1] > 1.05 * found.contact_area[0]
     assert np.allclose(np.pi * found.contact_radius**2, found.contact_area)

@@ -27,8 +27,8 @@ pub(super) const TOLERANCE: NumberRule = ("must lie strictly between 0 and 1", |
     value > 0.0 && value < 1.0
 });
 
-/// Writes or reads consecutive values. Numbers are little-endian. A reader checks rules and ranges. A writer requires
-/// values that satisfy them.
+/// Writer or reader of consecutive values. Numbers are little-endian. A reader checks rules and ranges. A writer
+/// requires values that satisfy them.
 pub(super) trait Codec {
     /// Writes the next `N` bytes from the value, or reads them into it. `from` may return the description of a problem
     /// instead.
@@ -74,7 +74,7 @@ pub(super) trait Codec {
         })
     }
 
-    /// Visits an integer that counts something in memory.
+    /// Visits an integer that counts items in memory.
     fn count(
         &mut self,
         what: &str,
@@ -100,7 +100,7 @@ pub(super) trait Codec {
         })
     }
 
-    /// Visits whether an optional value is present. If only the bytes contain a value, `make` creates the value to read
+    /// Visits the presence of an optional value. If only the bytes contain a value, `make` creates the value to read
     /// into.
     fn option<T>(
         &mut self,

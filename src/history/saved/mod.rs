@@ -113,8 +113,8 @@ impl State {
     /// on distributed bodies.
     ///
     /// # Errors
-    /// - [`Error::Format`], with the byte, if the bytes are not a saved state, have a different
-    ///   version, are truncated or were changed. No memory is allocated for cells that the bytes do not contain.
+    /// - [`Error::Format`], with the byte, if the bytes are not a saved state, have a different version, are truncated
+    ///   or were changed. No memory is allocated for cells that the bytes do not contain.
     /// - [`Error::Memory`] if memory runs out.
     pub fn from_bytes(bytes: &[u8]) -> Result<Self> {
         let mut reader = Reader(opened(bytes)?);

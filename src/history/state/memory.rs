@@ -16,8 +16,8 @@ pub(crate) struct Memory {
     pub(crate) window: Window,
     /// Displacement u after the last step.
     pub(in crate::history) displacement: TangentialVector,
-    /// Value of u minus the motion in a cell while it sticks. In the contact, the offset results from the last slip of
-    /// the cell. Outside the contact, the offset is the value for a cell that comes into contact now.
+    /// Value of u minus the motion, constant in a cell while the cell sticks. In the contact, the offset results from
+    /// the last slip of the cell. Outside the contact, the offset is the value for a cell that comes into contact now.
     pub(in crate::history) offset: TangentialVector,
     /// Change of the tractions in the last step, together with the changes of force and shift. Empty for coupled
     /// bodies.

@@ -134,8 +134,9 @@ impl State {
         self.yielded.as_ref()
     }
 
-    /// Computes the gap before loading without the [plastic depth](Self::yielded) (lengths): the gap that was given to the builder or
-    /// set by [`History::set_gap`] last. With a permanent set it is accurate to round-off, and otherwise it is exact.
+    /// Computes the gap before loading without the [plastic depth](Self::yielded) (lengths): the gap that was given to the
+    /// builder or last set by [`History::set_gap`]. The result is accurate to round-off with a permanent set, and exact
+    /// otherwise.
     ///
     /// ```
     /// use stickslip::normal::Hardness;
@@ -180,8 +181,8 @@ impl State {
         self.coupling
     }
 
-    /// Returns whether the gap has changed since the pressure was solved for. A step that holds the pressure then has
-    /// the warning [`Warning::StalePressure`](crate::Warning::StalePressure).
+    /// Returns whether the gap has changed since the last pressure solve. A step that holds the pressure then has the
+    /// warning [`Warning::StalePressure`](crate::Warning::StalePressure).
     #[must_use]
     pub fn is_pressure_stale(&self) -> bool {
         self.is_pressure_stale

@@ -12,9 +12,9 @@ const WASTE: f64 = 2.0;
 /// few cells.
 const OVERSHOOT: f64 = 1.5;
 
-/// Reduces windows that are much too large for the contact before and after the last step. `before` is the earlier
-/// pressure if the step has changed the pressure. `press_window` is the window of the pressure solve before the step.
-/// `margins` are the additional cells that rolling needs next to the contact.
+/// Reduces windows that are too large, by [`WASTE`] or [`OVERSHOOT`], for the contact before and after the last step.
+/// `before` is the earlier pressure if the step has changed the pressure. `press_window` is the window of the pressure
+/// solve before the step. `margins` are the additional cells that rolling needs next to the contact.
 ///
 /// No information is lost, because cells outside both contacts have no traction and no earlier slip. The offset of a
 /// separated cell follows from the tractions. The solvers of the next step adopt the windows of the state.

@@ -47,7 +47,7 @@ pub struct StepErrorEstimate {
 /// The tolerance applies to the tractions. If cells slip while the contact grows, their dissipated energy converges
 /// more slowly. Compare [`StepErrorEstimate::dissipated_energy`] with the energy of the step.
 ///
-/// All prescribed quantities change proportionally from their previous values to those of the load.
+/// All prescribed quantities change proportionally from their previous values to their values in the load.
 ///
 /// # Memory
 /// The buffers need the memory of four states. If the contact outgrows its bounding box, each attempt of a step
@@ -269,7 +269,8 @@ impl AdaptiveSteps {
     }
 }
 
-/// Returns the difference between other tractions and the tractions of a history, over the sum of its friction limits.
+/// Returns the sum of the magnitudes of the traction differences from a history, divided by the sum of its friction
+/// limits.
 pub(in crate::history) fn traction_distance(history: &History, [x, y]: [&Field; 2]) -> f64 {
     let [u, v] = history.traction();
     let sum = reduce::sum(&history.bodies.grid_layout(), |i| {

@@ -6,8 +6,8 @@ use crate::error::{Error, Result, length};
 use crate::history::{History, LoadStep};
 use crate::parallel::{self, Blocks};
 
-/// Indices and errors of the contacts whose step failed in [`History::step_all`], in the order of the contacts. It dereferences to a
-/// slice.
+/// Indices and errors of the contacts whose step failed in [`History::step_all`], in the order of the contacts. This type
+/// dereferences to a slice.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use = "contacts whose step failed are unchanged"]
 pub struct StepFailures(Vec<(usize, Error)>);

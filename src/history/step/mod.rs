@@ -343,8 +343,8 @@ impl History {
         Ok(())
     }
 
-    /// Changes the friction of the following steps. All other quantities are kept. The tractions follow in the next step.
-    /// Until then, the [stiffness](Self::stiffness) and the [edges](Self::edges) are an error.
+    /// Changes the friction of the following steps. All other quantities are kept. The tractions follow in the next step. Until
+    /// then, [`stiffness`](Self::stiffness) and [`edges`](Self::edges) return an error.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.

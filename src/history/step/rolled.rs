@@ -102,7 +102,7 @@ impl Rolling {
     }
 
     /// Returns the creepages of a step. Each is the prescribed creepage or, along an axis with a prescribed force, the
-    /// motion of body 2 over the length rolled.
+    /// motion of body 2 divided by the length rolled.
     pub(in crate::history) fn reached(
         &self,
         load: &LoadStep,

@@ -18,8 +18,8 @@ use crate::tangential::{RigidMotion, StepSolution};
 
 /// Solver of the steps of a history.
 pub(in crate::history) trait StepSolver {
-    /// Solves a step and returns the motion of body 2 at its end. A new pressure is written to `normal`. In the state only
-    /// the window of the memory changes. It may become wider.
+    /// Solves a step and returns the motion of body 2 at its end. A new pressure is written to `normal`. The solve may widen the
+    /// window of the memory, and leaves the rest of the state unchanged.
     fn solve(
         &mut self,
         bodies: &HalfSpace,

@@ -23,9 +23,9 @@ pub(in crate::history) struct StepInput<'a> {
 }
 
 impl History {
-    /// Solves the normal and the tangential contact of a step and returns the motion of body 2 at its end. In the state
-    /// only the window of the memory changes. It may become wider. If the solve fails or the observer panics, the
-    /// history is restored.
+    /// Solves the normal and the tangential contact of a step and returns the motion of body 2 at its end. The solve
+    /// may widen the window of the memory, and leaves the rest of the state unchanged. If the solve fails or the
+    /// observer panics, the history is restored.
     pub(in crate::history) fn attempt(
         &mut self,
         step: &StepInput<'_>,

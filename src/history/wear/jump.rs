@@ -113,7 +113,7 @@ const CLOSED: f64 = 0.25;
 
 impl CycleJump {
     /// Creates a jump over cycles like `cycle`. `depth` is the depth removed from both bodies together in this cycle (lengths). A
-    /// cell that did not slip under pressure sets no limit. Such a cell can have a depth next to the contact if the depth was
+    /// cell that did not slip under pressure sets no limit. Next to the contact, such a cell can have a depth if the depth was
     /// smoothed. A cycle of [rolled](crate::LoadStep::roll) steps has no jump, because its slip belongs to moving particles.
     ///
     /// # Errors
@@ -199,7 +199,7 @@ impl CycleJump {
     }
 }
 
-/// Returns $`\lambda_{min}`$ over the largest depth per pressure that a cycle removes.
+/// Returns $`\lambda_{min}`$ divided by the largest depth per pressure that a cycle removes.
 fn cycles_without_overshoot(bodies: &HalfSpace, rate: f64) -> Result<f64> {
     let compliance = bodies.operator(Component::ZZ)?;
     compliance.check_bounded()?;

@@ -8,9 +8,9 @@ use crate::parallel;
 
 /// Adds the depth that Archard's law removes, `k p |s|` (lengths).
 ///
-/// `coefficient` is k = K/H, Archard's dimensionless coefficient over the hardness, for one body or the sum for both
-/// bodies. The coefficient is the volume removed per normal force and sliding distance. Its unit is one over a pressure, and 1
-/// mm3/(N m) is 1e-9 1/Pa. `slip_distance` is the slip distance of a [step](crate::history::StepResult::slip_distance), or of a
+/// `coefficient` is k = K/H, Archard's dimensionless coefficient divided by the hardness, for one body or the sum for both
+/// bodies. It is the volume removed per normal force and sliding distance. Its unit is one over a pressure, and 1 mm3/(N m) is
+/// 1e-9 1/Pa. `slip_distance` is the slip distance of a [step](crate::history::StepResult::slip_distance), or of a
 /// [cycle](crate::history::Cycle::slip_distance) together with its [slip pressure](crate::history::Cycle::slip_pressure). See
 /// Archard, J. Appl. Phys. 24 (1953) 981, <https://doi.org/10.1063/1.1721448>.
 ///
@@ -42,8 +42,8 @@ pub fn archard<'a>(
 /// Adds the depth that the energy law removes, `alpha E / A` with the area A of a cell (lengths).
 ///
 /// `coefficient` is alpha for one body, or the sum for both bodies. It is the volume removed per dissipated energy (one
-/// over a pressure). In gross slip alpha equals Archard's k over the coefficient of friction. `energy` is the energy
-/// that each cell dissipates in a [step](crate::history::StepResult::dissipation) or a
+/// over a pressure). In gross slip alpha equals Archard's k divided by the coefficient of friction. `energy` is the
+/// energy that each cell dissipates in a [step](crate::history::StepResult::dissipation) or a
 /// [cycle](crate::history::Cycle::dissipation). See Fouvry, Kapsa & Vincent, Wear 200 (1996) 186,
 /// <https://doi.org/10.1016/S0043-1648(96)07306-1>.
 ///
@@ -76,11 +76,12 @@ pub fn energy<'a>(
 /// Adds the depth that the energy law removes beyond a threshold (lengths). The depth is the increase of `alpha max(0, E/A - e)`
 /// in a step or cycle. The depths of the steps therefore sum to the law for the total energy.
 ///
-/// `threshold` e is the energy per area below which nothing wears. `accumulated` is the energy E that each cell has dissipated
-/// since the start, including the present step. [`History::accumulated_dissipation`](crate::history::History::accumulated_dissipation)
-/// returns this energy after the step. `energy` is the energy of the step or cycle. Fouvry, Liskiewicz, Kapsa, Hannel & Sauger,
-/// Wear 255 (2003) 287, <https://doi.org/10.1016/S0043-1648(03)00117-0>, use the energy of the whole contact. In contrast, this
-/// function uses the energy of each cell.
+/// `threshold` e is the energy per area below which nothing wears. `accumulated` is the energy E that each cell has
+/// dissipated since the start, including the present step.
+/// [`History::accumulated_dissipation`](crate::history::History::accumulated_dissipation) returns this energy after the
+/// step. `energy` is the energy of the step or cycle. Fouvry, Liskiewicz, Kapsa, Hannel & Sauger, Wear 255 (2003) 287,
+/// <https://doi.org/10.1016/S0043-1648(03)00117-0>, use the energy of the whole contact. In contrast, this function
+/// uses the energy of each cell.
 ///
 /// ```
 /// use stickslip::history::wear;
@@ -91,7 +92,7 @@ pub fn energy<'a>(
 ///     total.add_scaled(1.0, &step)?;
 ///     wear::threshold_energy(0.5, 3.0, &total, &step, &mut depth)?;
 /// }
-/// // Out of a total of 8, 5 are above the threshold of 3.
+/// // The total energy of 8 exceeds the threshold of 3 by 5.
 /// assert_eq!(depth, Field::constant(grid, 2.5));
 /// # Ok::<(), stickslip::Error>(())
 /// ```

@@ -57,8 +57,8 @@
 //!
 //! For any number of ranks, results are bitwise identical to the results of one process. The transform of a row or a column is
 //! the same call on the same numbers on any rank. Sums follow one tree of chunks of rows, and slabs end at chunk boundaries.
-//! Every rank completes the tree from the nodes that other ranks own entirely. Observer and clock are evaluated on all ranks, and
-//! the first rank decides, on every level. Every rank solves coarse grids of nested starts with at most 65 536 cells on its own.
+//! Every rank completes the tree from the nodes that other ranks own entirely. All ranks evaluate observer and clock, and the
+//! first rank decides. Every rank solves coarse grids of nested starts with at most 65 536 cells on its own.
 //!
 //! # Histories
 //!
@@ -87,28 +87,29 @@
 //! over all ranks again. An iteration reduces seven partial results, each in $`\lceil\log_2 P\rceil`$ messages of a few hundred
 //! bytes. [`HalfSpace::traffic`](crate::HalfSpace::traffic) counts exchanges and reductions.
 //!
-//! Columns of the transform are distributed in groups of sixteen, because both precisions use the same distribution. On a grid of
-//! $`n \times n`$ cells, at most $`n/32`$ ranks have columns to transform if the grid is periodic, and at most $`n/16`$ if it is
-//! not periodic. Rows are distributed in whole chunks of the sums (4096 cells or one row), and in pairs, because they are
+//! Columns of the transform are distributed in groups of sixteen, because both precisions use the same distribution. On a
+//! periodic grid of $`n \times n`$ cells, at most $`n/32`$ ranks have columns to transform. On a grid that is not periodic, the
+//! limit is $`n/16`$. Rows are distributed in whole chunks of the sums (4096 cells or one row), and in pairs, because they are
 //! transformed in pairs. On three ranks, 96 rows of 96 cells are split into 42, 42 and 12 rows. Shorter chunks would balance the
 //! rows, but would change the last digits of every sum. Such small grids gain nothing from ranks. For $`8192 P`$ cells or more,
 //! no rank has more than twice an even share of the rows. For $`81\,920\, P`$ cells or more, no rank has more than 1.1 times an
 //! even share. Ranks without rows or columns only wait during the corresponding stage.
 //!
 //! A rank stores only counts of the whole contact. Each rank labels the spots of its slab and sends the labels of its last row to
-//! the next rank. It counts the spots that no other slab can touch. All ranks then gather the sums of the other spots. A list of
-//! all spots is created by [`NormalSolution::spots`](crate::NormalSolution::spots) and similar methods, for which all ranks
+//! the next rank. Each rank counts the spots that no other slab can touch. All ranks then gather the sums of the other spots.
+//! [`NormalSolution::spots`](crate::NormalSolution::spots) and similar methods create a list of all spots, for which all ranks
 //! gather the sums of all spots. These sums take 104 bytes for each spot, or for each fragment of a spot that the ends of the
 //! slabs cut.
 //!
 //! # Failures
 //!
-//! If one rank rejects an input, all ranks return an error: its own error on that rank, [`RankFailure::RejectedByRank`] on the
-//! others. This also holds for a kernel that one rank cannot compute, because of a lack of memory or a failure of its response.
-//! If a rank ends or is silent for too long, the calls of the other ranks return [`RankFailure::Disconnected`] or
-//! [`RankFailure::Timeout`]. All later calls on the same bodies return the same error. If a block has an unexpected length, its
-//! sender makes different calls, and the receiver returns [`RankFailure::CollectiveMismatch`]. After a failure, a file that the
-//! ranks were writing together is the old file, or the new file if it was complete.
+//! If one rank rejects an input, all ranks return an error. This rank returns its own error, and the others return
+//! [`RankFailure::RejectedByRank`]. The same applies if one rank cannot compute a kernel, because memory runs out or the response
+//! of the kernel fails. If a rank ends or is silent for too long, the calls of the other ranks return
+//! [`RankFailure::Disconnected`] or [`RankFailure::Timeout`]. All later calls on the same bodies return the same error. A block
+//! of unexpected length shows that its sender makes different calls. The receiver then returns
+//! [`RankFailure::CollectiveMismatch`]. After a failure, a file that the ranks were writing together is the old file, or the new
+//! file if it was complete.
 
 pub(crate) mod partition;
 

@@ -43,7 +43,7 @@ pub struct Mpi {
 const BLOCK: i32 = 1;
 const LEFT: i32 = 2;
 
-/// Number of probes for a message after each of which the thread yields. After later probes the thread sleeps.
+/// Number of initial probes for a message. The thread yields after each of them and sleeps after each later probe.
 const EAGER: u32 = 1 << 12;
 /// Duration of the sleep between later probes for a message.
 const NAP: Duration = Duration::from_micros(50);
@@ -60,10 +60,10 @@ impl Mpi {
     /// collective calls of MPI. Collective calls cannot be tested for one rank and cannot be cancelled, so a lost rank would
     /// block the others forever.
     ///
-    /// MPI can be finalised only by all ranks together. This function aborts all processes in two cases: if a block cannot be
-    /// sent within `patience`, and if a rank for which a call has timed out is still silent for another `patience` after the
-    /// work. In both cases it first writes the rank and the reason to standard error. Otherwise it waits for the other ranks
-    /// without a time limit.
+    /// MPI can be finalised only by all ranks together. This function aborts all processes in two cases. In the first case, a
+    /// block cannot be sent within `patience`. In the second case, a call has timed out while it waited for a rank, and this rank
+    /// is silent for another `patience` after the work. The function first writes the rank and the reason to standard error.
+    /// Otherwise it waits for the other ranks without a time limit.
     ///
     /// # Errors
     /// The function returns [`Error::Ranks`], before any work, with

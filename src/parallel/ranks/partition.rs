@@ -190,7 +190,7 @@ impl RowPartition {
     }
 
     /// Fetches the columns and rows that each rank requests, from a distributed field with the given number of columns. Returns
-    /// the request of this rank, row by row.
+    /// the values that this rank requested, row by row.
     ///
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if the request cannot be allocated.

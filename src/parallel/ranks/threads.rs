@@ -42,8 +42,8 @@ pub struct Threads {
     office: Arc<Mailboxes>,
 }
 
-/// Number of checks for a block after each of which the thread yields. Afterwards the thread sleeps until a block arrives.
-/// It yields first because waking up takes longer than most blocks need to arrive.
+/// Number of initial checks for a block. The thread yields after each of them, and then sleeps until a block arrives. It yields
+/// first because most blocks arrive sooner than a sleeping thread wakes up.
 const EAGER: u32 = 100;
 
 /// Mailboxes of all ranks.

@@ -147,12 +147,12 @@ impl CoupledRollingProblemBuilder {
     /// Checks all inputs that do not depend on the pressure.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`] if the gap or the friction has a different grid, [`Error::Sample`] if the gap is not
-    ///   finite.
-    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`] or [`Error::ApproachBeyondMeanGap`]
-    ///   for an invalid normal load.
-    /// - [`Error::NotFinite`] if a creepage, a force, the spin or the moment is not finite, [`Error::NotPositive`] for a
-    ///   step of zero cells.
+    /// - [`Error::GridMismatch`] if the gap or the friction has a different grid.
+    /// - [`Error::Sample`] if the gap is not finite.
+    /// - [`Error::NegativeOrNotFinite`], [`Error::NotFinite`] or [`Error::ApproachBeyondMeanGap`] for an invalid normal
+    ///   load.
+    /// - [`Error::NotFinite`] if a creepage, a force, the spin or the moment is not finite.
+    /// - [`Error::NotPositive`] for a step of zero cells.
     /// - [`Error::BeyondFrictionCapacity`] if the forces reach or exceed the largest coefficient of friction times a prescribed
     ///   normal force.
     /// - [`Error::UnsupportedByModel`] for rolling along an axis on which the grid is periodic, or for spin on such a

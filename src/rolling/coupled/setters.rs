@@ -12,9 +12,11 @@ impl CoupledRollingSolver {
     /// Sets the loads or creepages along x and y, and the spin or moment, for the next solve.
     ///
     /// # Errors
-    /// - [`Error::NotFinite`](crate::Error::NotFinite) or [`Error::UnsupportedByModel`](crate::Error::UnsupportedByModel) if a load is not finite or not supported.
-    /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the forces reach or exceed the largest coefficient of friction times a prescribed
-    ///   normal force. For a prescribed approach, the solve returns this error.
+    /// - [`Error::NotFinite`](crate::Error::NotFinite) or
+    ///   [`Error::UnsupportedByModel`](crate::Error::UnsupportedByModel) if a load is not finite or not supported.
+    /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) if the forces reach or exceed the
+    ///   largest coefficient of friction times a prescribed normal force. For a prescribed approach, the solve returns
+    ///   this error.
     ///
     /// All loads are unchanged after an error.
     pub fn set_load(
@@ -34,9 +36,11 @@ impl CoupledRollingSolver {
     /// Sets the normal load for the next solve.
     ///
     /// # Errors
-    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite), [`Error::NotFinite`](crate::Error::NotFinite) or [`Error::ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap).
-    /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) as for [`set_load`](Self::set_load). [`set_loads`](Self::set_loads) changes the normal
-    ///   load and the forces together.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite),
+    ///   [`Error::NotFinite`](crate::Error::NotFinite) or
+    ///   [`Error::ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap).
+    /// - [`Error::BeyondFrictionCapacity`](crate::Error::BeyondFrictionCapacity) as for [`set_load`](Self::set_load).
+    ///   [`set_loads`](Self::set_loads) changes the normal load and the forces together.
     ///
     /// The load is unchanged after an error.
     pub fn set_normal_load(&mut self, normal: NormalLoad) -> Result<()> {
@@ -67,7 +71,9 @@ impl CoupledRollingSolver {
     /// ```
     ///
     /// # Errors
-    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite), [`Error::NotFinite`](crate::Error::NotFinite) or [`Error::ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap) for an invalid normal load.
+    /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite),
+    ///   [`Error::NotFinite`](crate::Error::NotFinite) or
+    ///   [`Error::ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap) for an invalid normal load.
     /// - The errors of [`set_load`](Self::set_load) under the new normal load.
     ///
     /// All loads are unchanged after an error.
@@ -89,8 +95,8 @@ impl CoupledRollingSolver {
         Ok(())
     }
 
-    /// Returns the gap before loading of the next solve: the last gap that was given or [set](Self::set_gap). It does not contain
-    /// the lift by the tractions.
+    /// Returns the gap before loading of the next solve: the last gap that was given or [set](Self::set_gap). The gap does not
+    /// contain the lift due to the tractions.
     #[must_use]
     pub fn gap(&self) -> &Field {
         &self.problem.gap
@@ -99,7 +105,8 @@ impl CoupledRollingSolver {
     /// Sets the gap before loading for the next solve.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::Sample`](crate::Error::Sample) or [`Error::Memory`](crate::Error::Memory).
+    /// - [`Error::GridMismatch`](crate::Error::GridMismatch), [`Error::Sample`](crate::Error::Sample) or
+    ///   [`Error::Memory`](crate::Error::Memory).
     /// - [`Error::ApproachBeyondMeanGap`](crate::Error::ApproachBeyondMeanGap) if a prescribed approach is too large for the gap.
     ///
     /// The gap is unchanged after an error.

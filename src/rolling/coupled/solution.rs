@@ -33,8 +33,8 @@ record! {
 shown!(CoupledRollingSolution: normal, rolling, report());
 
 impl CoupledRollingSolution {
-    /// Returns the normal half: pressure, gap under load, approach and contact area. The gap includes the lift by the
-    /// tractions. For coupled bodies the report of this half is the report of the coupled solve.
+    /// Returns the normal half: pressure, gap under load, approach and contact area. The gap includes the lift due to
+    /// the tractions. For coupled bodies the report of this half is the report of the coupled solve.
     #[must_use]
     pub fn normal(&self) -> &NormalSolution {
         &self.normal

@@ -77,7 +77,7 @@ pub(crate) struct CoupledRollingEngine {
     lift: Vec<f64>,
     spin: f64,
     is_warm: bool,
-    /// Input that has changed since the last solution, in words.
+    /// Name of the input that has changed since the last solution, for error messages.
     pub(super) changed: Option<&'static str>,
     /// Normal half of the last solution of coupled bodies.
     pub(super) last: Option<NormalSolution>,
@@ -331,7 +331,7 @@ impl CoupledRollingSolver {
         Ok(pass)
     }
 
-    /// Passes the gap with the lift by the tractions to the normal solver.
+    /// Passes the gap with the lift due to the tractions to the normal solver.
     fn lift_gap(&mut self) -> Result<()> {
         self.engine.normal.set_load(self.problem.normal)?;
         let Some(lifting) = &mut self.engine.lifting else {

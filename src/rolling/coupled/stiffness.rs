@@ -1,4 +1,4 @@
-//! Derivatives of forces and moment with respect to creepages and spin, including the pressure that follows the tractions.
+//! Derivatives of forces and moment with respect to creepages and spin, including the effect of the tractions on the pressure.
 //!
 //! With fixed zones the equations of both halves are linear. The first solve of a pass computes the change of the pressure
 //! for a given change of the tractions. The second solve computes the change of the tractions for this change of the
@@ -68,10 +68,10 @@ impl CoupledRollingSolver {
     /// \frac{\partial (F_x, F_y, M)}{\partial (\xi, \eta, \varphi)} ,
     /// ```
     ///
-    /// with the rows and units of [`RollingSolver::stiffness`]. The normal load is constant. The pressure follows the
-    /// tractions, and the friction limits and the entry compliance follow the pressure. The zones and the contact area are
-    /// fixed. Each column takes as many passes as a solve. After a change of the loads, the gap or the friction, the matrix is an
-    /// error until the next solve.
+    /// with the rows and units of [`RollingSolver::stiffness`]. The normal load is constant. The pressure follows the tractions,
+    /// and the friction limits and the entry compliance follow the pressure. The zones and the contact area are fixed. Each
+    /// column takes as many passes as a solve. After a change of the loads, the gap or the friction, the call returns an error
+    /// until the next solve.
     ///
     /// # Errors
     /// - [`Error::OutdatedSolution`] if the input has changed since the last solve.
@@ -81,10 +81,10 @@ impl CoupledRollingSolver {
         self.stiffness_observed(unwatched)
     }
 
-    /// Returns [`stiffness`](Self::stiffness) with an observer that is called before every product and may cancel.
+    /// Computes [`stiffness`](Self::stiffness) with an observer that is called before every product and may cancel.
     ///
     /// # Errors
-    /// Returns the same errors as [`stiffness`](Self::stiffness).
+    /// The errors of [`stiffness`](Self::stiffness).
     pub fn stiffness_observed(
         &mut self,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,

@@ -24,8 +24,8 @@ const AT_REST: f64 = 1e-9;
 /// narrower range round-off would dominate.
 const NARROW: f64 = 1e-8;
 
-/// Tractions with magnitudes equal to their limits m along $`v = t + c`$. Here t is the motion due to a rotation, and c
-/// is the motion due to a shift. The length of v is rounded to $`\sqrt{v^2 + \epsilon^2}`$.
+/// Tractions of the magnitude of their limits m in the direction of $`v = t + c`$. Here t is the motion due to a
+/// rotation, and c is the motion due to a shift. The length of v is rounded to $`\sqrt{v^2 + \epsilon^2}`$.
 #[derive(Debug, Default)]
 pub(in crate::rolling) struct Sliding {
     /// Sum of m times the rounded length.
@@ -76,10 +76,10 @@ impl RollingProblem {
     /// Returns the limits of the moment about the origin of the grid as the spin tends to minus and plus infinity. The
     /// moment is continuous in the spin, so a spin exists for each moment between these limits.
     ///
-    /// At a large spin each traction is at its limit m along the motion of the middle of its path. The exception is a
-    /// cell whose path has its middle at rest. Let the sums of tractions within their limits be f along some axes. Then
-    /// $`\sum q \cdot t \le \sum m |t + c| - c \cdot f`$ for every shift c along these axes. The smallest of these bounds
-    /// is the moment about the middles of the paths when the whole contact slides.
+    /// At a large spin each traction is at its limit m along the motion of the middle of its path. The exception is a cell with
+    /// the middle of its path at rest. Let the sums of tractions within their limits be f along some axes. Then
+    /// $`\sum q \cdot t \le \sum m |t + c| - c \cdot f`$ for every shift c along these axes. The smallest of these bounds is the
+    /// moment about the middles of the paths when the whole contact slides.
     ///
     /// # Errors
     /// - The errors of [`HalfSpace::operator`](crate::HalfSpace::operator) if the middle of a path is at rest.
@@ -137,7 +137,7 @@ impl RollingProblem {
         sum * self.bodies.grid().cell_area()
     }
 
-    /// Returns the limit of the moment over the cell area for large spins of a sign.
+    /// Returns the limit of the moment for large spins of the given sign, divided by the cell area.
     fn moment_of_sliding(&self, prescribed: &Prescribed, sign: f64) -> Result<f64> {
         let turn = SlidingMotion {
             turn: sign,
@@ -168,8 +168,8 @@ impl RollingProblem {
         }
     }
 
-    /// Returns a motion shifted along the axes with prescribed sums, such that tractions along the shifted motion have
-    /// these sums.
+    /// Returns a motion shifted along the axes with prescribed sums. Tractions along the shifted motion have these
+    /// sums.
     pub(in crate::rolling) fn shifted(
         &self,
         motion: SlidingMotion,

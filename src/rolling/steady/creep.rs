@@ -59,7 +59,7 @@ impl RollingSolver {
         self.creep_forces_observed(points, unwatched)
     }
 
-    /// Returns [`creep_forces`](Self::creep_forces) with an observer, which receives every iteration of each solve and
+    /// Computes [`creep_forces`](Self::creep_forces) with an observer, which receives every iteration of each solve and
     /// may cancel. [`creep_forces_into`](Self::creep_forces_into) keeps the points that were solved before an error.
     ///
     /// # Errors
@@ -74,9 +74,8 @@ impl RollingSolver {
         Ok(found)
     }
 
-    /// Appends each of the loads of [`creep_forces`](Self::creep_forces) to `found` after its solve. After an error or a
-    /// cancellation, `found` contains the points solved before. The observer receives every iteration and the points that this
-    /// call has solved.
+    /// Appends each point of [`creep_forces`](Self::creep_forces) to `found` after its solve. After an error or a cancellation,
+    /// `found` contains the points solved before. The observer receives every iteration and the points that this call has solved.
     ///
     /// ```
     /// # use std::ops::ControlFlow;

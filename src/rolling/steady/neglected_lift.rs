@@ -1,4 +1,4 @@
-//! The lift by the tractions between bodies of different materials, which a given pressure ignores.
+//! The lift due to the tractions between bodies of different materials, which a given pressure ignores.
 
 use crate::bodies::component::Direction;
 use crate::error::Result;
@@ -7,14 +7,14 @@ use crate::memory::fallible;
 use crate::operator::{Operator, Scratch};
 use crate::tangential::{Lifting, PressureOnWindow, lift_residual};
 
-/// Operators of the normal displacement by tractions and by the pressure on a window.
+/// Operators of the normal displacement due to tractions and pressure on a window.
 #[derive(Debug, Clone)]
 pub(in crate::rolling) struct SteadyLift {
     lifting: Lifting,
     lift: Vec<f64>,
     pressing: ElasticOperator<1>,
     scratch: Scratch,
-    /// Normal displacement by the pressure on the window.
+    /// Normal displacement due to the pressure on the window.
     displacement: Vec<f64>,
 }
 
@@ -37,14 +37,14 @@ impl SteadyLift {
         Ok(Some(created))
     }
 
-    /// Computes the normal displacement by a new pressure.
+    /// Computes the normal displacement due to a new pressure.
     pub(super) fn press(&mut self, pressed: &PressureOnWindow) {
         let displacement = [&mut self.displacement[..]];
         self.pressing
             .apply([&pressed.pressure], displacement, &mut self.scratch);
     }
 
-    /// Returns the residual that the lift by tractions in this unit causes in the contact, relative to the normal
+    /// Returns the residual that the lift due to tractions in this unit causes in the contact, relative to the normal
     /// displacement.
     pub(super) fn residual(
         &mut self,

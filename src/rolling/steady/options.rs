@@ -1,4 +1,4 @@
-//! Options of the problems of rolling, which have defaults.
+//! Options of rolling problems, all with defaults.
 
 use crate::cgm::Settings;
 use crate::rolling::{LeadingEdge, RollingControl, SpinControl};
@@ -82,11 +82,10 @@ macro_rules! rolling_methods {
 
         /// Sets the number of corrections of the direction of slip (default 0).
         ///
-        /// If the slip turns within the contact, as under spin or oblique creepage, the forces converge with first order in
-        /// the step. With two corrections the order is 1.5 to 2, as measured on the documentation of the
-        /// [module](crate::rolling#slip-that-turns). The corrections cost two more solves, each of which starts from the
-        /// last tractions. The slip of the solution remains the mean over the step. Corrected tractions are not exactly
-        /// opposite to this mean.
+        /// If the slip turns within the contact, as under spin or oblique creepage, the forces converge with first order in the
+        /// step. With two corrections the order is 1.5 to 2 ([measurements](crate::rolling#slip-that-turns)). The corrections
+        /// cost two more solves, each of which starts from the last tractions. The slip of the solution remains the mean over the
+        /// step. Corrected tractions are not exactly opposite to this mean.
         pub fn slip_corrections(mut self, corrections: usize) -> Self {
             self.$($path).+.slip_corrections = corrections;
             self

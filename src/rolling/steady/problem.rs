@@ -143,8 +143,8 @@ impl RollingProblemBuilder<'_> {
     /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or [`Error::MaterialMismatch`]
     ///   if the normal contact belongs to different bodies.
     /// - [`Error::EmptyContact`] if no cell carries pressure.
-    /// - [`Error::NotFinite`] if a creepage, a force, the spin or the moment is not finite, [`Error::NotPositive`] for a
-    ///   step of zero cells.
+    /// - [`Error::NotFinite`] if a creepage, a force, the spin or the moment is not finite.
+    /// - [`Error::NotPositive`] for a step of zero cells.
     /// - [`Error::UnsupportedByModel`] for rolling along an axis on which the grid is periodic, or for spin on such a grid.
     /// - [`Error::UnsupportedForCoatings`] for user-defined operators.
     /// - [`Error::GridTooShort`] if the grid ends less than a step ahead of the contact.

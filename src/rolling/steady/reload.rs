@@ -37,7 +37,8 @@ impl RollingSolver {
     /// gap ahead of the contact. A field does not include a gap and therefore requires [`EntryRule::WholeStep`].
     ///
     /// The next solve starts from the last tractions, scaled with the friction limit of each cell. Until that solve,
-    /// [`stiffness`](Self::stiffness) is an error. If the contact is within the largest window so far, no memory is allocated.
+    /// [`stiffness`](Self::stiffness) returns an error. If the contact is within the largest window so far, no memory is
+    /// allocated.
     ///
     /// # Errors
     /// - [`Error::UnsupportedByModel`] for a field if the entry rule is active.
@@ -86,10 +87,10 @@ impl RollingSolver {
 
     /// Sets the solver that computes the pressure of a new load with its own gap, hardness and settings.
     ///
-    /// This call does not change the pressure. [`set_normal_load`](Self::set_normal_load) solves for the pressure over the gap
-    /// of `solver` and passes it on. Hence the solver need not have solved before. Its gap may differ from the gap of the present
+    /// This call does not change the pressure. [`set_normal_load`](Self::set_normal_load) solves for the pressure over the gap of
+    /// `solver` and uses this pressure. `solver` need not have solved before. Its gap may differ from the gap of the present
     /// pressure, for example after wear. The grid, the boundary, the cell values and the materials must be equal, but the solver
-    /// may use another [`HalfSpace`](crate::HalfSpace) of the same values.
+    /// may use another [`HalfSpace`](crate::HalfSpace) with these properties.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`], [`Error::CellValueMismatch`] or [`Error::MaterialMismatch`]

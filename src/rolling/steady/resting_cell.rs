@@ -1,4 +1,4 @@
-//! A cell whose path has its middle at rest when the whole contact slides.
+//! A cell with the middle of its path at rest while the whole contact slides.
 
 use crate::bodies::component::Direction;
 use crate::error::Result;
@@ -11,7 +11,7 @@ use crate::rolling::steady::capacity::{Prescribed, SlidingMotion};
 /// Number of bisections for the stiffness that keeps a traction within its limit.
 const HALVINGS: usize = 100;
 
-/// Cell whose path has its middle at rest under a sliding motion, and this motion.
+/// Cell with the middle of its path at rest under a sliding motion, and this motion.
 #[derive(Debug)]
 pub(in crate::rolling) struct RestingCell {
     pub(in crate::rolling) cell: usize,
@@ -21,8 +21,7 @@ pub(in crate::rolling) struct RestingCell {
 }
 
 impl RollingProblem {
-    /// Returns the cell whose path has a midpoint that is at rest under a motion. Returns `None` if no cell that can carry
-    /// traction has such a path.
+    /// Returns the cell with the middle of its path at rest under a motion. Returns `None` if no such cell can carry traction.
     pub(in crate::rolling) fn resting_cell(
         &self,
         prescribed: &Prescribed,

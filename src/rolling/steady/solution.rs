@@ -28,7 +28,7 @@ record! {
         values {
             creepage: [f64; 2],
             spin: f64,
-            /// Lift by the tractions that the pressure ignores, in millionths of the normal displacement. `None` if the lift
+            /// Lift due to the tractions that the pressure ignores, in millionths of the normal displacement. `None` if the lift
             /// needs no warning.
             #[cfg_attr(feature = "serde", serde(default))]
             neglected_lift: Option<usize>,
@@ -116,7 +116,7 @@ impl RollingSolution {
         self.report.clone_from(report);
     }
 
-    /// Sets the lift by the tractions that the pressure ignores, in millionths of the normal displacement.
+    /// Sets the lift due to the tractions that the pressure ignores, in millionths of the normal displacement.
     pub(in crate::rolling) fn set_neglected_lift(&mut self, lift: Option<usize>) {
         self.neglected_lift = lift;
     }
@@ -137,8 +137,8 @@ impl RollingSolution {
         self.traction.each_ref()
     }
 
-    /// Returns the slip of the surface of body 1 over the surface of body 2 per length rolled (dimensionless). It belongs to
-    /// the step that brought the particles to their current positions. In slip cells the slip is opposite to the traction, up
+    /// Returns the slip of the surface of body 1 over the surface of body 2 per length rolled (dimensionless). The slip belongs
+    /// to the step that brought the particles to their current positions. In slip cells the slip is opposite to the traction, up
     /// to the tolerance. The slip is zero in all other cells, and in cells at their limit whose residual motion is along the
     /// traction.
     #[must_use]
@@ -190,8 +190,8 @@ impl RollingSolution {
     /// \xi F_x + \eta F_y + \varphi \, (M + h_x F_y - h_y F_x) ,
     /// ```
     ///
-    /// with the [moment](Self::moment) M and the vector h of half a path per step towards the leading edge. The spin moves a
-    /// particle by the displacement at the middle of its path. The contribution of h decreases with the step.
+    /// with the [moment](Self::moment) M and the vector h of half a step towards the leading edge. The spin moves a particle by
+    /// the displacement at the middle of its path. The contribution of h decreases with the step.
     ///
     /// Between bodies of the same material all of the work is dissipated, including the work at the trailing edge. The work is
     /// more accurate than the integral of the [dissipation](Self::dissipation). This integral never exceeds the work. Between

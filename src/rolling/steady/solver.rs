@@ -38,8 +38,8 @@ const SHARPER: f64 = 0.1;
 const SHARPEST: f64 = 2e-4;
 
 /// Solver for a sequence of creepages, forces or spins. Each solve starts from the last solution. The normal load can change
-/// between solves. [`stiffness`](RollingSolver::stiffness) belongs to the last solution. After a change of the input it is an error
-/// until the next solve. After [`reset`](Solver::reset) it belongs to a contact that sticks everywhere.
+/// between solves. [`stiffness`](RollingSolver::stiffness) belongs to the last solution, and returns an error between a change of
+/// the input and the next solve. After [`reset`](Solver::reset) the stiffness belongs to a contact that sticks everywhere.
 ///
 /// For a prescribed moment, several solves determine the spin. The tolerance of each of these solves is at most a tenth of the
 /// tolerance of the settings. The report contains the sum of the work of these solves, and the limits apply to all of them
@@ -73,8 +73,8 @@ pub type RollingSolver = Solver<RollingProblem>;
 pub(crate) struct RollingEngine {
     /// Pressure and limits that are checked before the problem accepts them.
     pub(in crate::rolling) candidate: PressureOnWindow,
-    /// Coupling operators for the tangential displacement by the pressure of bodies of different materials. `None` before the
-    /// first change of the pressure.
+    /// Coupling operators for the tangential displacement due to the pressure, for bodies of different materials. `None` before
+    /// the first change of the pressure.
     pub(in crate::rolling) drawing: Option<CouplingDisplacement>,
     /// Normal solver for new loads, or `None` until the caller has set a solver.
     pub(in crate::rolling) press: Option<Box<Press>>,
@@ -99,7 +99,7 @@ pub(crate) struct RollingEngine {
     pub(in crate::rolling) lag: [Vec<f64>; 2],
     /// Whether there is a last solution.
     pub(in crate::rolling) is_warm: bool,
-    /// Input that has changed since the last solution, in words.
+    /// Name of the input that has changed since the last solution, for error messages.
     pub(in crate::rolling) changed: Option<&'static str>,
     pub(in crate::rolling) trend: CreepTrend,
     /// Initial guess of the next solve.
@@ -226,7 +226,7 @@ impl Model<RollingSolution> for RollingProblem {
         solution: &mut RollingSolution,
         observer: Observer<'_>,
     ) -> Result<()> {
-        // A solve without an iterate leaves neither the earlier solution nor a new one.
+        // After a solve without an iterate, neither the earlier solution nor a new one is available.
         solver.engine.changed = Some("the input");
         solver.engine.take_limits(&solver.problem);
         solver.extrapolate();
@@ -514,7 +514,8 @@ impl RollingSolver {
         self.largest_slip() / farthest
     }
 
-    /// Returns the approximate displacement of a cell along its path through the contact by tractions at their limits.
+    /// Returns the approximate displacement of a cell along its path through the contact under tractions at their
+    /// limits.
     pub(in crate::rolling) fn largest_slip(&self) -> f64 {
         let limit = self
             .engine
@@ -553,7 +554,7 @@ impl RollingSolver {
     }
 }
 
-/// Returns the slip of a cell over a step by a unit traction of that cell.
+/// Returns the slip of a cell over a step due to a unit traction of that cell.
 fn self_compliance(compliance: &impl Operator<2>, step: WindowShift) -> Result<f64> {
     let cells = compliance.cells();
     let (mut unit, mut image): ([Vec<f64>; 2], [Vec<f64>; 2]) =

@@ -42,16 +42,15 @@ impl RollingSolver {
     /// \frac{\partial (F_x, F_y, M)}{\partial (\xi, \eta, \varphi)} ,
     /// ```
     ///
-    /// with one row per load. The entries in the column of the spin and in the row of the moment have an additional factor
-    /// of length. Sticking cells follow the motion. The tractions of slipping cells rotate with their slip and remain at
-    /// their limits, whether the motion or the load is prescribed. Before the first solve and after a reset all cells stick, and the entries
-    /// are Kalker's coefficients times $`G a b`$ and lengths. The matrix is not symmetric. If the whole contact slides in
-    /// one direction, some entries of the matrix are zero. On 64 cells across a sphere the three columns take 90 to 140
-    /// products in double precision. A solve after an increase of the creepage by one per cent takes a third to half as
-    /// many products.
+    /// with one row per load. The entries in the column of the spin and in the row of the moment have an additional
+    /// factor of length. Sticking cells follow the motion. The tractions of slipping cells rotate with their slip and
+    /// remain at their limits, whether the motion or the load is prescribed. Before the first solve and after a reset
+    /// all cells stick, and the entries are Kalker's coefficients times $`G a b`$ and lengths. The matrix is not
+    /// symmetric. If the whole contact slides in one direction, some entries of the matrix are zero. On 64 cells across
+    /// a sphere the three columns take 90 to 140 products in double precision. A solve after an increase of the
+    /// creepage by one per cent takes a third to half as many products.
     ///
-    /// The matrix requires that neither loads nor friction nor pressure have changed since the last solve. After a change it is
-    /// an error until the next solve or reset.
+    /// After a change of the loads, the friction or the pressure, the call returns an error until the next solve or reset.
     ///
     /// ```
     /// # use stickslip::{rolling::RollingProblem, *};
@@ -79,8 +78,8 @@ impl RollingSolver {
         self.stiffness_observed(unwatched)
     }
 
-    /// Returns [`stiffness`](Self::stiffness) with an observer. The observer is called before every product with the
-    /// operator and may cancel. The observer receives the residual of the current linear problem.
+    /// Computes [`stiffness`](Self::stiffness) with an observer. The observer is called before every product with the
+    /// operator and may cancel. It receives the residual of the current linear problem.
     ///
     /// # Errors
     /// The errors of [`stiffness`](Self::stiffness).

@@ -91,7 +91,7 @@ pub(super) fn integrals(piece: &CellPart) -> Values {
     let lxy = outline.over_x(|edge| edge.logarithm);
     let logarithms_x = outline.times_x(|edge| edge.logarithm);
     let logarithms_y = outline.times_y(|edge| edge.logarithm);
-    // The variables hold z V_xx and the corresponding products.
+    // The variables contain z V_xx and the corresponding products.
     let [xxx, zvxx, zvxz] = [0, 1, 2].map(|k| -outline.over_x(|edge| edge.cubes[k]));
     let [yyy, zvyy, zvyz] = [0, 1, 2].map(|k| -outline.over_y(|edge| edge.cubes[k]));
 

@@ -22,7 +22,7 @@ pub(crate) fn add_point_forces<const N: usize>(
         let (p, qx, qy, x) = (pressing[lane], along_x[lane], along_y[lane], xs[lane]);
         let (x2, xy) = (x * x, x * y);
         let r = ((x2 + y2) + z2).sqrt();
-        // One division gives i = 1/r and s = 1/(r + z); t = r/(r + z).
+        // One division gives i = 1/r and s = 1/(r + z). The variable t is r/(r + z).
         let sum = r + z;
         let is = 1.0 / (r * sum);
         let (i, s) = (sum * is, r * is);

@@ -28,8 +28,8 @@ const GONE: f64 = 40.0;
 /// Chebyshev coefficients of the functions on a piece, by polynomial.
 type RadialPiece = Box<[[f64; FUNCTIONS]; TERMS]>;
 
-/// Tables of Hankel integrals of a response, and their sums over cells. The response must be negligible for k above 40 over the
-/// scale.
+/// Tables of Hankel integrals of a response, and their sums over cells. The response must be negligible for wave numbers k above
+/// 40 divided by the scale.
 pub(super) struct Radial {
     scale: f64,
     /// End of the first interval of wave numbers, on which the response hardly varies.

@@ -42,9 +42,9 @@ pub enum Amplitudes {
 ///   0 & \text{otherwise,} \end{cases}
 /// ```
 ///
-/// which is equation 36 of the paper. Waves of two cells along an axis are omitted, because the grid does not resolve
-/// their phase. The common factor follows from the waves in the band and from the target. The target is the root mean
-/// square of the heights or of the slopes.
+/// which is equation 36 of Wang et al. (2021). Waves of two cells along an axis are omitted, because the grid does not
+/// resolve their phase. The common factor follows from the waves in the band and from the target. The target is the
+/// root mean square of the heights or of the slopes.
 ///
 /// | option | default |
 /// |---|---|

@@ -52,8 +52,8 @@ fn displacement(shear: &CattaneoMindlinLine, x: f64) -> f64 {
     2.0 / PI / hertz.pair().contact_modulus() * parts.sum::<f64>()
 }
 
-/// In the stick strip, displacement and strain add up to the shift. In the slip zones the slip is the difference, on
-/// which friction does work.
+/// In the stick strip, displacement and strain add up to the shift. In the slip zones the slip is the difference, and
+/// friction does work on this slip.
 #[test]
 fn shift_and_energy_under_bulk_stress_match_the_slip() -> Result<()> {
     for (part, moved) in [

@@ -11,7 +11,7 @@ use stickslip::analytical::{CattaneoMindlinEllipse, HertzEllipse};
 
 use super::{LIMIT, assert_close, ball, pair, sheared_ball};
 
-/// Distance over the contact radius, pressure, displacement and gap.
+/// Columns: distance divided by the contact radius, pressure, displacement and gap.
 const SPHERE: [[f64; 4]; 13] = [
     [0.0, 2774530779.353722, 4.916814175043042e-06, 0.0],
     [0.1, 2760623269.3225927, 4.892230104167827e-06, 0.0],
@@ -28,7 +28,7 @@ const SPHERE: [[f64; 4]; 13] = [
     [5.0, 0.0, 4.190434284324938e-07, 5.696240644142748e-05],
 ];
 
-/// Force over the friction limit, stick radius over contact radius, stick ratio and shift.
+/// Columns: force divided by the friction limit, stick radius divided by contact radius, stick ratio and shift.
 #[rustfmt::skip] // one row per line
 const PARTIAL_SLIP: [[f64; 4]; 6] = [
     [0.1, 0.9654893846056297, 0.9321697517861577, 2.008098314485242e-07],
@@ -81,7 +81,8 @@ struct Ellipse {
     area: f64,
     gross_shift: f64,
     full_stick_compliance: f64,
-    /// Force over the friction limit, axis of the stick ellipse over axis of the contact, and shift.
+    /// Columns: force divided by the friction limit, axis of the stick ellipse divided by axis of the contact, and
+    /// shift.
     partial_slip: [[f64; 3]; 6],
 }
 

@@ -12,8 +12,8 @@ use super::{
     sum_over_chords,
 };
 
-/// Distance over the contact radius, pressure, displacement, and tangential displacement per force at the angles
-/// [`ANGLES`] from the force. The values are closed forms evaluated in extended precision and rounded.
+/// Columns: distance divided by the contact radius, pressure, displacement, and tangential displacement per force at
+/// the angles [`ANGLES`] from the force. The values are closed forms evaluated in extended precision and rounded.
 #[rustfmt::skip] // one row per line
 const FLAT_PUNCH: [[f64; 6]; 13] = [
     [0.0, 159154943.09189534, 4.333333333333333e-06, 5.2619047619047615e-09, 5.2619047619047615e-09, 5.2619047619047615e-09],
@@ -32,7 +32,7 @@ const FLAT_PUNCH: [[f64; 6]; 13] = [
 ];
 const ANGLES: [f64; 3] = [0.0, 0.5, FRAC_PI_2];
 
-/// Distances over the contact radius and the pressures there, computed as in [`FLAT_PUNCH`].
+/// Columns: distance divided by the contact radius, and pressure, computed as in [`FLAT_PUNCH`].
 const CONE_PRESSURE: [[f64; 2]; 7] = [
     [0.1, 1870764.278828988],
     [0.25, 1289648.1680597253],
@@ -43,7 +43,7 @@ const CONE_PRESSURE: [[f64; 2]; 7] = [
     [0.99, 88759.02546629818],
 ];
 
-/// Force over the friction limit, stick radius over contact radius, stick ratio and shift.
+/// Columns: force divided by the friction limit, stick radius divided by contact radius, stick ratio and shift.
 const CONE_PARTIAL_SLIP: [[f64; 4]; 6] = [
     [0.1, 0.9486832980505138, 0.9, 2.7286945795841224e-08],
     [0.2, 0.8944271909999159, 0.8, 5.613687955893348e-08],

@@ -70,7 +70,7 @@ const ROUGH_PLANE: [[f64; 9]; 16] = [
         0.7400702679448065, 0.532044182265441, 0.27903177446584143, 0.07083442343241288],
 ];
 
-/// Force over the friction limit.
+/// Forces divided by the friction limit.
 const FRACTIONS: [f64; 6] = [0.1, 0.2, 0.4, 0.6, 0.8, 0.95];
 
 /// Load, reduced pressure and relative area of table 3 of the paper, for E* = 25 MPa.

@@ -14,7 +14,7 @@ const WAVELENGTH: f64 = 1e-4;
 /// Mean pressure of full contact. Like all values in this file, it is the closed form evaluated in extended precision.
 const FULL: f64 = 785398.1633974483;
 
-/// Mean pressure over [`FULL`], half-width, contact fraction, and pressures at 0, 1/5 .. 5/5 of the half-width.
+/// Mean pressure divided by [`FULL`], half-width, contact fraction, and pressures at 0, 1/5 .. 5/5 of the half-width.
 #[rustfmt::skip] // one row per line
 const WAVES: [(f64, f64, f64, [f64; 6]); 3] = [
     (0.05, 7.178314656435313e-06, 0.14356629312870628, [351240.7365520363,

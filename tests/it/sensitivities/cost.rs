@@ -17,7 +17,7 @@ use crate::rank_histories::{ball, friction};
 /// Largest ratio of the products of a functional to the products of one column of the stiffness.
 const ALLOWED: f64 = 1.5;
 
-/// Returns an observer that counts the products, which it is called before.
+/// Returns an observer that counts its calls, one before each product.
 fn counting(count: &mut f64) -> impl FnMut(&Iteration) -> ControlFlow<()> + Send {
     |_| {
         *count += 1.0;

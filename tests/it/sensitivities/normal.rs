@@ -229,7 +229,8 @@ fn derivative_of_force_is_stiffness() {
     assert!((found.normal_load.unwrap() / stiffness - 1.0).abs() < 1e-9);
 }
 
-/// A uniform change of the gap shifts only the approach under a force, and acts like the opposite approach under an approach.
+/// Under a force, a uniform change of the gap shifts only the approach. Under an approach, it acts like the opposite change of
+/// the approach.
 #[test]
 fn uniform_gap_acts_like_approach() {
     let (solver, contact) = ball_solver(NormalLoad::Force(4.0));
@@ -319,7 +320,7 @@ fn unfinished_or_foreign_solutions_return_errors() {
     assert!(matches!(cancelled, Err(Error::NotConverged(_))) && calls == 1);
 }
 
-/// A contact that the hardness of all its cells carries cannot resist a larger force.
+/// A contact with all cells at the hardness cannot resist a larger force.
 #[test]
 fn contact_at_capacity_has_no_derivative() {
     let grid = Grid::square(16, 4.0).unwrap();

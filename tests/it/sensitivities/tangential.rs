@@ -247,7 +247,7 @@ impl ShearCase {
     }
 
     /// Compares all derivatives with differences of the values that `solved` returns. The gap is changed by a small part of
-    /// `depth`, or not if this is zero.
+    /// `depth`, or not at all if `depth` is zero.
     pub(super) fn compare(
         &self,
         name: &str,
@@ -371,7 +371,7 @@ fn derivatives_of_vector_model_match_differences() {
     }
 }
 
-/// Without friction on some cells, and on grids with other boundaries.
+/// Covers contacts without friction in some cells, and grids with other boundaries.
 #[test]
 fn derivatives_of_rough_contacts_match_differences() {
     for boundary in kit::boundaries(Grid::square(32, 64.0).unwrap()) {

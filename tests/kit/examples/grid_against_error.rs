@@ -1,5 +1,5 @@
 //! Measures the cost of each digit of the solution. The example prints the time and the distance from closed forms for
-//! several grids and tolerances. It compares uniform cells without edges with centre values with subcell edges.
+//! several grids and tolerances. It compares uniform cells without edges to centre values with subcell edges.
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
@@ -247,7 +247,7 @@ impl ErrorRow {
     }
 }
 
-/// Draws the time over the error, for the pressure of the sphere on the left and for its traction on the right. The
+/// Draws the time against the error, for the pressure of the sphere on the left and for its traction on the right. The
 /// grid size increases along a curve.
 fn draw(path: &Path, rows: &[ErrorRow]) -> std::result::Result<(), Box<dyn Error>> {
     let title = "Grids of 32 × 32 cells (right) to 512 × 512 cells (left)";

@@ -1,4 +1,5 @@
-//! Measures memory and time by number of cells: bodies, normal and tangential solves, and histories of a sphere.
+//! Measures memory and time as functions of the number of cells: bodies, normal and tangential solves, and histories of
+//! a sphere.
 //!
 //! `cargo run --release -p stickslip-testkit --example memory_and_time [cells ...]` prints two tables on one thread. The
 //! contact spans two thirds of the grid along each axis. Memory is the largest number of bytes that are allocated at

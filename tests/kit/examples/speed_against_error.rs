@@ -213,7 +213,7 @@ impl TimingRow {
     }
 }
 
-/// Draws the time over the true error, with the normal problem on the left and the tangential problem on the right.
+/// Draws the time against the true error, with the normal problem on the left and the tangential problem on the right.
 fn draw(path: &Path, rows: &[TimingRow]) -> Result<(), Box<dyn Error>> {
     let rows: Vec<_> = rows.iter().filter(|row| row.cells == SHOWN).collect();
     let runs = rows.iter().flat_map(|row| &row.runs);
@@ -247,7 +247,7 @@ fn draw(path: &Path, rows: &[TimingRow]) -> Result<(), Box<dyn Error>> {
                 .map(|run| (run.l1.log10().max(-12.0), run.milliseconds.log10()))
                 .collect();
             let style = (colour, method == Method::default());
-            // The legend contains the methods; the key above the charts contains the scenes.
+            // The legend contains the methods. The key above the charts contains the scenes.
             let name = if scene == COLOURS[0].0 {
                 format!("{method:?}")
             } else {

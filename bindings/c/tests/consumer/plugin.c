@@ -2,7 +2,7 @@
 
 #include <stickslip.h>
 
-/* Returns the contact modulus of two bodies of the same material; 0 for an invalid material. */
+/* Returns the contact modulus of two bodies of the same material, or 0 for an invalid material. */
 double plugin_modulus(double youngs_modulus, double poisson_ratio);
 
 double plugin_modulus(double youngs_modulus, double poisson_ratio) {

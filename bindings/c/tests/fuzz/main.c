@@ -1,5 +1,5 @@
 /* Random calls of every function: NULL and misaligned pointers, wrong lengths, NaN and infinities, invalid constants,
- * objects of different grids, several threads that use the same objects. Every call must return a code; no call may crash,
+ * objects of different grids, several threads that use the same objects. Every call must return a code. No call may crash,
  * leak, or return STICKSLIP_PANIC. A failed call has a message and leaves its objects unchanged. The test compares all
  * readable contents: fields of solutions, cycles and planes, histories as bytes, and the friction capacity of
  * tangential solvers.

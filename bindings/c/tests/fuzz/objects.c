@@ -64,7 +64,7 @@ void put(struct run *run, enum kind kind, void *object, size_t cells) {
     *slot = (struct slot){object, cells, hash_of(kind, object), false, false};
 }
 
-/* FNV-1a hash by words; this is the hash of an empty input. */
+/* FNV-1a hash by words of an empty input. */
 #define NOTHING 0xcbf29ce484222325u
 
 static uint64_t mixed(uint64_t hash, const void *data, size_t bytes) {

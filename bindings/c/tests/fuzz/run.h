@@ -21,7 +21,7 @@ enum kind {
 struct slot {
     void *object;
     size_t cells;
-    /* Hash of the readable contents of the object; used only if no other thread has the object. */
+    /* Hash of the readable contents of the object, used only if no other thread has the object. */
     uint64_t hash;
     /* Whether the current call may use the object, and whether it may change the object although it fails. */
     bool is_given, may_change;
@@ -78,7 +78,7 @@ stickslip_status release(enum kind kind, void *object);
 void compare(struct run *run);
 /* Returns a hash of the readable contents of an object. */
 uint64_t hash_of(enum kind kind, const void *object);
-/* Returns a history as bytes; NULL on failure. */
+/* Returns a history as bytes, or NULL on failure. */
 uint8_t *bytes_of(struct run *run, const stickslip_history *history, size_t *length);
 
 /* Groups of calls. */

@@ -103,7 +103,7 @@ fn prescribed_pressure() -> Result<Vec<Row>> {
     .collect())
 }
 
-/// Follows the steps of a case; returns its cells and the largest error of pressure and traction.
+/// Follows the steps of a case. Returns its cells and the largest error of pressure and traction.
 fn history_error(name: &str, steps: usize) -> Result<(String, f64)> {
     let case = Case::read(name, steps);
     let bodies = HalfSpace::new(case.grid, case.pair)?;
@@ -194,7 +194,7 @@ fn rolling() -> Result<Vec<Row>> {
     .collect())
 }
 
-/// The expected creepage is a value of the test; it has the opposite sign in CONTACT.
+/// The expected creepage is a value of the test. It has the opposite sign in CONTACT.
 fn rolled_pair() -> Result<Vec<Row>> {
     let grid = Grid::new(216, 1, 0.001, 1000.0)?;
     let aluminium = Material::from_shear_modulus(23_000.0, 0.31)?;

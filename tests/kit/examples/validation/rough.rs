@@ -16,7 +16,7 @@ use crate::row::{Row, largest_difference, press, relative, rows, shear};
 
 /// Amplitude of a wave along x with a wavelength of one.
 const DEPTH: f64 = 1e-3;
-/// Contact modulus of the rubber, in MPa; lengths are in micrometres.
+/// Contact modulus of the rubber, in MPa. Lengths are in micrometres.
 const MODULUS: f64 = 25.0;
 
 pub(crate) fn group() -> Result<Group> {
