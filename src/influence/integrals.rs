@@ -246,7 +246,7 @@ fn radial_x_near(cell: Cell, x: f64, y: f64) -> f64 {
         // The difference of Y ln R at x + a and at x - a is the logarithm of one ratio.
         let ratio = 4.0 * cell.a * x / (right * right + y * y);
         let logarithms = 0.5 * y * ratio.ln_1p();
-        // The same difference of X arctan(Y/X) is left * atan(y/left) - right * atan(y/right).
+        // The corresponding difference of X arctan(Y/X) is left * atan(y/left) - right * atan(y/right).
         let arcs = if right > 0.0 {
             let (at_left, at_right) = ((y / left).atan(), (y / right).atan());
             let difference = (-2.0 * x * y).atan2(left * right + y * y);
