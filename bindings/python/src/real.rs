@@ -32,6 +32,25 @@ fn unreal(object: &Bound<'_, PyAny>) -> PyResult<Option<&'static str>> {
     })
 }
 
+/// Returns whether an object consists of truth values, such as a mask of cells. NumPy would convert them to 0 and 1.
+fn is_boolean(object: &Bound<'_, PyAny>) -> PyResult<bool> {
+    let Some(array) = as_array(object) else {
+        return Ok(false);
+    };
+    let kind: String = array.getattr("dtype")?.getattr("kind")?.extract()?;
+    Ok(kind == "b")
+}
+
+/// Returns `Ok` unless an object contains truth values.
+pub(crate) fn is_no_mask(object: &Bound<'_, PyAny>, quantity: &str) -> PyResult<()> {
+    if is_boolean(object)? {
+        return Err(PyTypeError::new_err(format!(
+            "{quantity} must be real numbers, got truth values: convert a mask by mask.astype(float)"
+        )));
+    }
+    Ok(())
+}
+
 /// Returns `Ok` unless an object contains complex numbers, text or times.
 pub(crate) fn is_real(object: &Bound<'_, PyAny>, quantity: &str) -> PyResult<()> {
     match unreal(object)? {
@@ -61,6 +80,8 @@ impl FromPyObject<'_, '_> for Real {
     fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
         let found = if object.is_instance_of::<PyFloat>() {
             None
+        } else if is_boolean(&object)? {
+            Some("a truth value")
         } else {
             unreal(&object)?
         };
@@ -237,6 +258,22 @@ pub(crate) fn by_axis<'py>(object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, Py
         }
         _ => Ok(object.clone()),
     }
+}
+
+/// Returns an error if an array of xarray has coordinates x or y that do not rise in steps of the cell sides. Its values would
+/// otherwise be mirrored or scaled without notice.
+pub(crate) fn check_coordinates(
+    object: &Bound<'_, PyAny>,
+    quantity: &str,
+    grid: stickslip::Grid,
+) -> PyResult<()> {
+    if !(object.hasattr("dims")? && object.hasattr("coords")?) {
+        return Ok(());
+    }
+    let module = object.py().import("stickslip.io._datasets")?;
+    let sides = (grid.dx(), grid.dy());
+    module.call_method1("check_coordinates", (object, quantity, sides))?;
+    Ok(())
 }
 
 /// Returns a two-dimensional array of numbers; masked entries become NaN. The names of the axes determine their order, if
