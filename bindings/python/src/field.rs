@@ -97,10 +97,7 @@ impl Field {
         samples: Samples<'_>,
         unit: Option<&str>,
     ) -> PyResult<Self> {
-        let unit = match unit {
-            Some(unit) => Some(known(unit)?),
-            None => samples.unit()?,
-        };
+        let unit = one_of([unit.map(known).transpose()?, samples.unit()?])?;
         let field = samples.on(py, "samples", grid.0)?;
         same_grid(grid.0, &field, "samples").or_raise(py)?;
         Ok(Self(field, unit))

@@ -32,18 +32,14 @@ fn unreal(object: &Bound<'_, PyAny>) -> PyResult<Option<&'static str>> {
     })
 }
 
-/// Returns whether an object consists of truth values, such as a mask of cells. NumPy would convert them to 0 and 1.
-fn is_boolean(object: &Bound<'_, PyAny>) -> PyResult<bool> {
+/// Returns `Ok` unless an object is an array of truth values, such as a mask of cells. NumPy would convert them to 0 and 1.
+pub(crate) fn is_no_mask(object: &Bound<'_, PyAny>, quantity: &str) -> PyResult<()> {
     let Some(array) = as_array(object) else {
-        return Ok(false);
+        return Ok(());
     };
     let kind: String = array.getattr("dtype")?.getattr("kind")?.extract()?;
-    Ok(kind == "b")
-}
-
-/// Returns `Ok` unless an object contains truth values.
-pub(crate) fn is_no_mask(object: &Bound<'_, PyAny>, quantity: &str) -> PyResult<()> {
-    if is_boolean(object)? {
+    let dimensions: usize = array.getattr("ndim")?.extract()?;
+    if kind == "b" && dimensions > 0 {
         return Err(PyTypeError::new_err(format!(
             "{quantity} must be real numbers, got truth values: convert a mask by mask.astype(float)"
         )));
@@ -80,8 +76,6 @@ impl FromPyObject<'_, '_> for Real {
     fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
         let found = if object.is_instance_of::<PyFloat>() {
             None
-        } else if is_boolean(&object)? {
-            Some("a truth value")
         } else {
             unreal(&object)?
         };
@@ -260,14 +254,15 @@ pub(crate) fn by_axis<'py>(object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, Py
     }
 }
 
-/// Returns an error if an array of xarray has coordinates x or y that do not rise in steps of the cell sides. Its values would
-/// otherwise be mirrored or scaled without notice.
+/// Returns an error if an array of xarray or a table of pandas has coordinates that do not rise in steps of the cell sides. Its
+/// values would otherwise be mirrored or scaled without notice.
 pub(crate) fn check_coordinates(
     object: &Bound<'_, PyAny>,
     quantity: &str,
     grid: stickslip::Grid,
 ) -> PyResult<()> {
-    if !(object.hasattr("dims")? && object.hasattr("coords")?) {
+    let is_array = object.hasattr("dims")? && object.hasattr("coords")?;
+    if !(is_array || object.hasattr("columns")? && object.hasattr("index")?) {
         return Ok(());
     }
     let module = object.py().import("stickslip.io._datasets")?;

@@ -128,12 +128,29 @@ def test_coordinates_of_xarray_arguments_must_agree_with_the_grid(scene):
         assert np.array_equal(ss.NormalProblem(scene.bodies, array, force=FORCE).solve().pressure, reference)
     with pytest.raises(ValueError, match=r'gap has decreasing coordinates along y: sort it by \.sortby\("y"\)'):
         ss.NormalProblem(scene.bodies, of(grid.y[::-1], grid.x), force=FORCE)
-    for wrong in (of(grid.y, 1e3 * grid.x), of(grid.y, np.sort(grid.x**2)), of(grid.y, np.arange(64))):
+    pandas = pytest.importorskip("pandas")
+    for table in (pandas.DataFrame(gap), pandas.DataFrame(gap, grid.y, grid.x)):
+        assert np.array_equal(ss.NormalProblem(scene.bodies, table, force=FORCE).solve().pressure, reference)
+    with pytest.raises(ValueError, match=r"gap has decreasing coordinates along y: sort it by \.sort_index\(axis=0\)"):
+        ss.NormalProblem(scene.bodies, pandas.DataFrame(gap, grid.y[::-1], grid.x), force=FORCE)
+    for wrong in (pandas.DataFrame(gap, grid.y, 1e3 * grid.x), of(grid.y, 1e3 * grid.x), of(grid.y, np.sort(grid.x**2)), of(grid.y, np.arange(64))):
         with pytest.raises(ValueError, match=r"gap has coordinates from .* along x, which do not agree with 64 cells .* give \.values"):
             ss.NormalProblem(scene.bodies, wrong, force=FORCE)
+    with pytest.raises(ValueError, match="units mm and um"):
+        ss.Field(grid, ss.Field(grid, gap, "um"), "mm")
     with pytest.raises(ValueError, match="units um and mm"):
         ss.Field(grid, gap, "um") + of(grid.y, grid.x, units="mm")
     assert ss.Field(grid, of(grid.y, grid.x, units="mm")).unit == "mm" and ss.Field(grid, of(grid.y, grid.x, units="Pa")).unit is None
+
+
+def test_exported_pairs_belong_to_one_grid(scene):
+    pytest.importorskip("xarray")
+    coarse = ss.HalfSpace(ss.Grid.square(64, 0.4e-3), (STEEL, STEEL))
+    other = ss.NormalProblem(coarse, ss.surface.sphere(coarse.grid, 3.5e-3), force=FORCE).solve()
+    shear = ss.TangentialProblem(scene.bodies, scene.normal(), 0.5, force_x=20.0).solve()
+    for export in (ss.io.to_xarray, ss.io.vti.to_bytes):
+        with pytest.raises(ValueError, match="the solutions of a pair must be on one grid, got Grid"):
+            export((other, shear))
 
 
 @pytest.mark.parametrize(
@@ -142,12 +159,10 @@ def test_coordinates_of_xarray_arguments_must_agree_with_the_grid(scene):
         (lambda scene, mask: ss.NormalProblem(scene.bodies, mask, force=1.0), "gap must be real numbers, got truth values: .* mask.astype"),
         (lambda scene, mask: ss.TangentialProblem(scene.bodies, mask, 0.5, force_x=1.0), "pressure must be real numbers, got truth values"),
         (lambda scene, mask: scene.history().set_friction(mask), "coefficient of friction must be real numbers, got truth values"),
-        (lambda scene, mask: scene.history().set_friction(True), "coefficient of friction must be real numbers, got truth values"),
-        (lambda scene, mask: ss.NormalProblem(scene.bodies, scene.ball, force=True), "force must be a real number, got a truth value"),
-        (lambda scene, mask: scene.history().step(normal_force=np.True_), "normal_force must be a real number, got a truth value"),
+        (lambda scene, mask: scene.history(hardness=mask), "hardness must be real numbers, got truth values"),
     ],
 )
-def test_truth_values_instead_of_numbers_are_rejected(scene, call, message):
+def test_masks_instead_of_numbers_are_rejected(scene, call, message):
     with pytest.raises(TypeError, match=message):
         call(scene, scene.ball.array > 0.0)
 

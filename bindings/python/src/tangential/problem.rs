@@ -33,7 +33,7 @@ use crate::work::unobserved_on;
 /// load : TangentialLoad, optional
 ///     The tangential load as an object, instead of by keywords.
 /// force, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist : optional
-///     The tangential load; see :class:`TangentialLoad`. A load is required. With a relative displacement, the default is no
+///     The tangential load; see :class:`TangentialLoad`. A load is required. With a relative displacement, the default is zero
 ///     force.
 /// model : TangentialModel or str, default "scalar"
 ///     "scalar" computes the traction along the axis of the load, "vector" both components.
