@@ -243,12 +243,17 @@ class Zone(IntEnum):
         return next((zone for zone in cls if zone.name.lower() == value), None)
 
     def __eq__(self, other: object) -> bool:
-        return self is Zone(other) if isinstance(other, str) else int(self) == other
+        return self is _zone(other) if isinstance(other, str) else int(self) == other
 
     def __ne__(self, other: object) -> bool:
         return not self == other
 
     __hash__ = IntEnum.__hash__
+
+
+def _zone(value: Any) -> Zone:
+    """Returns the zone with a number or a name."""
+    return Zone(value)
 
 
 class Zones(np.ndarray[Any, np.dtype[np.uint8]]):
@@ -262,7 +267,7 @@ class Zones(np.ndarray[Any, np.dtype[np.uint8]]):
 
     def __getitem__(self, index: Any) -> Any:
         entry = super().__getitem__(index)
-        return Zone(entry) if isinstance(entry, np.uint8) else entry
+        return _zone(entry) if isinstance(entry, np.uint8) else entry
 
     def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
         # The results of NumPy functions are not zones.
@@ -274,4 +279,4 @@ def _numbers(names: Any) -> Any:
     given = np.asarray(names)
     if given.dtype.kind not in "SU":
         return names
-    return np.reshape([int(Zone(str(name))) for name in given.flat], given.shape)
+    return np.reshape([int(_zone(str(name))) for name in given.flat], given.shape)
