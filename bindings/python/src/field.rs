@@ -558,12 +558,12 @@ pub(crate) fn apply_to_heights<'py>(
     inputs: Vec<Bound<'py, PyAny>>,
     kwargs: Option<&Bound<'py, PyDict>>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    let fields = inputs.into_iter().map(|input| {
-        let heights = input.getattr("heights").ok();
-        heights
-            .filter(|one| one.is_instance_of::<Field>())
-            .unwrap_or(input)
-    });
+    let fields = inputs
+        .into_iter()
+        .map(|input| match input.getattr("heights") {
+            Ok(heights) if heights.is_instance_of::<Field>() => heights,
+            _ => input,
+        });
     let fields = PyTuple::new(ufunc.py(), fields.collect::<Vec<_>>())?;
     ufunc.getattr(method)?.call(fields, kwargs)
 }
