@@ -121,6 +121,12 @@ pub enum Warning {
         /// The shift of the step divided by the longest side of the grid, in tenths.
         tenths: usize,
     },
+    /// The twist of a step exceeds half a radian, whereas the model assumes small rotations. A common cause is a twist in
+    /// degrees.
+    LargeTwist {
+        /// The magnitude of the twist of the step, in tenths of a radian.
+        tenths: usize,
+    },
     /// The contact radius a exceeds 0.3 of the radius of curvature R of the gap. Half-space theory assumes that a/R is
     /// small.
     ///
@@ -278,6 +284,12 @@ impl std::fmt::Display for Warning {
                 tenths / 10,
                 tenths % 10
             ),
+            Self::LargeTwist { tenths } => write!(
+                formatter,
+                "the twist of the step is {}.{} radians, expected at most 0.5: convert a twist in degrees; the model assumes small rotations",
+                tenths / 10,
+                tenths % 10
+            ),
             Self::LargeContactRadius { per_mille } => write!(
                 formatter,
                 "the contact radius is about {:.2} of the radius of curvature, expected at most 0.3: check the units of gap and grid, or lower the load; half-spaces assume small slopes",
@@ -343,6 +355,9 @@ pub(crate) const THICKEST_LAYER: usize = 100;
 /// Largest shift of a step without a warning, in tenths of the longest side of the grid.
 const LARGEST_SHIFT: usize = 10;
 
+/// Largest twist of a step without a warning, in tenths of a radian.
+const LARGEST_TWIST: usize = 5;
+
 /// Number of spots above which a contact counts as rough. The radius of the spots then cannot be chosen.
 const MANY_SPOTS: usize = 10;
 
@@ -398,6 +413,17 @@ impl Warning {
     pub(crate) fn shift_beyond(grid: Grid, [x, y]: [f64; 2]) -> Option<usize> {
         let tenths = (10.0 * x.hypot(y) / grid.whole().longest_side()).round() as usize;
         (tenths > LARGEST_SHIFT).then_some(tenths)
+    }
+
+    /// Returns a twist in tenths of a radian, or `None` if the twist is small.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the magnitude is not negative, and a large one saturates"
+    )]
+    pub(crate) fn twist_beyond(twist: f64) -> Option<usize> {
+        let tenths = (10.0 * twist.abs()).round() as usize;
+        (tenths > LARGEST_TWIST).then_some(tenths)
     }
 
     /// Returns a neglected lift due to tractions, in millionths, or `None` if the lift is within the tolerance.

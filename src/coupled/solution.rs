@@ -144,7 +144,7 @@ impl CoupledSolution {
             tangential
                 .zone_warnings()
                 .chain(tangential.pressing_warning())
-                .chain(tangential.shift_warning()),
+                .chain(tangential.motion_warnings()),
         );
         Ok(warnings)
     }

@@ -1,8 +1,8 @@
 //! CSV and other matrices in text, with one row per line.
 //!
 //! Lines are ordered towards larger y. The file contains neither cell sides nor a unit. Points in three columns are a
-//! different format, [`xyz`](super::xyz). This module would read them as a matrix with three columns. A matrix after a
-//! header of SPIP is also a different format, [`asc`](super::asc).
+//! different format, [`xyz`](super::xyz). Nine or more points of a grid are rejected. A matrix after a header of
+//! SPIP is also a different format, [`asc`](super::asc).
 
 use std::fmt::Write;
 use std::path::Path;
@@ -27,6 +27,10 @@ const MISSING: [&str; 8] = [
     "void",
     "voidvalue",
 ];
+
+/// Number of evenly spaced numbers from which the first line or column alone may be coordinates. Shorter lines of heights can be
+/// even by chance.
+const COORDINATES: usize = 9;
 
 /// Options for reading a matrix in text.
 ///
@@ -77,7 +81,8 @@ impl Options {
         self
     }
 
-    /// Declares that the file has no labels. A first line or column that counts 0, 1, 2 then contains heights.
+    /// Declares that the file has no labels. A first line or column that counts 0, 1, 2 or is evenly spaced then contains
+    /// heights.
     ///
     /// Without this option, such a line or column is rejected.
     pub fn without_labels(mut self) -> Self {
@@ -176,6 +181,11 @@ impl Options {
         width: usize,
         line: usize,
     ) -> Result<()> {
+        if width == 3 && are_points(samples) {
+            let problem = "the lines may contain points x, y, z of a grid: read the file as XYZ, or read the numbers as heights by \
+                           the option without_labels";
+            return Err(FORMAT.on_line(line, problem));
+        }
         let (rows, columns) = (self.skip_rows.max(line), self.skip_columns + 1);
         let (labels, remedy) = match spelling.labels(samples, width) {
             [false, false] => return Ok(()),
@@ -299,18 +309,29 @@ impl Spelling {
     /// rise like the first line. Other labels are whole numbers that count while the other numbers do not count or have
     /// decimals. Two numbers are labels only if all others have decimals. Labels with decimals of zero are
     /// three or more, count from zero, and require other numbers with decimals that are not zero.
+    ///
+    /// Nine or more coordinates along one axis are also labels if no other line or column is evenly spaced. On an inclined
+    /// surface all of them are.
     fn labels(&self, samples: &[f64], width: usize) -> [bool; 2] {
         let height = samples.len() / width;
         let line = |row: usize, from: usize| (from..width).map(move |ix| samples[row * width + ix]);
         let column =
             |ix: usize, from: usize| (from..height).map(move |iy| samples[iy * width + ix]);
         let spacings = spacing(line(0, 1)).zip(spacing(column(0, 1)));
+        let is_even_alone = [
+            width >= COORDINATES
+                && height > 1
+                && (0..height).all(|row| spacing(line(row, 1)).is_some() == (row == 0)),
+            height >= COORDINATES
+                && width > 1
+                && (0..width).all(|ix| spacing(column(ix, 1)).is_some() == (ix == 0)),
+        ];
         if self.corner == Corner::Empty {
             let does_line_count = self.line != Form::Other && counts(line(0, 1));
             let does_column_count = self.column != Form::Other && counts(column(0, 1));
             let is_pair = does_line_count && does_column_count || spacings.is_some();
             let is_long = does_line_count && width > 3 || does_column_count && height > 3;
-            return [is_pair || is_long; 2];
+            return [is_pair || is_long || is_even_alone != [false; 2]; 2];
         }
         if let Some((dx, dy)) = spacings.filter(|_| width > 3 && height > 3) {
             let continues = |first: f64, step: f64| is_equal(first - samples[0], step);
@@ -340,8 +361,31 @@ impl Spelling {
             && width > 1
             && counts(column(0, 0))
             && (have_decimals || (1..width).any(|ix| !steps_by_one(column(ix, 0))));
-        [is_line, is_column]
+        [is_line || is_even_alone[0], is_column || is_even_alone[1]]
     }
+}
+
+/// Returns whether lines of three numbers are the points (x, y, z) of an evenly spaced grid, row by row or column by column.
+#[expect(clippy::float_cmp, reason = "coordinates are repeated digit by digit")]
+fn are_points(samples: &[f64]) -> bool {
+    let count = samples.len() / 3;
+    let at = |point: usize, axis: usize| samples[3 * point + axis];
+    let is_grid = |fast: usize, slow: usize| {
+        let differs = |point: &usize| at(*point, slow) != at(0, slow);
+        let run = (1..count).find(differs).unwrap_or(count);
+        let rows = count / run;
+        let repeats = |point: usize| {
+            at(point, fast) == at(point % run, fast)
+                && at(point, slow) == at(point - point % run, slow)
+        };
+        run > 1
+            && rows > 1
+            && rows * run == count
+            && (0..count).all(repeats)
+            && spacing((0..run).map(|point| at(point, fast))).is_some()
+            && spacing((0..rows).map(|row| at(row * run, slow))).is_some()
+    };
+    count >= COORDINATES && (is_grid(0, 1) || is_grid(1, 0))
 }
 
 /// Returns whether the numbers are 0, 1, 2 and so on, or 1, 2, 3 and so on.
@@ -421,14 +465,17 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 /// - Numbers that may be labels are also rejected. A first line or column may be labels if it counts 0, 1, 2 or 1, 2, 3
 ///   in whole numbers, whereas the other numbers do not count or have decimals. Three or more numbers
 ///   0.0, 1.0, 2.0 are also labels if other numbers have decimals that are not zero. Evenly spaced coordinates on both axes are
-///   also labels, after an empty first cell or after a number that does not continue them. With
-///   [`Options::without_labels`] all of these numbers are read as heights.
+///   also labels, after an empty first cell or after a number that does not continue them. Coordinates on one axis are labels
+///   if they are nine or more and no other line or column is evenly spaced. With [`Options::without_labels`] all of these
+///   numbers are read as heights.
+/// - Nine or more lines with the points x, y, z of a grid are rejected, unless [`Options::without_labels`] is set.
+/// - Evenly spaced numbers in other first lines or columns are heights, because an inclined surface has the same form.
 ///
 /// # Errors
 /// - [`Error::NotPositive`] if a cell side is not positive and finite.
 /// - [`Error::Format`], with line and column, if a cell contains other text.
 /// - [`Error::Format`], with the line, if the width of a line differs from the width of the
-///   first line, or if the first line or column may be labels.
+///   first line, if the first line or column may be labels, or if the lines may be points.
 /// - [`Error::Format`] if the text is in UTF-16, if the file contains no numbers, or if it is a file of
 ///   [`asc`](super::asc).
 ///

@@ -340,7 +340,7 @@ impl TangentialSolution {
     pub fn try_warnings(&self) -> Result<Vec<Warning>> {
         let mut warnings = self.contact_map().warnings()?;
         warnings.extend(self.zone_warnings().chain(self.pressing_warning()));
-        warnings.extend(self.shift_warning());
+        warnings.extend(self.motion_warnings());
         let contact = || self.contact_map().mean_spot();
         let estimate = self.discretisation_estimate();
         warnings.extend(Warning::of_discretisation(estimate, contact)?);
@@ -355,10 +355,13 @@ impl TangentialSolution {
         zones.zone_warnings()
     }
 
-    /// Returns the warning about a shift that is larger than the grid.
-    pub(crate) fn shift_warning(&self) -> Option<Warning> {
-        let beyond = Warning::shift_beyond(self.grid(), self.shift());
-        beyond.map(|tenths| Warning::ShiftBeyondGrid { tenths })
+    /// Returns the warnings about a shift that is larger than the grid, and about a large twist.
+    pub(crate) fn motion_warnings(&self) -> impl Iterator<Item = Warning> {
+        let shift = Warning::shift_beyond(self.grid(), self.shift());
+        let twist = Warning::twist_beyond(self.twist());
+        let shift = shift.map(|tenths| Warning::ShiftBeyondGrid { tenths });
+        let twist = twist.map(|tenths| Warning::LargeTwist { tenths });
+        shift.into_iter().chain(twist)
     }
 
     fn contact_map(&self) -> ContactMap<'_, impl Fn(usize) -> bool + '_> {

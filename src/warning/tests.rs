@@ -6,7 +6,7 @@ use crate::warning::Warning;
 variants! { Warning:
     NoContact ContactAtEdge UnresolvedSpots SingleRowOfCells ContactSpansGrid BeyondHardness StalePressure StressAtEdge
     UnderresolvedContact UnderresolvedStickZone UnderresolvedSlipZone DiscretisationError SingleLoadStep
-    ApproachBeyondGrid ShiftBeyondGrid LargeContactRadius SteepSurface HeldShiftLostForce NeglectedLift CoatingBeyondGrid
+    ApproachBeyondGrid ShiftBeyondGrid LargeTwist LargeContactRadius SteepSurface HeldShiftLostForce NeglectedLift CoatingBeyondGrid
     CoatingBelowCell AccuracyNotReached
 }
 
@@ -116,6 +116,10 @@ fn every_warning_has_its_text() {
         (
             Warning::ShiftBeyondGrid { tenths: 25 },
             "the shift of the step is 2.5 times the longest side of the grid, expected less than 1: check the units of shift and grid",
+        ),
+        (
+            Warning::LargeTwist { tenths: 20 },
+            "the twist of the step is 2.0 radians, expected at most 0.5: convert a twist in degrees; the model assumes small rotations",
         ),
         (
             Warning::LargeContactRadius { per_mille: 350 },

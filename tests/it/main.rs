@@ -38,6 +38,7 @@ mod coupled_histories;
 mod coupled_projection_reference;
 mod coupled_rolling;
 mod coupled_termination;
+mod csv_labels;
 mod custom_operators;
 #[cfg(feature = "serde")]
 mod cycle_restart;

@@ -633,6 +633,37 @@ fn shift_larger_than_grid_gives_warning() {
 }
 
 #[test]
+fn twist_above_half_a_radian_gives_warning() {
+    let bodies = bodies(16);
+    let ball = ball(&bodies);
+    let normal = pressed(&bodies, &ball, load());
+    let stated = |warnings: Vec<Warning>| {
+        let mut warnings = warnings.into_iter();
+        warnings.find(|warning| matches!(warning, Warning::LargeTwist { .. }))
+    };
+    for (twist, tenths) in [(0.5, None), (-2.0, Some(20))] {
+        let expected = tenths.map(|tenths| Warning::LargeTwist { tenths });
+        let turned = TangentialLoad::force([0.0; 2]).twist(twist);
+        let problem = TangentialProblem::builder(&bodies, &normal, friction(), turned)
+            .model(TangentialModel::Vector)
+            .build();
+        let found = problem.unwrap().solve().unwrap().warnings();
+        assert_eq!(stated(found), expected);
+        let mut history = History::builder(&bodies, &ball, friction())
+            .model(TangentialModel::Vector)
+            .build()
+            .unwrap();
+        let press = LoadStep::hold().normal(NormalLoad::Force(load()));
+        history.step(&press).unwrap();
+        // Many small twists may add up.
+        for step in 1..=2 {
+            let load = LoadStep::hold().twist(f64::from(step) * twist);
+            assert_eq!(stated(history.step(&load).unwrap().warnings()), expected);
+        }
+    }
+}
+
+#[test]
 fn approach_larger_than_grid_gives_warning() {
     let bodies = bodies(16);
     let stated = |datum: f64, approach: f64| {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <type_traits>
+#include <utility>
 
 #include <stickslip.hpp>
 
@@ -19,6 +20,7 @@ static_assert(std::is_constructible<ss::Field, Vector &>::value, "view of a vect
 static_assert(std::is_convertible<const Vector &, ss::Field>::value, "conversion of a vector");
 static_assert(std::is_constructible<ss::FieldArgument, Vector>::value, "temporary vector as an argument");
 static_assert(std::is_constructible<ss::FieldArgument, ss::Field>::value, "view as an argument");
+static_assert(std::is_constructible<ss::FieldArgument, const Vector>::value, "constant temporary vector as an argument");
 static_assert(!std::is_copy_constructible<ss::FieldArgument>::value, "copy of an argument");
 static_assert(std::is_constructible<ss::NormalSolver, ss::HalfSpace &, Vector, stickslip_normal_load>::value,
               "solver of a temporary gap");
@@ -86,6 +88,16 @@ int main() {
     presser.solve_into(now);
     const std::size_t centre = n * n / 2 + n / 2;
     check(kept_samples[centre] == of_temporary[centre] && now.pressure()[centre] < kept_samples[centre], "copy of a field");
+
+    // A stored argument owns the samples of a temporary vector, and refers to the samples of a stored one.
+    Vector moved(4, 1.0);
+    const double *const samples = moved.data();
+    const ss::FieldArgument of_moved(std::move(moved));
+    check(moved.empty() && of_moved.data() == samples && of_moved.size() == 4, "argument of a temporary vector");
+    const ss::FieldArgument of_constant(static_cast<const Vector &&>(kept_samples));
+    check(of_constant.data() != kept_samples.data() && of_constant.size() == n * n, "argument of a constant temporary vector");
+    const ss::FieldArgument of_stored(kept_samples);
+    check(of_stored.data() == kept_samples.data(), "argument of a stored vector");
 
     // A layer with the modulus of its body changes nothing, and a harder layer reduces the approach.
     const auto under = [&](double modulus) {

@@ -176,17 +176,20 @@ fn shaped<'py, E: Entry>(flat: &Bound<'py, PyArray1<E>>, grid: stickslip::Grid) 
     shaped.map_or_else(|_| Array::of(flat.clone()), Array::of)
 }
 
-/// Returns the zones of the cells as numbers in a read-only array: 0 separated, 1 stick, 2 slip.
+/// Returns the zones of the cells as numbers in a read-only array, which also compares equal to their names.
 pub(crate) fn zones<'py>(
     py: Python<'py>,
     grid: stickslip::Grid,
     zones: &[stickslip::Zone],
-) -> Array<'py, u8> {
+) -> PyResult<Array<'py, u8>> {
     use stickslip::Zone;
     let number = |zone: &Zone| match zone {
         Zone::Separated => 0,
         Zone::Stick => 1,
         Zone::Slip => 2,
     };
-    bytes(py, grid, zones.iter().map(number)).read_only()
+    let numbers = bytes(py, grid, zones.iter().map(number)).read_only();
+    let class = py.import("stickslip._enums")?.getattr("Zones")?;
+    let zones = numbers.0.call_method1("view", (class,))?;
+    Ok(Array(zones, PhantomData))
 }

@@ -10,12 +10,15 @@ use stickslip::Error;
 
 use crate::argument::{Object, argument};
 use crate::array::{Array, mask, view};
-use crate::conversion::kind_of;
+use crate::conversion::{entries, kind_of};
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::grid::{Grid, size};
 use crate::pickle::{Reduced, Stored, reduced};
-use crate::real::{Count, by_axis, is_real, misshapen, plane, shape_error, wrong_type};
+use crate::real::{
+    Count, by_axis, check_coordinates, is_no_mask, is_real, misshapen, plane, shape_error,
+    wrong_type,
+};
 use crate::unit::{Unit, factor, is_same, known, one_of};
 
 /// Samples at the cells of a grid, one number per cell, such as gaps, heights or pressures. A field is immutable.
@@ -26,7 +29,7 @@ use crate::unit::{Unit, factor, is_same, known, one_of};
 /// either order, is computed cell by cell and is a field. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of
 /// booleans. Two fields are compared as a whole by ``==``. Other NumPy functions, such as ``numpy.maximum``, treat a field as
 /// its array: their result has no unit, and fields of different units raise an error. The axes of an array of xarray with the
-/// dimensions x and y are recognised by their names.
+/// dimensions x and y are recognised by their names. Its coordinates x and y, if any, must rise in steps of the cell sides.
 ///
 /// Parameters
 /// ----------
@@ -94,10 +97,7 @@ impl Field {
         samples: Samples<'_>,
         unit: Option<&str>,
     ) -> PyResult<Self> {
-        let unit = match unit {
-            Some(unit) => Some(known(unit)?),
-            None => samples.unit()?,
-        };
+        let unit = one_of([unit.map(known).transpose()?, samples.unit()?])?;
         let field = samples.on(py, "samples", grid.0)?;
         same_grid(grid.0, &field, "samples").or_raise(py)?;
         Ok(Self(field, unit))
@@ -283,6 +283,17 @@ impl Field {
         ufunc.getattr(method)?.call(arrays, kwargs.as_ref())
     }
 
+    /// Implements NumPy functions that are not ufuncs, such as ``numpy.stack``, in the same way.
+    fn __array_function__<'py>(
+        &self,
+        function: &Bound<'py, PyAny>,
+        _types: &Bound<'py, PyAny>,
+        arguments: &Bound<'py, PyAny>,
+        options: &Bound<'py, PyDict>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        apply_to_arrays(function, arguments, options)
+    }
+
     fn __add__(&self, py: Python<'_>, other: Samples<'_>) -> PyResult<Self> {
         self.of_one_unit(py, &other, |own, other| own + other)
     }
@@ -416,7 +427,7 @@ impl Stored for Field {
 
 /// NumPy functions that accept operands of different units: products, quotients, powers and logic, as in the arithmetic of
 /// fields.
-const IGNORE_UNITS: [&str; 9] = [
+const IGNORE_UNITS: [&str; 21] = [
     "multiply",
     "divide",
     "true_divide",
@@ -426,6 +437,18 @@ const IGNORE_UNITS: [&str; 9] = [
     "logical_and",
     "logical_or",
     "logical_xor",
+    "dot",
+    "vdot",
+    "inner",
+    "outer",
+    "tensordot",
+    "einsum",
+    "kron",
+    "cross",
+    "convolve",
+    "correlate",
+    "cov",
+    "corrcoef",
 ];
 
 impl Field {
@@ -528,6 +551,65 @@ fn without_modulo(modulo: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
     }
 }
 
+/// Applies a NumPy function to operands of which some have heights. Each is replaced by its heights, a field with a unit.
+pub(crate) fn apply_to_heights<'py>(
+    ufunc: &Bound<'py, PyAny>,
+    method: &str,
+    inputs: Vec<Bound<'py, PyAny>>,
+    kwargs: Option<&Bound<'py, PyDict>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let fields = inputs
+        .into_iter()
+        .map(|input| match input.getattr("heights") {
+            Ok(heights) if heights.is_instance_of::<Field>() => heights,
+            _ => input,
+        });
+    let fields = PyTuple::new(ufunc.py(), fields.collect::<Vec<_>>())?;
+    ufunc.getattr(method)?.call(fields, kwargs)
+}
+
+/// Calls a NumPy function with the arrays of all fields and surfaces among its arguments, also in tuples and lists. Surfaces of
+/// different units are rejected.
+pub(crate) fn apply_to_arrays<'py>(
+    function: &Bound<'py, PyAny>,
+    arguments: &Bound<'py, PyAny>,
+    options: &Bound<'py, PyDict>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let mut units = Vec::new();
+    let arguments = as_arrays(arguments, &mut units)?;
+    let plain = PyDict::new(function.py());
+    for (name, value) in options {
+        plain.set_item(name, as_arrays(&value, &mut units)?)?;
+    }
+    let name: String = function.getattr("__name__")?.extract()?;
+    if !IGNORE_UNITS.contains(&&name[..]) {
+        one_of(units)?;
+    }
+    function.call(arguments.cast::<PyTuple>()?, Some(&plain))
+}
+
+/// Replaces fields and surfaces by their arrays, and collects their units.
+fn as_arrays<'py>(
+    value: &Bound<'py, PyAny>,
+    units: &mut Vec<Option<Unit>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let heights = value.getattr("heights").ok();
+    if let Ok(field) = heights.as_ref().unwrap_or(value).cast::<Field>() {
+        units.push(field.get().1.clone());
+        return Ok(Field::array(field).0);
+    }
+    let Some(parts) = entries(value) else {
+        return Ok(value.clone());
+    };
+    let parts: PyResult<Vec<_>> = parts.iter().map(|part| as_arrays(&part, units)).collect();
+    let parts = PyTuple::new(value.py(), parts?)?;
+    Ok(if value.is_instance_of::<PyTuple>() {
+        parts.into_any()
+    } else {
+        parts.to_list().into_any()
+    })
+}
+
 /// Returns an array in the form that NumPy requests by the method ``__array__``.
 pub(crate) fn as_numpy<'py>(
     array: Bound<'py, PyAny>,
@@ -591,6 +673,7 @@ impl Samples<'_> {
             let (rows, columns) = samples.dim();
             return Err(misshapen(py, quantity, grid, &[rows, columns]));
         }
+        check_coordinates(&self.0, quantity, grid)?;
         let samples = match samples.as_slice() {
             Some(samples) => samples.to_vec(),
             None => samples.iter().copied().collect(),
@@ -614,6 +697,7 @@ impl Samples<'_> {
             );
             return Err(wrong_type(py, quantity, &message));
         }
+        is_no_mask(&self.0, quantity)?;
         self.on(py, quantity, grid)
     }
 
@@ -677,6 +761,7 @@ impl Samples<'_> {
         grid: Option<&Grid>,
     ) -> PyResult<Spread> {
         is_real(&self.0, quantity)?;
+        is_no_mask(&self.0, quantity)?;
         match self.number() {
             Some(value) => Ok(Spread::Uniform(value)),
             None => self
@@ -699,10 +784,18 @@ impl Samples<'_> {
         })
     }
 
-    /// Returns the unit of the lengths of a field or a topography, if it states one.
+    /// Returns the unit of the lengths of a field, a topography or an array of xarray, if it states one. The unit of another
+    /// quantity, such as a pressure, is ignored.
     pub(crate) fn unit(&self) -> PyResult<Option<Unit>> {
         if let Ok(field) = self.0.cast::<Field>() {
             return Ok(field.get().1.clone());
+        }
+        if self.0.hasattr("dims")? && self.0.hasattr("attrs")? {
+            let unit = self.0.getattr("attrs")?.call_method1("get", ("units",))?;
+            return Ok(unit
+                .extract()
+                .ok()
+                .and_then(|unit: String| known(&unit).ok()));
         }
         if !self.is_topography()? || !self.0.hasattr("unit")? {
             return Ok(None);

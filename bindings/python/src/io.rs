@@ -258,8 +258,8 @@ fn options(
 /// ``BAD``, ``No Data``, ``no_data``, ``no-data``, ``N/A``, ``#N/A``, ``NA``, ``null``, ``none``, ``void``, ``invalid``,
 /// ``missing`` and ``--``. Any other text is rejected with its line and column. Numbers that may be labels are also
 /// rejected: a first row or column 0, 1, 2, ..., also as 0.0, 1.0, 2.0, ... next to other decimals, and evenly spaced
-/// coordinates in the first row and column. Evenly spaced coordinates with other decimals in the first row or column alone, such
-/// as 0, 0.5, 1, are read as heights, because the first row or column of an inclined surface has the same form: skip them by
+/// coordinates in the first row and column. Nine or more coordinates in the first row or column alone are also rejected, unless
+/// another row or column is evenly spaced, as on an inclined surface. Fewer coordinates are read as heights: skip them by
 /// ``skip_rows=1`` or ``skip_columns=1``.
 ///
 /// Parameters
@@ -509,7 +509,8 @@ impl Arrays {
 /// path : path_like
 ///     The file; an existing file is replaced.
 /// fields : dict, solution, State, History, Field or surface
-///     Fields by name; a pair of fields is a vector. For other objects, all their fields are written.
+///     Fields by name; a pair of fields is a vector. For other objects, all their fields are written: ``gap`` is the gap under
+///     load, and ``unloaded_gap`` the gap before loading.
 /// grid : Grid, optional
 ///     Grid of the fields of a dictionary; required if they are arrays.
 #[pyfunction]

@@ -191,6 +191,17 @@ impl Keywords {
         Ok(load.twist(self.twist.map_or(0.0, f64::from)))
     }
 
+    /// Returns the load from rest given as an object or by these keywords. The message for neither of them names the keywords.
+    pub(crate) fn needed_or(&self, object: Option<TangentialArgument>) -> PyResult<Load> {
+        if object.is_none() && self.is_empty() {
+            return Err(PyTypeError::new_err(
+                "give the tangential load by force_x=, shift_x=, spring_x=, twist= or other keywords of TangentialLoad: \
+                 force_x=0.0 for no force",
+            ));
+        }
+        self.load_or(object)
+    }
+
     /// Returns the load from rest given as an object or by these keywords.
     pub(crate) fn load_or(&self, object: Option<TangentialArgument>) -> PyResult<Load> {
         one_of(object.map(|load| load.0.0), self.is_empty(), self.load()?)
@@ -248,7 +259,7 @@ fn one_of<T>(object: Option<T>, is_without_keywords: bool, by_keywords: T) -> Py
     }
 }
 
-/// A tangential load from rest.
+/// A tangential load from rest, given by at least one keyword.
 ///
 /// An axis without a keyword uses the same type of control as the other axis, with the value zero. The scalar model
 /// supports a load along one axis only; the vector model supports any load.
@@ -299,7 +310,7 @@ impl TangentialLoad {
         let keywords = keywords![
             force, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist
         ];
-        keywords.load().map(Self)
+        keywords.needed_or(None).map(Self)
     }
 
     /// Returns the control along an axis: ``("force", value)``, ``("shift", value)`` or

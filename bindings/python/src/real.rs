@@ -32,6 +32,21 @@ fn unreal(object: &Bound<'_, PyAny>) -> PyResult<Option<&'static str>> {
     })
 }
 
+/// Returns `Ok` unless an object is an array of truth values, such as a mask of cells. NumPy would convert them to 0 and 1.
+pub(crate) fn is_no_mask(object: &Bound<'_, PyAny>, quantity: &str) -> PyResult<()> {
+    let Some(array) = as_array(object) else {
+        return Ok(());
+    };
+    let kind: String = array.getattr("dtype")?.getattr("kind")?.extract()?;
+    let dimensions: usize = array.getattr("ndim")?.extract()?;
+    if kind == "b" && dimensions > 0 {
+        return Err(PyTypeError::new_err(format!(
+            "{quantity} must be real numbers, got truth values: convert a mask by mask.astype(float)"
+        )));
+    }
+    Ok(())
+}
+
 /// Returns `Ok` unless an object contains complex numbers, text or times.
 pub(crate) fn is_real(object: &Bound<'_, PyAny>, quantity: &str) -> PyResult<()> {
     match unreal(object)? {
@@ -237,6 +252,23 @@ pub(crate) fn by_axis<'py>(object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, Py
         }
         _ => Ok(object.clone()),
     }
+}
+
+/// Returns an error if an array of xarray or a table of pandas has coordinates that do not rise in steps of the cell sides. Its
+/// values would otherwise be mirrored or scaled without notice.
+pub(crate) fn check_coordinates(
+    object: &Bound<'_, PyAny>,
+    quantity: &str,
+    grid: stickslip::Grid,
+) -> PyResult<()> {
+    let is_array = object.hasattr("dims")? && object.hasattr("coords")?;
+    if !(is_array || object.hasattr("columns")? && object.hasattr("index")?) {
+        return Ok(());
+    }
+    let module = object.py().import("stickslip.io._datasets")?;
+    let sides = (grid.dx(), grid.dy());
+    module.call_method1("check_coordinates", (object, quantity, sides))?;
+    Ok(())
 }
 
 /// Returns a two-dimensional array of numbers; masked entries become NaN. The names of the axes determine their order, if

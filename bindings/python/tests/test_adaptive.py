@@ -312,7 +312,7 @@ def test_ctrl_c_ends_solve(threads, place):
         (lambda: solved(force_x=1.0), TypeError, "a tangential load requires friction"),
         (lambda: solved(first_step=ss.LoadStep(force_x=1.0)), TypeError, "a tangential load requires friction"),
         (lambda: solved(friction=0.5, force_x=1.0, first_step=ss.LoadStep()), TypeError, "first_step=, not both"),
-        (lambda: solved(friction=0.5, load=ss.TangentialLoad(), force_x=1.0), TypeError, "not both"),
+        (lambda: solved(friction=0.5, load=ss.TangentialLoad(force_x=1.0), force_x=1.0), TypeError, "not both"),
         (lambda: solved(friction=0.5, load=1.0), TypeError, "load must be a TangentialLoad"),
         (lambda: solved(friction=0.5, first_step=1.0), TypeError, "first_step"),
         (lambda: solved(friction=-0.5, force_x=1.0), ss.errors.NegativeOrNotFinite, "friction"),

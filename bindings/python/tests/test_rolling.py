@@ -56,7 +56,7 @@ def test_rolling_cylinder_matches_carter():
 
 
 def test_rolling_small_creepages_match_kalker(ball):
-    solver = ball.problem().solver()
+    solver = ball.problem(creepage_x=0.0).solver()
     stiffness = np.array(solver.stiffness())
     unit = ball.radius**2
     assert stiffness[0, 0] / unit == pytest.approx(4.12, rel=0.02)
@@ -199,7 +199,7 @@ def test_rolling_leading_edge_and_step_are_respected(ball):
 def test_creep_curve_reaches_sliding(ball):
     points = np.zeros((11, 3))
     points[:, 0] = 0.03 * np.arange(11)
-    solver = ball.problem().solver()
+    solver = ball.problem(creepage_x=0.0).solver()
     curve = solver.creep_forces(points)
     force_x, force_y = curve.force
     assert force_x[0] == 0.0 and curve.stick_ratio[-1] == 0.0
@@ -265,18 +265,18 @@ def test_rolling_rejected_input_leaves_solver_unchanged(ball):
 
 def test_rolling_invalid_contacts_are_rejected(ball):
     with pytest.raises(ss.errors.NotPositive, match="step"):
-        ball.problem(step=0)
+        ball.problem(step=0, creepage_x=0.0)
     with pytest.raises(ValueError, match="LeadingEdge must be one of 'plus_x'"):
         ball.problem(leading_edge="x")
     with pytest.raises(ss.errors.Method):
-        ball.problem(method="polonsky_keer")
+        ball.problem(method="polonsky_keer", creepage_x=0.0)
     with pytest.raises(ss.NotConverged) as caught:
         ball.problem(creepage_x=0.1, max_iterations=1).solve()
     assert isinstance(caught.value.last_iterate, ss.rolling.RollingSolution)
     # The contact reaches the edge of the grid, where particles would enter.
     flat = ss.NormalProblem(ball.bodies, np.zeros((24, 24)), force=1.0).solve(warn=False)
     with pytest.raises(ss.errors.GridTooShort, match="1 cell ahead of the contact, but the grid has 0: extend the grid there by at least 1 cell$"):
-        RollingProblem(ball.bodies, flat, FRICTION)
+        RollingProblem(ball.bodies, flat, FRICTION, creepage_x=0.0)
 
 
 def test_rolling_history_reaches_steady_state(ball):

@@ -67,7 +67,8 @@ impl History {
         let unsolved = Report::unsolved();
         let report = found.map_or(&unsolved, |_| scheme.report());
         step.tangential_report.clone_from(report);
-        let moved = motion.since(state.motion).shift;
+        let moved = motion.since(state.motion);
+        let (moved, twisted) = (moved.shift, moved.twist);
         let [x, y] = state.force;
         let force_before = x.hypot(y);
         let before = candidate.held().map(NormalSolution::pressure);
@@ -105,6 +106,7 @@ impl History {
         step.remarks.scale = state.normal.scale();
         if travel.is_none() && !step.remarks.is_apart {
             step.remarks.shift_tenths = Warning::shift_beyond(state.grid(), moved);
+            step.remarks.twist_tenths = Warning::twist_beyond(twisted);
         }
         if load.holds_shift() && !step.remarks.is_apart {
             step.remarks.lost_per_cent = lost_per_cent(force_before, step);

@@ -30,6 +30,9 @@ pub(in crate::history) struct StepDiagnostics {
     pub(in crate::history) lost_per_cent: usize,
     /// Largest shift of a step that is larger than the grid, over the longest side of the grid, in tenths.
     pub(in crate::history) shift_tenths: Option<usize>,
+    /// Largest twist of a step that is not small, in tenths of a radian. Saved histories do not contain it.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub(in crate::history) twist_tenths: Option<usize>,
     /// Largest lift due to the tractions of a rolled step that the pressure ignores, in millionths of the normal
     /// displacement.
     pub(in crate::history) neglected_lift: Option<usize>,
@@ -52,6 +55,7 @@ impl StepDiagnostics {
             scale: self.scale.max(other.scale),
             lost_per_cent: self.lost_per_cent.max(other.lost_per_cent),
             shift_tenths: self.shift_tenths.max(other.shift_tenths),
+            twist_tenths: self.twist_tenths.max(other.twist_tenths),
             neglected_lift: self.neglected_lift.max(other.neglected_lift),
             resolution: self.resolution.and(other.resolution),
         }
@@ -75,6 +79,8 @@ impl StepDiagnostics {
         let lost = (per_cent > LARGEST_LOSS).then_some(Warning::HeldShiftLostForce { per_cent });
         let shift = self.shift_tenths;
         let shift = shift.map(|tenths| Warning::ShiftBeyondGrid { tenths });
+        let twist = self.twist_tenths;
+        let twist = twist.map(|tenths| Warning::LargeTwist { tenths });
         let lift = self.neglected_lift;
         let lift = lift.map(|per_million| Warning::NeglectedLift { per_million });
         all.chain(beyond)
@@ -82,6 +88,7 @@ impl StepDiagnostics {
             .chain(zones)
             .chain(self.scale.warnings())
             .chain(shift)
+            .chain(twist)
             .chain(lost)
             .chain(at_once)
             .collect()

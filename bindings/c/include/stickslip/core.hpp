@@ -57,12 +57,16 @@ template <class T> class View {
 using Field = View<double>;
 using Zones = View<std::uint8_t>;
 
-/// Samples that a function reads during its call only. A field, a vector and a temporary vector convert to it.
+/// Samples that a function reads during its call only. A field and a vector convert to it without a copy. A temporary vector
+/// is moved into it, so that a stored argument remains valid.
 class FieldArgument {
   public:
     FieldArgument(const double *data, std::size_t size) : data_(data), size_(size) {}
     FieldArgument(const Field &field) : FieldArgument(field.data(), field.size()) {}
     FieldArgument(const std::vector<double> &samples) : FieldArgument(samples.data(), samples.size()) {}
+    FieldArgument(std::vector<double> &&samples)
+        : owned_(std::move(samples)), data_(owned_.data()), size_(owned_.size()) {}
+    FieldArgument(const std::vector<double> &&samples) : FieldArgument(std::vector<double>(samples)) {}
     FieldArgument(const FieldArgument &) = delete;
     FieldArgument &operator=(const FieldArgument &) = delete;
 
@@ -70,6 +74,7 @@ class FieldArgument {
     std::size_t size() const { return size_; }
 
   private:
+    std::vector<double> owned_;
     const double *data_;
     std::size_t size_;
 };

@@ -1,6 +1,11 @@
 """Enumerations. Each member is a string, and every argument that accepts a member also accepts its name."""
 
+from __future__ import annotations
+
 from enum import Enum, IntEnum
+from typing import Any
+
+import numpy as np
 
 
 class _Name(str, Enum):
@@ -226,8 +231,52 @@ class Component(_Name):
 
 
 class Zone(IntEnum):
-    """State of a cell; the members are the numbers in the arrays of zones."""
+    """State of a cell. The members are the numbers in the arrays of zones, and are equal to their names, as in
+    ``zones[iy, ix] == "stick"``. Other names raise a ``ValueError``."""
 
     SEPARATED = 0
     STICK = 1
     SLIP = 2
+
+    @classmethod
+    def _missing_(cls, value: object) -> Zone | None:
+        return next((zone for zone in cls if zone.name.lower() == value), None)
+
+    def __eq__(self, other: object) -> bool:
+        return self is _zone(other) if isinstance(other, str) else int(self) == other
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    __hash__ = IntEnum.__hash__
+
+
+def _zone(value: Any) -> Zone:
+    """Returns the zone with a number or a name."""
+    return Zone(value)
+
+
+class Zones(np.ndarray[Any, np.dtype[np.uint8]]):
+    """Array of zones. NumPy alone would find a number unequal to every name."""
+
+    def __eq__(self, other: Any) -> Any:
+        return np.asarray(self) == _numbers(other)
+
+    def __ne__(self, other: Any) -> Any:
+        return np.asarray(self) != _numbers(other)
+
+    def __getitem__(self, index: Any) -> Any:
+        entry = super().__getitem__(index)
+        return _zone(entry) if isinstance(entry, np.uint8) else entry
+
+    def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
+        # The results of NumPy functions are not zones.
+        return np.asarray(array)[()]
+
+
+def _numbers(names: Any) -> Any:
+    """Returns the numbers of names of zones; other objects are returned unchanged."""
+    given = np.asarray(names)
+    if given.dtype.kind not in "SU":
+        return names
+    return np.reshape([int(_zone(str(name))) for name in given.flat], given.shape)

@@ -1235,7 +1235,7 @@ class CoupledProblem:
     load : TangentialLoad, optional
         The tangential load as an object, instead of by keywords.
     force, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist : optional
-        The tangential load; see :class:`TangentialLoad`. No force by default.
+        The tangential load; see :class:`TangentialLoad`. No force by default, which presses the bodies only.
     normal_force, approach : float
         Exactly one of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap
         (a length, positive when they move together).
@@ -2326,7 +2326,7 @@ class Field:
     either order, is computed cell by cell and is a field. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of
     booleans. Two fields are compared as a whole by ``==``. Other NumPy functions, such as ``numpy.maximum``, treat a field as
     its array: their result has no unit, and fields of different units raise an error. The axes of an array of xarray with the
-    dimensions x and y are recognised by their names.
+    dimensions x and y are recognised by their names. Its coordinates x and y, if any, must rise in steps of the cell sides.
 
     Parameters
     ----------
@@ -2364,6 +2364,10 @@ class Field:
     def __abs__(self, /) -> Field: ...
     def __add__(self, other: object, /) -> Field: ...
     def __array__(self, /, dtype: Any | None = None, copy: bool | None = None) -> Any: ...
+    def __array_function__(self, /, function: Any, _types: Any, arguments: Any, options: dict[str, Any]) -> Any:
+        """
+        Implements NumPy functions that are not ufuncs, such as ``numpy.stack``, in the same way.
+        """
     def __array_ufunc__(self, /, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:
         """
         Implements NumPy functions with a field among their operands.
@@ -2458,6 +2462,14 @@ class Filled:
     A surface whose missing heights (NaN) are filled smoothly.
     """
     def __array__(self, /, dtype: Any | None = None, copy: bool | None = None) -> Any: ...
+    def __array_function__(self, /, function: Any, _types: Any, arguments: Any, options: dict[str, Any]) -> Any:
+        """
+        Implements other NumPy functions of the heights, in the same way.
+        """
+    def __array_ufunc__(self, /, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:
+        """
+        Implements NumPy functions of the heights. Operands of different units are rejected.
+        """
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -2477,6 +2489,14 @@ class Filtered:
     A filtered surface and the removed components: the three add up to the given surface.
     """
     def __array__(self, /, dtype: Any | None = None, copy: bool | None = None) -> Any: ...
+    def __array_function__(self, /, function: Any, _types: Any, arguments: Any, options: dict[str, Any]) -> Any:
+        """
+        Implements other NumPy functions of the heights, in the same way.
+        """
+    def __array_ufunc__(self, /, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:
+        """
+        Implements NumPy functions of the heights. Operands of different units are rejected.
+        """
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -3566,7 +3586,8 @@ class History:
     def step(self, /, load: LoadStep | None = None, *, normal_force: float | None = None, approach: float | None = None, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: Spring | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: Spring | None = None, spring_y: Spring | None = None, twist: float | None = None, relative_displacement: float | None = None, roll: Rolling | None = None, progress: Any | None = None, warn: bool = True) -> StepResult:
         """
         Takes a step, given as a :class:`LoadStep` or by its keywords. A quantity without a keyword is held: the
-        pressure, the shift, the twist and the relative displacement. Any history can be pressed by a step. For dissimilar
+        pressure, the shift, the twist and the relative displacement. A step without arguments holds all of them, for example
+        after a change of friction. Any history can be pressed by a step. For dissimilar
         bodies, whose stick zone depends on the growth of the contact, :meth:`press` is more accurate than a single step.
 
         A step without a tangential load holds the shift, not the tangential force. The force decreases if a lower
@@ -3665,6 +3686,8 @@ class History:
     def zones(self, /) -> NDArray[uint8]:
         """
         Zone of each cell: 0 separated, 1 stick, 2 slip. A read-only copy.
+
+        The array also compares equal to the names of the zones; see :attr:`TangentialSolution.zones`.
         """
 
 @final
@@ -3995,6 +4018,14 @@ class Levelled:
     A surface without its form.
     """
     def __array__(self, /, dtype: Any | None = None, copy: bool | None = None) -> Any: ...
+    def __array_function__(self, /, function: Any, _types: Any, arguments: Any, options: dict[str, Any]) -> Any:
+        """
+        Implements other NumPy functions of the heights, in the same way.
+        """
+    def __array_ufunc__(self, /, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:
+        """
+        Implements NumPy functions of the heights. Operands of different units are rejected.
+        """
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -5891,7 +5922,8 @@ class RollingProblem:
     """
     Bodies, normal contact, friction and controls of steady rolling.
 
-    The creepage is zero along an axis without a given creepage or force.
+    At least one creepage, force, spin or moment is required. The creepage is zero along an axis without a given creepage or
+    force.
 
     Parameters
     ----------
@@ -6039,6 +6071,8 @@ class RollingSolution:
     def zones(self, /) -> NDArray[uint8]:
         """
         Zone of each cell, a uint8 array of shape (ny, nx) with the values of :class:`Zone`: 0 separated, 1 stick, 2 slip.
+
+        The array also compares equal to the names of the zones; see :attr:`TangentialSolution.zones`.
         """
 
 @final
@@ -6795,6 +6829,8 @@ class State:
     def zones(self, /) -> NDArray[uint8]:
         """
         Zone of each cell: 0 separated, 1 stick, 2 slip.
+
+        The array also compares equal to the names of the zones; see :attr:`TangentialSolution.zones`.
         """
 
 @final
@@ -7260,7 +7296,7 @@ class TangentialEdges:
 @final
 class TangentialLoad:
     """
-    A tangential load from rest.
+    A tangential load from rest, given by at least one keyword.
 
     An axis without a keyword uses the same type of control as the other axis, with the value zero. The scalar model
     supports a load along one axis only; the vector model supports any load.
@@ -7309,7 +7345,8 @@ class TangentialProblem:
     load : TangentialLoad, optional
         The tangential load as an object, instead of by keywords.
     force, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist : optional
-        The tangential load; see :class:`TangentialLoad`. No force by default.
+        The tangential load; see :class:`TangentialLoad`. A load is required. With a relative displacement, the default is zero
+        force.
     model : TangentialModel or str, default "scalar"
         "scalar" computes the traction along the axis of the load, "vector" both components.
     coupling : Coupling or str, default "one_way"
@@ -7502,6 +7539,9 @@ class TangentialSolution:
     def zones(self, /) -> NDArray[uint8]:
         """
         Zone of each cell, a uint8 array of shape (ny, nx) with the values of :class:`Zone`: 0 separated, 1 stick, 2 slip.
+
+        The array compares equal to these numbers, to members of :class:`Zone` and to their names: ``zones == "stick"`` is the
+        mask of the stick zone.
         """
 
 @final
@@ -7995,6 +8035,14 @@ class WithoutOutliers:
     A surface without its outliers.
     """
     def __array__(self, /, dtype: Any | None = None, copy: bool | None = None) -> Any: ...
+    def __array_function__(self, /, function: Any, _types: Any, arguments: Any, options: dict[str, Any]) -> Any:
+        """
+        Implements other NumPy functions of the heights, in the same way.
+        """
+    def __array_ufunc__(self, /, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:
+        """
+        Implements NumPy functions of the heights. Operands of different units are rejected.
+        """
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -8145,8 +8193,8 @@ def csv_read(path: str | PathLike[str], *, cell: Sequence[float] | NDArray[Any] 
     ``BAD``, ``No Data``, ``no_data``, ``no-data``, ``N/A``, ``#N/A``, ``NA``, ``null``, ``none``, ``void``, ``invalid``,
     ``missing`` and ``--``. Any other text is rejected with its line and column. Numbers that may be labels are also
     rejected: a first row or column 0, 1, 2, ..., also as 0.0, 1.0, 2.0, ... next to other decimals, and evenly spaced
-    coordinates in the first row and column. Evenly spaced coordinates with other decimals in the first row or column alone, such
-    as 0, 0.5, 1, are read as heights, because the first row or column of an inclined surface has the same form: skip them by
+    coordinates in the first row and column. Nine or more coordinates in the first row or column alone are also rejected, unless
+    another row or column is evenly spaced, as on an inclined surface. Fewer coordinates are read as heights: skip them by
     ``skip_rows=1`` or ``skip_columns=1``.
 
     Parameters
@@ -8678,7 +8726,8 @@ def vti_write(path: str | PathLike[str], fields: Any, *, grid: Grid | None = Non
     path : path_like
         The file; an existing file is replaced.
     fields : dict, solution, State, History, Field or surface
-        Fields by name; a pair of fields is a vector. For other objects, all their fields are written.
+        Fields by name; a pair of fields is a vector. For other objects, all their fields are written: ``gap`` is the gap under
+        load, and ``unloaded_gap`` the gap before loading.
     grid : Grid, optional
         Grid of the fields of a dictionary; required if they are arrays.
     """

@@ -37,7 +37,7 @@ use crate::work::unobserved_on;
 /// load : TangentialLoad, optional
 ///     The tangential load as an object, instead of by keywords.
 /// force, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist : optional
-///     The tangential load; see :class:`TangentialLoad`. No force by default.
+///     The tangential load; see :class:`TangentialLoad`. No force by default, which presses the bodies only.
 /// normal_force, approach : float
 ///     Exactly one of the two: the normal force (not negative), or the approach of the bodies from the datum of the gap
 ///     (a length, positive when they move together).

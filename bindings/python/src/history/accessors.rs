@@ -133,9 +133,11 @@ impl History {
     }
 
     /// Zone of each cell: 0 separated, 1 stick, 2 slip. A read-only copy.
+    ///
+    /// The array also compares equal to the names of the zones; see :attr:`TangentialSolution.zones`.
     #[getter]
     fn zones<'py>(&self, py: Python<'py>) -> PyResult<Array<'py, u8>> {
-        self.read(|history| zones(py, history.grid(), history.zones()))
+        self.read(|history| zones(py, history.grid(), history.zones()))?
     }
 
     /// Shift of body 2 relative to body 1 since the start, along x and y (lengths).

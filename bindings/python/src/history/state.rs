@@ -176,8 +176,10 @@ impl State {
     }
 
     /// Zone of each cell: 0 separated, 1 stick, 2 slip.
+    ///
+    /// The array also compares equal to the names of the zones; see :attr:`TangentialSolution.zones`.
     #[getter]
-    fn zones<'py>(&self, py: Python<'py>) -> Array<'py, u8> {
+    fn zones<'py>(&self, py: Python<'py>) -> PyResult<Array<'py, u8>> {
         zones(py, self.0.grid(), self.0.zones())
     }
 

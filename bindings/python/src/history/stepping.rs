@@ -22,7 +22,8 @@ use crate::work::solve;
 #[pymethods]
 impl History {
     /// Takes a step, given as a :class:`LoadStep` or by its keywords. A quantity without a keyword is held: the
-    /// pressure, the shift, the twist and the relative displacement. Any history can be pressed by a step. For dissimilar
+    /// pressure, the shift, the twist and the relative displacement. A step without arguments holds all of them, for example
+    /// after a change of friction. Any history can be pressed by a step. For dissimilar
     /// bodies, whose stick zone depends on the growth of the contact, :meth:`press` is more accurate than a single step.
     ///
     /// A step without a tangential load holds the shift, not the tangential force. The force decreases if a lower
@@ -139,7 +140,10 @@ impl History {
         warn: bool,
     ) -> PyResult<usize> {
         let py = slf.py();
-        let normal = load::normal(normal_force, approach)?;
+        let normal = match &load {
+            None => Some(load::needed_as("normal_force", normal_force, approach)?),
+            Some(_) => load::normal(normal_force, approach)?,
+        };
         let load = Keywords::default().step_or(load, normal, None, None)?;
         let progress = Progress::of(progress.as_ref())?;
         let own = slf.get();

@@ -69,6 +69,16 @@ impl Keywords {
         })
     }
 
+    /// Returns an error if no keyword is given.
+    pub(super) fn needed(&self) -> PyResult<()> {
+        if self.is_empty() {
+            return Err(PyTypeError::new_err(
+                "give a creepage, a force, a spin or a moment, such as creepage_x= or force_x=: creepage_x=0.0 for free rolling",
+            ));
+        }
+        Ok(())
+    }
+
     pub(super) fn is_empty(&self) -> bool {
         self.controls == [None; 2] && self.spin.is_none()
     }

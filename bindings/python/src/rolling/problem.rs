@@ -24,7 +24,8 @@ use crate::work::unobserved_on;
 
 /// Bodies, normal contact, friction and controls of steady rolling.
 ///
-/// The creepage is zero along an axis without a given creepage or force.
+/// At least one creepage, force, spin or moment is required. The creepage is zero along an axis without a given creepage or
+/// force.
 ///
 /// Parameters
 /// ----------
@@ -130,6 +131,7 @@ impl RollingProblem {
             [force_x, force_y],
             (spin, moment),
         )?;
+        keywords.needed()?;
         let grid = bodies.0.grid();
         let friction = friction.on(py, grid)?;
         let given = (

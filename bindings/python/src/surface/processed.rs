@@ -22,6 +22,29 @@ macro_rules! processed {
                 crate::field::as_numpy(heights.0, dtype, copy)
             }
 
+            /// Implements NumPy functions of the heights. Operands of different units are rejected.
+            #[pyo3(signature = (ufunc, method, *inputs, **kwargs))]
+            fn __array_ufunc__<'py>(
+                &self,
+                ufunc: pyo3::Bound<'py, pyo3::PyAny>,
+                method: &str,
+                inputs: Vec<pyo3::Bound<'py, pyo3::PyAny>>,
+                kwargs: Option<pyo3::Bound<'py, pyo3::types::PyDict>>,
+            ) -> pyo3::PyResult<pyo3::Bound<'py, pyo3::PyAny>> {
+                crate::field::apply_to_heights(&ufunc, method, inputs, kwargs.as_ref())
+            }
+
+            /// Implements other NumPy functions of the heights, in the same way.
+            fn __array_function__<'py>(
+                &self,
+                function: &pyo3::Bound<'py, pyo3::PyAny>,
+                _types: &pyo3::Bound<'py, pyo3::PyAny>,
+                arguments: &pyo3::Bound<'py, pyo3::PyAny>,
+                options: &pyo3::Bound<'py, pyo3::types::PyDict>,
+            ) -> pyo3::PyResult<pyo3::Bound<'py, pyo3::PyAny>> {
+                crate::field::apply_to_arrays(function, arguments, options)
+            }
+
             fn __reduce__<'py>(
                 &self,
                 py: pyo3::Python<'py>,

@@ -33,7 +33,8 @@ use crate::work::unobserved_on;
 /// load : TangentialLoad, optional
 ///     The tangential load as an object, instead of by keywords.
 /// force, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist : optional
-///     The tangential load; see :class:`TangentialLoad`. No force by default.
+///     The tangential load; see :class:`TangentialLoad`. A load is required. With a relative displacement, the default is zero
+///     force.
 /// model : TangentialModel or str, default "scalar"
 ///     "scalar" computes the traction along the axis of the load, "vector" both components.
 /// coupling : Coupling or str, default "one_way"
@@ -103,7 +104,11 @@ impl TangentialProblem {
         let keywords = keywords![
             force, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist
         ];
-        let load = keywords.load_or(load)?;
+        // A relative displacement shears the contact without a force.
+        let load = match &relative_displacement {
+            None => keywords.needed_or(load)?,
+            Some(_) => keywords.load_or(load)?,
+        };
         let grid = bodies.0.grid();
         let friction = friction.on(py, grid)?;
         let given = pressure.given(py, grid)?;

@@ -120,8 +120,11 @@ impl TangentialSolution {
     }
 
     /// Zone of each cell, a uint8 array of shape (ny, nx) with the values of :class:`Zone`: 0 separated, 1 stick, 2 slip.
+    ///
+    /// The array compares equal to these numbers, to members of :class:`Zone` and to their names: ``zones == "stick"`` is the
+    /// mask of the stick zone.
     #[getter]
-    fn zones<'py>(&self, py: Python<'py>) -> Array<'py, u8> {
+    fn zones<'py>(&self, py: Python<'py>) -> PyResult<Array<'py, u8>> {
         zones(py, self.get().grid(), self.get().zones())
     }
 

@@ -60,7 +60,7 @@ impl JaegerSuperposition {
 
     /// Zone of each cell; see :attr:`TangentialSolution.zones`.
     #[getter]
-    fn zones<'py>(&self, py: Python<'py>) -> Array<'py, u8> {
+    fn zones<'py>(&self, py: Python<'py>) -> PyResult<Array<'py, u8>> {
         zones(py, self.0.traction().grid(), self.0.zones())
     }
 

@@ -47,7 +47,8 @@ def to_xarray(solution: Any) -> xarray.Dataset:
 
     Fields have the dimensions (y, x), with the centres of the cells as coordinates. Components of vectors are named by
     their axis, such as ``traction_x``, and components of stresses by both axes, such as ``xz``. Numbers are attributes of
-    the dataset. The docstring of each field is its attribute ``long_name``. The unit of a Field or a surface is kept; for
+    the dataset. The docstring of each field is its attribute ``long_name``: ``gap`` is the gap under load, and ``unloaded_gap``
+    the gap before loading. The unit of a Field or a surface is kept; for
     other objects set ``dataset.x.attrs["units"]``.
 
     Parameters
@@ -128,7 +129,10 @@ def _halves_of(solution: Any) -> tuple[Any, ...]:
     if isinstance(solution, Sequence):
         kinds = [type(part) for part in solution]
         if kinds in ([NormalSolution, TangentialSolution], [NormalSolution, RollingSolution]):
-            return tuple(solution)
+            normal, shear = solution
+            if normal.grid != shear.grid:
+                raise ValueError(f"the solutions of a pair must be on one grid, got {normal.grid} and {shear.grid}")
+            return normal, shear
     name = type(solution).__name__
     raise TypeError(f"expected a solution, a state, a history, a Field, a surface or planes, got {name}")
 
@@ -179,6 +183,30 @@ def from_xarray(array: xarray.DataArray) -> Field:
     samples = np.ascontiguousarray(array.transpose("y", "x"), dtype=float)
     grid = Grid(samples.shape[1], samples.shape[0], sides[0], sides[1])
     return Field(grid, samples, own)
+
+
+def check_coordinates(array: Any, quantity: str, sides: tuple[float, float]) -> None:
+    """Raises an error if the coordinates x or y of an array of xarray, or the decimal labels of a table of pandas, do not rise
+    in steps of the cell sides. Called before the values are read by their position."""
+    if hasattr(array, "columns"):
+        labels = {axis: part for axis, part in (("x", array.columns), ("y", array.index)) if part.dtype.kind == "f"}
+        remedy = "sort it by .sort_index(axis={})"
+    else:
+        labels = {axis: array.coords[axis] for axis in ("x", "y") if axis in array.dims and axis in array.coords}
+        remedy = 'sort it by .sortby("{}")'
+    for axis, side in zip("xy", sides):
+        if axis not in labels:
+            continue
+        along = np.asarray(labels[axis], dtype=float)
+        steps = np.diff(along)
+        if (steps < 0.0).all() and steps.size:
+            sorting = remedy.format(axis if "sortby" in remedy else "yx".index(axis))
+            raise ValueError(f"{quantity} has decreasing coordinates along {axis}: {sorting}")
+        if not (np.abs(steps - side) <= 1e-3 * side).all():
+            raise ValueError(
+                f"{quantity} has coordinates from {along[0]} to {along[-1]} along {axis}, which do not agree with {along.size} cells "
+                f"of the side {side}: convert their unit, or give .values to ignore the coordinates"
+            )
 
 
 def _factor(unit: str, into: str) -> float:

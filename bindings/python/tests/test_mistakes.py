@@ -1,0 +1,181 @@
+"""Mistakes in calls that would compute a plausible result of a different problem."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import stickslip as ss
+
+STEEL = ss.Material(213e9, 0.29)
+FORCE = 100.0
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda scene: ss.TangentialProblem(scene.bodies, scene.normal(), 0.5), "tangential load by force_x=, shift_x=.* force_x=0.0 for no"),
+        (lambda scene: ss.TangentialLoad(), "tangential load by force_x=, shift_x="),
+        (lambda scene: ss.rolling.RollingProblem(scene.bodies, scene.normal(), 0.5), "creepage_x= or force_x=: creepage_x=0.0 for free"),
+        (lambda scene: ss.NormalProblem(scene.bodies, scene.ball), "normal load by force= or approach="),
+        (lambda scene: ss.CoupledProblem(scene.bodies, scene.ball, 0.5, force_x=1.0), "normal load by normal_force= or approach="),
+        (lambda scene: scene.history().press(tolerance=0.1), "normal load by normal_force= or approach="),
+    ],
+)
+def test_missing_load_message_names_keywords(scene, call, message):
+    with pytest.raises(TypeError, match=message):
+        call(scene)
+
+
+def test_load_is_optional_where_something_else_loads_the_contact(scene):
+    contact = scene.normal()
+    stretched = ss.tangential.RelativeDisplacement.bulk_strain(scene.grid, ((1e-4, 0.0), (0.0, 0.0)))
+    assert ss.TangentialProblem(scene.bodies, contact, 0.5, relative_displacement=stretched).solve(warn=False).traction[0].any()
+    # A zero load is stated, and a pressed contact of dissimilar bodies needs no tangential load.
+    still = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=0.0)
+    assert not pickle.loads(pickle.dumps(still)).solve().traction[0].any()
+    pair = ss.HalfSpace(scene.grid, (STEEL, ss.Material(70e9, 0.33)))
+    assert ss.CoupledProblem(pair, scene.ball, 0.3, normal_force=FORCE).solve(warn=False).tangential.traction[0].any()
+
+
+def test_zones_compare_equal_to_their_names(scene):
+    shear = ss.TangentialProblem(scene.bodies, scene.normal(), 0.5, force_x=20.0).solve()
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    history.step(force_x=20.0)
+    for zones in (shear.zones, history.zones, history.state().zones, pickle.loads(pickle.dumps(shear.zones)), shear.zones.copy(), shear.zones[20:]):
+        numbers = np.array(zones)
+        assert type(numbers) is np.ndarray and numbers.dtype == np.uint8 and np.unique(zones).tolist() == [0, 1, 2]
+        for zone in ss.Zone:
+            name = zone.name.lower()
+            for mask in (zones == name, name == zones, zones == zone, zones == np.array(name), ~(zones != name)):
+                assert type(mask) is np.ndarray and mask.dtype == bool and np.array_equal(mask, numbers == int(zone)), name
+        named = np.array(["separated", "stick", "slip"])[numbers]
+        assert (zones == named).all() and (zones == numbers).all() and not (zones != named.tolist()).any()
+        for wrong in ("Stick", "gross slip", b"stick", ["stick", "no"]):
+            with pytest.raises(ValueError, match="is not a valid Zone"):
+                zones == wrong  # noqa: B015
+            with pytest.raises(ValueError, match="is not a valid Zone"):
+                zones != wrong  # noqa: B015
+    for cell in shear.zones[32]:
+        assert isinstance(cell, ss.Zone) and cell == cell.name.lower() and (cell == "stick") == (cell == 1) == (not cell != "stick")
+    assert ss.Zone("slip") is ss.Zone.SLIP and {ss.Zone.STICK: 5}[shear.zones[32, 32]] == 5
+    with pytest.raises(ValueError, match="'Slip' is not a valid Zone"):
+        shear.zones[32, 32] == "Slip"  # noqa: B015
+
+
+def test_results_computed_from_zones_are_numbers(scene):
+    zones = ss.TangentialProblem(scene.bodies, scene.normal(), 0.5, force_x=20.0).solve().zones
+    numbers = np.array(zones)
+    for result, expected in (
+        (zones + 1, numbers + 1), (zones > 0, numbers > 0), (zones.sum(axis=0), numbers.sum(axis=0)), (np.diff(zones), np.diff(numbers)),
+        (np.where(zones == "slip", 1.0, 0.0), np.where(numbers == 2, 1.0, 0.0)), (zones.astype(float) / 2, numbers / 2),
+    ):  # fmt: skip
+        assert type(result) is np.ndarray and np.array_equal(result, expected)
+    assert zones.sum() == numbers.sum() and type(zones.sum()) is type(numbers.sum()) and zones.max() == 2
+    assert zones.tolist() == numbers.tolist() and zones.astype(float)[0, 0] == 0.0
+    with pytest.raises(ValueError, match="read-only"):
+        zones[0, 0] = 2
+
+
+def test_gap_of_exports_is_described_as_loaded_or_unloaded(scene):
+    pytest.importorskip("xarray")
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    assert ss.io.to_xarray(scene.normal()).gap.attrs["long_name"].startswith("Gap under load")
+    for solution in (history, history.state()):
+        dataset = ss.io.to_xarray(solution)
+        assert dataset.unloaded_gap.attrs["long_name"].startswith("The gap before loading") and "gap" not in dataset
+    for function in (ss.io.to_xarray, ss.io.vti.write):
+        assert "``gap`` is the gap under load" in " ".join(function.__doc__.split())
+
+
+def test_numpy_functions_of_processed_surfaces_reject_different_units(scene):
+    fields = {unit: ss.Field(scene.grid, scene.ball.array, unit) for unit in ("um", "mm")}
+    makers = (
+        lambda field: ss.surface.level(field, "plane"),
+        ss.surface.fill_missing,
+        lambda field: ss.surface.gaussian_filter(field, s=5e-5),
+        lambda field: ss.surface.remove_outliers(field),
+    )
+    for make in makers:
+        one, other = make(fields["um"]), make(fields["mm"])
+        for pair in ((one, other), (one, fields["mm"]), (fields["um"], other)):
+            for function in (np.add, np.subtract, np.maximum, np.hypot, np.less):
+                with pytest.raises((ValueError, TypeError), match=r"units um and mm|which has heights: give its \.heights"):
+                    function(*pair)
+        heights = np.asarray(one)
+        assert np.array_equal(np.add(one, one), 2.0 * heights) and np.array_equal(np.multiply(one, other), heights * np.asarray(other))
+        assert np.array_equal(np.abs(one), np.abs(heights)) and np.array_equal(np.subtract(heights, one), 0.0 * heights)
+        assert np.add.reduce(one, axis=0).shape == (64,)
+        for call in (lambda *pair: np.stack(pair), np.array_equal, lambda a, b: np.where(heights > 0.0, a, b)):
+            for pair in ((one, other), (fields["um"], fields["mm"]), (fields["um"], other)):
+                with pytest.raises(ValueError, match="units um and mm"):
+                    call(*pair)
+        assert np.stack([one, one]).shape == (2, 64, 64) and np.array_equal(np.dot(one, other), np.dot(heights, np.asarray(other)))
+    assert np.allclose(fields["um"], scene.ball.array) and np.mean(fields["mm"], axis=0).shape == (64,) and np.shape(fields["um"]) == (64, 64)
+
+
+def test_coordinates_of_xarray_arguments_must_agree_with_the_grid(scene):
+    xarray = pytest.importorskip("xarray")
+    grid, gap = scene.grid, scene.ball.array
+
+    def of(y, x, **attributes):
+        return xarray.DataArray(gap, {"y": y, "x": x}, ("y", "x"), attrs=attributes)
+
+    reference = ss.NormalProblem(scene.bodies, gap, force=FORCE).solve().pressure
+    for array in (of(grid.y, grid.x), of(grid.y + 1.0, grid.x).T, of(grid.y, grid.x).drop_vars("y")):
+        assert np.array_equal(ss.NormalProblem(scene.bodies, array, force=FORCE).solve().pressure, reference)
+    with pytest.raises(ValueError, match=r'gap has decreasing coordinates along y: sort it by \.sortby\("y"\)'):
+        ss.NormalProblem(scene.bodies, of(grid.y[::-1], grid.x), force=FORCE)
+    pandas = pytest.importorskip("pandas")
+    for table in (pandas.DataFrame(gap), pandas.DataFrame(gap, grid.y, grid.x)):
+        assert np.array_equal(ss.NormalProblem(scene.bodies, table, force=FORCE).solve().pressure, reference)
+    with pytest.raises(ValueError, match=r"gap has decreasing coordinates along y: sort it by \.sort_index\(axis=0\)"):
+        ss.NormalProblem(scene.bodies, pandas.DataFrame(gap, grid.y[::-1], grid.x), force=FORCE)
+    for wrong in (pandas.DataFrame(gap, grid.y, 1e3 * grid.x), of(grid.y, 1e3 * grid.x), of(grid.y, np.sort(grid.x**2)), of(grid.y, np.arange(64))):
+        with pytest.raises(ValueError, match=r"gap has coordinates from .* along x, which do not agree with 64 cells .* give \.values"):
+            ss.NormalProblem(scene.bodies, wrong, force=FORCE)
+    with pytest.raises(ValueError, match="units mm and um"):
+        ss.Field(grid, ss.Field(grid, gap, "um"), "mm")
+    with pytest.raises(ValueError, match="units um and mm"):
+        ss.Field(grid, gap, "um") + of(grid.y, grid.x, units="mm")
+    assert ss.Field(grid, of(grid.y, grid.x, units="mm")).unit == "mm" and ss.Field(grid, of(grid.y, grid.x, units="Pa")).unit is None
+
+
+def test_exported_pairs_belong_to_one_grid(scene):
+    pytest.importorskip("xarray")
+    coarse = ss.HalfSpace(ss.Grid.square(64, 0.4e-3), (STEEL, STEEL))
+    other = ss.NormalProblem(coarse, ss.surface.sphere(coarse.grid, 3.5e-3), force=FORCE).solve()
+    shear = ss.TangentialProblem(scene.bodies, scene.normal(), 0.5, force_x=20.0).solve()
+    for export in (ss.io.to_xarray, ss.io.vti.to_bytes):
+        with pytest.raises(ValueError, match="the solutions of a pair must be on one grid, got Grid"):
+            export((other, shear))
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda scene, mask: ss.NormalProblem(scene.bodies, mask, force=1.0), "gap must be real numbers, got truth values: .* mask.astype"),
+        (lambda scene, mask: ss.TangentialProblem(scene.bodies, mask, 0.5, force_x=1.0), "pressure must be real numbers, got truth values"),
+        (lambda scene, mask: scene.history().set_friction(mask), "coefficient of friction must be real numbers, got truth values"),
+        (lambda scene, mask: scene.history(hardness=mask), "hardness must be real numbers, got truth values"),
+    ],
+)
+def test_masks_instead_of_numbers_are_rejected(scene, call, message):
+    with pytest.raises(TypeError, match=message):
+        call(scene, scene.ball.array > 0.0)
+
+
+def test_labels_and_points_in_csv_are_rejected():
+    header = b"0,.5,1,1.5,2,2.5,3,3.5,4\n1,7,5,6,6,3,2,2,5\n3,4,9,5,5,1,1,6,1\n"
+    with pytest.raises(ss.errors.Format, match="skip_rows = 1"):
+        ss.io.csv.parse(header, cell=(1.0, 1.0))
+    assert ss.io.csv.parse(header, cell=(1.0, 1.0), skip_rows=1).array[0].tolist() == [1, 7, 5, 6, 6, 3, 2, 2, 5]
+    points = b"".join(b"%d %d %d\n" % (i % 3, i // 3, i * i % 7) for i in range(9))
+    with pytest.raises(ss.errors.Format, match="read the file as XYZ"):
+        ss.io.csv.parse(points, cell=(1.0, 1.0))
+    assert ss.io.csv.parse(points, cell=(1.0, 1.0), without_labels=True).shape == (9, 3)
+    x, y = np.meshgrid(np.arange(12.0), np.arange(10.0))
+    inclined = ss.Field(ss.Grid(12, 10, 1.0, 1.0), 0.3 * x + 0.17 * y)
+    assert ss.io.csv.parse(ss.io.csv.to_bytes(inclined), cell=(1.0, 1.0)) == inclined
