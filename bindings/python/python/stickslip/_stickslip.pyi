@@ -3643,6 +3643,11 @@ class History:
         NotConverged
         """
     @property
+    def stick_ratio(self, /) -> float:
+        """
+        Ratio of stick cells to contact cells after the last step, zero without contact.
+        """
+    @property
     def tangential_force(self, /) -> tuple[float, float]:
         """
         Tangential force that body 2 exerts on body 1 along x and y.
@@ -6763,6 +6768,11 @@ class State:
         Number of steps since the start.
         """
     @property
+    def stick_ratio(self, /) -> float:
+        """
+        Ratio of stick cells to contact cells after the last step, zero without contact.
+        """
+    @property
     def tangential_force(self, /) -> tuple[float, float]:
         """
         Tangential force that body 2 exerts on body 1 along x and y.
@@ -7787,8 +7797,8 @@ class Warning:
     ``single_row_of_cells``, ``contact_spans_grid``, ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``,
     ``underresolved_stick_zone``, ``underresolved_slip_zone``, ``single_load_step``, ``stress_at_edge``,
     ``discretisation_error``, ``approach_beyond_grid``, ``shift_beyond_grid``, ``large_contact_radius``, ``steep_surface``,
-    ``held_shift_lost_force``, ``neglected_lift``, ``coating_beyond_grid``, ``coating_below_cell`` or
-    ``accuracy_not_reached``.
+    ``held_shift_lost_force``, ``unused_relative_displacement``, ``neglected_lift``, ``coating_beyond_grid``,
+    ``coating_below_cell`` or ``accuracy_not_reached``.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __hash__(self, /) -> int: ...

@@ -162,6 +162,12 @@ impl History {
         self.read(stickslip::History::moment)
     }
 
+    /// Ratio of stick cells to contact cells after the last step, zero without contact.
+    #[getter]
+    fn stick_ratio(&self) -> PyResult<f64> {
+        self.read(stickslip::History::stick_ratio)
+    }
+
     /// Largest tangential force that friction can carry.
     #[getter]
     fn friction_capacity(&self) -> PyResult<f64> {
