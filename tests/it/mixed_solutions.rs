@@ -117,7 +117,7 @@ fn shear_under_pressure_of_second_solve_is_accepted() {
     let friction = coulomb(FRICTION);
     for gap in [ball(&bodies), kit::rough(bodies.grid(), 3)] {
         let (mut press, contact) = pressed(&bodies, &gap, FORCE);
-        let (solver, shear) = sheared(&bodies, &contact, TangentialModel::Vector);
+        let (mut solver, shear) = sheared(&bodies, &contact, TangentialModel::Vector);
         let found = by_pressure(&solver, &shear);
         let mut solve = |factor: f64| {
             press.set_load(NormalLoad::Force(1.7 * FORCE)).unwrap();
@@ -143,7 +143,12 @@ fn shear_under_pressure_of_second_solve_is_accepted() {
             ContactStiffness::new(&bodies, same, &friction, &shear).unwrap();
             let (press, _) = pressed(&bodies, &gap, FORCE);
             press.chain(same, found.clone()).unwrap();
+            solver.set_pressure(same).unwrap();
+            by_pressure(&solver, &shear);
         }
+        solver.set_pressure(&other).unwrap();
+        let found_there = solver.sensitivity(&shear, &Functional::ElasticEnergy);
+        assert_eq!(outdated(found_there).0, "the pressure or the friction");
         assert_eq!(outdated(shear.edges(&other, &friction)), OTHER_PRESSURE);
         assert_eq!(outdated(shear.spots(&other)), OTHER_PRESSURE);
         let stiffness = ContactStiffness::new(&bodies, &other, &friction, &shear);

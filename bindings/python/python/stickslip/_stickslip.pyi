@@ -1828,7 +1828,7 @@ class Cycle:
             If the history has taken no step since it was created or since :meth:`History.set_state`.
         StepOutOfOrder
             If the last step of the history is not the next step of the cycle: skipped, already added, or not later than its start.
-            Step numbers do not identify a different history.
+            A step of another history is rejected too, unless both histories had equal forces and motions before it.
         GridMismatch, BoundaryMismatch, MaterialMismatch
             If the history has other bodies than the history of the cycle.
         """
@@ -3638,8 +3638,8 @@ class History:
         Raises
         ------
         OutdatedSolution
-            If the friction limits or the gap have changed since the last step. Take a step first, with a normal load after a
-            change of the gap.
+            If the friction limits, the gap or the relative displacement have changed since the last step. Take a step first,
+            with a normal load after a change of the gap.
         NotConverged
         """
     @property
@@ -5037,7 +5037,7 @@ class NormalSolver:
         Raises
         ------
         UnsupportedByModel
-            If a sensitivity has no derivative with respect to the pressure.
+            If a sensitivity has no derivative with respect to the pressure, or was chained before.
         OutdatedSolution
             If a sensitivity was computed for another pressure, or the solution for another problem of this solver.
         GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, NotPositive, EmptyContact, NotFinite, NotConverged

@@ -213,8 +213,8 @@ impl History {
     /// Raises
     /// ------
     /// OutdatedSolution
-    ///     If the friction limits or the gap have changed since the last step. Take a step first, with a normal load after a
-    ///     change of the gap.
+    ///     If the friction limits, the gap or the relative displacement have changed since the last step. Take a step first,
+    ///     with a normal load after a change of the gap.
     /// NotConverged
     #[pyo3(signature = (*, next_step=false))]
     fn stiffness(&self, py: Python<'_>, next_step: bool) -> PyResult<ContactStiffness> {
