@@ -65,7 +65,7 @@ fn stick_zone(shear: &TangentialSolution) -> [f64; 2] {
 /// A pattern without an amount has no effect. A step with a tangential load and no amount has a warning.
 #[test]
 fn relative_displacement_without_amount_gives_warning() {
-    let bodies = kit::unit_bodies(kit::square(24, 3.0), 0.3);
+    let bodies = unit_bodies(kit::square(24, 3.0), 0.3);
     let grid = bodies.grid();
     let strain = RelativeDisplacement::bulk_strain(grid, [[1e-3, 0.0], [0.0, 0.0]]).unwrap();
     let (gap, friction) = (kit::sphere(grid, 1.0), kit::coulomb(0.3));

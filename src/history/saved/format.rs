@@ -183,7 +183,8 @@ impl State {
         self.visit_hardness(codec)?;
         self.visit_relative(codec)?;
         // A force that was lost under a held shift is stored only if it differs from the present force.
-        let has_lost = self.held_force != self.force;
+        let bits = |force: [f64; 2]| force.map(f64::to_bits);
+        let has_lost = bits(self.held_force) != bits(self.force);
         let mut marks = [self.is_pressure_stale, self.is_friction_new, has_lost];
         let kinds: [[bool; 3]; 8] =
             std::array::from_fn(|code| [1, 2, 4].map(|bit| code & bit != 0));

@@ -11,6 +11,10 @@ use crate::warning::{Resolution, Warning};
     derive(serde::Serialize, serde::Deserialize),
     serde(default)
 )]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each value belongs to one warning"
+)]
 pub(in crate::history) struct StepDiagnostics {
     /// Whether the pressure was held although the gap had changed.
     pub(in crate::history) is_pressure_stale: bool,
