@@ -11,7 +11,7 @@ use crate::grid::Grid;
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[non_exhaustive]
 pub enum Warning {
-    /// No cell carries pressure.
+    /// No cell carries pressure. A new solution also has this warning until a solver writes to it.
     NoContact,
     /// The contact reaches the outermost ring of cells, so the bodies may also touch beyond the grid.
     ContactAtEdge {
@@ -146,13 +146,18 @@ pub enum Warning {
         /// The rms slope, in thousandths.
         per_mille: usize,
     },
-    /// A step of a history specified no tangential load. The step kept the shift. The tangential force decreased by more
-    /// than half, because the friction under a smaller pressure or a smaller coefficient cannot carry it. Steps that
-    /// roll, twist or change a relative displacement do not have this warning.
+    /// Steps of a history specified no tangential load along an axis and kept the shift. The tangential force decreased
+    /// by more than half, because the friction under a smaller pressure or a smaller coefficient cannot carry it. The
+    /// loss is relative to the largest force since the last step that prescribed this load, or since the last warning.
+    /// Steps that roll, twist or change a relative displacement do not have this warning.
     HeldShiftLostForce {
         /// The lost fraction of the tangential force, in per cent.
         per_cent: usize,
     },
+    /// A history has a [relative displacement](crate::history::HistoryBuilder::relative_displacement). Its amount is zero, and a
+    /// step prescribed a tangential load without an amount. The displacement, for instance by a bulk strain, then has no effect.
+    /// A step that prescribes the amount zero does not have this warning.
+    UnusedRelativeDisplacement,
     /// The rolling of bodies that couple pressure and traction neglects the effect of tractions on the pressure, and the neglected lift exceeds
     /// the tolerance. [`CoupledRollingProblem`](crate::rolling::CoupledRollingProblem) and a [`History`](crate::History)
     /// with [full coupling](crate::Coupling::Full) include this effect.
@@ -191,7 +196,7 @@ impl std::fmt::Display for Warning {
     fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         match self {
             Self::NoContact => formatter.write_str(
-                "no cell carries pressure because the normal force is zero: prescribe a positive normal force, or an approach above the smallest gap"
+                "no cell carries pressure because the normal force is zero or nothing has been solved yet: prescribe a positive normal force, or an approach above the smallest gap, and solve"
             ),
             Self::ContactAtEdge { cells } => {
                 write!(
@@ -302,7 +307,10 @@ impl std::fmt::Display for Warning {
             ),
             Self::HeldShiftLostForce { per_cent } => write!(
                 formatter,
-                "the step kept the shift and lost {per_cent} % of the tangential force, expected at most 50 %: to keep the force, prescribe it in each step"
+                "the tangential force decreased by {per_cent} % under a held shift, expected at most 50 %: to keep the force, prescribe it in each step"
+            ),
+            Self::UnusedRelativeDisplacement => formatter.write_str(
+                "the relative displacement has no effect because its amount is zero: prescribe the amount in each step, for example 1 for the pattern itself, or 0 for a step without it"
             ),
             Self::NeglectedLift { per_million } => write_lift(formatter, *per_million),
             Self::CoatingBeyondGrid { sides } => write!(

@@ -2,7 +2,7 @@
 
 use crate::cgm::reduce;
 use crate::grid::Grid;
-use crate::numerics::agreement::agree;
+use crate::numerics::agreement::agree_within;
 use crate::parallel::layout::Layout;
 
 /// Sums over the pressure of a contact. Results of a shear problem store them to identify the pressure to which they belong.
@@ -41,11 +41,11 @@ impl PressureFingerprint {
         }
     }
 
-    /// Returns whether both belong to the same pressure, up to round-off.
-    pub(crate) fn agrees_with(&self, other: &Self) -> bool {
+    /// Returns whether both belong to the same pressure, up to a relative difference.
+    pub(crate) fn agrees_with(&self, other: &Self, tolerance: f64) -> bool {
         // The sum of the squares of very large pressures is infinite.
         let are_equal = |one: f64, other: f64, scale| {
-            (one.is_infinite() && other.is_infinite()) || agree(one, other, scale)
+            (one.is_infinite() && other.is_infinite()) || agree_within(tolerance, one, other, scale)
         };
         are_equal(self.sum, other.sum, 0.0)
             && are_equal(self.squares, other.squares, 0.0)

@@ -82,14 +82,14 @@ impl CoupledSolution {
     }
 
     /// Returns the normal solution: pressure, gap under load, approach and contact area. Its report describes the whole
-    /// solve.
+    /// solve. Its elastic energy and its displacement exclude the displacement due to the tractions.
     #[must_use]
     pub fn normal(&self) -> &NormalSolution {
         &self.normal
     }
 
     /// Returns the tangential solution: tractions along both axes, slip, zones and shift. Its report describes the
-    /// whole solve.
+    /// whole solve. Its elastic energy and its displacement exclude the displacement due to the pressure.
     #[must_use]
     pub fn tangential(&self) -> &TangentialSolution {
         &self.tangential
@@ -105,7 +105,10 @@ impl CoupledSolution {
         [x, y, z]
     }
 
-    /// Returns the elastic energy of both bodies, $`\tfrac A2 \sum (p\,u_z + q \cdot u_t)`$ (force times length).
+    /// Returns the elastic energy of both bodies, $`\tfrac A2 \sum (p\,u_z + q \cdot u_t)`$ (force times length). It is the
+    /// total energy of the coupled contact. For dissimilar bodies it differs from the sum of the energies of
+    /// [`normal`](Self::normal) and [`tangential`](Self::tangential) by $`A \sum p\,w`$. Here w is the normal displacement due to
+    /// the tractions.
     #[must_use]
     pub fn elastic_energy(&self) -> f64 {
         let of_own = || self.energy_over(&self.normal.grid().layout());

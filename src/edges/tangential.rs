@@ -8,6 +8,7 @@ use crate::grid::field::Field;
 use crate::grid::neighbours::neighbours;
 use crate::grid::record::checked_struct;
 use crate::normal::NormalSolution;
+use crate::numerics::agreement::tolerance_of;
 use crate::support::debug::shown;
 use crate::tangential::{Friction, TangentialSolution, Zone};
 
@@ -131,7 +132,11 @@ impl TangentialSolution {
         check_whole(grid)?;
         self.check_normal(normal, quantity)?;
         friction.check(grid)?;
-        if !self.belongs_to(&grid.layout(), normal.pressure().as_slice(), friction) {
+        let (pressure, tolerance) = (
+            normal.pressure().as_slice(),
+            tolerance_of(&[self.report(), normal.report()]),
+        );
+        if !self.belongs_to(&grid.layout(), pressure, friction, tolerance) {
             return Err(Error::OutdatedSolution {
                 quantity,
                 changed: "the friction",

@@ -509,9 +509,10 @@ pub enum Error {
     /// A load path or a cycle has no steps.
     #[error("the load path or cycle has no steps: at least one step is needed")]
     EmptyPath,
-    /// A cycle contains the steps of its history up to the step `last`, and the step `step` is not the next one.
+    /// A cycle contains the steps of its history up to the step `last`. The step `step` is not the next one, or it is a step of
+    /// another history.
     #[error(
-        "step {step} of the history does not follow step {last}, the last step of the cycle: add every step once, in order, after it is accepted"
+        "step {step} of the history does not follow step {last}, the last step of the cycle: add every step of one history once, in order, after it is accepted"
     )]
     StepOutOfOrder {
         /// The number of the step, counted from 1, or zero before the first step.

@@ -451,7 +451,7 @@ fn every_error_has_its_text() {
         ),
         (
             Error::StepOutOfOrder { step: 3, last: 5 },
-            "step 3 of the history does not follow step 5, the last step of the cycle: add every step once, in order, after it is accepted",
+            "step 3 of the history does not follow step 5, the last step of the cycle: add every step of one history once, in order, after it is accepted",
         ),
         (
             Error::NoLastStep,

@@ -105,7 +105,8 @@ impl HistoryBuilder<'_> {
 
     /// Sets a displacement of body 1 relative to body 2 that the contact does not cause (default: none). Each step
     /// prescribes or holds [an amount](crate::LoadStep::relative_displacement) of this displacement. The amount is zero until a
-    /// step prescribes it. Without such a step, the displacement has no effect on the contact.
+    /// step prescribes it. Without such a step, the displacement has no effect on the contact, and steps with a tangential load have
+    /// the warning [`UnusedRelativeDisplacement`](crate::Warning::UnusedRelativeDisplacement).
     ///
     /// The work of a change of the displacement is part of the [balance](crate::history::EnergyBalance). A cell that
     /// comes into contact within a step follows the whole change of the displacement.

@@ -35,8 +35,8 @@ pub struct LoadStep {
 
 impl LoadStep {
     /// Holds pressure, shift and twist. The tangential force is not held. Under a lower pressure or a lower coefficient,
-    /// cells at the edge of the contact slip and the force decreases. A loss of more than half of the force is a warning
-    /// ([`Warning::HeldShiftLostForce`](crate::Warning::HeldShiftLostForce)).
+    /// cells at the edge of the contact slip and the force decreases. A loss of more than half of the force, in one step
+    /// or in several, is a warning ([`Warning::HeldShiftLostForce`](crate::Warning::HeldShiftLostForce)).
     pub fn hold() -> Self {
         Self {
             normal: NormalControl::Hold,
@@ -127,7 +127,9 @@ impl LoadStep {
 
     /// Sets the amount of the [relative displacement](crate::history::HistoryBuilder::relative_displacement) at the end
     /// of the step, as a multiple of the pattern of the history. If the pattern belongs to a unit bulk stress, for
-    /// example, the amount is the bulk stress of the specimen.
+    /// example, the amount is the bulk stress of the specimen. Later steps hold the amount. Before the first such step the amount
+    /// is zero, and a step with a tangential load has the warning
+    /// [`UnusedRelativeDisplacement`](crate::Warning::UnusedRelativeDisplacement).
     pub fn relative_displacement(mut self, amount: f64) -> Self {
         self.relative_displacement = Some(amount);
         self
@@ -205,12 +207,18 @@ impl LoadStep {
         self.rolling.as_ref()
     }
 
-    /// Returns whether the shift is held along both axes. Such a step may still change the normal load.
-    pub(super) fn holds_shift(&self) -> bool {
-        self.tangential == [TangentialControl::Hold; 2]
-            && self.twist.is_none()
-            && self.relative_displacement.is_none()
-            && self.rolling.is_none()
+    /// Returns whether the shift is held along each axis. A twist, a relative displacement and rolling change the force
+    /// along both axes, so that neither counts as held.
+    pub(super) fn held_axes(&self) -> [bool; 2] {
+        let is_still =
+            self.twist.is_none() && self.relative_displacement.is_none() && self.rolling.is_none();
+        self.tangential
+            .map(|control| is_still && control == TangentialControl::Hold)
+    }
+
+    /// Returns whether a tangential load or a twist is prescribed.
+    pub(super) fn prescribes_shear(&self) -> bool {
+        self.twist.is_some() || self.tangential != [TangentialControl::Hold; 2]
     }
 
     /// Returns whether a twist is prescribed.

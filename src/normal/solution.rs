@@ -311,6 +311,10 @@ impl NormalSolution {
     /// Computes the elastic energy of the normal contact, $`\tfrac A2 \sum p\,u_z`$ (force times length). The displacements
     /// apply to the centres of the cells.
     ///
+    /// For the half of a coupled solution of dissimilar bodies, this energy excludes the displacement due to the tractions. The
+    /// energies of both halves do not add up to [`CoupledSolution::elastic_energy`](crate::CoupledSolution::elastic_energy). The
+    /// difference is $`A \sum p\,w`$, with the normal displacement w due to the tractions.
+    ///
     /// # Errors
     /// Errors of [`NormalSolution::displacement`].
     pub fn elastic_energy(&self, bodies: &HalfSpace) -> Result<f64> {

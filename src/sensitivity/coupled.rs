@@ -10,6 +10,7 @@ use crate::grid::field::Field;
 use crate::half_space::Region;
 use crate::memory::fallible;
 use crate::normal::NormalLoad;
+use crate::numerics::agreement::ROUND_OFF;
 use crate::numerics::cell_vector::{at, slices};
 use crate::observer::Observer;
 use crate::parallel;
@@ -92,7 +93,8 @@ impl CoupledProblem {
             check_relative_displacement(bodies, relative, shear, [x, y])?;
         }
         let pressure = normal.pressure().as_slice();
-        let is_current = shear.belongs_to(&bodies.grid_layout(), pressure, &self.friction);
+        let is_current =
+            shear.belongs_to(&bodies.grid_layout(), pressure, &self.friction, ROUND_OFF);
         check_current(is_current, "the friction")?;
         let capacity = reduce::sum(&bodies.grid_layout(), |i| {
             self.friction.limit(i, pressure[i])

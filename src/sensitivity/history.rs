@@ -62,8 +62,8 @@ impl History {
     /// - [`Error::EmptyContact`] if the bodies do not touch.
     /// - [`Error::UnsupportedByModel`] for a step that rolls, or for full coupling of dissimilar bodies.
     /// - [`Error::NoLastStep`] if the history has taken no step since it was created or since [`History::set_state`].
-    /// - [`Error::OutdatedSolution`] if the friction or the gap has changed since the last step, or if the last step did not reach
-    ///   `load`.
+    /// - [`Error::OutdatedSolution`] if the friction, the gap or the relative displacement has changed since the last step, or if
+    ///   the last step did not reach `load`.
     /// - The errors of [`Solver::sensitivity`](crate::Solver::sensitivity).
     pub fn sensitivity(&self, load: &LoadStep, functional: &Functional) -> Result<Sensitivity> {
         let workspace = &mut StiffnessWorkspace::new();

@@ -10,6 +10,7 @@ use crate::grid::window::Window;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible;
 use crate::normal::{Hardness, NormalLoad, NormalProblem, NormalSolution, NormalSolver};
+use crate::numerics::agreement::tolerance_of;
 use crate::observer::{Observer, unwatched};
 use crate::parallel;
 use crate::report::{Iteration, Report};
@@ -144,7 +145,8 @@ impl NormalSolver {
     /// # Errors
     /// - [`Error::OutdatedSolution`] if the tangential contact was solved under a different pressure, for instance before a change
     ///   of the normal load or the gap.
-    /// - [`Error::UnsupportedByModel`] if a sensitivity has no derivative with respect to the pressure.
+    /// - [`Error::UnsupportedByModel`] if a sensitivity has no derivative with respect to the pressure. A sensitivity that was
+    ///   chained before, or that has a derivative with respect to the gap or the normal load, also has this error.
     /// - The errors of [`sensitivity`](Self::sensitivity).
     pub fn chain(
         &self,
@@ -171,15 +173,23 @@ impl NormalSolver {
         let converged = check_converged(contact.report());
         let mut checked = contact.check_bodies(bodies).and(converged);
         let mut gradients = fallible::with_room(sensitivities.len())?;
-        let given = contact.fingerprint();
+        let (given, tolerance) = (contact.fingerprint(), tolerance_of(&[contact.report()]));
         for found in &sensitivities {
             let mut of = Gradient::default();
+            if found.gap.is_some() || found.normal_load.is_some() {
+                checked = checked.and(Err(Error::UnsupportedByModel {
+                    model: "the chain to the gap",
+                    quantity: "a sensitivity that already contains the derivatives of the normal contact",
+                    value: 0.0,
+                    remedy: "chain each sensitivity of a tangential contact once",
+                }));
+            }
             match &found.pressure {
                 Some(pressure) => {
                     let is_same = found
                         .pressed
                         .zip(given)
-                        .is_none_or(|(own, given)| own.agrees_with(&given));
+                        .is_none_or(|(own, given)| own.agrees_with(&given, tolerance));
                     checked = checked
                         .and_then(|()| pressure.check("pressure", bodies.grid()))
                         .and_then(|()| check_pressure(is_same));

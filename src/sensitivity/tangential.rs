@@ -8,6 +8,7 @@ use crate::error::{Result, check_converged};
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::memory::fallible;
+use crate::numerics::agreement::tolerance_of;
 use crate::numerics::cell_vector::{at, dot, minus, slices};
 use crate::observer::Observer;
 use crate::operator::Operator;
@@ -62,7 +63,8 @@ impl Linearised for TangentialProblem {
         bodies.joint(parallel::enter_with(grid.cells(), || {
             let mut pressure = fallible::zeros(grid.cells())?;
             pressed.region.scatter(&pressed.pressure, &mut pressure);
-            let is_current = shear.belongs_to(&bodies.grid_layout(), &pressure, &problem.friction);
+            let (layout, tolerance) = (bodies.grid_layout(), tolerance_of(&[shear.report()]));
+            let is_current = shear.belongs_to(&layout, &pressure, &problem.friction, tolerance);
             check_current(is_current, "the pressure or the friction")?;
             let loads = ShearLoads::of(shear, solver.friction_capacity());
             let is_current = loads.are_prescribed_by(&problem.load.demand(), Some(0.0));

@@ -6,6 +6,7 @@ use crate::contact::ResponseContext;
 use crate::error::{Error, Result, check_converged, positive};
 use crate::half_space::HalfSpace;
 use crate::normal::NormalSolution;
+use crate::numerics::agreement::tolerance_of;
 use crate::numerics::small_matrix::Small;
 use crate::observer::{Observer, unwatched};
 use crate::parallel;
@@ -124,15 +125,17 @@ impl TangentialStiffness {
 }
 
 impl TangentialSolution {
-    /// Returns an error unless the solution belongs to this pressure of the local cells and this friction.
+    /// Returns an error unless the solution belongs to the pressure of this normal contact and this friction.
     pub(super) fn check_limits(
         &self,
         bodies: &HalfSpace,
-        pressure: &[f64],
+        normal: &NormalSolution,
         friction: &Friction,
     ) -> Result<()> {
         let belongs = parallel::enter_with(bodies.grid().cells(), || {
-            self.belongs_to(&bodies.grid_layout(), pressure, friction)
+            let pressure = normal.pressure().as_slice();
+            let tolerance = tolerance_of(&[self.report(), normal.report()]);
+            self.belongs_to(&bodies.grid_layout(), pressure, friction, tolerance)
         });
         let outdated = Error::OutdatedSolution {
             quantity: "stiffness",
@@ -267,7 +270,7 @@ impl ContactStiffness {
             .and_then(|()| normal.check_uncoupled())
             .and_then(|()| friction.check(bodies.grid()));
         bodies.collective_result(checked)?;
-        shear.check_limits(bodies, normal.pressure().as_slice(), friction)?;
+        shear.check_limits(bodies, normal, friction)?;
         let contact = SolvedContact::sheared(bodies, shear);
         let workspace = &mut StiffnessWorkspace::new();
         contact.stiffness((normal, friction), workspace, &mut observer)

@@ -194,7 +194,7 @@ impl CoupledSolution {
         let checked = checked.and_then(|()| normal.check_elastic("the stiffness"));
         let checked = checked.and_then(|()| check_converged(&self.report().work));
         bodies.collective_result(checked.and_then(|()| friction.check(bodies.grid())))?;
-        tangential.check_limits(bodies, normal.pressure().as_slice(), friction)?;
+        tangential.check_limits(bodies, normal, friction)?;
         let contact = SolvedContact::sheared(bodies, tangential);
         let workspace = &mut StiffnessWorkspace::new();
         contact.coupled_stiffness((normal, friction), workspace, &mut observer)

@@ -26,12 +26,13 @@ impl History {
     /// The stiffness of the next step is an option of [`stiffness_with`](Self::stiffness_with):
     /// [`StiffnessWorkspace::next_step`].
     ///
-    /// Both stiffnesses belong to the solution of the last step. After [`set_friction`](Self::set_friction) has changed the
-    /// friction limits, they are an error until the next step. After [`set_gap`](Self::set_gap) has changed the gap, they are an
-    /// error until a step prescribes the normal load.
+    /// Both stiffnesses belong to the solution of the last step. Both are an error until the next step after
+    /// [`set_friction`](Self::set_friction) has changed the friction limits, or
+    /// [`set_relative_displacement`](Self::set_relative_displacement) the relative displacement. After
+    /// [`set_gap`](Self::set_gap) has changed the gap, both are an error until a step prescribes the normal load.
     ///
     /// # Errors
-    /// - [`Error::OutdatedSolution`] if the friction or the gap has changed since the last step.
+    /// - [`Error::OutdatedSolution`] if the friction, the gap or the relative displacement has changed since the last step.
     /// - [`Error::NotFinite`] if a periodic contact is closed everywhere.
     /// - [`Error::NotConverged`] if a linear solve fails or is cancelled.
     /// - The errors of [`HalfSpace::operator`](crate::HalfSpace::operator).
@@ -100,13 +101,21 @@ impl History {
 }
 
 impl State {
-    /// Returns an error if friction or gap have changed since the tractions and the pressure were solved for.
+    /// Returns an error if friction, gap or relative displacement have changed since the tractions and the pressure were
+    /// solved for.
     pub(crate) fn check_current(&self, quantity: &'static str) -> Result<()> {
         if self.is_pressure_stale() {
             return Err(Error::OutdatedSolution {
                 quantity,
                 changed: "the gap",
                 remedy: "take a step with a prescribed normal load first",
+            });
+        }
+        if self.is_relative_new() {
+            return Err(Error::OutdatedSolution {
+                quantity,
+                changed: "the relative displacement",
+                remedy: "take a step first",
             });
         }
         self.check_friction(quantity)

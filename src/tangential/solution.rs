@@ -271,6 +271,10 @@ impl TangentialSolution {
 
     /// Computes the elastic energy of shear, $`\tfrac A2 \sum q \cdot u`$ (force times length).
     ///
+    /// For dissimilar bodies, this energy excludes the displacement due to the pressure. The energies of both halves of a coupled
+    /// solution do not add up to [`CoupledSolution::elastic_energy`](crate::CoupledSolution::elastic_energy). See
+    /// [`NormalSolution::elastic_energy`](crate::NormalSolution::elastic_energy).
+    ///
     /// # Errors
     /// Errors of [`TangentialSolution::displacement`].
     pub fn elastic_energy(&self, bodies: &HalfSpace) -> Result<f64> {

@@ -6,7 +6,8 @@ use crate::warning::Warning;
 variants! { Warning:
     NoContact ContactAtEdge UnresolvedSpots SingleRowOfCells ContactSpansGrid BeyondHardness StalePressure StressAtEdge
     UnderresolvedContact UnderresolvedStickZone UnderresolvedSlipZone DiscretisationError SingleLoadStep
-    ApproachBeyondGrid ShiftBeyondGrid LargeTwist LargeContactRadius SteepSurface HeldShiftLostForce NeglectedLift CoatingBeyondGrid
+    ApproachBeyondGrid ShiftBeyondGrid LargeTwist LargeContactRadius SteepSurface HeldShiftLostForce UnusedRelativeDisplacement
+    NeglectedLift CoatingBeyondGrid
     CoatingBelowCell AccuracyNotReached
 }
 
@@ -16,7 +17,7 @@ fn every_warning_has_its_text() {
     check_texts(&[
         (
             Warning::NoContact,
-            "no cell carries pressure because the normal force is zero: prescribe a positive normal force, or an approach above the smallest gap",
+            "no cell carries pressure because the normal force is zero or nothing has been solved yet: prescribe a positive normal force, or an approach above the smallest gap, and solve",
         ),
         (
             Warning::ContactAtEdge { cells: 12 },
@@ -131,7 +132,11 @@ fn every_warning_has_its_text() {
         ),
         (
             Warning::HeldShiftLostForce { per_cent: 60 },
-            "the step kept the shift and lost 60 % of the tangential force, expected at most 50 %: to keep the force, prescribe it in each step",
+            "the tangential force decreased by 60 % under a held shift, expected at most 50 %: to keep the force, prescribe it in each step",
+        ),
+        (
+            Warning::UnusedRelativeDisplacement,
+            "the relative displacement has no effect because its amount is zero: prescribe the amount in each step, for example 1 for the pattern itself, or 0 for a step without it",
         ),
         (
             Warning::NeglectedLift {

@@ -9,7 +9,7 @@ use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
     Boundary, CoupledProblem, ElasticPair, Error, Field, Grid, HalfSpace, History, LoadStep,
     Material, NormalLoad, NormalProblem, NormalSolution, TangentialLoad, TangentialModel,
-    TangentialProblem, TangentialSolution, Zone, surface,
+    TangentialProblem, TangentialSolution, Warning, Zone, surface,
 };
 #[cfg(feature = "dense")]
 use stickslip::{cgm::AbsBound, dense::DenseOperator, influence::Component};
@@ -62,6 +62,42 @@ fn stick_zone(shear: &TangentialSolution) -> [f64; 2] {
 
 /// The stick zone is shifted as in the solution of Nowell and Hills. The traction agrees with their closed form within
 /// the discretisation error.
+/// A pattern without an amount has no effect. A step with a tangential load and no amount has a warning.
+#[test]
+fn relative_displacement_without_amount_gives_warning() {
+    let bodies = unit_bodies(kit::square(24, 3.0), 0.3);
+    let grid = bodies.grid();
+    let strain = RelativeDisplacement::bulk_strain(grid, [[1e-3, 0.0], [0.0, 0.0]]).unwrap();
+    let (gap, friction) = (kit::sphere(grid, 1.0), kit::coulomb(0.3));
+    let press = LoadStep::hold().normal(NormalLoad::Force(1.0));
+    let shear = LoadStep::force([0.1, 0.0]);
+    let start = |pattern: Option<&RelativeDisplacement>| {
+        let mut builder = History::builder(&bodies, &gap, friction.clone());
+        if let Some(pattern) = pattern {
+            builder = builder.relative_displacement(pattern.clone());
+        }
+        builder.build().unwrap()
+    };
+    let is_unused = |history: &mut History, load: LoadStep| {
+        let warnings = history.step(&load).unwrap().warnings();
+        warnings.contains(&Warning::UnusedRelativeDisplacement)
+    };
+    let (mut history, mut plain) = (start(Some(&strain)), start(None));
+    assert!(!is_unused(&mut history, press) && !is_unused(&mut plain, press));
+    let mut cycle = Cycle::new(&history);
+    assert!(is_unused(&mut history, shear) && !is_unused(&mut plain, shear));
+    cycle.add(&history).unwrap();
+    assert!(
+        cycle
+            .warnings()
+            .contains(&Warning::UnusedRelativeDisplacement)
+    );
+    assert_eq!(history.traction(), plain.traction());
+    assert!(!is_unused(&mut history, shear.relative_displacement(0.0)));
+    assert!(!is_unused(&mut history, shear.relative_displacement(1.0)));
+    assert!(!is_unused(&mut history, LoadStep::force([0.05, 0.0])));
+}
+
 #[test]
 fn moderate_strain_shifts_the_stick_zone() {
     let limit = FRICTION * LOAD;

@@ -352,3 +352,36 @@ fn cycle_rejects_step_that_is_not_new() {
     cycle.begin(&history).unwrap();
     assert_eq!(cycle.add(&history), not_new(2, 2));
 }
+
+/// A step of another history with the expected number is not the next step of the cycle.
+#[test]
+fn cycle_rejects_step_of_another_history_with_the_next_number() {
+    let mut history = ball_history(1e-6);
+    let mut other = ball_history(1e-6);
+    let drag = |part: f64| LoadStep::force([part * LIMIT, 0.0]);
+    let mut cycle = Cycle::new(&history);
+    history.step(&drag(0.5)).unwrap();
+    cycle.add(&history).unwrap();
+    other.step(&drag(0.4)).unwrap();
+    other.step(&drag(0.3)).unwrap();
+    let untouched = cycle.clone();
+    let not_next = Err(Error::StepOutOfOrder { step: 3, last: 2 });
+    assert_eq!(cycle.add(&other), not_next);
+    assert_eq!(cycle, untouched);
+    // A state of the other history under the same number is not the state after the added step either.
+    let mut replaced = history.clone();
+    replaced.set_state(other.state()).unwrap();
+    assert_eq!(cycle.add(&replaced), Err(Error::NoLastStep));
+    history.step(&drag(0.3)).unwrap();
+    cycle.add(&history).unwrap();
+
+    // Two spheres under the same load differ in their approach before any tangential load.
+    let mut cycle = Cycle::new(&ball_history(1e-6));
+    let larger = kit::sphere(history.grid(), 21.0);
+    let mut other = new_history(&larger, LOAD, TangentialModel::Scalar, 1e-6);
+    other.step(&drag(0.5)).unwrap();
+    assert_eq!(
+        cycle.add(&other),
+        Err(Error::StepOutOfOrder { step: 2, last: 1 })
+    );
+}

@@ -184,6 +184,27 @@ fn loop_failed_step_leaves_state_after_last_good_step() {
     assert_eq!(history.to_bytes(), twin.to_bytes());
 }
 
+/// A cycle contains consecutive steps. The observer may take a step between two cycles only.
+#[test]
+fn loop_rejects_step_of_observer_within_cycle() {
+    let path = LoadPath::triangle([0.3 * LIMIT, 0.0], 4).unwrap();
+    let fretting = FrettingLoop::new(path, LoadStep::force);
+    for (at, is_accepted) in [(2, false), (4, true)] {
+        let mut history = press_sphere(Some(Axis::X));
+        let outcome = fretting.run_observed(&mut history, 2, |history, cycle| {
+            if cycle.steps() == at {
+                history.step(&LoadStep::force([0.1 * LIMIT, 0.0]))?;
+            }
+            Ok(ControlFlow::Continue(()))
+        });
+        if is_accepted {
+            assert_eq!(outcome.unwrap().last.steps(), 4);
+        } else {
+            assert!(matches!(outcome, Err(Error::StepOutOfOrder { .. })));
+        }
+    }
+}
+
 #[test]
 fn loop_with_invalid_input_is_rejected_before_any_step() {
     let mut history = press_sphere(Some(Axis::X));

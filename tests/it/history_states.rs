@@ -29,6 +29,29 @@ fn run(history: &mut History, loads: &[[f64; 2]]) {
     }
 }
 
+/// The stick ratio belongs to the state, so that it remains after a restart.
+#[test]
+fn stick_ratio_of_history_equals_stick_ratio_of_last_step() {
+    for model in [TangentialModel::Scalar, TangentialModel::Vector] {
+        let mut history = start(model);
+        assert_eq!(history.stick_ratio().to_bits(), 0.0_f64.to_bits());
+        run(&mut history, &[[10.0, 0.0], [10.0, 3.0]]);
+        let found = history.last_step().unwrap().stick_ratio();
+        assert!(found > 0.0 && found < 1.0);
+        let read = State::from_bytes(&history.to_bytes()).unwrap();
+        let mut other = start(model);
+        other.set_state(history.state()).unwrap();
+        for ratio in [
+            history.stick_ratio(),
+            history.state().stick_ratio(),
+            read.stick_ratio(),
+            other.stick_ratio(),
+        ] {
+            assert_eq!(ratio.to_bits(), found.to_bits());
+        }
+    }
+}
+
 #[test]
 fn state_of_different_bodies_is_rejected() {
     let mut history = start(TangentialModel::Scalar);

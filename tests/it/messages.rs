@@ -364,7 +364,7 @@ fn contact_without_force_reports_zero_force() {
     assert_eq!(
         texts(&apart.warnings()),
         [
-            "no cell carries pressure because the normal force is zero: prescribe a positive normal force, or an approach above the smallest gap"
+            "no cell carries pressure because the normal force is zero or nothing has been solved yet: prescribe a positive normal force, or an approach above the smallest gap, and solve"
         ]
     );
 }
@@ -723,7 +723,7 @@ fn held_shift_that_loses_force_gives_warning() {
                 assert_eq!(
                     text,
                     format!(
-                        "the step kept the shift and lost {per_cent} % of the tangential force, expected at most 50 %: to keep the force, prescribe it in each step"
+                        "the tangential force decreased by {per_cent} % under a held shift, expected at most 50 %: to keep the force, prescribe it in each step"
                     )
                 );
                 assert!(
@@ -757,6 +757,61 @@ fn held_shift_that_loses_force_gives_warning() {
         history.step(&press(0.3)).unwrap();
         assert_eq!(lost(&history), None);
     }
+}
+
+/// Each step loses less than half of the force. The warning compares with the last prescribed force.
+#[test]
+fn held_shift_that_loses_force_in_several_steps_gives_warning() {
+    let bodies = bodies(20);
+    let lost = |history: &History| {
+        let warnings = history.last_step().unwrap().warnings();
+        warnings.into_iter().find_map(|warning| match warning {
+            Warning::HeldShiftLostForce { per_cent } => Some(per_cent),
+            _ => None,
+        })
+    };
+    let builder = History::builder(&bodies, ball(&bodies), friction());
+    let mut history = builder.model(TangentialModel::Vector).build().unwrap();
+    history.step(&press(1.0)).unwrap();
+    let prescribed = 0.29 * load();
+    history.step(&LoadStep::force([prescribed, 0.0])).unwrap();
+    for part in [0.65, 0.42] {
+        history.step(&press(part)).unwrap();
+        assert_eq!(lost(&history), None);
+    }
+    let before = history.tangential_force()[0];
+    let kept = history.state().clone();
+    let bytes = history.to_bytes();
+    history.step(&press(0.22)).unwrap();
+    let ratio = history.tangential_force()[0] / prescribed;
+    assert!(ratio < 0.45 && history.tangential_force()[0] > 0.55 * before);
+    let found = lost(&history).unwrap();
+    assert!(
+        (found as f64 - 100.0 * (1.0 - ratio)).abs() <= 0.5,
+        "{found} {ratio}"
+    );
+    // A restored state and a saved history still contain the prescribed force.
+    let after = history.state().clone();
+    for mut restored in [
+        History::from_state(&bodies, kept).unwrap(),
+        History::from_bytes(&bodies, &bytes).unwrap(),
+    ] {
+        restored.step(&press(0.22)).unwrap();
+        assert_eq!(lost(&restored), Some(found));
+        assert!(restored.state() == &after);
+    }
+    // After the warning, the comparison starts from the remaining force.
+    history.step(&press(0.2)).unwrap();
+    assert_eq!(lost(&history), None);
+
+    // A load along y does not prescribe the load along x.
+    let mut history = History::from_bytes(&bodies, &bytes).unwrap();
+    let across = press(0.22).tangential(Axis::Y, TangentialControl::Force(0.0));
+    history.step(&across).unwrap();
+    assert!(lost(&history).is_some());
+    let along = press(0.2).tangential(Axis::X, TangentialControl::Shift(0.0));
+    history.step(&along).unwrap();
+    assert_eq!(lost(&history), None);
 }
 
 /// The limited pressure of a hardness changes the gap. A restored history still reports the same warnings.

@@ -1,7 +1,9 @@
 //! Results that combine several solutions reject solutions of different problems: other materials, loads, gaps or friction.
 
 use kit::{assert_refused, coulomb, sphere, square, unit_bodies};
+use stickslip::cgm::Method;
 use stickslip::sensitivity::{Functional, Sensitivity};
+use stickslip::stiffness::ContactStiffness;
 use stickslip::subsurface::{Body, Planes, Stress, Tractions, at_points};
 use stickslip::{
     Boundary, CoupledProblem, Error, Field, HalfSpace, History, LoadStep, NormalLoad,
@@ -108,6 +110,54 @@ fn shear_under_different_pressure_is_rejected() {
     }
 }
 
+/// Two solves of one problem differ by their errors. These solutions count as equal, and a load that is larger by 1e-4 does not.
+#[test]
+fn shear_under_pressure_of_second_solve_is_accepted() {
+    let bodies = bodies();
+    let friction = coulomb(FRICTION);
+    for gap in [ball(&bodies), kit::rough(bodies.grid(), 3)] {
+        let (mut press, contact) = pressed(&bodies, &gap, FORCE);
+        let (mut solver, shear) = sheared(&bodies, &contact, TangentialModel::Vector);
+        let found = by_pressure(&solver, &shear);
+        let mut solve = |factor: f64| {
+            press.set_load(NormalLoad::Force(1.7 * FORCE)).unwrap();
+            kit::solved(&mut press);
+            press.set_load(NormalLoad::Force(factor * FORCE)).unwrap();
+            kit::solved(&mut press)
+        };
+        let (again, other) = (solve(1.0), solve(1.0 + 1e-4));
+        let difference = |one: &NormalSolution| {
+            kit::l2_difference(one.pressure().as_slice(), contact.pressure().as_slice())
+        };
+        assert!(
+            difference(&again) > 1e-9,
+            "the second solve is a different solve"
+        );
+        assert!(difference(&other) > 1e-5);
+        let two_steps = NormalProblem::builder(&bodies, &gap, NormalLoad::Force(FORCE));
+        let two_steps = kit::solve(two_steps.method(Method::PolonskyKeer));
+        for same in [&again, &two_steps] {
+            shear.edges(same, &friction).unwrap();
+            shear.spots(same).unwrap();
+            stress_at_point(&bodies, Tractions::from((same, &shear))).unwrap();
+            ContactStiffness::new(&bodies, same, &friction, &shear).unwrap();
+            let (press, _) = pressed(&bodies, &gap, FORCE);
+            press.chain(same, found.clone()).unwrap();
+            solver.set_pressure(same).unwrap();
+            by_pressure(&solver, &shear);
+        }
+        solver.set_pressure(&other).unwrap();
+        let found_there = solver.sensitivity(&shear, &Functional::ElasticEnergy);
+        assert_eq!(outdated(found_there).0, "the pressure or the friction");
+        assert_eq!(outdated(shear.edges(&other, &friction)), OTHER_PRESSURE);
+        assert_eq!(outdated(shear.spots(&other)), OTHER_PRESSURE);
+        let stiffness = ContactStiffness::new(&bodies, &other, &friction, &shear);
+        assert_eq!(outdated(stiffness).0, "the pressure or the friction");
+        let (press, _) = pressed(&bodies, &gap, (1.0 + 1e-4) * FORCE);
+        assert_eq!(outdated(press.chain(&other, found)), OTHER_SENSITIVITY);
+    }
+}
+
 #[test]
 fn shear_under_pressure_at_another_place_is_rejected() {
     let bodies = bodies();
@@ -181,6 +231,28 @@ fn halves_of_coupled_solution_are_accepted() {
     assert_eq!(outdated(shear.spots(&other)), OTHER_PRESSURE);
 }
 
+/// The work of the pressure on the displacement due to the tractions is part of neither half.
+#[test]
+fn energies_of_halves_differ_from_energy_of_coupled_solution() {
+    let bodies = HalfSpace::new(square(32, 12.0), kit::on_rigid(1.0, 0.3)).unwrap();
+    let (load, drag) = (NormalLoad::Force(FORCE), TangentialLoad::force([DRAG, 0.2]));
+    let problem = CoupledProblem::builder(&bodies, ball(&bodies), coulomb(FRICTION), load, drag);
+    let contact = kit::solve(problem);
+    let (normal, shear) = (contact.normal(), contact.tangential());
+    let alone = normal.displacement(&bodies).unwrap();
+    let [_, _, together] = contact.displacement();
+    let cells = normal.pressure().iter().zip(together).zip(&alone);
+    let work: f64 = cells.map(|((p, all), own)| p * (all - own)).sum();
+    let shared = work * bodies.grid().cell_area();
+    let halves = normal.elastic_energy(&bodies).unwrap() + shear.elastic_energy(&bodies).unwrap();
+    let whole = contact.elastic_energy();
+    assert!(
+        (halves + shared - whole).abs() < 1e-12 * whole,
+        "{halves} {shared} {whole}"
+    );
+    assert!((halves - whole).abs() > 1e-3 * whole);
+}
+
 const OTHER_SENSITIVITY: (&str, &str) = (
     "the pressure",
     "solve the tangential contact under the new pressure, and chain its new sensitivities",
@@ -214,6 +286,22 @@ fn chain_of_sensitivities_under_different_pressure_is_rejected() {
     solver.set_pressure(&contact).unwrap();
     solver.solve_into(&mut shear).unwrap();
     press.chain(&contact, by_pressure(&solver, &shear)).unwrap();
+}
+
+/// A second chain would add the derivatives of the normal contact twice.
+#[test]
+fn sensitivity_that_was_chained_before_is_rejected() {
+    let bodies = bodies();
+    let (press, contact) = pressed(&bodies, &ball(&bodies), FORCE);
+    let (solver, shear) = sheared(&bodies, &contact, TangentialModel::Vector);
+    let mut found = by_pressure(&solver, &shear);
+    let chained = press.chain(&contact, found.clone()).unwrap();
+    found[1] = chained[1].clone();
+    for again in [chained, found] {
+        let outcome = press.chain(&contact, again).map(|_| ());
+        kit::assert_refused! { outcome => Error::UnsupportedByModel { quantity, .. }
+        if quantity.contains("already contains") }
+    }
 }
 
 /// A history that holds the normal load supplies sensitivities and its own normal contact.

@@ -4,13 +4,16 @@
 use std::ops::ControlFlow;
 
 use kit::unit_bodies;
+use stickslip::cgm::Settings;
 use stickslip::history::{AdaptiveSteps, Cycle};
 use stickslip::rolling::{CoupledRollingProblem, RollingControl, RollingProblem};
+use stickslip::sensitivity::Functional;
 use stickslip::stiffness::{ContactStiffness, StiffnessWorkspace};
+use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
-    CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
-    Material, NormalLoad, NormalProblem, NormalSolution, Status, TangentialLoad, TangentialProblem,
-    surface,
+    Axis, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History, LoadStep,
+    Material, NormalLoad, NormalProblem, NormalSolution, Status, TangentialControl, TangentialLoad,
+    TangentialProblem, surface,
 };
 
 const FORCE: f64 = 1.0;
@@ -172,6 +175,94 @@ fn stiffness_of_history_requires_step_after_new_friction_or_gap() {
     assert_eq!(outdated(next_step(&history)), "the gap");
     history.step(&press()).unwrap();
     assert!(history.stiffness().is_ok() && next_step(&history).is_ok());
+}
+
+/// A new pattern changes the tractions in the next step, unless the amount is zero.
+#[test]
+fn stiffness_of_history_requires_step_after_new_relative_displacement() {
+    let bodies = bodies();
+    let strain = |part: f64| {
+        RelativeDisplacement::bulk_strain(bodies.grid(), [[part, 0.0], [0.0, 0.0]]).unwrap()
+    };
+    let mut history = pressed(&bodies);
+    history.step(&shear(0.4)).unwrap();
+    history.set_relative_displacement(&strain(1e-3)).unwrap();
+    let expected = history.stiffness().unwrap();
+    history
+        .step(&shear(0.4).relative_displacement(0.5))
+        .unwrap();
+    history.set_relative_displacement(&strain(1e-3)).unwrap();
+    assert_ne!(history.stiffness().unwrap(), expected);
+
+    history.set_relative_displacement(&strain(2e-3)).unwrap();
+    let functional = Functional::Shift(Axis::X);
+    for read in [
+        history.clone(),
+        History::from_bytes(&bodies, &history.to_bytes()).unwrap(),
+    ] {
+        assert_eq!(outdated(read.stiffness()), "the relative displacement");
+        assert_eq!(outdated(next_step(&read)), "the relative displacement");
+    }
+    let found = history.sensitivity(&shear(0.4), &functional);
+    assert_eq!(outdated(found), "the relative displacement");
+    history.step(&shear(0.4)).unwrap();
+    assert!(history.stiffness().is_ok() && next_step(&history).is_ok());
+    assert!(history.sensitivity(&shear(0.4), &functional).is_ok());
+}
+
+/// The state replaces all settings of the next step. A setter acts only if it was called before the state was saved.
+#[test]
+fn restored_state_replaces_settings_of_next_step() {
+    let bodies = bodies();
+    let strain = |part: f64| {
+        RelativeDisplacement::bulk_strain(bodies.grid(), [[part, 0.0], [0.0, 0.0]]).unwrap()
+    };
+    let next = press()
+        .tangential(Axis::X, TangentialControl::Force(0.1))
+        .relative_displacement(0.5);
+    let set = |history: &mut History, part: f64| {
+        let gap = history.unloaded_gap().map(|gap| gap.max(0.01 * part));
+        history.set_gap(&gap).unwrap();
+        let friction = Friction::coulomb(part * FRICTION).unwrap();
+        history.set_friction(&friction).unwrap();
+        let pattern = strain(1e-3 * part);
+        history.set_relative_displacement(&pattern).unwrap();
+        let settings: Settings = *history.settings();
+        let settings = settings.tolerance(1e-7 * part);
+        history.set_settings(settings).unwrap();
+    };
+    for is_set_before in [false, true] {
+        let mut history = pressed(&bodies);
+        history.step(&shear(0.4)).unwrap();
+        if is_set_before {
+            set(&mut history, 0.9);
+        }
+        let (kept, bytes) = (history.state().clone(), history.to_bytes());
+        let mut expected = history.clone();
+        if !is_set_before {
+            let pattern = strain(0.0);
+            expected.set_relative_displacement(&pattern).unwrap();
+        }
+        expected.step(&next).unwrap();
+
+        set(&mut history, 0.8);
+        history.set_state(&kept).unwrap();
+        assert!(history.state() == &kept);
+        let restored = [
+            history,
+            History::from_state(&bodies, kept).unwrap(),
+            History::from_bytes(&bodies, &bytes).unwrap(),
+        ];
+        for mut history in restored {
+            if !is_set_before {
+                let outcome = history.step(&next).map(|_| ());
+                kit::assert_refused! { outcome => Error::UnsupportedByModel { .. } }
+                history.set_relative_displacement(&strain(0.0)).unwrap();
+            }
+            history.step(&next).unwrap();
+            assert!(history.state() == expected.state(), "{is_set_before}");
+        }
+    }
 }
 
 /// The tractions follow a new friction in the next step. The pressure and its edges do not depend on the friction.

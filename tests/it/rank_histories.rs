@@ -78,6 +78,8 @@ fn fretting_results(bodies: &HalfSpace) -> Found {
     let loads = [LoadStep::force([0.5, 0.0]), LoadStep::force([-0.5, 0.0])];
     assert!(History::step_all(&mut both, &loads).unwrap().is_empty());
     known.extend(both[0].shift());
+    let restored = History::from_state(bodies, both[0].state().clone()).unwrap();
+    known.extend([both[0].stick_ratio(), restored.stick_ratio()]);
     (cells(&both[1]), known)
 }
 

@@ -117,8 +117,8 @@ record!(Report: status, iterations, double_precision_products, single_precision_
 /// ``single_row_of_cells``, ``contact_spans_grid``, ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``,
 /// ``underresolved_stick_zone``, ``underresolved_slip_zone``, ``single_load_step``, ``stress_at_edge``,
 /// ``discretisation_error``, ``approach_beyond_grid``, ``shift_beyond_grid``, ``large_contact_radius``, ``steep_surface``,
-/// ``held_shift_lost_force``, ``neglected_lift``, ``coating_beyond_grid``, ``coating_below_cell`` or
-/// ``accuracy_not_reached``.
+/// ``held_shift_lost_force``, ``unused_relative_displacement``, ``neglected_lift``, ``coating_beyond_grid``,
+/// ``coating_below_cell`` or ``accuracy_not_reached``.
 #[pyclass(frozen, eq, hash, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) struct Warning(pub(crate) stickslip::Warning);
@@ -155,6 +155,7 @@ impl Warning {
             W::LargeContactRadius { .. } => "large_contact_radius",
             W::SteepSurface { .. } => "steep_surface",
             W::HeldShiftLostForce { .. } => "held_shift_lost_force",
+            W::UnusedRelativeDisplacement => "unused_relative_displacement",
             W::NeglectedLift { .. } => "neglected_lift",
             W::CoatingBeyondGrid { .. } => "coating_beyond_grid",
             W::CoatingBelowCell { .. } => "coating_below_cell",

@@ -287,7 +287,7 @@ def test_held_shift_that_loses_force_is_warned_about(scene):
     history = scene.history()
     history.step(normal_force=FORCE)
     history.step(force_x=0.4 * FORCE)
-    with pytest.warns(ss.ContactWarning, match="kept the shift and lost .* %"):
+    with pytest.warns(ss.ContactWarning, match="decreased by .* % under a held shift"):
         step = history.step(normal_force=0.3 * FORCE)
     assert "held_shift_lost_force" in [remark.kind for remark in step.warnings]
 

@@ -83,10 +83,11 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
     }
 
     /// Takes cycles as [`FrettingLoop::run`] does and calls an observer after every step. The observer receives the history
-    /// and the present cycle. It may apply wear to the gap, change the friction, write output, or stop the loop. Steps that
-    /// the observer takes do not count in any cycle.
+    /// and the present cycle. It may apply wear to the gap, change the friction, write output, or stop the loop. It may take a
+    /// step only after the last step of a cycle. This step does not count in any cycle.
     ///
     /// # Errors
+    /// - [`Error::StepOutOfOrder`] if the observer has taken a step within a cycle.
     /// - Errors of [`FrettingLoop::run`].
     /// - Errors of the observer.
     pub fn run_observed(

@@ -3,7 +3,7 @@
 use std::fmt::Write;
 
 use crate::error::Result;
-use crate::history::{Cycle, History};
+use crate::history::{Cycle, State};
 
 /// Point of the loop of force and shift, at the start of a cycle or the end of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -21,13 +21,13 @@ pub struct LoopPoint {
 }
 
 impl LoopPoint {
-    /// Returns the present point of a history.
-    pub(in crate::history) fn of(history: &History) -> Self {
+    /// Returns the point of a state.
+    pub(in crate::history) fn of(state: &State) -> Self {
         Self {
-            force: history.tangential_force(),
-            shift: history.shift(),
-            moment: history.moment(),
-            twist: history.twist(),
+            force: state.tangential_force(),
+            shift: state.shift(),
+            moment: state.moment(),
+            twist: state.twist(),
         }
     }
 }

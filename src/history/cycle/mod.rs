@@ -10,6 +10,7 @@ use crate::grid::field::Field;
 use crate::grid::record::checked_struct;
 use crate::half_space::HalfSpace;
 use crate::history::cycle::hysteresis::{LoopPoint, half_range, part_of};
+use crate::history::state::mark::StateMark;
 use crate::history::step::diagnostics::StepDiagnostics;
 use crate::history::{EnergyBalance, History};
 use crate::memory::fallible::unwrap_or_abort;
@@ -75,8 +76,8 @@ checked_struct! {
         stick_ratios: [f64; 2],
         regime: Regime,
         pub(super) remarks: StepDiagnostics,
-        /// Number of the last step in the cycle, or of the last step before it.
-        last_step: u64,
+        /// State after the last step in the cycle, or the state at its start.
+        last: StateMark,
         pair: ElasticPair,
         boundary: Boundary,
     }
@@ -147,7 +148,7 @@ impl Cycle {
             stick_ratios: [1.0, 0.0],
             regime: Regime::FullStick,
             remarks: StepDiagnostics::default(),
-            last_step: 0,
+            last: StateMark::of(history.state()),
             pair: *history.bodies.pair(),
             boundary: history.bodies.boundary(),
         };
@@ -187,10 +188,10 @@ impl Cycle {
         (self.largest_traction, self.traction_change) = (0.0, 0.0);
         self.energy = EnergyBalance::default();
         self.points.clear();
-        self.points.push(LoopPoint::of(history));
+        self.points.push(LoopPoint::of(history.state()));
         (self.stick_ratios, self.regime) = ([1.0, 0.0], Regime::FullStick);
         self.remarks = StepDiagnostics::default();
-        self.last_step = history.steps();
+        self.last = StateMark::of(history.state());
     }
 
     /// Adds the last step of the history. Call this method once after each step. Steps that are not added do not count.
@@ -205,18 +206,20 @@ impl Cycle {
     /// - [`Error::NoLastStep`] if the history has taken no step since it was created or since [`History::set_state`].
     /// - [`Error::StepOutOfOrder`] if the last step of the history is not the step after the last added one, or after the start of
     ///   the cycle. A call that takes several steps, such as [`History::press`], adds none of them: use its observer.
-    ///   The check compares only [`History::steps`]. It does not detect a step of a different history with this step number. In a
-    ///   program with several contacts, store each cycle next to its history.
+    ///   The step must start from the state of that step: the number of steps, approach, shift, twist, forces and moment must
+    ///   be equal. A step of a different history therefore has this error, unless both histories had these values before the step.
     /// - [`Error::Ranks`] if ranks fail.
     ///
     /// The cycle is unchanged after an error.
     pub fn add(&mut self, history: &History) -> Result<()> {
         let (bodies, step) = (&history.bodies, &history.step);
-        let (number, last) = (history.steps(), self.last_step);
-        let is_next = if number == last + 1 {
+        let is_next = if step.start == Some(self.last) {
             Ok(())
         } else {
-            Err(Error::StepOutOfOrder { step: number, last })
+            Err(Error::StepOutOfOrder {
+                step: history.steps(),
+                last: self.last.steps(),
+            })
         };
         let has_step = history.last_step().map(|_| ());
         bodies.collective_result(self.check(history).and(has_step).and(is_next))?;
@@ -226,7 +229,7 @@ impl Cycle {
         bodies.joint(Ok(()))?;
         self.largest_traction = self.largest_traction.max(largest_traction);
         (self.traction_change, self.regime) = (traction_change, regime);
-        self.last_step = number;
+        self.last = StateMark::of(history.state());
         let sums = &mut self.sums;
         sums.slip_distance.add_scaled(1.0, step.slip_distance())?;
         let dissipated = step.dissipation();
@@ -247,7 +250,7 @@ impl Cycle {
         let (ratio, [least, largest]) = (step.stick_ratio(), self.stick_ratios);
         self.stick_ratios = [least.min(ratio), largest.max(ratio)];
         self.remarks = self.remarks.and(step.remarks);
-        self.points.push(LoopPoint::of(history));
+        self.points.push(LoopPoint::of(history.state()));
         Ok(())
     }
 

@@ -182,14 +182,24 @@ impl State {
         visit_normal(codec, &mut self.normal)?;
         self.visit_hardness(codec)?;
         self.visit_relative(codec)?;
-        let mut marks = [self.is_pressure_stale, self.is_friction_new];
-        let kinds = [[false, false], [true, false], [false, true], [true, true]];
+        // A force that was lost under a held shift is stored only if it differs from the present force.
+        let bits = |force: [f64; 2]| force.map(f64::to_bits);
+        let has_lost = bits(self.held_force) != bits(self.force);
+        let mut marks = [self.is_pressure_stale, self.is_friction_new, has_lost];
+        let kinds: [[bool; 3]; 8] =
+            std::array::from_fn(|code| [1, 2, 4].map(|bit| code & bit != 0));
         codec.kind(
-            "mark of a stale pressure and a new friction",
+            "mark of a stale pressure, a new friction and a lost force",
             &mut marks,
             &kinds,
         )?;
-        [self.is_pressure_stale, self.is_friction_new] = marks;
+        let [is_pressure_stale, is_friction_new, has_lost] = marks;
+        (self.is_pressure_stale, self.is_friction_new) = (is_pressure_stale, is_friction_new);
+        if has_lost {
+            codec.numbers("force before a held shift", &mut self.held_force, FINITE)?;
+        } else {
+            self.held_force = self.force;
+        }
         visit_control(codec, &mut self.pressed_by)?;
         let whole = || Ok(Window::whole(grid));
         codec.option("window of the pressure", &mut self.press_window, whole)?;

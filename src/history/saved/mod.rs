@@ -135,6 +135,7 @@ impl State {
             state.pressed_gap.clone_from(&state.gap);
         }
         state.count_yielded_cells();
+        state.zone_cells = state.cells_of_zones(&grid.layout());
         reader.end()?;
         if state.is_joint() && !state.is_whole() {
             let problem = "a coupled contact must store both axes on its whole grid";

@@ -34,11 +34,13 @@ impl PartialEq for State {
             zones,
             motion,
             force,
+            held_force,
             moment,
             steps,
             entry_rule,
             coupling,
             capacity: _,
+            zone_cells: _,
         } = self;
         *axes == other.axes
             && *settings == other.settings
@@ -51,6 +53,7 @@ impl PartialEq for State {
             && *press_window == other.press_window
             && *motion == other.motion
             && *force == other.force
+            && *held_force == other.held_force
             && *moment == other.moment
             && normal.eq_contact(&other.normal)
             && *friction == other.friction

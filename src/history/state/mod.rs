@@ -1,6 +1,8 @@
 //! State of a history, which persists from one step to the next.
 
 mod equality;
+pub(super) mod held_force;
+pub(super) mod mark;
 pub(super) mod memory;
 pub(super) mod over_ranks;
 pub(super) mod permanent_set;
@@ -115,8 +117,12 @@ pub struct State {
     pub(super) zones: Vec<Zone>,
     pub(super) motion: RigidMotion,
     pub(super) force: [f64; 2],
+    /// Force that a held shift is expected to keep.
+    pub(super) held_force: [f64; 2],
     pub(super) moment: f64,
     pub(super) steps: u64,
+    /// Numbers of cells that stick and that slip, over all ranks.
+    pub(super) zone_cells: [usize; 2],
     pub(super) entry_rule: EntryRule,
     pub(crate) coupling: Coupling,
     /// Friction capacity of the whole contact if the grid is distributed.
@@ -129,7 +135,7 @@ clones!(State {
     friction, gap, hardness, yielded, relative, normal, pressed_gap, trend, contact, traction, slip, accumulated_slip,
     dissipated_energy, zones,
 } {
-    axes, settings, is_pressure_stale, is_friction_new, pressed_by, press_window, motion, force, moment, steps, entry_rule, coupling, capacity,
+    axes, settings, is_pressure_stale, is_friction_new, pressed_by, press_window, motion, force, held_force, moment, steps, zone_cells, entry_rule, coupling, capacity,
 });
 
 const QUANTITY: &str = "state of a history";
@@ -171,8 +177,10 @@ impl State {
             zones: fallible::filled(Zone::Separated, grid.cells())?,
             motion: RigidMotion::default(),
             force: [0.0; 2],
+            held_force: [0.0; 2],
             moment: 0.0,
             steps: 0,
+            zone_cells: [0; 2],
             entry_rule,
             coupling: Coupling::default(),
             capacity: None,

@@ -3,7 +3,8 @@
 use crate::cgm::reduce;
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
-use crate::tangential::Friction;
+use crate::parallel::layout::Layout;
+use crate::tangential::{Friction, Zone};
 
 impl State {
     /// Computes the counts and sums over all ranks, which the fields of a slab do not contain.
@@ -15,6 +16,13 @@ impl State {
         }
         self.normal.measure_scale(bodies, &self.pressed_gap);
         self.gather_capacity(bodies);
+        self.zone_cells = self.cells_of_zones(&bodies.grid_layout());
+    }
+
+    /// Returns the numbers of cells of a layout that stick and that slip.
+    pub(in crate::history) fn cells_of_zones(&self, layout: &Layout) -> [usize; 2] {
+        [Zone::Stick, Zone::Slip]
+            .map(|zone| reduce::sum(layout, |i| usize::from(self.zones[i] == zone)))
     }
 
     /// Computes the friction capacity over all ranks after a change of the pressure.

@@ -88,6 +88,10 @@ readers! { state;
     /// Returns the zone of every cell after the last step, row-major with x fastest.
     zones: &[Zone] = &state.zones;
 
+    /// Returns the ratio of stick cells to contact cells after the last step. The ratio is zero without contact and before
+    /// the first step.
+    stick_ratio: f64 = ratio(state.zone_cells);
+
     /// Returns the shift of body 2 relative to body 1 since the start (lengths).
     shift: [f64; 2] = state.motion.shift;
 
@@ -103,6 +107,11 @@ readers! { state;
 
     /// Returns the number of steps taken since the start.
     steps: u64 = state.steps;
+}
+
+/// Returns the ratio of stick cells to all cells of both zones, or zero without cells.
+pub(in crate::history) fn ratio([stick, slip]: [usize; 2]) -> f64 {
+    stick as f64 / (stick + slip).max(1) as f64
 }
 
 impl State {

@@ -74,6 +74,27 @@ impl State {
         Some(move |axis, cell| amount * pattern.at(axis, cell) - reached.at(axis, cell))
     }
 
+    /// Returns whether the pattern has changed since the last step, so that the next step changes the displacement. A
+    /// change of the pattern has no effect at the amount zero.
+    pub(crate) fn is_relative_new(&self) -> bool {
+        self.relative.as_ref().is_some_and(|relative| {
+            let parts = relative.reached.fields().into_iter();
+            parts
+                .zip(relative.pattern.fields())
+                .any(|(reached, pattern)| {
+                    let mut cells = reached.as_slice().iter().zip(pattern.as_slice());
+                    cells.any(|(reached, pattern)| reached - relative.amount * pattern != 0.0)
+                })
+        })
+    }
+
+    /// Returns whether a step prescribes a tangential load without an amount, and the amount of the displacement is zero.
+    pub(in crate::history) fn has_unused_displacement(&self, load: &LoadStep) -> bool {
+        let is_zero = |relative: &RelativeDisplacementState| relative.amount == 0.0;
+        let is_sheared = load.prescribes_shear() && load.relative_amount().is_none();
+        is_sheared && self.relative.as_ref().is_some_and(is_zero)
+    }
+
     /// Sets the displacement at the end of a step.
     pub(in crate::history) fn reach(&mut self, load: &LoadStep) {
         let Some(relative) = &mut self.relative else {
@@ -96,6 +117,11 @@ impl History {
     /// step it is the amount times the new pattern. The first of several [adaptive](crate::history::AdaptiveSteps)
     /// steps includes the whole change of the pattern. The pattern is copied without allocation, unless the history had
     /// no pattern.
+    ///
+    /// The pattern has no effect at the amount zero, which is the initial amount. The next
+    /// [amount](crate::LoadStep::relative_displacement) that a step prescribes refers to the new pattern.
+    ///
+    /// If the amount is not zero, the [stiffness](History::stiffness) and the sensitivities are an error until the next step.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.

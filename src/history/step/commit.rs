@@ -2,6 +2,7 @@
 
 use crate::cgm::reduce::Reduction;
 use crate::history::state::State;
+use crate::history::state::mark::StateMark;
 use crate::history::state::memory::Memory;
 use crate::history::state::permanent_set::update_permanent_set;
 use crate::history::state::window_shrinking::narrow;
@@ -28,6 +29,7 @@ impl History {
             candidate,
             ..
         } = self;
+        step.start = Some(StateMark::of(state));
         let (load, control, travel) = (input.load, input.load.normal_control(), &input.travel);
         let (mut pressing, press_window) = (EnergyBalance::default(), state.press_window);
         let is_pressed = candidate.held().is_some();
@@ -69,8 +71,6 @@ impl History {
         step.tangential_report.clone_from(report);
         let moved = motion.since(state.motion);
         let (moved, twisted) = (moved.shift, moved.twist);
-        let [x, y] = state.force;
-        let force_before = x.hypot(y);
         let before = candidate.held().map(NormalSolution::pressure);
         // After a return to an earlier state, the window may differ from the window of the last step.
         let window = found.map(|found| found.region.window());
@@ -97,6 +97,7 @@ impl History {
             let layout = bodies.grid_layout();
             step.remarks.is_pressed_at_once = state.has_grown_at_once(before, &layout);
         }
+        step.remarks.is_displacement_unused = state.has_unused_displacement(load);
         state.reach(load);
         if is_pressed {
             update_permanent_set(state);
@@ -108,30 +109,10 @@ impl History {
             step.remarks.shift_tenths = Warning::shift_beyond(state.grid(), moved);
             step.remarks.twist_tenths = Warning::twist_beyond(twisted);
         }
-        if load.holds_shift() && !step.remarks.is_apart {
-            step.remarks.lost_per_cent = lost_per_cent(force_before, step);
-        }
+        step.remarks.lost_per_cent = state.lose_held_force(load);
         step.energy = step.energy.plus(pressing);
         let margins = travel.map_or([0; 2], |travel| travel.margins());
         narrow(bodies, state, before, press_window, margins);
-    }
-}
-
-/// Returns the fraction of the tangential force that a step lost, in per cent. Returns zero for a force that is within
-/// round-off of the normal force.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "the number lies between 0 and 100"
-)]
-fn lost_per_cent(before: f64, step: &StepResult) -> usize {
-    const ROUND_OFF: f64 = 1e-3;
-    let [x, y] = step.force;
-    let lost = 1.0 - x.hypot(y) / before;
-    if before > ROUND_OFF * step.normal_force && lost > 0.0 {
-        (100.0 * lost).round() as usize
-    } else {
-        0
     }
 }
 
@@ -158,6 +139,7 @@ fn commit_tractions(
         memory.trend.by = [0, 1].map(|axis| [by[axis], change.shift[axis]]);
     }
     state.contact = contact;
+    state.zone_cells = [step.stick_cells, step.slip_cells];
     let shifted: f64 = (0..2)
         .map(|axis| 0.5 * (force[axis] + state.force[axis]) * change.shift[axis])
         .sum();

@@ -11,6 +11,10 @@ use crate::warning::{Resolution, Warning};
     derive(serde::Serialize, serde::Deserialize),
     serde(default)
 )]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "each value belongs to one warning"
+)]
 pub(in crate::history) struct StepDiagnostics {
     /// Whether the pressure was held although the gap had changed.
     pub(in crate::history) is_pressure_stale: bool,
@@ -25,9 +29,11 @@ pub(in crate::history) struct StepDiagnostics {
     /// Largest approach, contact radius and slope in any step.
     #[cfg_attr(feature = "serde", serde(default))]
     pub(in crate::history) scale: Scale,
-    /// Largest loss of tangential force under a held shift in any step, in per cent.
+    /// Largest loss of tangential force under a held shift after any step, in per cent.
     #[cfg_attr(feature = "serde", serde(default))]
     pub(in crate::history) lost_per_cent: usize,
+    /// Whether a relative displacement of the amount zero had no effect.
+    pub(in crate::history) is_displacement_unused: bool,
     /// Largest shift of a step that is larger than the grid, over the longest side of the grid, in tenths.
     pub(in crate::history) shift_tenths: Option<usize>,
     /// Largest twist of a step that is not small, in tenths of a radian. Saved histories do not contain it.
@@ -41,7 +47,7 @@ pub(in crate::history) struct StepDiagnostics {
 }
 
 /// Largest loss of tangential force under a held shift without a warning, in per cent.
-const LARGEST_LOSS: usize = 50;
+pub(in crate::history) const LARGEST_LOSS: usize = 50;
 
 impl StepDiagnostics {
     /// Combines the diagnostics with the diagnostics of another step.
@@ -54,6 +60,7 @@ impl StepDiagnostics {
             overloaded_cells: self.overloaded_cells.max(other.overloaded_cells),
             scale: self.scale.max(other.scale),
             lost_per_cent: self.lost_per_cent.max(other.lost_per_cent),
+            is_displacement_unused: self.is_displacement_unused || other.is_displacement_unused,
             shift_tenths: self.shift_tenths.max(other.shift_tenths),
             twist_tenths: self.twist_tenths.max(other.twist_tenths),
             neglected_lift: self.neglected_lift.max(other.neglected_lift),
@@ -77,6 +84,8 @@ impl StepDiagnostics {
             .chain(resolution.zone_warnings());
         let per_cent = self.lost_per_cent;
         let lost = (per_cent > LARGEST_LOSS).then_some(Warning::HeldShiftLostForce { per_cent });
+        let unused = self.is_displacement_unused;
+        let unused = unused.then_some(Warning::UnusedRelativeDisplacement);
         let shift = self.shift_tenths;
         let shift = shift.map(|tenths| Warning::ShiftBeyondGrid { tenths });
         let twist = self.twist_tenths;
@@ -90,6 +99,7 @@ impl StepDiagnostics {
             .chain(shift)
             .chain(twist)
             .chain(lost)
+            .chain(unused)
             .chain(at_once)
             .collect()
     }

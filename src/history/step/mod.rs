@@ -159,10 +159,22 @@ impl History {
         &self.state
     }
 
-    /// Restores a state of this history, or of another history on equal bodies. Gap, friction, hardness, settings and model
-    /// of the state replace those of the history. The state is copied into the existing buffers. The function allocates memory if the contact has moved to a
-    /// different window since the state was saved. It also allocates memory if only one of the two states has a relative
-    /// displacement.
+    /// Restores a state of this history, or of another history on equal bodies. The state is copied into the existing
+    /// buffers. The function allocates memory if the contact has moved to a different window since the state was saved. It
+    /// also allocates memory if only one of the two states has a relative displacement.
+    ///
+    /// The state replaces everything except for the bodies:
+    ///
+    /// - the gap ([`set_gap`](Self::set_gap)), with its plastic depth,
+    /// - the friction ([`set_friction`](Self::set_friction)),
+    /// - the pattern of the relative displacement ([`set_relative_displacement`](Self::set_relative_displacement)) and its
+    ///   amount,
+    /// - the settings ([`set_settings`](Self::set_settings)),
+    /// - hardness, model, coupling and entry rule of the [builder](crate::history::HistoryBuilder).
+    ///
+    /// A setter that was called after the state was saved therefore has no effect. Call it again after `set_state`. A setter that
+    /// was called before the state was saved acts in the next step, also after [`from_state`](Self::from_state) and
+    /// [`from_bytes`](Self::from_bytes).
     ///
     /// The history then has no [last step](Self::last_step) until its next step, because a state does not contain the result of
     /// the step that led to it. [`Cycle::add`](crate::history::Cycle::add) returns [`Error::NoLastStep`] until then. In a retry,

@@ -7,6 +7,8 @@ use crate::grid::Grid;
 use crate::grid::field::Field;
 use crate::grid::record::checked_struct;
 use crate::history::EnergyBalance;
+use crate::history::state::mark::StateMark;
+use crate::history::state::readers::ratio;
 use crate::history::step::diagnostics::StepDiagnostics;
 use crate::memory::fallible::try_clone;
 use crate::report::{Report, Status};
@@ -36,6 +38,9 @@ checked_struct! {
         pub(in crate::history) stick_cells: usize,
         pub(in crate::history) slip_cells: usize,
         pub(in crate::history) remarks: StepDiagnostics,
+        /// State before the step, or `None` for a result without a step.
+        #[cfg_attr(feature = "serde", serde(default))]
+        pub(in crate::history) start: Option<StateMark>,
         pub(in crate::history) normal_report: Report,
         pub(in crate::history) tangential_report: Report,
     }
@@ -69,7 +74,7 @@ checked_struct! {
 shown!(StepResult: normal_force, approach, force, shift, twist, stick_ratio(), energy);
 
 try_clone!(StepResult { slip, slip_distance, dissipated_energy, dissipated_energy_midpoint } {
-    energy, normal_force, approach, force, moment, shift, twist, creepage, stick_cells, slip_cells, remarks,
+    energy, normal_force, approach, force, moment, shift, twist, creepage, stick_cells, slip_cells, remarks, start,
     normal_report, tangential_report,
 });
 
@@ -93,6 +98,7 @@ impl StepResult {
             stick_cells: 0,
             slip_cells: 0,
             remarks: StepDiagnostics::default(),
+            start: None,
             normal_report: Report::with_room(),
             tangential_report: Report::with_room(),
         })
@@ -192,8 +198,7 @@ impl StepResult {
     /// Returns the ratio of stick cells to contact cells at the end of the step. The ratio is zero without contact.
     #[must_use]
     pub fn stick_ratio(&self) -> f64 {
-        let contact = self.stick_cells + self.slip_cells;
-        self.stick_cells as f64 / contact.max(1) as f64
+        ratio([self.stick_cells, self.slip_cells])
     }
 
     /// Returns whether the whole contact is at its friction limit at the end of the step.
@@ -223,6 +228,7 @@ impl StepResult {
     /// - the warnings about contacts and zones of too few cells, such as [`Warning::UnderresolvedSlipZone`],
     /// - the warnings about large approaches and slopes,
     /// - [`Warning::HeldShiftLostForce`],
+    /// - [`Warning::UnusedRelativeDisplacement`],
     /// - [`Warning::NeglectedLift`] for a rolled step with one-way coupling.
     ///
     /// Only [`History::normal`](crate::History::normal) returns the other warnings, for example about spots too small

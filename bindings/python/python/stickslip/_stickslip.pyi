@@ -1828,7 +1828,7 @@ class Cycle:
             If the history has taken no step since it was created or since :meth:`History.set_state`.
         StepOutOfOrder
             If the last step of the history is not the next step of the cycle: skipped, already added, or not later than its start.
-            Step numbers do not identify a different history.
+            A step of another history is rejected too, unless both histories had equal forces and motions before it.
         GridMismatch, BoundaryMismatch, MaterialMismatch
             If the history has other bodies than the history of the cycle.
         """
@@ -3659,9 +3659,14 @@ class History:
         Raises
         ------
         OutdatedSolution
-            If the friction limits or the gap have changed since the last step. Take a step first, with a normal load after a
-            change of the gap.
+            If the friction limits, the gap or the relative displacement have changed since the last step. Take a step first,
+            with a normal load after a change of the gap.
         NotConverged
+        """
+    @property
+    def stick_ratio(self, /) -> float:
+        """
+        Ratio of stick cells to contact cells after the last step, zero without contact.
         """
     @property
     def tangential_force(self, /) -> tuple[float, float]:
@@ -5063,7 +5068,7 @@ class NormalSolver:
         Raises
         ------
         UnsupportedByModel
-            If a sensitivity has no derivative with respect to the pressure.
+            If a sensitivity has no derivative with respect to the pressure, or was chained before.
         OutdatedSolution
             If a sensitivity was computed for another pressure, or the solution for another problem of this solver.
         GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, NotPositive, EmptyContact, NotFinite, NotConverged
@@ -6797,6 +6802,11 @@ class State:
         Number of steps since the start.
         """
     @property
+    def stick_ratio(self, /) -> float:
+        """
+        Ratio of stick cells to contact cells after the last step, zero without contact.
+        """
+    @property
     def tangential_force(self, /) -> tuple[float, float]:
         """
         Tangential force that body 2 exerts on body 1 along x and y.
@@ -7827,8 +7837,8 @@ class Warning:
     ``single_row_of_cells``, ``contact_spans_grid``, ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``,
     ``underresolved_stick_zone``, ``underresolved_slip_zone``, ``single_load_step``, ``stress_at_edge``,
     ``discretisation_error``, ``approach_beyond_grid``, ``shift_beyond_grid``, ``large_contact_radius``, ``steep_surface``,
-    ``held_shift_lost_force``, ``neglected_lift``, ``coating_beyond_grid``, ``coating_below_cell`` or
-    ``accuracy_not_reached``.
+    ``held_shift_lost_force``, ``unused_relative_displacement``, ``neglected_lift``, ``coating_beyond_grid``,
+    ``coating_below_cell`` or ``accuracy_not_reached``.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __hash__(self, /) -> int: ...

@@ -164,6 +164,12 @@ impl History {
         self.read(stickslip::History::moment)
     }
 
+    /// Ratio of stick cells to contact cells after the last step, zero without contact.
+    #[getter]
+    fn stick_ratio(&self) -> PyResult<f64> {
+        self.read(stickslip::History::stick_ratio)
+    }
+
     /// Largest tangential force that friction can carry.
     #[getter]
     fn friction_capacity(&self) -> PyResult<f64> {
@@ -209,8 +215,8 @@ impl History {
     /// Raises
     /// ------
     /// OutdatedSolution
-    ///     If the friction limits or the gap have changed since the last step. Take a step first, with a normal load after a
-    ///     change of the gap.
+    ///     If the friction limits, the gap or the relative displacement have changed since the last step. Take a step first,
+    ///     with a normal load after a change of the gap.
     /// NotConverged
     #[pyo3(signature = (*, next_step=false))]
     fn stiffness(&self, py: Python<'_>, next_step: bool) -> PyResult<ContactStiffness> {

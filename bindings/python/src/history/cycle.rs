@@ -170,7 +170,7 @@ impl Cycle {
     ///     If the history has taken no step since it was created or since :meth:`History.set_state`.
     /// StepOutOfOrder
     ///     If the last step of the history is not the next step of the cycle: skipped, already added, or not later than its start.
-    ///     Step numbers do not identify a different history.
+    ///     A step of another history is rejected too, unless both histories had equal forces and motions before it.
     /// GridMismatch, BoundaryMismatch, MaterialMismatch
     ///     If the history has other bodies than the history of the cycle.
     fn add(&self, py: Python<'_>, history: Object<History>) -> PyResult<()> {

@@ -51,6 +51,8 @@ readers! { State.0:
     tangential_force(): (f64, f64) => pair,
     /// Moment about z, at the origin of the grid, on body 1 (a force times a length, positive from x to y).
     moment(): f64,
+    /// Ratio of stick cells to contact cells after the last step, zero without contact.
+    stick_ratio(): f64,
     /// Number of steps since the start.
     steps(): u64,
 }

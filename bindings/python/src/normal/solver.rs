@@ -252,7 +252,7 @@ impl NormalSolver {
     /// Raises
     /// ------
     /// UnsupportedByModel
-    ///     If a sensitivity has no derivative with respect to the pressure.
+    ///     If a sensitivity has no derivative with respect to the pressure, or was chained before.
     /// OutdatedSolution
     ///     If a sensitivity was computed for another pressure, or the solution for another problem of this solver.
     /// GridMismatch, BoundaryMismatch, CellValueMismatch, MaterialMismatch, NotPositive, EmptyContact, NotFinite, NotConverged
