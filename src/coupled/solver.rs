@@ -31,7 +31,7 @@ use crate::tangential::{
 /// let mut contact = solver.new_solution();
 /// let mut shifts = Vec::new();
 /// for force in [0.0, 0.01, 0.02] {
-///     solver.set_load(press, TangentialLoad::force([force, 0.0]))?;
+///     solver.set_loads(press, TangentialLoad::force([force, 0.0]))?;
 ///     solver.solve_into(&mut contact)?;
 ///     shifts.push(contact.tangential().shift()[0]);
 /// }
@@ -46,7 +46,7 @@ impl CoupledSolver {
     /// # Errors
     /// Errors of [`CoupledProblemBuilder::build`](super::CoupledProblemBuilder::build) that concern the loads. The
     /// loads are unchanged after an error.
-    pub fn set_load(&mut self, normal: NormalLoad, tangential: TangentialLoad) -> Result<()> {
+    pub fn set_loads(&mut self, normal: NormalLoad, tangential: TangentialLoad) -> Result<()> {
         let CoupledProblem {
             bodies,
             gap,

@@ -110,7 +110,7 @@ fn repeated_coupled_solves_allocate_nothing() {
     let mut cycle = || {
         for (force, friction) in [0.1, 0.09].into_iter().zip(&frictions) {
             let drag = TangentialLoad::force([0.1 * force, 0.0]);
-            solver.set_load(NormalLoad::Force(force), drag).unwrap();
+            solver.set_loads(NormalLoad::Force(force), drag).unwrap();
             solver.set_friction(friction).unwrap();
             solver.set_gap(&gap).unwrap();
             solver.solve_into(&mut contact).unwrap();

@@ -459,7 +459,7 @@ fn tolerances_of_any_size_are_met() {
         let mut solver = problem.into_solver().unwrap();
         let mut contact = solver.new_solution();
         for force in [0.01, 0.2, 0.02, 0.3] {
-            solver.set_load(NormalLoad::Force(force), load).unwrap();
+            solver.set_loads(NormalLoad::Force(force), load).unwrap();
             solver.solve_into(&mut contact).unwrap();
             let report = contact.report();
             assert!(report.work.residual <= tolerance && report.work.load_error <= tolerance);

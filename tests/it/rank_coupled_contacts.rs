@@ -67,7 +67,7 @@ fn continued_coupled_solves_on_ranks_match_one_process() {
         let mut contact = solver.new_solution();
         let mut bounds = 0;
         for force in [0.5, 0.52, 6.0, 0.5] {
-            solver.set_load(NormalLoad::Force(force), load).unwrap();
+            solver.set_loads(NormalLoad::Force(force), load).unwrap();
             solver.solve_into(&mut contact).unwrap();
             bounds += usize::from(contact.report().error_bounds.is_some());
             load = TangentialLoad::shift([0.01 * force, 0.0]);

@@ -20,7 +20,7 @@ module stickslip_bindings
     public :: stickslip_history_step_all
     public :: stickslip_coupled_solver_new
     public :: stickslip_coupled_solver_free
-    public :: stickslip_coupled_solver_set_load
+    public :: stickslip_coupled_solver_set_loads
     public :: stickslip_coupled_solver_set_gap
     public :: stickslip_coupled_solver_set_friction
     public :: stickslip_coupled_solver_set_settings
@@ -1732,13 +1732,13 @@ module stickslip_bindings
         end function stickslip_coupled_solver_free
 
         ! Sets the normal and the tangential load of the next solve.
-        function stickslip_coupled_solver_set_load(solver, normal, tangential) result(answer) bind(c)
+        function stickslip_coupled_solver_set_loads(solver, normal, tangential) result(answer) bind(c)
             import
             type(stickslip_coupled_solver), value :: solver
             type(stickslip_normal_load), intent(in), optional :: normal
             type(stickslip_tangential_load), intent(in), optional :: tangential
             integer(c_int32_t) :: answer
-        end function stickslip_coupled_solver_set_load
+        end function stickslip_coupled_solver_set_loads
 
         ! Sets the gap before loading of the next solve (lengths, count entries, copied).
         function stickslip_coupled_solver_set_gap(solver, gap, count) result(answer) bind(c)

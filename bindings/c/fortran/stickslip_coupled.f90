@@ -35,7 +35,7 @@ module stickslip_coupled
         type(stickslip_grid) :: grid
     contains
         procedure :: new => coupled_solver_new
-        procedure :: set_load => coupled_solver_set_load
+        procedure :: set_loads => coupled_solver_set_loads
         procedure :: set_gap => coupled_solver_set_gap
         procedure :: set_friction => coupled_solver_set_friction
         procedure :: set_settings => coupled_solver_set_settings
@@ -202,13 +202,13 @@ contains
     end subroutine coupled_solver_new
 
     ! Sets the normal and the tangential load of the next solve.
-    subroutine coupled_solver_set_load(this, normal, tangential, status)
+    subroutine coupled_solver_set_loads(this, normal, tangential, status)
         class(coupled_solver), intent(in) :: this
         type(stickslip_normal_load), intent(in) :: normal
         type(stickslip_tangential_load), intent(in) :: tangential
         integer(c_int32_t), intent(out), optional :: status
-        call report_status(stickslip_coupled_solver_set_load(this%handle, normal, tangential), status)
-    end subroutine coupled_solver_set_load
+        call report_status(stickslip_coupled_solver_set_loads(this%handle, normal, tangential), status)
+    end subroutine coupled_solver_set_loads
 
     ! Sets the gap before loading of the next solve (lengths).
     subroutine coupled_solver_set_gap(this, gap, status)

@@ -1660,9 +1660,9 @@ stickslip_status stickslip_coupled_solver_new(const stickslip_half_space *half_s
 stickslip_status stickslip_coupled_solver_free(stickslip_coupled_solver *solver);
 
 // Sets the normal and the tangential load of the next solve.
-stickslip_status stickslip_coupled_solver_set_load(stickslip_coupled_solver *solver,
-                                                   const stickslip_normal_load *normal,
-                                                   const stickslip_tangential_load *tangential);
+stickslip_status stickslip_coupled_solver_set_loads(stickslip_coupled_solver *solver,
+                                                    const stickslip_normal_load *normal,
+                                                    const stickslip_tangential_load *tangential);
 
 // Sets the gap before loading of the next solve (lengths, count entries, copied).
 stickslip_status stickslip_coupled_solver_set_gap(stickslip_coupled_solver *solver, const double *gap, size_t count);

@@ -141,7 +141,7 @@ unsafe fn loads(
 
 /// Sets the normal and the tangential load of the next solve.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stickslip_coupled_solver_set_load(
+pub unsafe extern "C" fn stickslip_coupled_solver_set_loads(
     solver: *mut stickslip_coupled_solver,
     normal: *const stickslip_normal_load,
     tangential: *const stickslip_tangential_load,
@@ -149,7 +149,7 @@ pub unsafe extern "C" fn stickslip_coupled_solver_set_load(
     // SAFETY: the caller follows the rule for pointers.
     call_on(solver, || unsafe {
         let (normal, tangential) = loads(normal, tangential)?;
-        Ok(changing(solver)?.own.set_load(normal, tangential)?)
+        Ok(changing(solver)?.own.set_loads(normal, tangential)?)
     })
 }
 

@@ -441,7 +441,7 @@ static void dissimilar_bodies_are_coupled(void) {
     for (int i = 0; i < 3; i++) {
         const double step = 1e-10;
         load.value = 2e-6 + (i - 1) * step;
-        OK(stickslip_coupled_solver_set_load(solver, &load, &still));
+        OK(stickslip_coupled_solver_set_loads(solver, &load, &still));
         OK(stickslip_coupled_solver_solve(solver, solution, NULL));
         if (i == 1) {
             OK(stickslip_coupled_solution_stiffness(solution, bodies, &friction, &slope));

@@ -379,7 +379,7 @@ contains
         call check(any(warnings%kind == STICKSLIP_WARNING_SINGLE_LOAD_STEP), 'warning about one pressing step')
 
         ! The fields and the zones satisfy Coulomb's law, and the sums of the fields are the forces.
-        call solver%set_load(press, drag)
+        call solver%set_loads(press, drag)
         call solver%solve(solution)
         call solution%results(tangential=shear)
         pressure => solution%field(STICKSLIP_PRESSURE)
@@ -424,7 +424,7 @@ contains
         call check(status == STICKSLIP_NOT_POSITIVE .and. c_associated(workspace%address()), 'workspace is kept')
 
         ! Setters of the coupled solver.
-        call solver%set_load(stickslip_normal_load(STICKSLIP_FORCE, 150), drag)
+        call solver%set_loads(stickslip_normal_load(STICKSLIP_FORCE, 150), drag)
         call solver%set_gap(2 * heights)
         call solver%set_friction(stickslip_coulomb(0.6d0))
         call solver%set_settings(stickslip_settings(tolerance=1d-9))
@@ -437,7 +437,7 @@ contains
         alike => other%field(STICKSLIP_PRESSURE)
         call check(maxval(abs(alike - pressure)) < 1d-6 * maxval(alike), 'setters agree with a new solver')
         call solver%reset()
-        call solver%set_load(stickslip_normal_load(STICKSLIP_HOLD), drag, status)
+        call solver%set_loads(stickslip_normal_load(STICKSLIP_HOLD), drag, status)
         if (status == STICKSLIP_OK) call solver%solve(other, status=status)
         call check(status == STICKSLIP_NO_PRESSURE_TO_HOLD, 'hold after reset is an error')
 

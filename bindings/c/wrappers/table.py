@@ -106,7 +106,7 @@ FILES = [
         Object("coupled_solver", "CoupledSolver", "coupled_solver", [
             Method("new", cpp_order="bodies gap friction normal tangential settings relative hardness",
                    f_order="bodies gap friction normal tangential hardness settings relative"),
-            "set_load set_gap set_friction set_settings reset solve"]),
+            "set_loads set_gap set_friction set_settings reset solve"]),
     ]),
     File("rolling", "rolling", "Steady rolling.", "normal", "objects normal", [
         Object("rolling_solution", "RollingSolution", "rolling_solution", [READ, "dissipation"],

@@ -229,7 +229,7 @@ class Scene:
             "CoupledSolution.stiffness": {"bodies": self.dissimilar},
             "CoupledSolver.sensitivities": {"solution": coupled},
             "CoupledSolver.sensitivity": {"solution": coupled},
-            "CoupledSolver.set_load": {"load": self.still, "normal_force": 100.0},
+            "CoupledSolver.set_loads": {"load": self.still, "normal_force": 100.0},
             "CycleJump": {"max_residual": 0.9},
             "DenseOperator": {"rows": np.eye(3)},
             "DenseOperator.apply": {"x": np.ones(64)},

@@ -105,7 +105,7 @@ def test_dissimilar_bodies_slip_under_normal_load():
     assert contact.normal.force == pytest.approx(60.0) and contact.tangential.force[0] == pytest.approx(1.0)
     assert contact.tangential.slip_area > 0.0
     solver = ss.CoupledProblem(bodies, ball, 0.1, normal_force=60.0).solver()
-    solver.set_load(ss.TangentialLoad(force_x=1.0), normal_force=60.0)
+    solver.set_loads(ss.TangentialLoad(force_x=1.0), normal_force=60.0)
     assert solver.solve().normal.approach == pytest.approx(contact.normal.approach, rel=1e-6)
     most = 0.8 * contact.normal.pressure.max()
     soft = ss.CoupledProblem(bodies, ball, 0.1, normal_force=60.0, force_x=1.0, hardness=most).solve()
@@ -121,13 +121,13 @@ def test_stiffness_of_dissimilar_bodies_matches_finite_difference():
     solver = ss.CoupledProblem(bodies, ss.surface.sphere(grid, 3.5), 0.3, approach=5e-3, shift_x=5e-4, tolerance=1e-10).solver()
 
     def forces(shift):
-        solver.set_load(ss.TangentialLoad(shift_x=shift), approach=5e-3)
+        solver.set_loads(ss.TangentialLoad(shift_x=shift), approach=5e-3)
         contact = solver.solve()
         return np.array([contact.normal.force, contact.tangential.force[0]])
 
     step = 2e-8
     normal, tangential = (forces(5e-4 + step) - forces(5e-4 - step)) / (2.0 * step)
-    solver.set_load(ss.TangentialLoad(shift_x=5e-4), approach=5e-3)
+    solver.set_loads(ss.TangentialLoad(shift_x=5e-4), approach=5e-3)
     stiffness = solver.solve().stiffness(bodies, 0.3)
     assert isinstance(stiffness, ss.stiffness.ContactStiffness)
     assert stiffness.tangential.loading[0][0] == pytest.approx(tangential, rel=1e-4)

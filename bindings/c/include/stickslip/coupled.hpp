@@ -115,8 +115,8 @@ class CoupledSolver {
                 hardness, relative, settings, out);
         })) {}
     /// Sets the normal and the tangential load of the next solve.
-    void set_load(const stickslip_normal_load &normal, const stickslip_tangential_load &tangential) {
-        check(stickslip_coupled_solver_set_load(get(), &normal, &tangential));
+    void set_loads(const stickslip_normal_load &normal, const stickslip_tangential_load &tangential) {
+        check(stickslip_coupled_solver_set_loads(get(), &normal, &tangential));
     }
     /// Sets the gap before loading of the next solve (lengths).
     void set_gap(const FieldArgument &gap) { check(stickslip_coupled_solver_set_gap(get(), gap.data(), gap.size())); }

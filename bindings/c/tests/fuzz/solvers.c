@@ -68,7 +68,7 @@ void change_solver(struct run *run) {
         SEEN(stickslip_tangential_solver_reset(shearer));
         break;
     case 11:
-        SEEN(stickslip_coupled_solver_set_load(solver, maybe(run, &press), maybe(run, &drag)));
+        SEEN(stickslip_coupled_solver_set_loads(solver, maybe(run, &press), maybe(run, &drag)));
         break;
     case 13:
         SEEN(stickslip_coupled_solver_set_gap(solver, maybe(run, numbers), count));

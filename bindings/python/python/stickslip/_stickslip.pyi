@@ -1697,7 +1697,7 @@ class CoupledSolver:
         """
         Sets the gap of the next solve (lengths).
         """
-    def set_load(self, /, load: TangentialLoad, *, normal_force: float | None = None, approach: float | None = None) -> None:
+    def set_loads(self, /, load: TangentialLoad, *, normal_force: float | None = None, approach: float | None = None) -> None:
         """
         Sets the loads of the next solve: the tangential load, and either a normal force (not negative) or an approach (a
         length).

@@ -45,7 +45,7 @@ impl CoupledSolver {
     /// Sets the loads of the next solve: the tangential load, and either a normal force (not negative) or an approach (a
     /// length).
     #[pyo3(signature = (load, *, normal_force=None, approach=None))]
-    fn set_load(
+    fn set_loads(
         &self,
         py: Python<'_>,
         load: TangentialArgument,
@@ -54,7 +54,7 @@ impl CoupledSolver {
     ) -> PyResult<()> {
         let normal = load::needed_as("normal_force", normal_force, approach)?;
         self.0
-            .with(|solver| solver.set_load(normal, load.0.0))?
+            .with(|solver| solver.set_loads(normal, load.0.0))?
             .or_raise(py)
     }
 

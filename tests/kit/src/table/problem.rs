@@ -103,7 +103,7 @@ impl ProblemSolver {
         match self {
             Self::Normal(solver) => solver.set_load(press),
             Self::Tangential(_, solver) => solver.set_load(shear),
-            Self::Coupled(solver) => solver.set_load(press, shear),
+            Self::Coupled(solver) => solver.set_loads(press, shear),
             Self::Rolling(_, solver) => {
                 let (controls, spin) = controls.unwrap();
                 solver.set_load(controls, spin)
