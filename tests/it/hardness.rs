@@ -342,7 +342,7 @@ fn coupled_problem_with_hardness_matches_first_history_step() {
         // If the solve continues under a smaller load, no cell is at the limit, and the contact equals the contact of elastic
         // bodies.
         let lighter = (NormalLoad::Force(0.02), TangentialLoad::force([0.003, 0.0]));
-        solver.set_load(lighter.0, lighter.1).unwrap();
+        solver.set_loads(lighter.0, lighter.1).unwrap();
         solver.solve_into(&mut contact).unwrap();
         let elastic =
             CoupledProblem::builder(&bodies, &ball, friction.clone(), lighter.0, lighter.1);
@@ -353,7 +353,7 @@ fn coupled_problem_with_hardness_matches_first_history_step() {
 
         // A force beyond the capacity of all cells is rejected and leaves the loads unchanged.
         let beyond = NormalLoad::Force(1.01 * hardness.capacity(grid));
-        kit::assert_refused! { solver.set_load(beyond, lighter.1) => Error::BeyondHardness { .. } }
+        kit::assert_refused! { solver.set_loads(beyond, lighter.1) => Error::BeyondHardness { .. } }
         solver.solve_into(&mut contact).unwrap();
         assert!((contact.normal().force() / 0.02 - 1.0).abs() < 1e-10);
     }

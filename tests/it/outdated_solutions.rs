@@ -202,14 +202,14 @@ fn sensitivity_of_coupled_solution_of_earlier_input_is_rejected() {
     found(&solver).unwrap();
     let (press, drag) = (NormalLoad::Force(FORCE), TangentialLoad::force([DRAG, 0.0]));
     solver
-        .set_load(NormalLoad::Force(1.001 * FORCE), drag)
+        .set_loads(NormalLoad::Force(1.001 * FORCE), drag)
         .unwrap();
     assert_outdated(found(&solver), "the normal load");
     solver
-        .set_load(press, drag.along(Axis::Y, TangentialControl::Force(1e-3)))
+        .set_loads(press, drag.along(Axis::Y, TangentialControl::Force(1e-3)))
         .unwrap();
     assert_outdated(found(&solver), "the tangential load");
-    solver.set_load(press, drag).unwrap();
+    solver.set_loads(press, drag).unwrap();
     solver.set_friction(&coulomb(0.401)).unwrap();
     assert_outdated(found(&solver), "the friction");
     solver.set_friction(&coulomb(0.4)).unwrap();

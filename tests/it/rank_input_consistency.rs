@@ -256,12 +256,12 @@ fn inconsistent_coupled_problems_are_reported() {
     assert_reported("normal load", |ranks, is_odd| {
         let mut solver = build(ranks, "")?.into_solver()?;
         let still = TangentialLoad::shift([0.0, 0.0]);
-        solver.set_load(NormalLoad::Force(one_of(is_odd, 2.1, 2.0)), still)
+        solver.set_loads(NormalLoad::Force(one_of(is_odd, 2.1, 2.0)), still)
     });
     assert_reported("tangential load", |ranks, is_odd| {
         let mut solver = build(ranks, "")?.into_solver()?;
         let moved = TangentialLoad::shift([one_of(is_odd, 0.1, 0.0), 0.0]);
-        solver.set_load(NormalLoad::Force(2.0), moved)
+        solver.set_loads(NormalLoad::Force(2.0), moved)
     });
 }
 
