@@ -13,7 +13,7 @@ use crate::cgm::active_set_solve::{ActiveSetSolve, SINGLE};
 use crate::cgm::degenerate::BoundState;
 use crate::cgm::law::state::{LinearisedSet, Row};
 use crate::cgm::linear::BASES;
-use crate::cgm::monitor::Progress;
+use crate::cgm::monitor::{INNER_REDUCTION, Progress};
 use crate::cgm::totals::Total;
 use crate::cgm::{Constraint, InitialGuess, MotionOf, reduce};
 use crate::numerics::cell_vector::{at, minus, norm, slices, within};
@@ -134,7 +134,11 @@ impl<K: Constraint<N>, const N: usize> NewtonSteps for ActiveSetSolve<'_, '_, K,
     }
 
     fn solve_linear(&mut self, merit: f64) -> ControlFlow<Status> {
-        let reduction = self.progress.reduction(merit, self.monitor.tolerance());
+        let mut reduction = self.progress.reduction(merit, self.monitor.tolerance());
+        if self.product_error.is_finite() {
+            // Steps that reduce the residual below the error of its product do not bring the iterate nearer to the solution.
+            reduction = reduction.max((self.product_error / merit).min(INNER_REDUCTION));
+        }
         // The steps change the displacements by about the residual. Products in single precision add the fraction `SINGLE` of
         // this change to the error of the gradient.
         let gradient_error = self.product_error + SINGLE * merit;
