@@ -20,7 +20,7 @@ use stickslip::{Field, Friction, History, LoadStep, NormalLoad, Operator, Result
 
 const ROUNDS: usize = 7;
 /// Tolerances of the solves without an earlier solution.
-const COLD: [f64; 2] = [1e-4, 1e-8];
+const COLD: [f64; 3] = [1e-4, 1e-6, 1e-8];
 /// Tolerance of the solves from an earlier solution and of the steps of a history.
 const WARM: f64 = 1e-6;
 /// Number of steps of the cycle of the tangential force.
