@@ -214,6 +214,11 @@ fn loop_with_invalid_input_is_rejected_before_any_step() {
         let fretting = FrettingLoop::new(path.clone(), LoadStep::force).until_steady(tolerance);
         kit::assert_refused! { fretting.run(&mut history, 3) => Error::Tolerance(_) }
     }
+    // The load ignores the path.
+    let held = FrettingLoop::new(path.clone(), |_| LoadStep::hold());
+    kit::assert_refused! { held.run(&mut history, 3) => Error::UnsupportedByModel { .. } }
+    let mut cycle = Cycle::new(&history);
+    kit::assert_refused! { held.cycle(&mut history, &mut cycle) => Error::UnsupportedByModel { .. } }
     // The path crosses the axis of the history.
     let fretting = FrettingLoop::new(path, LoadStep::force);
     kit::assert_refused! { fretting.run(&mut history, 3) => Error::UnsupportedByModel { .. } }

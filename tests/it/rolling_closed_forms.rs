@@ -245,7 +245,7 @@ fn free_rolling_creepage_matches_bentall_johnson() -> Result<()> {
             (creepage / free.creepage() - 1.0).abs() < 1e-3,
             "{creepage}"
         );
-        let dissipation = rolling.dissipation()?.integral();
+        let dissipation = rolling.dissipation_per_area()?.integral();
         assert!(
             (dissipation / free.dissipation() - 1.0).abs() < 1e-3,
             "{dissipation}"

@@ -60,7 +60,7 @@ fn steady_rolling_without_entry_law_matches_contact() {
     }
     // The reference is the dissipation of a step of 0.0116 with the tractions at its end.
     let lost = of([0.00064, -0.0004], 0.0048)
-        .dissipation()
+        .dissipation_per_area()
         .unwrap()
         .integral()
         * 0.0116;
@@ -352,7 +352,10 @@ fn dissipation_never_exceeds_work() {
             continue;
         };
         let rolling = problem.solve().unwrap();
-        let (work, lost) = (rolling.work(), rolling.dissipation().unwrap().integral());
+        let (work, lost) = (
+            rolling.work(),
+            rolling.dissipation_per_area().unwrap().integral(),
+        );
         assert!(0.0 < lost && lost < work, "{lost} of {work}");
     }
 }
@@ -368,7 +371,7 @@ fn work_and_dissipation_agree_as_cells_shrink() {
         let normal = pressed(&bodies, &ball, 1.0);
         let problem = RollingProblem::builder(&bodies, &normal, kit::coulomb(0.3));
         let rolling = kit::solve(problem.spin(2.0));
-        let lost = rolling.dissipation().unwrap().integral();
+        let lost = rolling.dissipation_per_area().unwrap().integral();
         1.0 - lost / rolling.work()
     });
     for (deficit, finer) in deficits.iter().zip(&deficits[1..]) {

@@ -147,7 +147,7 @@ module stickslip_bindings
     public :: stickslip_rolling_solution_free
     public :: stickslip_rolling_solution_field
     public :: stickslip_rolling_solution_zones
-    public :: stickslip_rolling_solution_dissipation
+    public :: stickslip_rolling_solution_dissipation_per_area
     public :: stickslip_rolling_solution_result
     public :: stickslip_rolling_solution_report
     public :: stickslip_rolling_solution_warnings
@@ -2970,16 +2970,17 @@ module stickslip_bindings
             type(c_ptr) :: answer
         end function stickslip_rolling_solution_zones
 
-        ! Writes the energy that slip dissipates in each cell per unit length rolled (a pressure) to values, which has count
-        ! entries. Wear depends on this energy. Between bodies of the same material, the integral of this energy is smaller than
+        ! Writes the energy that slip dissipates in each cell per area and per length rolled (a pressure) to values, which has count
+        ! entries. Its product with a wear coefficient is the depth worn per length rolled. The wear functions require the energy of
+        ! a cell instead: multiply by the area of a cell. Between bodies of the same material, the integral of this energy is smaller than
         ! the work of creepages and spin; the difference decreases with the cell size.
-        function stickslip_rolling_solution_dissipation(solution, values, count) result(answer) bind(c)
+        function stickslip_rolling_solution_dissipation_per_area(solution, values, count) result(answer) bind(c)
             import
             type(stickslip_rolling_solution), value :: solution
             real(c_double), intent(inout) :: values(*)
             integer(c_size_t), value :: count
             integer(c_int32_t) :: answer
-        end function stickslip_rolling_solution_dissipation
+        end function stickslip_rolling_solution_dissipation_per_area
 
         ! Writes the scalar results of the contact.
         function stickslip_rolling_solution_result(solution, result) result(answer) bind(c)

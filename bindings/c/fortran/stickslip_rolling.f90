@@ -21,7 +21,7 @@ module stickslip_rolling
         procedure :: result => rolling_solution_result
         procedure :: report => rolling_solution_report
         procedure :: warnings => rolling_solution_warnings
-        procedure :: dissipation => rolling_solution_dissipation
+        procedure :: dissipation_per_area => rolling_solution_dissipation_per_area
         procedure :: address => rolling_solution_address
         procedure :: free => rolling_solution_free
         final :: rolling_solution_final
@@ -142,17 +142,18 @@ contains
         call report_status(code, status)
     end subroutine rolling_solution_warnings
 
-    ! Returns the energy that slip dissipates in each cell per unit length rolled (a pressure). Wear depends on this
-    ! energy. Between bodies of the same material, the integral of this energy is smaller than the work of creepages and
-    ! spin; the difference decreases with the cell size.
-    subroutine rolling_solution_dissipation(this, values, status)
+    ! Returns the energy that slip dissipates in each cell per area and per length rolled (a pressure). Its product with
+    ! a wear coefficient is the depth worn per length rolled. The wear functions require the energy of a cell instead:
+    ! multiply by the area of a cell. Between bodies of the same material, the integral of this energy is smaller than
+    ! the work of creepages and spin; the difference decreases with the cell size.
+    subroutine rolling_solution_dissipation_per_area(this, values, status)
         class(rolling_solution), intent(in) :: this
         real(c_double), intent(inout), contiguous :: values(:, :)
         integer(c_int32_t), intent(out), optional :: status
         if (.not. fits('values', shape(values), this%grid, status)) return
-        call report_status(stickslip_rolling_solution_dissipation(this%handle, values, size(values, kind=c_size_t)), &
-            status)
-    end subroutine rolling_solution_dissipation
+        call report_status(stickslip_rolling_solution_dissipation_per_area(this%handle, values, size(values, &
+            kind=c_size_t)), status)
+    end subroutine rolling_solution_dissipation_per_area
 
     function rolling_solution_address(this) result(address)
         class(rolling_solution), intent(in) :: this

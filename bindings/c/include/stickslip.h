@@ -2348,12 +2348,13 @@ const double *stickslip_rolling_solution_field(const stickslip_rolling_solution 
 // Returns the zone of every cell, STICKSLIP_SEPARATED, STICKSLIP_STICK or STICKSLIP_SLIP; returns NULL on failure.
 const uint8_t *stickslip_rolling_solution_zones(const stickslip_rolling_solution *solution, size_t *count);
 
-// Writes the energy that slip dissipates in each cell per unit length rolled (a pressure) to values, which has count
-// entries. Wear depends on this energy. Between bodies of the same material, the integral of this energy is smaller than
+// Writes the energy that slip dissipates in each cell per area and per length rolled (a pressure) to values, which has count
+// entries. Its product with a wear coefficient is the depth worn per length rolled. The wear functions require the energy of
+// a cell instead: multiply by the area of a cell. Between bodies of the same material, the integral of this energy is smaller than
 // the work of creepages and spin; the difference decreases with the cell size.
-stickslip_status stickslip_rolling_solution_dissipation(const stickslip_rolling_solution *solution,
-                                                        double *values,
-                                                        size_t count);
+stickslip_status stickslip_rolling_solution_dissipation_per_area(const stickslip_rolling_solution *solution,
+                                                                 double *values,
+                                                                 size_t count);
 
 // Writes the scalar results of the contact.
 stickslip_status stickslip_rolling_solution_result(const stickslip_rolling_solution *solution,

@@ -516,11 +516,12 @@ pub unsafe extern "C" fn stickslip_rolling_solution_zones(
     unsafe { show(solution, count, |of| Ok(of.zones())).cast() }
 }
 
-/// Writes the energy that slip dissipates in each cell per unit length rolled (a pressure) to values, which has count
-/// entries. Wear depends on this energy. Between bodies of the same material, the integral of this energy is smaller than
+/// Writes the energy that slip dissipates in each cell per area and per length rolled (a pressure) to values, which has count
+/// entries. Its product with a wear coefficient is the depth worn per length rolled. The wear functions require the energy of
+/// a cell instead: multiply by the area of a cell. Between bodies of the same material, the integral of this energy is smaller than
 /// the work of creepages and spin; the difference decreases with the cell size.
 #[unsafe(no_mangle)]
-pub unsafe extern "C" fn stickslip_rolling_solution_dissipation(
+pub unsafe extern "C" fn stickslip_rolling_solution_dissipation_per_area(
     solution: *const stickslip_rolling_solution,
     values: *mut f64,
     count: usize,
@@ -529,7 +530,7 @@ pub unsafe extern "C" fn stickslip_rolling_solution_dissipation(
     call_on(solution, || unsafe {
         let solution = reading(solution)?;
         let values = cells_mut("values", solution.grid(), values, count)?;
-        values.copy_from_slice(solution.dissipation()?.as_slice());
+        values.copy_from_slice(solution.dissipation_per_area()?.as_slice());
         Ok(())
     })
 }

@@ -281,7 +281,7 @@ static stickslip_status roll(void) {
         status = stickslip_rolling_solver_stiffness(solver, &stiffness);
     }
     if (status == STICKSLIP_OK) {
-        status = stickslip_rolling_solution_dissipation(solution, lost, cells);
+        status = stickslip_rolling_solution_dissipation_per_area(solution, lost, cells);
     }
     disarmed(status);
     OK(stickslip_rolling_solver_free(solver));

@@ -262,10 +262,10 @@ contains
         call check(abs(by_load%creepage(1) / 1d-3 - 1) < 1d-4 .and. abs(by_load%spin / 1d-3 - 1) < 1d-4, 'motion under loads')
         zones => rolled%zones()
         traction => rolled%field(STICKSLIP_TRACTION_X)
-        call rolled%dissipation(lost)
+        call rolled%dissipation_per_area(lost)
         call check(all((lost > 0) .eqv. (lost > 0 .and. zones == STICKSLIP_SLIP)) .and. maxval(lost) > 0, 'dissipation')
         call check(abs(sum(traction) * grid%dx * grid%dy / by_load%force(1) - 1) < 1d-12, 'sum of the traction')
-        call rolled%dissipation(turned, status)
+        call rolled%dissipation_per_area(turned, status)
         call check(status == STICKSLIP_LENGTH, 'a dissipation of shape (ny, nx)')
 
         points(2)%creepage(1) = 1d-3

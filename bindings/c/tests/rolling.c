@@ -100,7 +100,7 @@ static void loads_have_the_motions_that_cause_them(stickslip_rolling_solver *sol
 
     /* Most of the work is dissipated, and only in slip cells. */
     size_t count = 0;
-    OK(stickslip_rolling_solution_dissipation(solution, dissipation, CELLS));
+    OK(stickslip_rolling_solution_dissipation_per_area(solution, dissipation, CELLS));
     const uint8_t *zones = stickslip_rolling_solution_zones(solution, &count);
     const double *traction = stickslip_rolling_solution_field(solution, STICKSLIP_TRACTION_X, NULL);
     const double *slip = stickslip_rolling_solution_field(solution, STICKSLIP_SLIP_X, NULL);
@@ -112,7 +112,7 @@ static void loads_have_the_motions_that_cause_them(stickslip_rolling_solver *sol
     }
     CHECK(sum > 0.8 * by_load.work && sum < by_load.work);
     CLOSE(force, by_load.force[0], 1e-12);
-    CHECK(stickslip_rolling_solution_dissipation(solution, dissipation, 1) == STICKSLIP_LENGTH);
+    CHECK(stickslip_rolling_solution_dissipation_per_area(solution, dissipation, 1) == STICKSLIP_LENGTH);
     CHECK(stickslip_rolling_solution_field(solution, STICKSLIP_PRESSURE, NULL) == NULL);
     stickslip_report report;
     OK(stickslip_rolling_solution_report(solution, &report));

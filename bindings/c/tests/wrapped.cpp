@@ -225,7 +225,7 @@ int main() {
     const ss::RollingSolution rolled = roller.solve();
     check(std::fabs(rolled.result().force[0] / 10.0 - 1.0) < 1e-8 && rolled.result().creepage[0] > 10.0 / linear, "force");
     check(rolled.result().creepage[1] == 1e-4 && rolled.result().spin == 1e-3, "lateral creepage and spin");
-    const std::vector<double> lost = rolled.dissipation();
+    const std::vector<double> lost = rolled.dissipation_per_area();
     check(*std::min_element(lost.begin(), lost.end()) == 0.0 && *std::max_element(lost.begin(), lost.end()) > 0.0, "lost");
     fails(STICKSLIP_BEYOND_FRICTION_CAPACITY, [&] { roller.set_load(ss::rolling(ss::rolling_force(31.0))); });
     fails(STICKSLIP_BEYOND_FRICTION_CAPACITY,

@@ -109,7 +109,7 @@ FILES = [
             "set_loads set_gap set_friction set_settings reset solve"]),
     ]),
     File("rolling", "rolling", "Steady rolling.", "normal", "objects normal", [
-        Object("rolling_solution", "RollingSolution", "rolling_solution", [READ, "dissipation"],
+        Object("rolling_solution", "RollingSolution", "rolling_solution", [READ, "dissipation_per_area"],
                "traction_x traction_y slip_x slip_y"),
         Object("rolling_solver", "RollingSolver", "rolling_solver", [
             "new set_load set_friction", Method("set_normal", cpp="set_pressure"),

@@ -179,3 +179,24 @@ def test_labels_and_points_in_csv_are_rejected():
     x, y = np.meshgrid(np.arange(12.0), np.arange(10.0))
     inclined = ss.Field(ss.Grid(12, 10, 1.0, 1.0), 0.3 * x + 0.17 * y)
     assert ss.io.csv.parse(ss.io.csv.to_bytes(inclined), cell=(1.0, 1.0)) == inclined
+
+
+def test_pairs_of_solutions_with_different_loads_are_not_exported(scene, tmp_path):
+    contact = scene.normal()
+    shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=0.1 * FORCE).solve(warn=False)
+    lighter = ss.NormalProblem(scene.bodies, scene.ball, force=0.5 * FORCE).solve(warn=False)
+    ss.io.vti.write(tmp_path / "pair.vti", (contact, shear))
+    with pytest.raises(ss.errors.OutdatedSolution):
+        ss.io.vti.write(tmp_path / "mixed.vti", (lighter, shear))
+    assert not (tmp_path / "mixed.vti").exists()
+
+
+def test_loop_whose_load_ignores_the_path_is_rejected(scene):
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    loop = ss.history.FrettingLoop(ss.history.LoadPath.sine((1e-6, 0.0), 8), lambda shift: ss.LoadStep(normal_force=FORCE))
+    with pytest.raises(ValueError, match="equal steps for all values of the path"):
+        loop.run(history, 2)
+    with pytest.raises(ValueError, match="equal steps for all values of the path"):
+        ss.wear.run(history, loop, ss.wear.EnergyLaw(1e-13), 100)
+    assert history.steps == 1

@@ -172,14 +172,14 @@ def test_rolling_work_equals_dissipation(ball):
         # The spin displaces a particle by the displacement at the midpoint of its path, half a cell ahead.
         moment = rolling.moment + 0.5 * rolling.grid.dx * rolling.force[1]
         assert rolling.work == pytest.approx(np.dot(motion, (*rolling.force, moment)))
-        return 1.0 - rolling.dissipation.sum() * rolling.grid.cell_area / rolling.work
+        return 1.0 - rolling.dissipation_per_area.sum() * rolling.grid.cell_area / rolling.work
 
     given = {"creepage": (0.1, 0.05), "spin": 0.02}
     rolling = ball.problem(**given).solve()
     # The deficit decreases with the cell size.
     assert 0.0 < missing(Ball(48).problem(**given).solve()) < 0.6 * missing(rolling) < 0.12
     against = -sum(q * s for q, s in zip(rolling.traction, rolling.slip, strict=True))
-    assert rolling.dissipation == pytest.approx(against) and (against >= 0.0).all()
+    assert rolling.dissipation_per_area == pytest.approx(against) and (against >= 0.0).all()
     assert (against[rolling.zones != ss.Zone.SLIP] == 0.0).all()
 
 
@@ -234,7 +234,7 @@ def test_rolling_solutions_round_trip(ball):
         assert (back.creepage, back.spin, back.force, back.moment, back.work) == (
             value.creepage, value.spin, value.force, value.moment, value.work
         )  # fmt: skip
-        for name in ("traction", "slip", "zones", "dissipation"):
+        for name in ("traction", "slip", "zones", "dissipation_per_area"):
             assert np.array_equal(getattr(back, name), getattr(value, name))
 
 
@@ -351,7 +351,7 @@ def test_rolling_solutions_convert_to_datasets_and_images(ball):
     bodies, normal = ball.bodies, ball.normal
     rolling = ball.problem(creepage_x=1e-3, spin=0.1).solve(warn=False)
     dataset = ss.io.to_xarray(rolling)
-    for name, values in [("traction_x", rolling.traction[0]), ("slip_y", rolling.slip[1]), ("dissipation", rolling.dissipation)]:
+    for name, values in [("traction_x", rolling.traction[0]), ("slip_y", rolling.slip[1]), ("dissipation_per_area", rolling.dissipation_per_area)]:
         assert np.array_equal(dataset[name], values) and dataset[name].attrs["long_name"]
     numbers = {"creepage_x": 1e-3, "creepage_y": 0.0, "spin": 0.1, "force_x": rolling.force[0], "work": rolling.work}
     assert {name: dataset.attrs[name] for name in numbers} == numbers
@@ -364,10 +364,10 @@ def test_rolling_solutions_convert_to_datasets_and_images(ball):
     both = ss.io.to_xarray(coupled)
     assert np.array_equal(both.pressure, coupled.normal.pressure) and np.array_equal(both.traction_x, coupled.rolling.traction[0])
 
-    names = {"traction": rolling.traction, "slip": rolling.slip, "zones": rolling.zones, "dissipation": rolling.dissipation}
+    names = {"traction": rolling.traction, "slip": rolling.slip, "zones": rolling.zones, "dissipation_per_area": rolling.dissipation_per_area}
     assert ss.io.vti.to_bytes(rolling) == ss.io.vti.to_bytes(names, grid=bodies.grid)
     image = ss.io.vti.to_bytes(coupled)
-    assert all(f'Name="{name}"'.encode() in image for name in ("pressure", "traction", "dissipation"))
+    assert all(f'Name="{name}"'.encode() in image for name in ("pressure", "traction", "dissipation_per_area"))
 
 
 def test_coupled_rolling_solver_rejects_force_beyond_friction_before_solve(ball):

@@ -319,7 +319,7 @@ def test_wrong_arguments_are_rejected():
         presser.sensitivity(normal, Functional.shift("x"))
     with pytest.raises(errors.UnsupportedByModel, match="normal or coupled"):
         solver.sensitivity(tangential, Functional.approach())
-    with pytest.raises(errors.UnsupportedByModel, match="chain the sensitivities of a tangential contact"):
+    with pytest.raises(errors.UnsupportedByModel, match="chain each sensitivity of a tangential contact once"):
         presser.chain(normal, presser.sensitivities(normal, [Functional.approach()]))
     with pytest.raises(errors.Sample, match="weights of the pressures at row 0, column 1"):
         weights = np.ones((CELLS, CELLS))

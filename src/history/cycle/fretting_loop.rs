@@ -67,8 +67,10 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid of `cycle` differs.
+    /// - [`Error::UnsupportedByModel`] if the load is equal for different values of the path.
     /// - Errors of [`History::step`].
     pub fn cycle(&self, history: &mut History, cycle: &mut Cycle) -> Result<()> {
+        self.check_load()?;
         let mut unobserved = |_: &mut History, _: &Cycle| Ok(ControlFlow::Continue(()));
         self.pass(history, cycle, &mut unobserved).map(|_| ())
     }
@@ -77,13 +79,16 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
     ///
     /// # Errors
     /// - [`Error::Tolerance`] before any step if the tolerance is not in `(0, 1)`.
+    /// - [`Error::UnsupportedByModel`] before any step if the load is equal for different values of the path.
     /// - Errors of [`History::step`]. The history then remains in its state after the last successful step.
     pub fn run(&self, history: &mut History, cycles: usize) -> Result<FrettingResult> {
         self.run_observed(history, cycles, |_, _| Ok(ControlFlow::Continue(())))
     }
 
     /// Takes cycles as [`FrettingLoop::run`] does and calls an observer after every step. The observer receives the history
-    /// and the present cycle. It may apply wear to the gap, change the friction, write output, or stop the loop. It may take a
+    /// and the present cycle. The [dissipation](Cycle::dissipation) of the cycle is the sum over its steps so far; wear of
+    /// each step requires the energy of the [last step](History::last_step).
+    /// The observer may apply wear to the gap, change the friction, write output, or stop the loop. It may take a
     /// step only after the last step of a cycle. This step does not count in any cycle.
     ///
     /// # Errors
@@ -102,6 +107,7 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
                 return Err(Error::Tolerance(tolerance));
             }
         }
+        self.check_load()?;
         let mut last = Cycle::new(history);
         let mut done = 0;
         let mut ending = StopReason::CycleLimit;
@@ -121,6 +127,23 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
             ending,
             last,
         })
+    }
+
+    /// Rejects a load that does not depend on the value of the path.
+    fn check_load(&self) -> Result<()> {
+        let varies = |differs: &dyn Fn([f64; 2], [f64; 2]) -> bool| {
+            let mut pairs = self.path.steps().windows(2);
+            pairs.any(|pair| differs(pair[0], pair[1]))
+        };
+        if varies(&|a, b| a != b) && !varies(&|a, b| (self.load)(a) != (self.load)(b)) {
+            return Err(Error::UnsupportedByModel {
+                model: "a fretting loop",
+                quantity: "a load that is equal for all values of its path",
+                value: 0.0,
+                remedy: "compute the load from the value of the path, as in LoadStep::shift(value)",
+            });
+        }
+        Ok(())
     }
 
     /// Takes the steps of one cycle until the observer stops the loop.

@@ -55,12 +55,13 @@ class RollingSolution {
             return stickslip_rolling_solution_warnings(get(), to...);
         });
     }
-    /// Returns the energy that slip dissipates in each cell per unit length rolled (a pressure). Wear depends on this
-    /// energy. Between bodies of the same material, the integral of this energy is smaller than the work of creepages
-    /// and spin; the difference decreases with the cell size.
-    std::vector<double> dissipation() const {
+    /// Returns the energy that slip dissipates in each cell per area and per length rolled (a pressure). Its product
+    /// with a wear coefficient is the depth worn per length rolled. The wear functions require the energy of a cell
+    /// instead: multiply by the area of a cell. Between bodies of the same material, the integral of this energy is
+    /// smaller than the work of creepages and spin; the difference decreases with the cell size.
+    std::vector<double> dissipation_per_area() const {
         std::vector<double> values(cells());
-        check(stickslip_rolling_solution_dissipation(get(), values.data(), values.size()));
+        check(stickslip_rolling_solution_dissipation_per_area(get(), values.data(), values.size()));
         return values;
     }
     /// Shear traction along x that body 2 exerts on body 1 (pressures).

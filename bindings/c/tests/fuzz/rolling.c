@@ -66,7 +66,7 @@ void roll(struct run *run) {
         stickslip_report report;
         SEEN(stickslip_rolling_solution_result(solution, maybe_out(run, &result)));
         SEEN(stickslip_rolling_solution_report(solution, maybe_out(run, &report)));
-        SEEN(stickslip_rolling_solution_dissipation(solution, maybe_out(run, numbers), count));
+        SEEN(stickslip_rolling_solution_dissipation_per_area(solution, maybe_out(run, numbers), count));
         break;
     }
     case 8:

@@ -6011,10 +6011,11 @@ class RollingSolution:
         The creepages along x and y, prescribed or caused by the force (dimensionless).
         """
     @property
-    def dissipation(self, /) -> NDArray[float64]:
+    def dissipation_per_area(self, /) -> NDArray[float64]:
         """
-        Energy dissipated by slip in each cell per unit length rolled (a pressure), the input of the energy law of wear.
-        Between bodies of the same material, the integral of this energy is less than the work; the difference decreases
+        Energy dissipated by slip in each cell per area and per length rolled (a pressure). Its product with a wear coefficient
+        is the depth worn per length rolled. ``wear.energy`` requires the energy of a cell instead: multiply by the area of a
+        cell. Between bodies of the same material, the integral of this energy is less than the work; the difference decreases
         with the cell size.
         """
     @property

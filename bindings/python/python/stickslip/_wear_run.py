@@ -127,7 +127,7 @@ class WearSnapshot:
     cycles: int
     """Number of cycles that wore the gap."""
     depth: NDArray[Any]
-    """Depth removed from both bodies together since the start (lengths)."""
+    """Depth removed from both bodies together in this run and the runs that it resumes (lengths)."""
     dissipated_energy: float
     """Energy dissipated so far, including the cycles jumped over."""
     rows: tuple[tuple[float, ...], ...]
@@ -215,7 +215,7 @@ class WearResult:
 
     @property
     def depth(self) -> NDArray[Any]:
-        """Depth removed from both bodies together since the start (lengths)."""
+        """Depth removed from both bodies together in this run and the runs that it resumes (lengths)."""
         return self.snapshot.depth
 
     @property
@@ -261,7 +261,7 @@ def run(
         as an array of shape (ny, nx), such as :class:`EnergyLaw` or :class:`ArchardLaw`. A single number is rejected, because
         it would also wear the cells outside the contact. The depth of a jump is this depth times the number of cycles.
     cycles : int
-        Number of cycles, including those of ``resume``, which must not exceed it.
+        Total number of cycles, including the cycles of ``resume``, whose number must not be larger.
     max_depth : float, optional
         The run ends when the largest depth removed since the start has reached this value (a length). The last jump is
         shortened to whole cycles, and exceeds the value by less than the depth of one cycle.
@@ -299,6 +299,8 @@ def run(
         contains more cycles.
     EmptyContact
         If the history is not in contact, for example because it has not been pressed.
+    ValueError
+        If the load of the loop is equal for different values of its path.
     Shape
         If the law does not return an array of shape (ny, nx).
     SnapshotMismatch
@@ -339,6 +341,7 @@ def run(
         error = ArgumentRange(f"max_depth must not be negative, got {max_depth}")
         error.argument = "max_depth"
         raise error
+    loop._check_loads()
     given = {"law": _law_in_words(law), "loop": _loop_in_words(loop)}
     if resume is None:
         _check_contact(history.contact)

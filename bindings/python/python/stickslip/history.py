@@ -137,7 +137,8 @@ class FrettingLoop:
             The largest number of cycles.
         observer : callable, optional
             A function that is called after every step with the history and the current cycle. It may change the gap by
-            wear, change the friction or write output; it stops the loop by returning ``False``.
+            wear, change the friction or write output; it stops the loop by returning ``False``. The energies of the cycle
+            are sums over its steps so far. Wear of each step requires ``history.last_step.dissipation``.
         progress : callable or bool, optional
             A function that is called after every complete cycle with the number of complete cycles and the cycle; it
             stops the loop by returning ``False``. ``True`` shows a progress bar of the cycles (requires tqdm).
@@ -146,6 +147,8 @@ class FrettingLoop:
         ------
         ArgumentRange
             If the number of cycles is negative.
+        ValueError
+            If ``load`` returns equal steps for different values of the path.
         EmptyContact
             If no step of a cycle is in contact, and the loop has the tolerance ``until_steady``.
         """
@@ -153,6 +156,7 @@ class FrettingLoop:
             error = ArgumentRange(f"cycles must not be negative, got {cycles}")
             error.argument = "cycles"
             raise error
+        self._check_loads()
         last = Cycle(history)
         is_pressed = False
 
@@ -178,6 +182,16 @@ class FrettingLoop:
                 if is_stopped:
                     return FrettingResult(done, StopReason.STOPPED, last)
         return FrettingResult(cycles, StopReason.CYCLE_LIMIT, last)
+
+    def _check_loads(self) -> None:
+        """Rejects a load function that ignores the values of the path."""
+        values = self._path.cycles(1)
+        steps = {self._step(value).__reduce__()[1][-1] for value in values}
+        if len(steps) == 1 and len(set(values)) > 1:
+            raise ValueError(
+                "the load function returned equal steps for all values of the path: compute the load from its argument, "
+                "for example return LoadStep(shift=value)"
+            )
 
     def _step(self, value: tuple[float, float]) -> LoadStep:
         """Returns the step that the load function returns for a value."""

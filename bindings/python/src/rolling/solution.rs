@@ -79,12 +79,13 @@ impl RollingSolution {
         zones(py, self.0.grid(), self.0.zones())
     }
 
-    /// Energy dissipated by slip in each cell per unit length rolled (a pressure), the input of the energy law of wear.
-    /// Between bodies of the same material, the integral of this energy is less than the work; the difference decreases
+    /// Energy dissipated by slip in each cell per area and per length rolled (a pressure). Its product with a wear coefficient
+    /// is the depth worn per length rolled. ``wear.energy`` requires the energy of a cell instead: multiply by the area of a
+    /// cell. Between bodies of the same material, the integral of this energy is less than the work; the difference decreases
     /// with the cell size.
     #[getter]
-    fn dissipation<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        let dissipation = self.0.dissipation().or_raise(py)?;
+    fn dissipation_per_area<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
+        let dissipation = self.0.dissipation_per_area().or_raise(py)?;
         Ok(snapshot(py, &dissipation))
     }
 

@@ -158,7 +158,10 @@ fn bentall_johnson() -> Result<Vec<Row>> {
         ("creepage", relative(rolling.creepage()[0], free.creepage())),
         (
             "dissipation",
-            relative(rolling.dissipation()?.integral(), free.dissipation()),
+            relative(
+                rolling.dissipation_per_area()?.integral(),
+                free.dissipation(),
+            ),
         ),
     ];
     let free_rollers = "free rollers, Bentall and Johnson (1967)";

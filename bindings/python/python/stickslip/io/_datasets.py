@@ -66,6 +66,8 @@ def to_xarray(solution: Any) -> xarray.Dataset:
         If the object is not of one of these types.
     ValueError
         If the planes belong to different bodies or grids.
+    OutdatedSolution
+        If the tangential solution of a pair was computed for a different pressure.
 
     Examples
     --------
@@ -132,6 +134,9 @@ def _halves_of(solution: Any) -> tuple[Any, ...]:
             normal, shear = solution
             if normal.grid != shear.grid:
                 raise ValueError(f"the solutions of a pair must be on one grid, got {normal.grid} and {shear.grid}")
+            if isinstance(shear, TangentialSolution):
+                # Spots require the pressure of the tangential solution, and are cheap to find.
+                shear.spots(normal)
             return normal, shear
     name = type(solution).__name__
     raise TypeError(f"expected a solution, a state, a history, a Field, a surface or planes, got {name}")
