@@ -69,7 +69,7 @@ try_clone!(TangentialProblem { pressed, friction, relative } { bodies, load, mod
 
 impl TangentialProblem {
     /// Starts a builder from the required input: bodies, pressure, friction and load. The pressure is a solved normal
-    /// contact on these bodies or a field.
+    /// contact on these bodies or a field. Only a solved contact states its materials, so a field from other bodies is accepted.
     #[doc(alias = "partial slip")]
     #[doc(alias = "stick slip")]
     pub fn builder<'a, 'p>(

@@ -131,11 +131,10 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
 
     /// Rejects a load that does not depend on the value of the path.
     fn check_load(&self) -> Result<()> {
-        let varies = |differs: &dyn Fn([f64; 2], [f64; 2]) -> bool| {
-            let mut pairs = self.path.steps().windows(2);
-            pairs.any(|pair| differs(pair[0], pair[1]))
-        };
-        if varies(&|a, b| a != b) && !varies(&|a, b| (self.load)(a) != (self.load)(b)) {
+        let pairs = || self.path.steps().windows(2);
+        let path_varies = pairs().any(|pair| pair[0].iter().ne(&pair[1]));
+        let load_varies = || pairs().any(|pair| (self.load)(pair[0]) != (self.load)(pair[1]));
+        if path_varies && !load_varies() {
             return Err(Error::UnsupportedByModel {
                 model: "a fretting loop",
                 quantity: "a load that is equal for all values of its path",

@@ -31,7 +31,8 @@ if TYPE_CHECKING:
 # Names of the fields, which have one number or one vector per cell, and of the scalar results.
 _FIELDS = (
     "pressure", "gap", "unloaded_gap", "contact", "traction", "slip", "zones", "displacement", "accumulated_slip",
-    "accumulated_dissipation", "dissipation", "normal_stress", "shear_stress", "von_mises", "heights", "form", "short_waves", "long_waves",
+    "accumulated_dissipation", "dissipation", "dissipation_per_area", "normal_stress", "shear_stress", "von_mises", "heights",
+    "form", "short_waves", "long_waves",
 )  # fmt: skip
 _NUMBERS = (
     "force", "tangential_force", "approach", "moment", "shift", "twist", "creepage", "spin", "work", "stick_ratio", "is_gross_slip",
