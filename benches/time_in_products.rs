@@ -1,12 +1,12 @@
 //! Measures solves in units of one product in double precision on the whole grid, which depends less on the machine than
 //! a time.
 //!
-//! `cargo run --release -p stickslip-testkit --example time_in_products [cells ...]` prints one table for one thread and
-//! one for two threads. Each time is the shortest of several rounds. Every round measures all rows in turn, so a load of
+//! `cargo bench -p stickslip-benches --bench time_in_products -- [cells ...]` prints one table for one thread and one for
+//! two threads. Each time is the shortest of several rounds. Every round measures all rows in turn, so a load of
 //! the machine affects all rows in the same way. The columns `double` and `single` are numbers of products. In the row of
 //! the fretting step, they are the numbers of the whole cycle.
 
-#![allow(clippy::print_stdout, reason = "an example shows its numbers")]
+#![allow(clippy::print_stdout, reason = "a table is printed")]
 
 use std::error::Error;
 use std::hint::black_box;
@@ -27,12 +27,16 @@ const WARM: f64 = 1e-6;
 const STEPS: u32 = 20;
 
 fn main() -> std::result::Result<(), Box<dyn Error>> {
-    let mut sizes = Vec::new();
-    for argument in std::env::args().skip(1) {
-        sizes.push(argument.parse()?);
-    }
+    let is_test = std::env::args().any(|argument| argument == "--test");
+    let mut sizes: Vec<u16> = std::env::args()
+        .filter_map(|argument| argument.parse().ok())
+        .collect();
     if sizes.is_empty() {
-        sizes = vec![64, 128, 256, 512];
+        sizes = if is_test {
+            vec![64]
+        } else {
+            vec![64, 128, 256, 512]
+        };
     }
     for threads in [1, 2] {
         println!("{threads} threads");
