@@ -124,7 +124,7 @@ impl FlatPunch {
     /// Traction and pressure have the same distribution, $`q/p = F/W`$. The whole contact therefore sticks until
     /// $`|F| = \mu W`$, and then slides everywhere simultaneously.
     ///
-    /// The solution is valid if pressure and traction are uncoupled. On a rigid punch this requires a Poisson's ratio of 1/2.
+    /// The solution is valid if pressure and traction are uncoupled. A rigid punch requires a Poisson's ratio of 1/2 for this.
     /// Otherwise tractions caused by pressing add to $`q`$, and slip spreads from the edge. For $`\nu = 0.3`$ and $`\mu = 0.3`$,
     /// a [history](crate::History) with full coupling on 64 x 64 cells slips on 20 % of the contact under pressing alone. Its
     /// shift exceeds the shift of this solution by 3 % at 0.3 of the sliding force, by 8 % at 0.6 and by 27 % at 0.9.

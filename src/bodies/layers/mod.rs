@@ -68,8 +68,8 @@
 //!
 //! - Layers are bonded, and their surfaces are plane. There are at most [`LIMIT`] layers.
 //! - On a [grid periodic along y only](crate::Boundary::PeriodicAlongY), the displacement far from the load equals the
-//!   displacement of the substrate with the given datum. On a rigid base it tends to zero. On such a grid the smallest eigenvalue
-//!   for tractions with zero mean certifies the error of a solve. If no sum is prescribed, the certificate also requires the
+//!   displacement of the substrate with the given datum. On a rigid base it tends to zero. The smallest eigenvalue for
+//!   tractions with zero mean certifies the error of a solve on such a grid. If no sum is prescribed, the certificate also requires the
 //!   energy of a flat punch. A solve returns [`Error::DatumTooNear`] if the datum is too near for a prescribed approach, shift or
 //!   spring.
 //! - The error of a solve on a free grid is certified by the smallest eigenvalue of a periodic continuation of the kernel. For

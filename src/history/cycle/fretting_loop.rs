@@ -86,10 +86,11 @@ impl<F: Fn([f64; 2]) -> LoadStep> FrettingLoop<F> {
     }
 
     /// Takes cycles as [`FrettingLoop::run`] does and calls an observer after every step. The observer receives the history
-    /// and the present cycle. The [dissipation](Cycle::dissipation) of the cycle is the sum over its steps so far; wear of
-    /// each step requires the energy of the [last step](History::last_step).
-    /// The observer may apply wear to the gap, change the friction, write output, or stop the loop. It may take a
-    /// step only after the last step of a cycle. This step does not count in any cycle.
+    /// and the present cycle. The observer may apply wear to the gap, change the friction, write output, or stop the loop. It
+    /// may take a step only after the last step of a cycle. This step does not count in any cycle.
+    ///
+    /// The [dissipation](Cycle::dissipation) of the present cycle is the sum over its steps so far. An observer that wears the gap
+    /// after each step therefore requires the dissipation of the [last step](History::last_step).
     ///
     /// # Errors
     /// - [`Error::StepOutOfOrder`] if the observer has taken a step within a cycle.

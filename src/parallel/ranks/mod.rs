@@ -104,8 +104,8 @@
 //! # Failures
 //!
 //! If one rank rejects an input, all ranks return an error. This rank returns its own error, and the others return
-//! [`RankFailure::RejectedByRank`]. The same applies if one rank cannot compute a kernel, because memory runs out or the response
-//! of the kernel fails. If a rank ends or is silent for too long, the calls of the other ranks return
+//! [`RankFailure::RejectedByRank`]. All ranks also return an error if one rank cannot compute a kernel, because memory runs out
+//! or the response of the kernel fails. If a rank ends or is silent for too long, the calls of the other ranks return
 //! [`RankFailure::Disconnected`] or [`RankFailure::Timeout`]. All later calls on the same bodies return the same error. A block
 //! of unexpected length shows that its sender makes different calls. The receiver then returns
 //! [`RankFailure::CollectiveMismatch`]. After a failure, a file that the ranks were writing together is the old file, or the new

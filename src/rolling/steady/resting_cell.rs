@@ -1,4 +1,4 @@
-//! A cell with the middle of its path at rest while the whole contact slides.
+//! Resting cell of a sliding contact: the middle of its path does not move.
 
 use crate::bodies::component::Direction;
 use crate::error::Result;
@@ -11,7 +11,7 @@ use crate::rolling::steady::capacity::{Prescribed, SlidingMotion};
 /// Number of bisections for the stiffness that keeps a traction within its limit.
 const HALVINGS: usize = 100;
 
-/// Cell with the middle of its path at rest under a sliding motion, and this motion.
+/// Cell whose path has a middle that does not move, and the sliding motion of the contact.
 #[derive(Debug)]
 pub(in crate::rolling) struct RestingCell {
     pub(in crate::rolling) cell: usize,
@@ -21,7 +21,7 @@ pub(in crate::rolling) struct RestingCell {
 }
 
 impl RollingProblem {
-    /// Returns the cell with the middle of its path at rest under a motion. Returns `None` if no such cell can carry traction.
+    /// Returns the cell whose path has a middle that does not move under a motion. Returns `None` if no such cell can carry traction.
     pub(in crate::rolling) fn resting_cell(
         &self,
         prescribed: &Prescribed,

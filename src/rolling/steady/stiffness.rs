@@ -46,8 +46,8 @@ impl RollingSolver {
     /// factor of length. Sticking cells follow the motion. The tractions of slipping cells rotate with their slip and
     /// remain at their limits, whether the motion or the load is prescribed. Before the first solve and after a reset
     /// all cells stick, and the entries are Kalker's coefficients times $`G a b`$ and lengths. The matrix is not
-    /// symmetric. If the whole contact slides in one direction, some entries of the matrix are zero. On 64 cells across
-    /// a sphere the three columns take 90 to 140 products in double precision. A solve after an increase of the
+    /// symmetric. If the whole contact slides in one direction, some entries of the matrix are zero. The three
+    /// columns take 90 to 140 products in double precision on 64 cells across a sphere. A solve after an increase of the
     /// creepage by one per cent takes a third to half as many products.
     ///
     /// After a change of the loads, the friction or the pressure, the call returns an error until the next solve or reset.
