@@ -14,7 +14,7 @@ use std::path::Path;
 use plotters::prelude::*;
 use stickslip::analytical::{HertzEllipse, VermeulenJohnson};
 use stickslip::history::EntryRule;
-use stickslip::rolling::{RollingControl, RollingProblem, RollingSolution};
+use stickslip::rolling::{RollingControl, RollingProblem, RollingSolution, SpinControl};
 use stickslip::{
     ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem, surface,
 };
@@ -115,7 +115,10 @@ fn creep_curve(cells: [usize; 2], entry_rule: EntryRule) -> stickslip::Result<Ve
     let mut solver = problem(cells, entry_rule)?.into_solver()?;
     let mut rolling = solver.new_solution();
     let mut force = |(xi, _): (f64, f64)| {
-        solver.set_load([xi, 0.0].map(RollingControl::Creepage), 0.0)?;
+        solver.set_load(
+            [xi, 0.0].map(RollingControl::Creepage),
+            SpinControl::Spin(0.0),
+        )?;
         solver.solve_into(&mut rolling)?;
         Ok(rolling.force()[0] / (FRICTION * LOAD))
     };
@@ -126,7 +129,10 @@ fn creep_curve(cells: [usize; 2], entry_rule: EntryRule) -> stickslip::Result<Ve
 fn combined() -> stickslip::Result<RollingSolution> {
     let mut solver = problem(CELLS, EntryRule::SinceTouch)?.into_solver()?;
     let mut rolling = solver.new_solution();
-    solver.set_load(COMBINED.0.map(RollingControl::Creepage), COMBINED.1)?;
+    solver.set_load(
+        COMBINED.0.map(RollingControl::Creepage),
+        SpinControl::Spin(COMBINED.1),
+    )?;
     solver.solve_into(&mut rolling)?;
     Ok(rolling)
 }

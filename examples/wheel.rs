@@ -10,7 +10,7 @@ use std::f64::consts::{PI, TAU};
 use std::time::Instant;
 
 use stickslip::analytical::{HertzEllipse, KalkerCoefficients};
-use stickslip::rolling::{RollingControl, RollingProblem, RollingSolver};
+use stickslip::rolling::{RollingControl, RollingProblem, RollingSolver, SpinControl};
 use stickslip::{
     ElasticPair, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem, surface,
 };
@@ -161,7 +161,10 @@ fn forces(solver: &mut RollingSolver, wheels: &[Wheel]) -> stickslip::Result<Run
         let start = Instant::now();
         solver.set_normal_load(NormalLoad::Force(wheel.load))?;
         let pressed = start.elapsed();
-        solver.set_load(wheel.creepage.map(RollingControl::Creepage), wheel.spin)?;
+        solver.set_load(
+            wheel.creepage.map(RollingControl::Creepage),
+            SpinControl::Spin(wheel.spin),
+        )?;
         solver.solve_into(&mut rolling)?;
         let force = rolling.force();
         run.times.0.push(1e3 * start.elapsed().as_secs_f64());

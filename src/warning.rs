@@ -127,6 +127,12 @@ pub enum Warning {
         /// The magnitude of the twist of the step, in tenths of a radian.
         tenths: usize,
     },
+    /// The creepage of rolling bodies exceeds 0.1, whereas the model assumes small creepages. A common cause is a creepage in per
+    /// cent. For a step of a history the prescribed creepage counts.
+    LargeCreepage {
+        /// The magnitude of the creepage, in per cent.
+        per_cent: usize,
+    },
     /// The contact radius a exceeds 0.3 of the radius of curvature R of the gap. Half-space theory assumes that a/R is
     /// small.
     ///
@@ -295,6 +301,10 @@ impl std::fmt::Display for Warning {
                 tenths / 10,
                 tenths % 10
             ),
+            Self::LargeCreepage { per_cent } => write!(
+                formatter,
+                "the creepage is {per_cent} %, expected at most 10 %: give a creepage of 1 % as 0.01; the model assumes small creepages"
+            ),
             Self::LargeContactRadius { per_mille } => write!(
                 formatter,
                 "the contact radius is about {:.2} of the radius of curvature, expected at most 0.3: check the units of gap and grid, or lower the load; half-spaces assume small slopes",
@@ -366,6 +376,9 @@ const LARGEST_SHIFT: usize = 10;
 /// Largest twist of a step without a warning, in tenths of a radian.
 const LARGEST_TWIST: usize = 5;
 
+/// Largest creepage without a warning, in per cent.
+const LARGEST_CREEPAGE: usize = 10;
+
 /// Number of spots above which a contact counts as rough. The radius of the spots then cannot be chosen.
 const MANY_SPOTS: usize = 10;
 
@@ -432,6 +445,17 @@ impl Warning {
     pub(crate) fn twist_beyond(twist: f64) -> Option<usize> {
         let tenths = (10.0 * twist.abs()).round() as usize;
         (tenths > LARGEST_TWIST).then_some(tenths)
+    }
+
+    /// Returns the magnitude of a creepage in per cent, or `None` if the creepage is small.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the magnitude is not negative, and a large one saturates"
+    )]
+    pub(crate) fn creepage_beyond([x, y]: [f64; 2]) -> Option<usize> {
+        let per_cent = (100.0 * x.hypot(y)).round() as usize;
+        (per_cent > LARGEST_CREEPAGE).then_some(per_cent)
     }
 
     /// Returns a neglected lift due to tractions, in millionths, or `None` if the lift is within the tolerance.

@@ -72,6 +72,19 @@ pub(super) fn beyond_mean_gap(approach: f64, mean_gap: f64) -> String {
     )
 }
 
+/// Returns the message for a step that does not continue a cycle, with a remedy.
+pub(super) fn out_of_order(step: u64, last: u64) -> String {
+    if step == last + 1 {
+        format!(
+            "step {step} did not start from the state after step {last}, with which the cycle ends: add steps of one history only, and begin the cycle anew after a change of the state"
+        )
+    } else {
+        format!(
+            "step {step} of the history does not follow step {last}, the last step of the cycle: add every step of one history once, in order, after it is accepted"
+        )
+    }
+}
+
 /// Returns the message for a cycle that cannot represent the following cycles, with a remedy.
 pub(super) fn not_closed(residual: f64, limit: f64) -> String {
     format!(

@@ -349,7 +349,7 @@ pub enum Error {
     },
     /// A solution or a saved history belongs to bodies of different materials.
     #[error(
-        "{quantity} belongs to bodies of different materials: use the bodies for which it was computed"
+        "{quantity} belongs to bodies of other materials: use the bodies for which it was computed"
     )]
     MaterialMismatch {
         /// The solution or the saved quantity, in words.
@@ -511,9 +511,7 @@ pub enum Error {
     EmptyPath,
     /// A cycle contains the steps of its history up to the step `last`. The step `step` is not the next one, or it is a step of
     /// another history.
-    #[error(
-        "step {step} of the history does not follow step {last}, the last step of the cycle: add every step of one history once, in order, after it is accepted"
-    )]
+    #[error("{}", messages::out_of_order(*step, *last))]
     StepOutOfOrder {
         /// The number of the step, counted from 1, or zero before the first step.
         step: u64,

@@ -303,7 +303,7 @@ fn every_error_has_its_text() {
             Error::MaterialMismatch {
                 quantity: "normal solution",
             },
-            "normal solution belongs to bodies of different materials: use the bodies for which it was computed",
+            "normal solution belongs to bodies of other materials: use the bodies for which it was computed",
         ),
         (
             Error::ApproachBeyondMeanGap {
@@ -452,6 +452,10 @@ fn every_error_has_its_text() {
         (
             Error::StepOutOfOrder { step: 3, last: 5 },
             "step 3 of the history does not follow step 5, the last step of the cycle: add every step of one history once, in order, after it is accepted",
+        ),
+        (
+            Error::StepOutOfOrder { step: 6, last: 5 },
+            "step 6 did not start from the state after step 5, with which the cycle ends: add steps of one history only, and begin the cycle anew after a change of the state",
         ),
         (
             Error::NoLastStep,

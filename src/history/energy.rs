@@ -59,7 +59,8 @@ pub struct EnergyBalance {
     pub elastic_after: f64,
     /// Dissipated energy, computed from the tractions at the end of the step: $`-A \sum q_{n+1} s \ge 0`$. Under an
     /// unchanged pressure and a load that does not turn within the step, cells slip only at the friction limit. The
-    /// energy is then exact for any length of the step.
+    /// energy is then exact for any length of the step. Summed over a cycle, it equals the loop area of the closed form of
+    /// Mindlin and Deresiewicz.
     pub dissipated_energy: f64,
     /// Dissipated energy, computed from the mean tractions: $`-A \sum \bar q s`$. This energy closes the balance. It is
     /// non-negative under an unchanged pressure and friction (in the vector model up to the tolerance).

@@ -5,7 +5,8 @@
 
 use std::path::Path;
 
-use super::csv::{self, missing_value};
+use super::csv;
+use super::missing;
 use super::text::{Separator, excerpt, lines, without_mark};
 use super::{Place, Sides, parse_file};
 use crate::error::{Error, Result};
@@ -236,7 +237,7 @@ impl Header {
             void: number("voidpixels")?.unwrap_or(0.0),
             missing: text
                 .lines()
-                .find_map(|line| missing_value(line.trim_start_matches('#'))),
+                .find_map(|line| missing::stated(line.trim_start_matches('#'))),
         })
     }
 }

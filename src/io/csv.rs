@@ -8,25 +8,13 @@ use std::fmt::Write;
 use std::path::Path;
 
 use super::asc::is_asc;
-use super::text::{Separator, check_encoding, comments, excerpt, lines};
-use super::{Place, Sides, parse_file, write_bytes};
+use super::text::{Separator, check_encoding, excerpt, lines};
+use super::{Place, Sides, missing, parse_file, write_bytes};
 use crate::error::{Error, Result};
 use crate::files::Format;
 use crate::grid::field::Field;
 
 const FORMAT: Format = Format("CSV");
-
-/// Names that introduce the value of missing points in a comment, in lower-case letters and digits.
-const MISSING: [&str; 8] = [
-    "missing",
-    "missingvalue",
-    "nodata",
-    "nodatavalue",
-    "badvalue",
-    "invalidvalue",
-    "void",
-    "voidvalue",
-];
 
 /// Number of evenly spaced numbers from which the first line or column alone may be coordinates. Shorter lines of heights can be
 /// even by chance.
@@ -52,7 +40,8 @@ pub struct Options {
 }
 
 impl Options {
-    /// Sets the value that marks a missing point (default: the value given in a comment of the file, or none).
+    /// Sets the value that marks a missing point (default: the value given in a comment of the file, or none). NaN states
+    /// that all numbers are heights.
     pub fn missing(mut self, value: f64) -> Self {
         self.missing = Some(value);
         self
@@ -157,13 +146,10 @@ impl Options {
         if !self.is_unlabelled {
             self.check_labels(&spelling, &samples, width, first_line)?;
         }
-        let missing = self
-            .missing
-            .or_else(|| comments(bytes).find_map(|comment| missing_value(&comment)));
-        for sample in &mut samples {
-            if missing == Some(*sample) {
-                *sample = f64::NAN;
-            }
+        let mark = missing::mark(FORMAT, bytes, self.missing, &samples.iter().copied())?;
+        if let Some(is_missing) = mark.map(missing::is) {
+            let marked = samples.iter_mut().filter(|sample| is_missing(sample));
+            marked.for_each(|sample| *sample = f64::NAN);
         }
         let grid = FORMAT.grid(
             Place::Line(1),
@@ -424,17 +410,6 @@ fn is_equal(difference: f64, step: f64) -> bool {
     (difference - step).abs() <= 0.02 * step.abs()
 }
 
-/// Returns the value of missing points if a comment contains it, as `# missing value = -32768` or
-/// `# NODATA_value -9999`.
-pub(super) fn missing_value(comment: &str) -> Option<f64> {
-    let by_space = || comment.trim_end().rsplit_once(char::is_whitespace);
-    let (name, value) = comment.split_once(['=', ':']).or_else(by_space)?;
-    let letters = name.chars().filter(char::is_ascii_alphanumeric);
-    let name: String = letters.collect::<String>().to_ascii_lowercase();
-    let value = value.trim().parse().ok()?;
-    MISSING.contains(&name.as_str()).then_some(value)
-}
-
 /// Reads the field in a file. The [`Sides`] (lengths) are the sides of a cell, `[dx, dy]`, or the sides of the whole
 /// grid. See [`parse`].
 ///
@@ -478,6 +453,8 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 ///   first line, if the first line or column may be labels, or if the lines may be points.
 /// - [`Error::Format`] if the text is in UTF-16, if the file contains no numbers, or if it is a file of
 ///   [`asc`](super::asc).
+/// - [`Error::Format`] if the least or the greatest number may mark missing points, as -9999, -32768 or 1e30, but neither a
+///   comment nor [`Options::missing`] states the mark. Such a number is farther from the other numbers than their range.
 ///
 /// ```
 /// use stickslip::io::csv;

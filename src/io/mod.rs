@@ -35,6 +35,7 @@
 //! therefore less than fifty times its size. X3P files are compressed. The memory for reading such a file is less than eight
 //! times the largest permitted size of an expanded entry.
 
+mod missing;
 mod slabs;
 
 pub mod asc;

@@ -4,9 +4,8 @@
 
 use std::path::Path;
 
-use super::csv::missing_value;
-use super::text::{Separator, check_encoding, comments, lines};
-use super::{Place, parse_file};
+use super::text::{Separator, check_encoding, lines};
+use super::{Place, missing, parse_file};
 use crate::error::{Error, Result};
 use crate::files::Format;
 use crate::grid::field::Field;
@@ -39,7 +38,8 @@ pub struct Options {
 }
 
 impl Options {
-    /// Sets the height that marks a missing point (default: the value given in a comment of the file, or none).
+    /// Sets the height that marks a missing point (default: the value given in a comment of the file, or none). NaN states
+    /// that all numbers are heights.
     pub fn missing(mut self, value: f64) -> Self {
         self.missing = Some(value);
         self
@@ -66,13 +66,11 @@ impl Options {
     /// - [`Error::Format`] for the reasons given at [`parse`].
     pub fn parse(self, bytes: &[u8]) -> Result<Field> {
         let mut points = points(bytes, self.skip_rows)?;
-        let missing = self
-            .missing
-            .or_else(|| comments(bytes).find_map(|comment| missing_value(&comment)));
-        for point in &mut points {
-            if missing == Some(point.height) {
-                point.height = f64::NAN;
-            }
+        let heights = points.iter().map(|point| point.height);
+        let mark = missing::mark(FORMAT, bytes, self.missing, &heights)?;
+        if let Some(is_missing) = mark.map(missing::is) {
+            let marked = points.iter_mut().filter(|point| is_missing(&point.height));
+            marked.for_each(|point| point.height = f64::NAN);
         }
         gridded(&points)
     }
@@ -111,6 +109,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// - [`Error::Format`] if the text is in UTF-16, if the points have fewer than two grid positions, or if there are too
 ///   few points for the grid that they span.
 /// - [`Error::Format`] if commas separate more than three whole numbers, because the commas might be decimal commas.
+/// - [`Error::Format`] if the least or the greatest height may mark missing points, as in [`csv`](super::csv::parse).
 ///
 /// ```
 /// use stickslip::io::xyz;

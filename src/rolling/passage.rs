@@ -139,7 +139,7 @@ impl RollingShift {
 
     /// Checks that the length is positive and finite and that the grid is not periodic along the rolling direction.
     pub(crate) fn check(&self, bodies: &HalfSpace) -> Result<()> {
-        positive("number of cells of a rolling step", self.cells as f64)?;
+        positive("number of cells that a step rolls", self.cells as f64)?;
         let length = finite("length of a rolling step", self.length)?;
         bodies.kernel().check_no_operators("rolling")?;
         if bodies.boundary().repeats()[self.edge.axis().index()] {

@@ -6,7 +6,8 @@ use crate::warning::Warning;
 variants! { Warning:
     NoContact ContactAtEdge UnresolvedSpots SingleRowOfCells ContactSpansGrid BeyondHardness StalePressure StressAtEdge
     UnderresolvedContact UnderresolvedStickZone UnderresolvedSlipZone DiscretisationError SingleLoadStep
-    ApproachBeyondGrid ShiftBeyondGrid LargeTwist LargeContactRadius SteepSurface HeldShiftLostForce UnusedRelativeDisplacement
+    ApproachBeyondGrid ShiftBeyondGrid LargeTwist LargeCreepage LargeContactRadius SteepSurface HeldShiftLostForce
+    UnusedRelativeDisplacement
     NeglectedLift CoatingBeyondGrid
     CoatingBelowCell AccuracyNotReached
 }
@@ -121,6 +122,10 @@ fn every_warning_has_its_text() {
         (
             Warning::LargeTwist { tenths: 20 },
             "the twist of the step is 2.0 radians, expected at most 0.5: convert a twist in degrees; the model assumes small rotations",
+        ),
+        (
+            Warning::LargeCreepage { per_cent: 50 },
+            "the creepage is 50 %, expected at most 10 %: give a creepage of 1 % as 0.01; the model assumes small creepages",
         ),
         (
             Warning::LargeContactRadius { per_mille: 350 },

@@ -165,7 +165,9 @@ fn repeated_rolling_solves_allocate_nothing() {
         for part in [0.2, 0.9, 0.5] {
             let creepage = RollingControl::Creepage(0.2 * part);
             for force in [creepage, RollingControl::Force(0.2 * part)] {
-                solver.set_load([creepage, force], 0.1 * part).unwrap();
+                solver
+                    .set_load([creepage, force], SpinControl::Spin(0.1 * part))
+                    .unwrap();
                 solver.solve_into(&mut rolling).unwrap();
                 solver.stiffness().unwrap();
             }
@@ -205,7 +207,9 @@ fn rolling_solves_under_changing_loads_allocate_nothing() {
                 let creepages = [0.2 * part, -0.1 * part].map(RollingControl::Creepage);
                 for friction in &frictions {
                     solver.set_friction(friction).unwrap();
-                    solver.set_load(creepages, 0.1 * part).unwrap();
+                    solver
+                        .set_load(creepages, SpinControl::Spin(0.1 * part))
+                        .unwrap();
                     solver.solve_into(&mut rolling).unwrap();
                 }
             }

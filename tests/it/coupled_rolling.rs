@@ -6,7 +6,7 @@ use stickslip::analytical::{BentallJohnson, HertzLine};
 use stickslip::history::{EntryRule, Rolling};
 use stickslip::rolling::{
     CoupledRollingProblem, CoupledRollingProblemBuilder, CoupledRollingSolution,
-    CoupledRollingSolver, LeadingEdge, RollingControl, RollingProblem,
+    CoupledRollingSolver, LeadingEdge, RollingControl, RollingProblem, SpinControl,
 };
 use stickslip::{
     Axis, Boundary, Coupling, ElasticPair, Error, Field, Grid, HalfSpace, History, LoadStep,
@@ -264,7 +264,7 @@ fn coupled_rolling_solver_starts_from_last_solution() {
         RollingControl::Creepage(0.002),
         RollingControl::Creepage(0.0),
     ];
-    solver.set_load(moved, 0.0).unwrap();
+    solver.set_load(moved, SpinControl::Spin(0.0)).unwrap();
     solver.solve_into(&mut rolling).unwrap();
     assert!(rolling.report().work.products() < cold);
     let alone = solve(coupled_builder(&pressed, 0.3).creepage([0.002, 0.0]));
@@ -300,11 +300,13 @@ fn coupled_rolling_with_invalid_input_is_rejected() {
     let mut solver = dragged(0.2 * press).build().unwrap().into_solver().unwrap();
     let controls = |force: f64| [RollingControl::Force(force), RollingControl::Creepage(0.0)];
     kit::assert_refused! {
-        solver.set_load(controls(-0.301 * press), 0.0) => Error::BeyondFrictionCapacity { .. },
+        solver.set_load(controls(-0.301 * press), SpinControl::Spin(0.0)) => Error::BeyondFrictionCapacity { .. },
         solver.set_normal_load(NormalLoad::Force(0.6 * press)) => Error::BeyondFrictionCapacity { .. },
         solver.set_friction(&kit::coulomb(0.1)) => Error::BeyondFrictionCapacity { .. },
     }
-    solver.set_load(controls(0.05 * press), 0.0).unwrap();
+    solver
+        .set_load(controls(0.05 * press), SpinControl::Spin(0.0))
+        .unwrap();
     solver
         .set_normal_load(NormalLoad::Force(0.6 * press))
         .unwrap();
@@ -425,20 +427,24 @@ fn loads_of_coupled_rolling_are_set_together() {
     let unchanged = |solver: &CoupledRollingSolver| format!("{solver:?}");
     let before = unchanged(&solver);
     assert!(solver.set_normal_load(NormalLoad::Force(0.5)).is_err());
-    let beyond = solver.set_loads(NormalLoad::Force(0.5), drag(0.2), 0.0);
+    let beyond = solver.set_loads(NormalLoad::Force(0.5), drag(0.2), SpinControl::Spin(0.0));
     kit::assert_refused! { beyond => Error::BeyondFrictionCapacity { .. } }
-    let infinite = solver.set_loads(NormalLoad::Force(0.5), drag(0.1), f64::NAN);
+    let infinite = solver.set_loads(
+        NormalLoad::Force(0.5),
+        drag(0.1),
+        SpinControl::Spin(f64::NAN),
+    );
     kit::assert_refused! { infinite => Error::NotFinite { .. } }
-    let negative = solver.set_loads(NormalLoad::Force(-0.5), drag(0.0), 0.0);
+    let negative = solver.set_loads(NormalLoad::Force(-0.5), drag(0.0), SpinControl::Spin(0.0));
     kit::assert_refused! { negative => Error::NegativeOrNotFinite { .. } }
     assert_eq!(unchanged(&solver), before);
 
     solver
-        .set_loads(NormalLoad::Force(0.5), drag(0.1), 0.0)
+        .set_loads(NormalLoad::Force(0.5), drag(0.1), SpinControl::Spin(0.0))
         .unwrap();
     let together = kit::solved(&mut solver);
     let mut solver = new();
-    solver.set_load(drag(0.1), 0.0).unwrap();
+    solver.set_load(drag(0.1), SpinControl::Spin(0.0)).unwrap();
     solver.set_normal_load(NormalLoad::Force(0.5)).unwrap();
     assert_eq!(together, kit::solved(&mut solver));
     assert!((together.normal().force() - 0.5).abs() < 1e-9);

@@ -265,6 +265,47 @@ fn asc_header_determines_sides_unit_and_missing_points() {
 }
 
 #[test]
+fn unstated_marks_of_missing_points_are_rejected() {
+    let csv = |missing: Option<f64>, text: &str| {
+        let options = io::csv::Options::default();
+        let options = missing.map_or(options, |mark| options.missing(mark));
+        options.parse(text.as_bytes(), [1.0, 1.0])
+    };
+    for mark in [
+        "-9999",
+        "-99999.0",
+        "32767",
+        "-32768",
+        "1.70141E+38",
+        "-1e30",
+    ] {
+        let text = format!("1.5 2.5\n{mark} 4\n{mark} 5\n");
+        let refused = csv(None, &text).unwrap_err().to_string();
+        let number: f64 = mark.parse().unwrap();
+        let expected = format!("2 numbers with the value {number:?} may mark missing points");
+        assert!(refused.contains(&expected), "{refused}");
+        let heights = csv(Some(number), &text).unwrap();
+        assert!(heights.as_slice()[2].is_nan() && heights.as_slice()[4].is_nan());
+        // NaN states that all numbers are heights.
+        assert_eq!(csv(Some(f64::NAN), &text).unwrap().as_slice()[2], number);
+
+        let points = format!("0 0 1.5\n1 0 2.5\n0 1 {mark}\n1 1 {mark}\n");
+        let refused = io::xyz::parse(points.as_bytes()).unwrap_err().to_string();
+        assert!(refused.contains(&expected), "{refused}");
+        let options = io::xyz::Options::default().missing(number);
+        assert!(options.parse(points.as_bytes()).unwrap().as_slice()[2].is_nan());
+    }
+    // Heights of this magnitude are valid, and so are rare numbers far from the others.
+    for text in [
+        "-9999 -9100\n-8200.5 -7000\n",
+        "1 2\n-9998 3\n",
+        "999 999\n",
+    ] {
+        assert!(csv(None, text).is_ok(), "{text}");
+    }
+}
+
+#[test]
 fn csv_comments_of_missing_values_and_column_names_are_handled() {
     for comment in [
         "# NODATA_value: -9999",
@@ -284,10 +325,10 @@ fn csv_comments_of_missing_values_and_column_names_are_handled() {
         assert_eq!(heights.as_slice()[3], 4.0);
     }
     // Values in other comments are ignored.
-    let text = b"# min: -9999\n1 2\n-9999 4\n";
+    let text = b"# min: -90\n1 2\n-90 4\n";
     assert_eq!(
         io::csv::parse(text, [1.0, 1.0]).unwrap().as_slice()[2],
-        -9999.0
+        -90.0
     );
 
     let named = b"# profile\nheight,height\n1,2\n3,4\n";

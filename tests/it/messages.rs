@@ -9,7 +9,7 @@ use stickslip::influence::Direction::Z;
 use stickslip::kernel::Operators;
 use stickslip::normal::Hardness;
 use stickslip::ranks::Threads;
-use stickslip::rolling::{RollingControl, RollingProblem};
+use stickslip::rolling::{RollingControl, RollingProblem, SpinControl};
 use stickslip::subsurface::Planes;
 use stickslip::surface::SelfAffine;
 use stickslip::{
@@ -90,7 +90,7 @@ fn force_beyond_friction_names_remedy_for_its_subject() {
     let text = message(rolling().control(Axis::X, control[0]).build());
     assert!(text.starts_with(&numbers) && text.ends_with(roll), "{text}");
     let mut solver = kit::solver(rolling());
-    let text = message(solver.set_load(control, 0.0));
+    let text = message(solver.set_load(control, SpinControl::Spin(0.0)));
     assert!(text.ends_with(roll), "{text}");
 
     let mut history = history(&bodies);
@@ -629,6 +629,36 @@ fn shift_larger_than_grid_gives_warning() {
             let load = LoadStep::shift([0.0, f64::from(step) * shift]);
             assert_eq!(stated(history.step(&load).unwrap().warnings()), expected);
         }
+    }
+}
+
+#[test]
+fn creepage_above_a_tenth_gives_warning() {
+    let bodies = bodies(16);
+    let ball = ball(&bodies);
+    let normal = pressed(&bodies, &ball, load());
+    let stated = |warnings: Vec<Warning>| {
+        let mut warnings = warnings.into_iter();
+        warnings.find(|warning| matches!(warning, Warning::LargeCreepage { .. }))
+    };
+    // 0.12 is the magnitude of 0.072 and 0.096. Creepages of 0.2 and 0.5 may be meant in per cent.
+    for (creepage, per_cent) in [
+        ([0.06, 0.08], None),
+        ([-0.072, 0.096], Some(12)),
+        ([0.2, 0.0], Some(20)),
+        ([0.0, 0.5], Some(50)),
+    ] {
+        let expected = per_cent.map(|per_cent| Warning::LargeCreepage { per_cent });
+        let problem = RollingProblem::builder(&bodies, &normal, friction()).creepage(creepage);
+        let rolling = problem.build().unwrap().solve().unwrap();
+        assert_eq!(stated(rolling.warnings()), expected);
+        let mut history = History::builder(&bodies, &ball, friction())
+            .model(TangentialModel::Vector)
+            .build()
+            .unwrap();
+        let press = LoadStep::hold().normal(NormalLoad::Force(load()));
+        let rolled = press.roll(Rolling::new(1).creepage(creepage));
+        assert_eq!(stated(history.step(&rolled).unwrap().warnings()), expected);
     }
 }
 

@@ -6,7 +6,7 @@ use std::ops::ControlFlow;
 use kit::unit_bodies;
 use stickslip::cgm::Settings;
 use stickslip::history::{AdaptiveSteps, Cycle};
-use stickslip::rolling::{CoupledRollingProblem, RollingControl, RollingProblem};
+use stickslip::rolling::{CoupledRollingProblem, RollingControl, RollingProblem, SpinControl};
 use stickslip::sensitivity::Functional;
 use stickslip::stiffness::{ContactStiffness, StiffnessWorkspace};
 use stickslip::tangential::RelativeDisplacement;
@@ -311,15 +311,15 @@ fn stiffness_in_rolling_requires_solve_after_each_setter() {
     let sticking = solver.stiffness().unwrap();
     let creepages = [0.03, 0.0].map(RollingControl::Creepage);
     // Before the first solve all cells stick, under any load.
-    solver.set_load(creepages, 0.0).unwrap();
+    solver.set_load(creepages, SpinControl::Spin(0.0)).unwrap();
     assert_eq!(solver.stiffness().unwrap(), sticking);
     solver.solve_into(&mut rolling).unwrap();
     let slipping = solver.stiffness().unwrap();
     assert!(slipping[0][0] < sticking[0][0]);
-    solver.set_load(creepages, 0.0).unwrap();
+    solver.set_load(creepages, SpinControl::Spin(0.0)).unwrap();
     assert_eq!(solver.stiffness().unwrap(), slipping);
 
-    solver.set_load(creepages, 0.1).unwrap();
+    solver.set_load(creepages, SpinControl::Spin(0.1)).unwrap();
     assert_eq!(outdated(solver.stiffness()), "the load");
     solver.solve_into(&mut rolling).unwrap();
     solver
@@ -361,11 +361,11 @@ fn stiffness_in_coupled_rolling_requires_solve_after_each_setter() {
         solver.solve_into(&mut rolling).unwrap();
         let expected = solver.stiffness().unwrap();
         let creepages = [0.02, 0.0].map(RollingControl::Creepage);
-        solver.set_load(creepages, 0.0).unwrap();
+        solver.set_load(creepages, SpinControl::Spin(0.0)).unwrap();
         solver.set_normal_load(press).unwrap();
         assert_eq!(solver.stiffness().unwrap(), expected);
 
-        solver.set_load(creepages, 0.1).unwrap();
+        solver.set_load(creepages, SpinControl::Spin(0.1)).unwrap();
         assert_eq!(outdated(solver.stiffness()), "the load");
         solver.solve_into(&mut rolling).unwrap();
         solver

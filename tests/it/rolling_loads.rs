@@ -89,7 +89,9 @@ fn rolling_stiffness_matches_differences_of_solves() {
         }
         // Prescribed forces must give the same stiffness.
         let forces = rolling.force().map(RollingControl::Force);
-        solver.set_load(forces, rolling.spin()).unwrap();
+        solver
+            .set_load(forces, SpinControl::Spin(rolling.spin()))
+            .unwrap();
         solver.solve_into(&mut rolling).unwrap();
         let again = solver.stiffness().unwrap();
         let errors = again.iter().flatten().zip(found.iter().flatten());
@@ -229,7 +231,9 @@ fn rolling_solves_take_few_products() {
         let mut rolling = kit::solved(&mut solver);
         assert!(rolling.report().products() <= 150, "{}", rolling.report());
         let creepage = [xi, eta].map(|part| RollingControl::Creepage(1.01 * part * scene.unit));
-        solver.set_load(creepage, spin * scene.unit).unwrap();
+        solver
+            .set_load(creepage, SpinControl::Spin(spin * scene.unit))
+            .unwrap();
         solver.solve_into(&mut rolling).unwrap();
         assert!(rolling.report().products() <= 60, "{}", rolling.report());
         let mut products = 0;
@@ -295,13 +299,17 @@ fn friction_can_change_by_any_factor() {
         of(1.0),
     ));
     let mut rolling = solver.new_solution();
-    solver.set_load(creepages(1.0), 0.0).unwrap();
+    solver
+        .set_load(creepages(1.0), SpinControl::Spin(0.0))
+        .unwrap();
     solver.solve_into(&mut rolling).unwrap();
     let (ordinary, zones) = (rolling.force(), rolling.zones().to_vec());
     assert!(0.1 < rolling.stick_ratio() && rolling.stick_ratio() < 0.9);
     for coefficient in [1e290, 1e-290, 1e160, 1.0, 1e-160, 1e290] {
         solver.set_friction(&of(coefficient)).unwrap();
-        solver.set_load(creepages(coefficient), 0.0).unwrap();
+        solver
+            .set_load(creepages(coefficient), SpinControl::Spin(0.0))
+            .unwrap();
         solver.solve_into(&mut rolling).unwrap();
         for (found, expected) in rolling.force().iter().zip(ordinary) {
             let ratio = found / coefficient / expected;

@@ -126,10 +126,10 @@ fn rolling_solver_finds_the_pressure_of_a_new_load() {
     for (load, creepage) in [(0.7, 0.02), (1.2, 0.03), (0.6, 0.05)] {
         let controls = [creepage, 0.01].map(RollingControl::Creepage);
         solver.set_normal_load(NormalLoad::Force(load)).unwrap();
-        solver.set_load(controls, 0.02).unwrap();
+        solver.set_load(controls, SpinControl::Spin(0.02)).unwrap();
         assert!((solver.normal().unwrap().force() - load).abs() < 1e-9);
         let mut new = rolling(&bodies, &pressed(&bodies, load), by_default);
-        new.set_load(controls, 0.02).unwrap();
+        new.set_load(controls, SpinControl::Spin(0.02)).unwrap();
         let expected = kit::solved(&mut new);
         // A copy continues like the original solver.
         let mut copy = solver.clone();
@@ -147,7 +147,7 @@ fn rolling_solver_accepts_pressure_field_without_entry_law() {
     let creepages = [0.03, -0.02].map(RollingControl::Creepage);
     let of = |rule| {
         let mut solver = rolling(&bodies, &first, (LeadingEdge::PlusX, rule));
-        solver.set_load(creepages, 0.02).unwrap();
+        solver.set_load(creepages, SpinControl::Spin(0.02)).unwrap();
         solver
     };
     let mut by_field = of(EntryRule::WholeStep);
@@ -172,7 +172,7 @@ fn rejected_load_leaves_rolling_solver_unchanged() {
     let press = problem(&bodies, 1.0).into_solver().unwrap();
     solver.set_normal_solver(press).unwrap();
     let drag = [RollingControl::Force(0.2), RollingControl::Creepage(0.01)];
-    solver.set_load(drag, 0.02).unwrap();
+    solver.set_load(drag, SpinControl::Spin(0.02)).unwrap();
     solver.set_normal_load(NormalLoad::Force(0.9)).unwrap();
     let mut rolling = kit::solved(&mut solver);
     let stiffness = solver.stiffness().unwrap();
@@ -254,7 +254,7 @@ fn stiffness_after_new_pressure_requires_solve() {
 
     let mut solver = rolling(&bodies, &light, by_default);
     let controls = [RollingControl::Force(0.05), RollingControl::Creepage(0.01)];
-    solver.set_load(controls, 0.03).unwrap();
+    solver.set_load(controls, SpinControl::Spin(0.03)).unwrap();
     kit::solved(&mut solver);
     assert!(solver.stiffness().is_ok());
     for normal in [&heavy, &light] {
@@ -262,7 +262,7 @@ fn stiffness_after_new_pressure_requires_solve() {
         kit::assert_refused! { solver.stiffness() => Error::OutdatedSolution { changed: "the pressure", .. } }
         let solution = kit::solved(&mut solver);
         let mut fresh = rolling(&bodies, normal, by_default);
-        fresh.set_load(controls, 0.03).unwrap();
+        fresh.set_load(controls, SpinControl::Spin(0.03)).unwrap();
         let expected = kit::solved(&mut fresh);
         assert!((solution.moment() / expected.moment() - 1.0).abs() < 1e-6);
         check(solver.stiffness().unwrap(), fresh.stiffness().unwrap());
@@ -293,7 +293,9 @@ fn vehicle_time_loop_takes_few_products() {
             }
             solver.set_normal_load(load).unwrap();
             let controls = creepages.map(RollingControl::Creepage);
-            solver.set_load(controls, 0.03 * phase.sin()).unwrap();
+            solver
+                .set_load(controls, SpinControl::Spin(0.03 * phase.sin()))
+                .unwrap();
             solver.solve_into(&mut rolling).unwrap();
             let report = rolling.report();
             products += report.single_precision_products + report.double_precision_products;

@@ -290,7 +290,7 @@ fn invalid_input_is_rejected() {
     below(order, "longest wavelength", 10.0);
     // The default cut-off of eight cells is longer than this domain.
     let small = good.generate(kit::square(4, 1.0));
-    assert!(is_below(&small, "roll-off wavelength", 1.0));
+    assert!(is_below(&small, "longest side of the surface", 1.0));
     // The longest waves have wavelengths of 32, 32 / sqrt(2) and 16.
     let between = good.longest_wavelength(22.0).cut_off_wavelength(17.0);
     kit::assert_refused! { between.generate(grid) => Error::NoWaveInBand { longest: 22.0, shortest: 17.0 } }

@@ -5,7 +5,9 @@ use proptest::prelude::*;
 use stickslip::analytical::{Carter, HertzLine};
 use stickslip::history::EntryRule;
 use stickslip::influence::Direction;
-use stickslip::rolling::{LeadingEdge, RollingControl, RollingProblem, RollingSolution};
+use stickslip::rolling::{
+    LeadingEdge, RollingControl, RollingProblem, RollingSolution, SpinControl,
+};
 use stickslip::{
     Axis, Boundary, ElasticPair, Error, Field, Friction, Grid, HalfSpace, Material, NormalLoad,
     NormalProblem, NormalSolution, Operator, Zone,
@@ -307,7 +309,7 @@ fn invalid_rolling_is_rejected() {
     let refused = RollingProblem::builder(&bodies, &other, kit::coulomb(0.3)).build();
     assert!(matches!(refused, Err(Error::GridMismatch { .. })));
     let force = RollingControl::Force(1.0);
-    kit::assert_refused! { solver.set_load([force; 2], 0.0) => Error::BeyondFrictionCapacity { .. } }
+    kit::assert_refused! { solver.set_load([force; 2], SpinControl::Spin(0.0)) => Error::BeyondFrictionCapacity { .. } }
     let rolling = kit::solved(&mut solver);
     assert_eq!(rolling.force(), [0.0; 2]);
 

@@ -386,6 +386,14 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_COATING_BEYOND_GRID = 18
     ! Warning: a layer is too thin to have an effect on the cells.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_COATING_BELOW_CELL = 19
+    ! Warning: the shift of a step exceeds the longest side of the grid.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_SHIFT_BEYOND_GRID = 20
+    ! Warning: the twist of a step exceeds half a radian.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LARGE_TWIST = 21
+    ! Warning: the creepage of rolling bodies exceeds 0.1.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LARGE_CREEPAGE = 22
+    ! Warning: a relative displacement of the amount zero has no effect on a step with a tangential load.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_UNUSED_RELATIVE_DISPLACEMENT = 23
     ! Any other warning, described by its message.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_OTHER = 127
     ! Size of the message of a warning in bytes.

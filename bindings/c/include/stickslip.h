@@ -313,6 +313,18 @@
 // Warning: a layer is too thin to have an effect on the cells.
 #define STICKSLIP_WARNING_COATING_BELOW_CELL 19
 
+// Warning: the shift of a step exceeds the longest side of the grid.
+#define STICKSLIP_WARNING_SHIFT_BEYOND_GRID 20
+
+// Warning: the twist of a step exceeds half a radian.
+#define STICKSLIP_WARNING_LARGE_TWIST 21
+
+// Warning: the creepage of rolling bodies exceeds 0.1.
+#define STICKSLIP_WARNING_LARGE_CREEPAGE 22
+
+// Warning: a relative displacement of the amount zero has no effect on a step with a tangential load.
+#define STICKSLIP_WARNING_UNUSED_RELATIVE_DISPLACEMENT 23
+
 // Any other warning, described by its message.
 #define STICKSLIP_WARNING_OTHER 127
 

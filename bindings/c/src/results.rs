@@ -149,6 +149,14 @@ pub const STICKSLIP_WARNING_NEGLECTED_LIFT: i32 = 17;
 pub const STICKSLIP_WARNING_COATING_BEYOND_GRID: i32 = 18;
 /// Warning: a layer is too thin to have an effect on the cells.
 pub const STICKSLIP_WARNING_COATING_BELOW_CELL: i32 = 19;
+/// Warning: the shift of a step exceeds the longest side of the grid.
+pub const STICKSLIP_WARNING_SHIFT_BEYOND_GRID: i32 = 20;
+/// Warning: the twist of a step exceeds half a radian.
+pub const STICKSLIP_WARNING_LARGE_TWIST: i32 = 21;
+/// Warning: the creepage of rolling bodies exceeds 0.1.
+pub const STICKSLIP_WARNING_LARGE_CREEPAGE: i32 = 22;
+/// Warning: a relative displacement of the amount zero has no effect on a step with a tangential load.
+pub const STICKSLIP_WARNING_UNUSED_RELATIVE_DISPLACEMENT: i32 = 23;
 /// Any other warning, described by its message.
 pub const STICKSLIP_WARNING_OTHER: i32 = 127;
 
@@ -203,6 +211,12 @@ impl From<&Warning> for stickslip_warning {
             Warning::NeglectedLift { .. } => (STICKSLIP_WARNING_NEGLECTED_LIFT, 0, 0),
             Warning::CoatingBeyondGrid { .. } => (STICKSLIP_WARNING_COATING_BEYOND_GRID, 0, 0),
             Warning::CoatingBelowCell { .. } => (STICKSLIP_WARNING_COATING_BELOW_CELL, 0, 0),
+            Warning::ShiftBeyondGrid { .. } => (STICKSLIP_WARNING_SHIFT_BEYOND_GRID, 0, 0),
+            Warning::LargeTwist { .. } => (STICKSLIP_WARNING_LARGE_TWIST, 0, 0),
+            Warning::LargeCreepage { .. } => (STICKSLIP_WARNING_LARGE_CREEPAGE, 0, 0),
+            Warning::UnusedRelativeDisplacement => {
+                (STICKSLIP_WARNING_UNUSED_RELATIVE_DISPLACEMENT, 0, 0)
+            }
             _ => (STICKSLIP_WARNING_OTHER, 0, 0),
         };
         let mut message: [c_char; STICKSLIP_WARNING_LENGTH] = [0; STICKSLIP_WARNING_LENGTH];

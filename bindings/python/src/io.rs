@@ -141,7 +141,8 @@ fn points(missing: Option<Real>, skip_rows: Count) -> io::xyz::Options {
 /// path : path_like
 ///     The file.
 /// missing : float, optional
-///     The height that marks a missing point (default: the value that a comment states, or none).
+///     The height that marks a missing point (default: the value that a comment states, or none). Without either, a height
+///     that may be such a mark, as -9999, is rejected; NaN states that all numbers are heights.
 /// skip_rows : int, default 0
 ///     Number of lines before the points.
 /// unit : str, optional
@@ -269,7 +270,8 @@ fn options(
 /// cell, size : pair of float
 ///     Side lengths of a cell or of the grid; exactly one of the two is required.
 /// missing : float, optional
-///     The value that marks a missing point (default: the value that a comment states, or none). Such a comment consists of
+///     The value that marks a missing point (default: the value that a comment states, or none). Without either, a value
+///     that may be such a mark, as -9999, is rejected; NaN states that all numbers are heights. The comment consists of
 ///     a name, then ``=``, ``:`` or a space, and a number, as ``# NODATA_value -9999``. The name is ``missing``, ``missing
 ///     value``, ``no data``, ``no data value``, ``bad value``, ``invalid value``, ``void`` or ``void value``, in upper or
 ///     lower case, with any separators between words or none.

@@ -152,6 +152,7 @@ impl Warning {
             W::ApproachBeyondGrid { .. } => "approach_beyond_grid",
             W::ShiftBeyondGrid { .. } => "shift_beyond_grid",
             W::LargeTwist { .. } => "large_twist",
+            W::LargeCreepage { .. } => "large_creepage",
             W::LargeContactRadius { .. } => "large_contact_radius",
             W::SteepSurface { .. } => "steep_surface",
             W::HeldShiftLostForce { .. } => "held_shift_lost_force",

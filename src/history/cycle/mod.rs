@@ -24,8 +24,12 @@ pub(super) mod hysteresis;
 checked_struct! {
     /// Slip, energy and the loop of force and shift, accumulated over the steps of a cycle.
     ///
-    /// A cycle starts at the present state of a history. Call [`add`](Self::add) once after each step. A
+    /// A cycle starts at the present state of a history. Call [`add`](Self::add) once after each step, and
+    /// [`begin`](Self::begin) before each further cycle. Without `begin`, energies and slip distances are sums over all cycles. A
     /// [`FrettingLoop`](crate::history::FrettingLoop) makes these calls itself.
+    ///
+    /// The first cycle from rest usually does not close. Its work then contains a change of the elastic energy.
+    /// [`cyclic_residual`](Self::cyclic_residual) measures the distance from a closed cycle.
     ///
     /// # Memory
     /// A cycle stores nine numbers per cell. A new cycle allocates memory only if it has more steps than every earlier cycle.

@@ -39,6 +39,9 @@ pub(in crate::history) struct StepDiagnostics {
     /// Largest twist of a step that is not small, in tenths of a radian. Saved histories do not contain it.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(in crate::history) twist_tenths: Option<usize>,
+    /// Largest prescribed creepage of a rolled step that is not small, in per cent. Saved histories do not contain it.
+    #[cfg_attr(feature = "serde", serde(skip))]
+    pub(in crate::history) creepage_per_cent: Option<usize>,
     /// Largest lift due to the tractions of a rolled step that the pressure ignores, in millionths of the normal
     /// displacement.
     pub(in crate::history) neglected_lift: Option<usize>,
@@ -63,6 +66,7 @@ impl StepDiagnostics {
             is_displacement_unused: self.is_displacement_unused || other.is_displacement_unused,
             shift_tenths: self.shift_tenths.max(other.shift_tenths),
             twist_tenths: self.twist_tenths.max(other.twist_tenths),
+            creepage_per_cent: self.creepage_per_cent.max(other.creepage_per_cent),
             neglected_lift: self.neglected_lift.max(other.neglected_lift),
             resolution: self.resolution.and(other.resolution),
         }
@@ -90,6 +94,8 @@ impl StepDiagnostics {
         let shift = shift.map(|tenths| Warning::ShiftBeyondGrid { tenths });
         let twist = self.twist_tenths;
         let twist = twist.map(|tenths| Warning::LargeTwist { tenths });
+        let creepage = self.creepage_per_cent;
+        let creepage = creepage.map(|per_cent| Warning::LargeCreepage { per_cent });
         let lift = self.neglected_lift;
         let lift = lift.map(|per_million| Warning::NeglectedLift { per_million });
         all.chain(beyond)
@@ -98,6 +104,7 @@ impl StepDiagnostics {
             .chain(self.scale.warnings())
             .chain(shift)
             .chain(twist)
+            .chain(creepage)
             .chain(lost)
             .chain(unused)
             .chain(at_once)

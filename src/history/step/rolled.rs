@@ -96,6 +96,11 @@ impl Rolling {
         self
     }
 
+    /// Returns the prescribed creepages, which are zero along an axis with a prescribed force.
+    pub(in crate::history) fn prescribed_creepage(&self) -> [f64; 2] {
+        self.creepage
+    }
+
     /// Returns the path of the particles on the grid of these bodies.
     pub(in crate::history) fn travel(&self, bodies: &HalfSpace) -> RollingShift {
         RollingShift::new(bodies.grid(), self.leading_edge, self.cells)

@@ -19,12 +19,7 @@ impl CoupledRollingSolver {
     ///   this error.
     ///
     /// All loads are unchanged after an error.
-    pub fn set_load(
-        &mut self,
-        controls: [RollingControl; 2],
-        spin: impl Into<SpinControl>,
-    ) -> Result<()> {
-        let spin = spin.into();
+    pub fn set_load(&mut self, controls: [RollingControl; 2], spin: SpinControl) -> Result<()> {
         let problem = &self.problem;
         problem.check(&problem.friction, problem.normal, controls, spin)?;
         if self.problem.options.set_load(controls, spin) {
@@ -56,7 +51,7 @@ impl CoupledRollingSolver {
     /// new forces must be below the friction limit of the new normal load.
     ///
     /// ```
-    /// use stickslip::rolling::{CoupledRollingProblem, RollingControl};
+    /// use stickslip::rolling::{CoupledRollingProblem, RollingControl, SpinControl};
     /// use stickslip::*;
     /// let grid = Grid::square(24, 3.0)?;
     /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?)?;
@@ -66,7 +61,7 @@ impl CoupledRollingSolver {
     /// let mut solver = problem.control(Axis::X, RollingControl::Force(0.25)).build()?.into_solver()?;
     /// // Friction would not carry the old force under the new normal load.
     /// assert!(solver.set_normal_load(NormalLoad::Force(0.5)).is_err());
-    /// solver.set_loads(NormalLoad::Force(0.5), drag(0.1), 0.0)?;
+    /// solver.set_loads(NormalLoad::Force(0.5), drag(0.1), SpinControl::Spin(0.0))?;
     /// # Ok::<(), Error>(())
     /// ```
     ///
@@ -81,9 +76,8 @@ impl CoupledRollingSolver {
         &mut self,
         normal: NormalLoad,
         controls: [RollingControl; 2],
-        spin: impl Into<SpinControl>,
+        spin: SpinControl,
     ) -> Result<()> {
-        let spin = spin.into();
         let problem = &mut self.problem;
         problem.check(&problem.friction, normal, controls, spin)?;
         if problem.options.set_load(controls, spin) {

@@ -53,7 +53,7 @@ impl CoupledRollingSolution {
         &self.report
     }
 
-    /// Returns the warnings about the normal half. See [`Warning`].
+    /// Returns the warnings about the normal half, and about a [large creepage](Warning::LargeCreepage).
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         unwrap_or_abort(self.try_warnings())
@@ -64,6 +64,8 @@ impl CoupledRollingSolution {
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub fn try_warnings(&self) -> Result<Vec<Warning>> {
-        self.normal.try_warnings()
+        let mut warnings = self.normal.try_warnings()?;
+        warnings.extend(self.rolling.creepage_warning());
+        Ok(warnings)
     }
 }

@@ -41,7 +41,7 @@ const TYPICAL: f64 = 0.7;
 /// Solver of coupled rolling for a sequence of loads. Each solve starts from the last solution.
 ///
 /// ```
-/// use stickslip::rolling::{CoupledRollingProblem, RollingControl};
+/// use stickslip::rolling::{CoupledRollingProblem, RollingControl, SpinControl};
 /// use stickslip::*;
 /// let grid = Grid::square(24, 3.0)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?)?;
@@ -52,7 +52,7 @@ const TYPICAL: f64 = 0.7;
 ///     .into_solver()?;
 /// let mut rolling = solver.new_solution();
 /// for force in [0.1, 0.2, 0.3] {
-///     solver.set_load([RollingControl::Force(force), RollingControl::Creepage(0.0)], 0.0)?;
+///     solver.set_load([RollingControl::Force(force), RollingControl::Creepage(0.0)], SpinControl::Spin(0.0))?;
 ///     let before = rolling.rolling().creepage()[0];
 ///     solver.solve_into(&mut rolling)?;
 ///     assert!((rolling.rolling().force()[0] - force).abs() < 1e-8);

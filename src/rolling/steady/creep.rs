@@ -6,7 +6,7 @@ use crate::error::Result;
 use crate::memory::fallible;
 use crate::observer::unwatched;
 use crate::report::Iteration;
-use crate::rolling::{RollingControl, RollingSolver};
+use crate::rolling::{RollingControl, RollingSolver, SpinControl};
 
 /// Point of a creep curve or a creep surface: creepages and spin, and the loads that they cause.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -108,13 +108,14 @@ impl RollingSolver {
         let creepages = |xi: f64, eta: f64| [xi, eta].map(RollingControl::Creepage);
         for point in points {
             let [xi, eta, spin] = point;
-            self.problem.check(creepages(xi, eta), spin.into())?;
+            self.problem
+                .check(creepages(xi, eta), SpinControl::Spin(spin))?;
             fallible::push(&mut checked, point)?;
         }
         let mut solution = self.try_new_solution()?;
         let first = found.len();
         for [xi, eta, spin] in checked {
-            self.set_load(creepages(xi, eta), spin)?;
+            self.set_load(creepages(xi, eta), SpinControl::Spin(spin))?;
             self.solve_observed(&mut solution, |iteration| {
                 observer(iteration, &found[first..])
             })?;

@@ -232,7 +232,7 @@ impl RollingSolution {
     }
 
     /// Returns the warnings about the solution (see [`Warning`]). They include [`Warning::NeglectedLift`] if tractions of
-    /// dissimilar bodies change the pressure by more than the tolerance.
+    /// dissimilar bodies change the pressure by more than the tolerance, and [`Warning::LargeCreepage`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let contains = |cell: usize| self.zones[cell] != Zone::Separated;
@@ -240,7 +240,14 @@ impl RollingSolution {
         let mut warnings = unwrap_or_abort(map.warnings());
         let lift = self.neglected_lift;
         warnings.extend(lift.map(|per_million| Warning::NeglectedLift { per_million }));
+        warnings.extend(self.creepage_warning());
         warnings
+    }
+
+    /// Returns the warning about a large creepage.
+    pub(in crate::rolling) fn creepage_warning(&self) -> Option<Warning> {
+        let per_cent = Warning::creepage_beyond(self.creepage)?;
+        Some(Warning::LargeCreepage { per_cent })
     }
 
     /// Returns the report of the solve with its certified error.

@@ -48,7 +48,7 @@ const SHARPEST: f64 = 2e-4;
 /// contains the result at a different spin.
 ///
 /// ```
-/// use stickslip::rolling::{RollingControl, RollingProblem};
+/// use stickslip::rolling::{RollingControl, RollingProblem, SpinControl};
 /// use stickslip::*;
 /// let grid = Grid::square(24, 3.0)?;
 /// let bodies = HalfSpace::new(grid, ElasticPair::new(Material::new(1.0, 0.0)?, Material::rigid())?)?;
@@ -59,7 +59,7 @@ const SHARPEST: f64 = 2e-4;
 ///     .into_solver()?;
 /// let mut rolling = solver.new_solution();
 /// for force in [0.1, 0.2, 0.3, 0.39] {
-///     solver.set_load([RollingControl::Force(force), RollingControl::Creepage(0.0)], 0.0)?;
+///     solver.set_load([RollingControl::Force(force), RollingControl::Creepage(0.0)], SpinControl::Spin(0.0))?;
 ///     let before = rolling.creepage()[0];
 ///     solver.solve_into(&mut rolling)?;
 ///     assert!((rolling.force()[0] - force).abs() < 1e-9 && rolling.creepage()[0] > before);
@@ -286,12 +286,7 @@ impl RollingSolver {
     /// # Errors
     /// - [`Error::NotFinite`], [`Error::UnsupportedByModel`], [`Error::BeyondFrictionCapacity`] or
     ///   [`Error::BeyondFrictionMoment`]. All controls are then unchanged.
-    pub fn set_load(
-        &mut self,
-        controls: [RollingControl; 2],
-        spin: impl Into<SpinControl>,
-    ) -> Result<()> {
-        let spin = spin.into();
+    pub fn set_load(&mut self, controls: [RollingControl; 2], spin: SpinControl) -> Result<()> {
         self.problem.check(controls, spin)?;
         if self.problem.options.set_load(controls, spin) {
             self.engine.changed = Some("the load");

@@ -41,12 +41,13 @@ impl SpectrumLaw {
         positive("cut-off wavelength", cut_off)?;
         let limit = LEAST_CUT_OFF_CELLS * cell;
         at_least("two cells", limit, "cut-off wavelength", cut_off)?;
-        at_least(
-            "the cut-off wavelength",
-            cut_off,
-            "roll-off wavelength",
-            roll_off,
-        )?;
+        // Without a roll-off, the message names the length that replaces it.
+        let roll_off_is = match (asked.roll_off_wavelength, asked.longest_wavelength) {
+            (Some(_), _) => "roll-off wavelength",
+            (None, Some(_)) => "longest wavelength",
+            (None, None) => "longest side of the surface",
+        };
+        at_least("the cut-off wavelength", cut_off, roll_off_is, roll_off)?;
         at_least(
             "the roll-off wavelength",
             roll_off,

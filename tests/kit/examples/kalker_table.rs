@@ -12,7 +12,7 @@
 use std::error::Error;
 
 use stickslip::analytical::HertzEllipse;
-use stickslip::rolling::{RollingControl, RollingProblem};
+use stickslip::rolling::{RollingControl, RollingProblem, SpinControl};
 use stickslip::{
     ElasticPair, Field, Friction, Grid, HalfSpace, Material, NormalLoad, NormalProblem, Result,
 };
@@ -87,7 +87,10 @@ fn coefficients(ratio: f64, poisson: f64, cells: f64) -> Result<[f64; 5]> {
         .into_solver()?;
     let mut rolling = solver.new_solution();
     let mut of = |creepage: [f64; 2], spin: f64| -> Result<([f64; 2], f64)> {
-        solver.set_load(creepage.map(RollingControl::Creepage), spin)?;
+        solver.set_load(
+            creepage.map(RollingControl::Creepage),
+            SpinControl::Spin(spin),
+        )?;
         solver.solve_into(&mut rolling)?;
         Ok((rolling.force(), rolling.moment()))
     };

@@ -7,6 +7,7 @@ use std::ops::ControlFlow;
 use stickslip::cgm::Settings;
 use stickslip::rolling::{
     CoupledRollingProblem, CoupledRollingSolver, RollingControl, RollingProblem, RollingSolver,
+    SpinControl,
 };
 use stickslip::{
     Axis, CoupledProblem, CoupledSolver, Coupling, Field, Iteration, NormalControl, NormalLoad,
@@ -99,7 +100,7 @@ impl ProblemSolver {
         let (press, shear) = (normal_load(step), problem.shear_load(step));
         let controls = step
             .roll
-            .map(|roll| (rolling_controls(step, &roll), roll.spin));
+            .map(|roll| (rolling_controls(step, &roll), SpinControl::Spin(roll.spin)));
         match self {
             Self::Normal(solver) => solver.set_load(press),
             Self::Tangential(_, solver) => solver.set_load(shear),
