@@ -1,10 +1,13 @@
-//! Warnings about a converged solution, and the resolution of its zones.
+//! Warnings about a converged solution.
 
+mod resolution;
 #[cfg(test)]
 mod tests;
 
 use crate::error::{Result, counted};
 use crate::grid::Grid;
+
+pub(crate) use resolution::{RESOLVED, Resolution};
 
 /// Warning that a converged solution may be misleading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -164,6 +167,9 @@ pub enum Warning {
     /// step prescribed a tangential load without an amount. The displacement, for instance by a bulk strain, then has no effect.
     /// A step that prescribes the amount zero does not have this warning.
     UnusedRelativeDisplacement,
+    /// A cycle contains a closed loop of force and shift, and further steps that repeat it. Energies and slip distances of the
+    /// cycle are then sums over several loops. [`Cycle::begin`](crate::history::Cycle::begin) starts a new cycle.
+    RepeatedLoop,
     /// The rolling of bodies that couple pressure and traction neglects the effect of tractions on the pressure, and the neglected lift exceeds
     /// the tolerance. [`CoupledRollingProblem`](crate::rolling::CoupledRollingProblem) and a [`History`](crate::History)
     /// with [full coupling](crate::Coupling::Full) include this effect.
@@ -322,6 +328,9 @@ impl std::fmt::Display for Warning {
             Self::UnusedRelativeDisplacement => formatter.write_str(
                 "the relative displacement has no effect because its amount is zero: prescribe the amount in each step, for example 1 for the pattern itself, or 0 for a step without it"
             ),
+            Self::RepeatedLoop => formatter.write_str(
+                "the cycle repeats a closed loop, so that energies and slip distances are sums over several loops: begin the cycle anew before each loop"
+            ),
             Self::NeglectedLift { per_million } => write_lift(formatter, *per_million),
             Self::CoatingBeyondGrid { sides } => write!(
                 formatter,
@@ -466,125 +475,5 @@ impl Warning {
     )]
     pub(crate) fn lift_beyond(lift: f64, tolerance: f64) -> Option<usize> {
         (lift > tolerance).then(|| (1e6 * lift).ceil() as usize)
-    }
-}
-
-/// Least number of cells of a resolved spot.
-pub(crate) const RESOLVED: usize = 5;
-
-/// Minimum numbers of cells in a resolved contact and in a resolved stick zone.
-const RESOLVED_AREA: [usize; 2] = [100, 50];
-/// Minimum numbers of cells in a resolved contact and in a resolved stick zone on a line. One cell is a tenth of this
-/// stick zone.
-const RESOLVED_LINE: [usize; 2] = [20, 10];
-
-/// Least width of a resolved slip zone, in tenths of a cell.
-const RESOLVED_WIDTH: usize = 20;
-
-/// Least width of a resolved slip zone of a rolling step, in tenths of a cell. This width is smaller than the width for
-/// other steps because forces need less resolution than energies.
-const RESOLVED_ROLLING_WIDTH: usize = 10;
-
-/// Least number of cells on the mean radius of contact spots at which a slip zone can be resolved.
-const LEAST_RADIUS: usize = 4;
-
-/// Resolution of the zones of a contact, or of several steps. An entry is `None` if the zone does not exist.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
-pub(crate) struct Resolution {
-    is_line: bool,
-    /// Smallest number of cells in contact (`contact`) and of sticking cells (`stick`).
-    contact: Option<usize>,
-    stick: Option<usize>,
-    /// Width of the widest slip zone in tenths of a cell.
-    slip_width: Option<usize>,
-}
-
-impl Resolution {
-    /// Returns the resolution of a contact with this number of cells. A contact that fills the whole grid has no edge
-    /// to resolve.
-    pub(crate) fn of_contact(grid: Grid, contact: usize) -> Self {
-        Self {
-            is_line: grid.size().contains(&1),
-            contact: (contact > 0 && contact < grid.cells()).then_some(contact),
-            ..Self::default()
-        }
-    }
-
-    /// Returns this resolution with the numbers of sticking and slipping cells. `edge` returns the number of cell sides
-    /// along the edge of the contact. This function is called only if both numbers are positive.
-    pub(crate) fn with_zones(
-        self,
-        [stick, slip]: [usize; 2],
-        edge: impl FnOnce() -> usize,
-    ) -> Self {
-        let width = || {
-            // The edge of a disc, measured along cell sides, is 4/pi times as long as its circumference. 452/355 equals 4/pi with
-            // a relative error below 1e-7.
-            let [sides, length] = if self.is_line { [1, 1] } else { [452, 355] };
-            let edge = length * edge();
-            // The radius of a disc is twice its area divided by the length of its edge.
-            let has_room = self.is_line || 2 * sides * (stick + slip) >= LEAST_RADIUS * edge;
-            (edge > 0 && has_room).then(|| (20 * sides * slip + edge) / (2 * edge))
-        };
-        Self {
-            stick: (stick > 0).then_some(stick),
-            slip_width: (stick > 0 && slip > 0).then(width).flatten(),
-            ..self
-        }
-    }
-
-    /// Returns the resolution of a rolling step, for which narrower slip zones count as resolved.
-    pub(crate) fn of_rolling(self) -> Self {
-        let resolved = |width: usize| {
-            if width < RESOLVED_ROLLING_WIDTH {
-                width
-            } else {
-                width.max(RESOLVED_WIDTH)
-            }
-        };
-        Self {
-            slip_width: self.slip_width.map(resolved),
-            ..self
-        }
-    }
-
-    /// Combines this resolution with the resolution of another step.
-    pub(crate) fn and(self, other: Self) -> Self {
-        let fewest = |a: Option<usize>, b: Option<usize>| a.into_iter().chain(b).min();
-        Self {
-            is_line: self.is_line || other.is_line,
-            contact: fewest(self.contact, other.contact),
-            stick: fewest(self.stick, other.stick),
-            slip_width: self.slip_width.max(other.slip_width),
-        }
-    }
-
-    /// Returns the warning if the contact has too few cells.
-    pub(crate) fn contact_warning(self) -> Option<Warning> {
-        let coarse = self.contact.filter(|cells| *cells < self.least()[0]);
-        coarse.map(|cells| Warning::UnderresolvedContact { cells })
-    }
-
-    /// Returns the warnings for zones with too few cells. A coarse stick zone has no warning if the contact itself is
-    /// too coarse.
-    pub(crate) fn zone_warnings(self) -> impl Iterator<Item = Warning> {
-        let is_coarse = self.contact_warning().is_some();
-        let stick = self
-            .stick
-            .filter(|cells| *cells < self.least()[1] && !is_coarse);
-        let stick = stick.map(|cells| Warning::UnderresolvedStickZone { cells });
-        let slip = self.slip_width.filter(|tenths| *tenths < RESOLVED_WIDTH);
-        let slip = slip.map(|tenths| Warning::UnderresolvedSlipZone { tenths });
-        stick.into_iter().chain(slip)
-    }
-
-    /// Returns the minimum numbers of cells in a resolved contact and in a resolved stick zone.
-    fn least(self) -> [usize; 2] {
-        if self.is_line {
-            RESOLVED_LINE
-        } else {
-            RESOLVED_AREA
-        }
     }
 }

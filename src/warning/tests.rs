@@ -7,8 +7,7 @@ variants! { Warning:
     NoContact ContactAtEdge UnresolvedSpots SingleRowOfCells ContactSpansGrid BeyondHardness StalePressure StressAtEdge
     UnderresolvedContact UnderresolvedStickZone UnderresolvedSlipZone DiscretisationError SingleLoadStep
     ApproachBeyondGrid ShiftBeyondGrid LargeTwist LargeCreepage LargeContactRadius SteepSurface HeldShiftLostForce
-    UnusedRelativeDisplacement
-    NeglectedLift CoatingBeyondGrid
+    UnusedRelativeDisplacement RepeatedLoop NeglectedLift CoatingBeyondGrid
     CoatingBelowCell AccuracyNotReached
 }
 
@@ -142,6 +141,10 @@ fn every_warning_has_its_text() {
         (
             Warning::UnusedRelativeDisplacement,
             "the relative displacement has no effect because its amount is zero: prescribe the amount in each step, for example 1 for the pattern itself, or 0 for a step without it",
+        ),
+        (
+            Warning::RepeatedLoop,
+            "the cycle repeats a closed loop, so that energies and slip distances are sums over several loops: begin the cycle anew before each loop",
         ),
         (
             Warning::NeglectedLift {

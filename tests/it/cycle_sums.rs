@@ -5,7 +5,7 @@ use stickslip::analytical::{HertzSphere, MindlinDeresiewicz};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath, Regime, wear};
 use stickslip::{
     Axis, Boundary, Error, Field, HalfSpace, History, LoadStep, NormalLoad, TangentialControl,
-    TangentialModel,
+    TangentialModel, Warning,
 };
 
 const FRICTION: f64 = 0.4;
@@ -36,6 +36,63 @@ fn run_cycle(history: &mut History, cycle: &mut Cycle, path: &LoadPath) {
         history.step(&LoadStep::force(force)).unwrap();
         cycle.add(history).unwrap();
     }
+}
+
+/// A path through zero returns to its start in the other direction, and thus repeats no loop.
+#[test]
+fn cycle_of_several_loops_gives_warning() {
+    let is_warned = |cycle: &Cycle| cycle.warnings().contains(&Warning::RepeatedLoop);
+    let add = |history: &mut History, cycle: &mut Cycle, path: &LoadPath, steps: usize| {
+        for &force in path.steps().iter().cycle().take(steps) {
+            history.step(&LoadStep::force(force)).unwrap();
+            cycle.add(history).unwrap();
+        }
+    };
+    for part in [1e-3, 0.6] {
+        let path = LoadPath::sine([part * LIMIT, 0.0], 8).unwrap();
+        let mut history = ball_history(1e-7);
+        let mut cycle = Cycle::new(&history);
+        // The first cycle starts at rest, so that it does not close if cells slip.
+        add(&mut history, &mut cycle, &path, 8);
+        assert!(!is_warned(&cycle));
+        cycle.begin(&history).unwrap();
+        add(&mut history, &mut cycle, &path, 8);
+        assert!(!is_warned(&cycle));
+        let energy = cycle.energy().dissipated_energy;
+        add(&mut history, &mut cycle, &path, 8);
+        assert!(is_warned(&cycle));
+        let twice = cycle.energy().dissipated_energy;
+        assert!((twice - 2.0 * energy).abs() <= 1e-4 * energy + 1e-20);
+        // Pauses under a constant load repeat nothing.
+        cycle.begin(&history).unwrap();
+        for _ in 0..3 {
+            history.step(&LoadStep::hold()).unwrap();
+            cycle.add(&history).unwrap();
+        }
+        assert!(!is_warned(&cycle));
+    }
+    // Points next to the start of a finely divided loop are closer to it than the tolerance of closed loops.
+    let fine = LoadPath::sine([0.5 * LIMIT, 0.0], 1000).unwrap();
+    let gap = kit::sphere(kit::square(12, 12.0), 20.0);
+    let mut history = new_history(&gap, LOAD, TangentialModel::Scalar, 1e-5);
+    let mut cycle = Cycle::new(&history);
+    for _ in 0..2 {
+        cycle.begin(&history).unwrap();
+        add(&mut history, &mut cycle, &fine, 1000);
+        assert!(!is_warned(&cycle));
+    }
+    add(&mut history, &mut cycle, &fine, 20);
+    assert!(is_warned(&cycle));
+    let ellipse = LoadPath::ellipse([0.5 * LIMIT, 0.3 * LIMIT], 1.0, 12).unwrap();
+    let gap = kit::sphere(kit::square(48, 12.0), 20.0);
+    let mut history = new_history(&gap, LOAD, TangentialModel::Vector, 1e-7);
+    let mut cycle = Cycle::new(&history);
+    add(&mut history, &mut cycle, &ellipse, 12);
+    assert!(!is_warned(&cycle));
+    add(&mut history, &mut cycle, &ellipse, 12);
+    assert!(!is_warned(&cycle));
+    add(&mut history, &mut cycle, &ellipse, 1);
+    assert!(is_warned(&cycle));
 }
 
 /// Covers loads along an axis and in the plane, with a pressure that changes from step to step.

@@ -157,6 +157,8 @@ pub const STICKSLIP_WARNING_LARGE_TWIST: i32 = 21;
 pub const STICKSLIP_WARNING_LARGE_CREEPAGE: i32 = 22;
 /// Warning: a relative displacement of the amount zero has no effect on a step with a tangential load.
 pub const STICKSLIP_WARNING_UNUSED_RELATIVE_DISPLACEMENT: i32 = 23;
+/// Warning: a cycle repeats a closed loop, so that its energies are sums over several loops.
+pub const STICKSLIP_WARNING_REPEATED_LOOP: i32 = 24;
 /// Any other warning, described by its message.
 pub const STICKSLIP_WARNING_OTHER: i32 = 127;
 
@@ -217,6 +219,7 @@ impl From<&Warning> for stickslip_warning {
             Warning::UnusedRelativeDisplacement => {
                 (STICKSLIP_WARNING_UNUSED_RELATIVE_DISPLACEMENT, 0, 0)
             }
+            Warning::RepeatedLoop => (STICKSLIP_WARNING_REPEATED_LOOP, 0, 0),
             _ => (STICKSLIP_WARNING_OTHER, 0, 0),
         };
         let mut message: [c_char; STICKSLIP_WARNING_LENGTH] = [0; STICKSLIP_WARNING_LENGTH];

@@ -157,6 +157,7 @@ impl Warning {
             W::SteepSurface { .. } => "steep_surface",
             W::HeldShiftLostForce { .. } => "held_shift_lost_force",
             W::UnusedRelativeDisplacement => "unused_relative_displacement",
+            W::RepeatedLoop => "repeated_loop",
             W::NeglectedLift { .. } => "neglected_lift",
             W::CoatingBeyondGrid { .. } => "coating_beyond_grid",
             W::CoatingBelowCell { .. } => "coating_below_cell",

@@ -180,6 +180,56 @@ pub(in crate::history) fn half_range(
     0.5 * (ends[1] - ends[0])
 }
 
+/// Largest distance of two points that count as equal, in half the ranges of the loop.
+const EQUAL: f64 = 1e-2;
+
+/// Smallest distance from the start that a loop reaches, in half the ranges of the loop.
+const LEAST_EXTENT: f64 = 0.5;
+
+/// Smallest part of shift or twist in the product of half ranges of loads and motions. A smaller part may be round-off.
+const LEAST_PART: f64 = 1e-6;
+
+/// Returns whether the points contain a closed loop and a further step in the direction of its first step. A path that returns
+/// through a point in another direction does not repeat a loop.
+pub(in crate::history) fn repeats_loop(points: &[LoopPoint]) -> bool {
+    let values = |point: &LoopPoint| {
+        let ([fx, fy], [x, y]) = (point.force, point.shift);
+        [fx, fy, x, y, point.moment, point.twist]
+    };
+    let ranges: [f64; 6] = std::array::from_fn(|i| half_range(points, |point| values(point)[i]));
+    let [force, shift] = [ranges[0].max(ranges[1]), ranges[2].max(ranges[3])];
+    let [of_shift, of_twist] = [force * shift, ranges[4] * ranges[5]];
+    let is_large = |part: f64| part > LEAST_PART * (of_shift + of_twist);
+    let weight = |part: f64, scale: f64| if is_large(part) { scale.recip() } else { 0.0 };
+    let [force, shift] = [force, shift].map(|scale| weight(of_shift, scale));
+    let [moment, twist] = [ranges[4], ranges[5]].map(|scale| weight(of_twist, scale));
+    let weights = [force, force, shift, shift, moment, twist];
+    let change = |from: usize, to: usize| -> [f64; 6] {
+        let (from, to) = (values(&points[from]), values(&points[to]));
+        std::array::from_fn(|i| weights[i] * (to[i] - from[i]))
+    };
+    let size = |change: [f64; 6]| {
+        change
+            .into_iter()
+            .fold(0.0, |size: f64, part| size.max(part.abs()))
+    };
+    let product = |a: [f64; 6], b: [f64; 6]| a.into_iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let last = points.len().saturating_sub(1);
+    (0..last).any(|start| {
+        let first_step = change(start, start + 1);
+        let mut has_left = false;
+        (start + 1..last).any(|end| {
+            let distance = size(change(start, end));
+            has_left |= distance >= LEAST_EXTENT;
+            has_left
+                && distance <= EQUAL
+                // Fine steps may be this close to the start before the loop closes.
+                && size(change(start, end + 1)) > distance
+                && product(first_step, change(end, end + 1)) > 0.0
+        })
+    })
+}
+
 /// Returns $`4 (Q^* \delta^* + M^* \varphi^*)`$, the energy that the loop would dissipate if it filled the rectangles
 /// around it.
 ///

@@ -1,6 +1,7 @@
 //! Diagnostics behind the warnings of a step or a cycle.
 
 use crate::history::Cycle;
+use crate::history::cycle::hysteresis::repeats_loop;
 use crate::normal::Scale;
 use crate::warning::{Resolution, Warning};
 
@@ -114,10 +115,13 @@ impl StepDiagnostics {
 
 impl Cycle {
     /// Returns the [warnings](crate::history::StepResult::warnings) of all steps. Each warning appears once, with its
-    /// largest count. The warning for a narrow slip zone appears only if the zone was too narrow in all steps.
+    /// largest count. The warning for a narrow slip zone appears only if the zone was too narrow in all steps. The cycle has the
+    /// warning [`RepeatedLoop`](Warning::RepeatedLoop) if it contains more than one loop.
     /// [`History::normal`](crate::History::normal) returns the warnings about the grid and the contact spots.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
-        self.remarks.warnings()
+        let mut warnings = self.remarks.warnings();
+        warnings.extend(repeats_loop(self.points()).then_some(Warning::RepeatedLoop));
+        warnings
     }
 }
