@@ -693,12 +693,27 @@ impl Samples<'_> {
         quantity: &str,
         grid: stickslip::Grid,
     ) -> PyResult<Arc<stickslip::Field>> {
+        self.per_cell_or(py, quantity, grid, "")
+    }
+
+    /// Returns the samples as a gap, as [`per_cell`](Self::per_cell), of a constructor whose next argument is friction.
+    pub(crate) fn gap_before_friction(
+        &self,
+        py: Python<'_>,
+        grid: stickslip::Grid,
+    ) -> PyResult<Arc<stickslip::Field>> {
+        self.per_cell_or(py, "gap", grid, ", and friction after the gap")
+    }
+
+    /// Returns the samples as [`per_cell`](Self::per_cell), with an addition to the remedy for a single number.
+    fn per_cell_or(
+        &self,
+        py: Python<'_>,
+        quantity: &str,
+        grid: stickslip::Grid,
+        order: &str,
+    ) -> PyResult<Arc<stickslip::Field>> {
         if let Some(number) = self.number() {
-            let order = if quantity == "gap" {
-                ", and give a coefficient of friction after the gap"
-            } else {
-                ""
-            };
             let message = format!(
                 "must be a Field or an array of shape (ny, nx), got the number {}: for a uniform {quantity} give Field(grid, {0}){order}",
                 short(number)

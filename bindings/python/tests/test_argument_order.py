@@ -78,7 +78,7 @@ def test_bodies_that_are_not_first_are_named(scene, call):
         (lambda scene: ss.TangentialProblem(scene.bodies, 0.5, scene.normal(), force_x=1.0), "got NormalSolution: .* before friction"),
         (lambda scene: ss.TangentialProblem(scene.bodies, ss.Friction(0.5), 0.5, force_x=1.0), "pressure .*got Friction: friction .* after"),
         (lambda scene: ss.TangentialProblem(scene.bodies, pressed(scene), 0.5, force_x=1.0), "pressure .*got History: .*history.pressure"),
-        (lambda scene: ss.History(scene.bodies, 0.5, scene.ball), "gap .*got the number 0.5: .*coefficient of friction after the gap"),
+        (lambda scene: ss.History(scene.bodies, 0.5, scene.ball), "gap .*got the number 0.5: .*friction after the gap"),
         (lambda scene: ss.History(scene.bodies, ss.Friction(0.5), scene.ball), "gap .*got Friction: friction is given after the gap"),
         (lambda scene: ss.CoupledProblem(scene.bodies, 0.5, scene.ball, normal_force=1.0), "gap .*friction after the gap"),
         (lambda scene: ss.surface.sphere(3.5e-3, scene.grid), r"grid must be of the class Grid, got float: create a grid by Grid\("),
@@ -145,9 +145,9 @@ def test_plots_name_objects_of_wrong_class(scene, name, draw, due):
 def test_loop_of_snapshot_is_described_in_words(scene):
     snapshot = ss.wear.run(pressed(scene), LOOP, ss.wear.EnergyLaw(1e-13), 10).snapshot
     again = snapshot.restored(scene.bodies)
-    shown = r"8 steps with LoadStep\(normal_force=100, shift=\(1e-06, 0\)\) at the largest value \(digest [0-9a-f]{16}\)"
+    shown = r"8 steps with LoadStep\(normal_force=100, shift_x=1e-06, shift_y=0\) at the largest value \(digest [0-9a-f]{16}\)"
     longer = ss.history.FrettingLoop(ss.history.LoadPath.triangle((2e-6, 0.0), 12), load)
-    message = rf"the loop of the snapshot is {shown}, got 12 steps with LoadStep\(normal_force=100, shift=\(2e-06, 0\)\) at"
+    message = rf"the loop of the snapshot is {shown}, got 12 steps with LoadStep\(normal_force=100, shift_x=2e-06, shift_y=0\) at"
     with pytest.raises(ss.errors.SnapshotMismatch, match=message):
         ss.wear.run(again, longer, ss.wear.EnergyLaw(1e-13), 20, resume=snapshot)
     close = ss.history.FrettingLoop(PATH, lambda shift: ss.LoadStep(normal_force=np.nextafter(FORCE, 200.0), shift=shift))

@@ -283,7 +283,7 @@ def test_wear_laws_accept_cycle_arrays(scene):
     assert np.allclose(depth, 1e-14 * cycle.slip_pressure * cycle.slip_distance, rtol=1e-12, atol=0.0) and depth.max() > 0.0
     assert np.array_equal(depth, ss.wear.archard(1e-14, cycle.slip_pressure, cycle.slip_distance, grid=history.grid))
     with pytest.raises(TypeError, match=r"sides of its cells: give grid= \(such as history.grid"):
-        ss.wear.energy(1e-14, cycle.dissipation)
+        ss.wear.energy(1e-14, np.array(cycle.dissipation))
     depth = ss.wear.energy(1e-14, cycle.dissipation, grid=history.grid)
     assert np.allclose(depth, 1e-14 * cycle.dissipation / history.grid.cell_area, rtol=1e-12, atol=0.0)
 

@@ -2,8 +2,8 @@
 
 :func:`run` wears the gap of a history over many cycles. The functions of the laws return a new array of depths. The energy
 laws require the area of a cell. The dissipation of a cycle, a step, a history and a state contains its grid, as the attribute
-``grid``. An array of a different shape and most results of NumPy functions do not contain it, and require ``grid=history.grid``.
-The laws require one number per cell and reject a total.
+``grid``, and so do its sums and multiples. Other arrays require ``grid=history.grid``. The laws require one number per cell
+and reject a total.
 
 A loop without :func:`run` sets the worn gap by ``history.set_gap(history.gap_as_set + depth)``. The attribute ``gap_as_set``
 does not contain the depth yielded under a permanent set, which the history adds to every gap.

@@ -129,7 +129,7 @@ impl CoupledRollingProblem {
         )?;
         let normal = load::needed_as("normal_force", normal_force, approach)?;
         let grid = bodies.0.grid();
-        let gap = gap.per_cell(py, "gap", grid)?;
+        let gap = gap.gap_before_friction(py, grid)?;
         let friction = friction.on(py, grid)?;
         let given = (
             bodies.clone(),
