@@ -968,7 +968,7 @@ class Cone:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     slope : float
         Slope tan(beta) of the flank (dimensionless), positive.
@@ -1209,7 +1209,7 @@ class Convolution(LinearOperator):
     ----------
     grid : Grid
         The cells.
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The two bodies.
     component : Component or str
         Direction of the displacement first, direction of the traction second.
@@ -1858,7 +1858,8 @@ class Cycle:
     @property
     def dissipation(self, /) -> NDArray[float64]:
         """
-        Energy that each cell dissipated in the cycle (forces times lengths, not negative).
+        Energy that each cell dissipated in the cycle (forces times lengths, not negative). The array contains its grid, as the
+        attribute ``grid``. The sum of the array is ``energy.dissipated_energy``.
         """
     @property
     def energy(self, /) -> EnergyBalance:
@@ -2235,13 +2236,15 @@ class EnergyBalance:
     def dissipated_energy(self, /) -> float:
         """
         Dissipated energy, computed from the tractions at the end of the step, not negative. If pressure and friction do
-        not change and the load does not turn within the step, this value is exact for any length of the step.
+        not change and the load does not turn within the step, this value is exact for any length of the step. Compare this value
+        of a :class:`Cycle` with Mindlin's energy of a loop, and not ``dissipated_energy_midpoint``.
         """
     @property
     def dissipated_energy_midpoint(self, /) -> float:
         """
         Dissipated energy, computed from the mean of the tractions before and after the step. This value closes the
-        balance. It is not negative if pressure and friction do not change.
+        balance. It is not negative if pressure and friction do not change. In partial slip it depends on the length of the
+        steps and approaches ``dissipated_energy`` with shorter steps.
         """
     @property
     def elastic_after(self, /) -> float:
@@ -2533,7 +2536,7 @@ class FlatPunch:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     radius : float
         Radius a of the flat end (a length), positive.
@@ -3048,7 +3051,7 @@ class HertzEllipse:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     radius_x, radius_y : float
         Radii of curvature R_x and R_y along x and y (lengths), positive.
@@ -3114,7 +3117,7 @@ class HertzLine:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     radius : float
         Radius R of the cylinder (a length), positive; for two cylinders 1/R = 1/R_1 + 1/R_2.
@@ -3187,7 +3190,7 @@ class HertzSphere:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     radius : float
         Radius R of the sphere (a length), positive; for two spheres 1/R = 1/R_1 + 1/R_2.
@@ -3357,7 +3360,8 @@ class History:
     @property
     def accumulated_dissipation(self, /) -> NDArray[float64]:
         """
-        Energy that each cell dissipated since the start (not negative), a read-only copy.
+        Energy that each cell dissipated in the steps since the start (not negative), a read-only copy that contains its grid.
+        Cycles that :func:`stickslip.wear.run` jumps over are not steps. The result of the run contains their energy.
         """
     def edges(self, /) -> TangentialEdges:
         """
@@ -3619,7 +3623,8 @@ class History:
     @staticmethod
     def step_all(histories: Sequence[History], loads: Sequence[LoadStep], *, return_exceptions: bool = False, warn: bool = True) -> list[tuple[int, Any]]:
         """
-        Takes one step of each of several histories in parallel.
+        Takes one step of each of several histories in parallel. A history whose step fails is unchanged, and the others take
+        their steps.
 
         Parameters
         ----------
@@ -3627,19 +3632,24 @@ class History:
             The histories, each listed once.
         loads : sequence of LoadStep
             One load per history.
+        return_exceptions : bool, default False
+            Whether the errors of failed steps are returned instead of raised.
         warn : bool, default True
             Whether the warnings of the steps are also issued through ``warnings``, each kind once per location.
 
         Returns
         -------
         list of (int, StickslipError)
-            Indices and errors of the histories whose step failed; these histories are unchanged.
+            Indices and errors of the histories whose step failed; empty unless ``return_exceptions`` is true.
 
         Raises
         ------
-        Length
+        ArgumentType, Length
         ValueError
             If a history is listed twice.
+        StickslipError
+            If steps failed, after all steps: the error of the first failed history. Its message contains the index of this history
+            and the number of failed steps, and its attribute ``failures`` is the list of all indices and errors.
         """
     @property
     def steps(self, /) -> int:
@@ -3744,7 +3754,7 @@ class JaegerSuperposition:
     full, stick : NormalSolution
         The contact under its load W, and the contact of the same bodies under the load W - F / mu for a tangential
         force F. The contact area under the second load is the stick zone.
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies. The coupling between pressure and traction of different materials is neglected.
     friction : float
         Coefficient of friction mu (dimensionless), not negative.
@@ -4653,7 +4663,7 @@ class MindlinFullStick:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     contact_radius : float
         Radius a of the contact circle (a length), positive.
@@ -4736,7 +4746,7 @@ class NoSlipPunch:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     radius : float
         Radius a of the flat end (a length), positive.
@@ -4778,7 +4788,7 @@ class NoSlipSphere:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     radius : float
         Radius R of the sphere (a length), positive.
@@ -5218,7 +5228,7 @@ class Persson:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     rms_slope : float
         Root mean square of the gradient (Sdq, dimensionless), positive: for an isotropic surface, sqrt(2) times the
@@ -5440,7 +5450,7 @@ class PopovLimitingShape:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     radius : float
         Radius R of the paraboloid before wear, whose gap is r^2 / 2R (a length), positive.
@@ -6354,7 +6364,7 @@ class RoundedPunch:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     flat : float
         Half-width b of the flat (a length), positive.
@@ -6718,7 +6728,7 @@ class State:
     @property
     def accumulated_dissipation(self, /) -> NDArray[float64]:
         """
-        Energy that each cell dissipated since the start (not negative).
+        Energy that each cell dissipated in the steps since the start (not negative). The array contains its grid.
         """
     @property
     def friction(self, /) -> Friction:
@@ -7230,7 +7240,7 @@ class Table:
     ----------
     grid : Grid
         The cells.
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The two bodies.
     component : Component or str
         Direction of the displacement first, direction of the traction second.
@@ -7908,7 +7918,7 @@ class Westergaard:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     amplitude : float
         Amplitude of the waves, half their height (a length), positive.
@@ -8105,8 +8115,8 @@ def archard(coefficient: Field | ArrayLike, pressure: Field | ArrayLike, slip_di
     Parameters
     ----------
     coefficient : float, Field or array_like of shape (ny, nx)
-        Volume removed per normal force and sliding distance, of one body or of both together (one over a pressure), not
-        negative.
+        Volume removed per normal force and sliding distance, of one body or of both together (one over a pressure, 1/Pa in SI
+        units; 1 mm3/(N m) is 1e-9 1/Pa), not negative.
     pressure, slip_distance : Field or array_like of shape (ny, nx)
         Pressure, and the length of the slip path of each cell under this pressure (lengths), not negative, in a step or a
         cycle.
@@ -8272,13 +8282,15 @@ def energy(coefficient: Field | ArrayLike, energy: Field | ArrayLike, *, depth: 
     Parameters
     ----------
     coefficient : float, Field or array_like of shape (ny, nx)
-        Volume removed per dissipated energy, of one body or of both together (one over a pressure), not negative.
+        Volume removed per dissipated energy, of one body or of both together (one over a pressure, 1/Pa in SI units; 1 mm3/J
+        is 1e-9 1/Pa), not negative.
     energy : Field or array_like of shape (ny, nx)
         Energy dissipated in each cell in a step or a cycle (forces times lengths), not negative.
     depth : optional
         See :func:`archard`.
     grid : Grid, optional
-        Grid that gives the area of a cell, such as ``history.grid``; required if no Field is given.
+        Grid that gives the area of a cell. It is required for an array that does not contain its grid. The dissipation of a
+        cycle, a step, a history and a state contains it; a grid with other cells is then rejected.
 
     Returns
     -------
@@ -8713,7 +8725,8 @@ def threshold_energy(coefficient: Field | ArrayLike, threshold: float, accumulat
     depth : optional
         See :func:`archard`.
     grid : Grid, optional
-        Grid that gives the area of a cell, such as ``history.grid``; required if no Field is given.
+        Grid that gives the area of a cell. It is required for an array that does not contain its grid. The dissipation of a
+        cycle, a step, a history and a state contains it; a grid with other cells is then rejected.
 
     Returns
     -------
@@ -8742,7 +8755,8 @@ def vti_write(path: str | PathLike[str], fields: Any, *, grid: Grid | None = Non
         The file; an existing file is replaced.
     fields : dict, solution, State, History, Field or surface
         Fields by name; a pair of fields is a vector. For other objects, all their fields are written: ``gap`` is the gap under
-        load, and ``unloaded_gap`` the gap before loading.
+        load, and ``unloaded_gap`` the gap before loading. ``zones`` contains the numbers 0 separated, 1 stick and 2 slip,
+        because a VTI file stores no names.
     grid : Grid, optional
         Grid of the fields of a dictionary; required if they are arrays.
     """

@@ -118,7 +118,7 @@ impl History {
     }
 
     /// Energy that each cell dissipated in the steps since the start (not negative), a read-only copy that contains its grid.
-    /// Cycles that :func:`stickslip.wear.run` jumps over are not steps; :attr:`WearSnapshot.dissipation` contains their energy.
+    /// Cycles that :func:`stickslip.wear.run` jumps over are not steps. The result of the run contains their energy.
     #[getter]
     fn accumulated_dissipation<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         let array = self.read(|history| snapshot(py, history.accumulated_dissipation()))?;

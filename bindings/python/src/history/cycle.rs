@@ -207,7 +207,7 @@ impl Cycle {
     }
 
     /// Energy that each cell dissipated in the cycle (forces times lengths, not negative). The array contains its grid, as the
-    /// attribute ``grid``. Its sum is :attr:`EnergyBalance.dissipated_energy` of :attr:`energy`.
+    /// attribute ``grid``. The sum of the array is ``energy.dissipated_energy``.
     #[getter]
     fn dissipation<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
         let cycle = self.lock()?;
