@@ -210,7 +210,7 @@ impl History {
                 },
             ));
         }
-        let loads: Vec<_> = loads.iter().map(|load| load.get().0.clone()).collect();
+        let loads: Vec<_> = loads.iter().map(|load| load.get().0).collect();
         let mut places = Vec::with_capacity(histories.len());
         for (index, history) in histories.iter().enumerate() {
             let first = histories[..index]
