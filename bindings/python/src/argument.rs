@@ -74,8 +74,55 @@ impl<T: PyClass<Frozen = True> + Sync> FromPyObject<'_, '_> for Object<T> {
             let object = object.to_owned().unbind();
             return Ok(Self { object });
         }
-        let message = format!("must be of the class {}, got {}", T::NAME, kind_of(&object));
+        let remedy = match T::NAME {
+            "HalfSpace" => ": the bodies are the first argument, created by HalfSpace(grid, pair)",
+            "Grid" => ": create a grid by Grid(nx, ny, dx, dy)",
+            "History" => ": create a history by History(bodies, gap, friction)",
+            "Cycle" => ": create a cycle by Cycle(history)",
+            _ => "",
+        };
+        let message = format!(
+            "must be of the class {}, got {}{remedy}",
+            T::NAME,
+            kind_of(&object)
+        );
         Err(unnamed(object.py(), "ArgumentType", &message))
+    }
+}
+
+/// Argument that must be a sequence of objects of a class of the package. The error message contains the name of the argument.
+pub(crate) struct Listed<'py, T> {
+    pub(crate) objects: Vec<Bound<'py, T>>,
+}
+
+impl<'py, T: PyClass> FromPyObject<'_, 'py> for Listed<'py, T> {
+    type Error = PyErr;
+
+    #[cfg(feature = "stubs")]
+    const INPUT_TYPE: PyStaticExpr = <Vec<Bound<'py, T>> as FromPyObject<'_, 'py>>::INPUT_TYPE;
+
+    fn extract(object: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        let refuse = |found: String| {
+            let message = format!("must be a sequence of {}, got {found}", T::NAME);
+            unnamed(object.py(), "ArgumentType", &message)
+        };
+        let Ok(entries) = object.try_iter() else {
+            let remedy = if object.is_instance_of::<T>() {
+                ": give a list with one entry for each history"
+            } else {
+                ""
+            };
+            return Err(refuse(format!("{}{remedy}", kind_of(&object))));
+        };
+        let mut objects = Vec::new();
+        for (index, entry) in entries.enumerate() {
+            let entry = entry?;
+            objects.push(entry.cast_into::<T>().map_err(|error| {
+                let found = kind_of(&error.into_inner());
+                refuse(format!("{found} as the entry {index}"))
+            })?);
+        }
+        Ok(Self { objects })
     }
 }
 

@@ -12,6 +12,8 @@ use pyo3::pyclass::boolean_struct::True;
 #[cfg(feature = "stubs")]
 use pyo3::{inspect::PyStaticExpr, type_hint_identifier, type_hint_subscript};
 
+use crate::grid::Grid;
+
 /// Element type of an array.
 pub(crate) trait Entry: Element {
     #[cfg(feature = "stubs")]
@@ -134,6 +136,18 @@ pub(crate) fn snapshot<'py>(py: Python<'py>, field: &stickslip::Field) -> Array<
 pub(crate) fn copy<'py>(py: Python<'py>, field: &stickslip::Field) -> Array<'py> {
     let array = PyArray1::from_slice(py, field.as_slice());
     shaped(&array, field.grid())
+}
+
+/// Returns an array of the energies of cells that also contains its grid, from which the wear laws take the area of a cell.
+pub(crate) fn energies<'py>(
+    py: Python<'py>,
+    array: &Array<'py>,
+    grid: stickslip::Grid,
+) -> PyResult<Array<'py>> {
+    let class = py.import("stickslip._arrays")?.getattr("CellEnergies")?;
+    let energies = array.0.call_method1("view", (class,))?;
+    energies.setattr("grid", Grid(grid))?;
+    Ok(Array(energies, PhantomData))
 }
 
 /// Returns one byte per cell as an array of shape (ny, nx).

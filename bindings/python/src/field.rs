@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use numpy::PyUntypedArray;
 use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use pyo3::pyclass::CompareOp;
@@ -678,6 +679,8 @@ impl Samples<'_> {
             Some(samples) => samples.to_vec(),
             None => samples.iter().copied().collect(),
         };
+        // The crate rejects a grid of the array that differs from the grid of the call.
+        let grid = self.own_grid().unwrap_or(grid);
         let field = stickslip::Field::from_vec(grid, samples).or_raise(py)?;
         Ok(Arc::new(field))
     }
@@ -690,9 +693,29 @@ impl Samples<'_> {
         quantity: &str,
         grid: stickslip::Grid,
     ) -> PyResult<Arc<stickslip::Field>> {
+        self.per_cell_or(py, quantity, grid, "")
+    }
+
+    /// Returns the samples as a gap, as [`per_cell`](Self::per_cell), of a constructor whose next argument is friction.
+    pub(crate) fn gap_before_friction(
+        &self,
+        py: Python<'_>,
+        grid: stickslip::Grid,
+    ) -> PyResult<Arc<stickslip::Field>> {
+        self.per_cell_or(py, "gap", grid, ", and friction after the gap")
+    }
+
+    /// Returns the samples as [`per_cell`](Self::per_cell), with an addition to the remedy for a single number.
+    fn per_cell_or(
+        &self,
+        py: Python<'_>,
+        quantity: &str,
+        grid: stickslip::Grid,
+        order: &str,
+    ) -> PyResult<Arc<stickslip::Field>> {
         if let Some(number) = self.number() {
             let message = format!(
-                "must be a Field or an array of shape (ny, nx), got the number {}: for a uniform {quantity} give Field(grid, {0})",
+                "must be a Field or an array of shape (ny, nx), got the number {}: for a uniform {quantity} give Field(grid, {0}){order}",
                 short(number)
             );
             return Err(wrong_type(py, quantity, &message));
@@ -807,6 +830,13 @@ impl Samples<'_> {
         known(unit.str()?.to_str()?).map(Some)
     }
 
+    /// Returns the grid of an array that contains it, as the array of the energies of cells.
+    fn own_grid(&self) -> Option<stickslip::Grid> {
+        let array = self.0.cast::<PyUntypedArray>().ok()?;
+        let grid = array.getattr("grid").ok()?;
+        grid.cast::<Grid>().ok().map(|grid| grid.get().0)
+    }
+
     fn field(&self) -> Option<Arc<stickslip::Field>> {
         let field = self.0.cast::<Field>().ok()?;
         Some(Arc::clone(&field.get().0))
@@ -831,7 +861,10 @@ impl Samples<'_> {
             let field = module.call_method1("from_topography", (&self.0,))?;
             return Ok(Some(Arc::clone(&field.cast::<Field>()?.get().0)));
         }
-        Ok(None)
+        match self.own_grid() {
+            Some(grid) => self.on(self.0.py(), "samples", grid).map(Some),
+            None => Ok(None),
+        }
     }
 }
 

@@ -8,7 +8,7 @@ use crate::choice::Choice;
 use crate::digits::short;
 use crate::error::OrRaise;
 use crate::grid::Grid;
-use crate::material::{ElasticPair, Material};
+use crate::material::{Material, Pair};
 use crate::real::Real;
 use crate::work::unobserved_on;
 
@@ -83,7 +83,7 @@ impl Rectangle {
     }
 
     /// Returns the coefficients of a pair at a position relative to the centre (lengths).
-    fn pair_tensor(&self, pair: Object<ElasticPair>, x: Real, y: Real) -> Tensor {
+    fn pair_tensor(&self, pair: Pair, x: Real, y: Real) -> Tensor {
         Tensor(self.cell.pair_tensor(&pair.0, x.0, y.0))
     }
 
@@ -99,7 +99,7 @@ impl Rectangle {
 /// ----------
 /// grid : Grid
 ///     The cells.
-/// pair : ElasticPair
+/// pair : ElasticPair or two Materials
 ///     The two bodies.
 /// component : Component or str
 ///     Direction of the displacement first, direction of the traction second.
@@ -112,7 +112,7 @@ impl Table {
     fn new(
         py: Python<'_>,
         grid: Object<Grid>,
-        pair: Object<ElasticPair>,
+        pair: Pair,
         component: Choice<influence::Component>,
     ) -> PyResult<Self> {
         let sample = || influence::Table::sample(grid.0, &pair.0, component.0);

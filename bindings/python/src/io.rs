@@ -512,7 +512,8 @@ impl Arrays {
 ///     The file; an existing file is replaced.
 /// fields : dict, solution, State, History, Field or surface
 ///     Fields by name; a pair of fields is a vector. For other objects, all their fields are written: ``gap`` is the gap under
-///     load, and ``unloaded_gap`` the gap before loading.
+///     load, and ``unloaded_gap`` the gap before loading. ``zones`` contains the numbers 0 separated, 1 stick and 2 slip,
+///     because a VTI file stores no names.
 /// grid : Grid, optional
 ///     Grid of the fields of a dictionary; required if they are arrays.
 #[pyfunction]

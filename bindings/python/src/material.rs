@@ -16,7 +16,7 @@ use crate::kernel::Kernel;
 use crate::layers::{Layer, WaveResponse, numbers};
 use crate::pickle::picklable;
 use crate::readers::readers;
-use crate::real::Real;
+use crate::real::{Real, unnamed};
 
 /// A linear elastic, isotropic half-space, homogeneous or :meth:`coated`.
 ///
@@ -289,6 +289,36 @@ impl FromPyObject<'_, '_> for Bodies {
             ))
         })?;
         ElasticPair::new(object.py(), body_1, body_2).map(|pair| Self(pair.0.into()))
+    }
+}
+
+/// Argument that is converted to a pair of bodies without a kernel: a pair, or two materials.
+pub(crate) struct Pair(pub(crate) stickslip::ElasticPair);
+
+impl FromPyObject<'_, '_> for Pair {
+    type Error = PyErr;
+
+    #[cfg(feature = "stubs")]
+    const INPUT_TYPE: PyStaticExpr = type_hint_union!(
+        ElasticPair::TYPE_HINT,
+        <(Material, Material) as FromPyObject>::INPUT_TYPE
+    );
+
+    fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+        if let Ok(pair) = object.cast::<ElasticPair>() {
+            return Ok(Self(pair.get().0));
+        }
+        let bodies = entries(&object).and_then(|bodies| bodies.extract().ok());
+        let (body_1, body_2): (Material, Material) = bodies.ok_or_else(|| {
+            let found = match entries(&object) {
+                Some(bodies) => kinds_of(&bodies),
+                None => kind_of(&object),
+            };
+            let due =
+                "must be an ElasticPair or a tuple of two Materials, (material_1, material_2)";
+            unnamed(object.py(), "ArgumentType", &format!("{due}, got {found}"))
+        })?;
+        ElasticPair::new(object.py(), body_1, body_2).map(|pair| Self(pair.0))
     }
 }
 

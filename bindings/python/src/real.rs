@@ -11,6 +11,10 @@ use pyo3::types::{PyDict, PyFloat, PyTuple};
 use crate::conversion::kind_of;
 use crate::error::named;
 use crate::field::Field;
+use crate::friction::Friction;
+use crate::half_space::HalfSpace;
+use crate::history::History;
+use crate::normal::NormalSolution;
 
 /// Returns an object as a NumPy array, if it can be converted.
 fn as_array<'py>(object: &Bound<'py, PyAny>) -> Option<Bound<'py, PyAny>> {
@@ -271,6 +275,22 @@ pub(crate) fn check_coordinates(
     Ok(())
 }
 
+/// Returns the remedy for an object of the package instead of an array. In the calls with both, the gap or the normal contact
+/// precedes friction.
+fn remedy(object: &Bound<'_, PyAny>) -> &'static str {
+    if object.is_instance_of::<NormalSolution>() {
+        ": a normal solution is given as the pressure, before friction"
+    } else if object.is_instance_of::<Friction>() {
+        ": friction is given after the gap or the pressure"
+    } else if object.is_instance_of::<History>() {
+        ": give one of its arrays, such as history.pressure or history.gap_as_set"
+    } else if object.is_instance_of::<HalfSpace>() {
+        ": the bodies are the first argument"
+    } else {
+        ""
+    }
+}
+
 /// Returns a two-dimensional array of numbers; masked entries become NaN. The names of the axes determine their order, if
 /// there are any.
 pub(crate) fn plane<'py>(
@@ -286,7 +306,9 @@ pub(crate) fn plane<'py>(
         match shape.filter(differs) {
             Some(shape) => misshapen(object.py(), quantity, grid, &shape),
             None => PyTypeError::new_err(format!(
-                "{quantity} must be a Field, a number, or an array of real numbers of shape (ny, nx)"
+                "{quantity} must be a Field, a number, or an array of real numbers of shape (ny, nx), got {}{}",
+                kind_of(object),
+                remedy(object)
             )),
         }
     })

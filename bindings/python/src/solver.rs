@@ -170,6 +170,27 @@ impl<S: Solver> Reused<S> {
     }
 }
 
+/// Declares constructors that reject the call and state the creation from a problem.
+macro_rules! created_by {
+    ($($class:ident: $call:literal);+ $(;)?) => {$(
+        #[pyo3::pymethods]
+        impl $class {
+            #[new]
+            #[pyo3(signature = (*_arguments, **_options), text_signature = None)]
+            fn new(
+                _arguments: &pyo3::Bound<'_, pyo3::types::PyTuple>,
+                _options: Option<&pyo3::Bound<'_, pyo3::types::PyDict>>,
+            ) -> pyo3::PyResult<Self> {
+                Err(pyo3::exceptions::PyTypeError::new_err(concat!(
+                    stringify!($class), " is created from its problem, by ", $call, ".solver()"
+                )))
+            }
+        }
+    )+};
+}
+
+pub(crate) use created_by;
+
 /// Declares a Python class for a reusable solver of the crate, with the methods that all solvers share.
 macro_rules! solver {
     ($class:ident: $solution:ident) => {

@@ -383,6 +383,15 @@ def calls(scene):
     yield "a loop", lambda: ss.history.FrettingLoop(
         ss.history.LoadPath.sine((1e-7, 0.0), 4), lambda shift: ss.LoadStep(shift=shift, normal_force=100.0)
     ).run(scene.history, 1)
+    yield "a wear run with a threshold", lambda: ss.wear.run(
+        scene.history,
+        ss.history.FrettingLoop(
+            ss.history.LoadPath.sine((1e-7, 0.0), 4), lambda shift: ss.LoadStep(shift=shift, normal_force=100.0)
+        ),
+        ss.wear.ThresholdEnergyLaw(1e-15, 1.0),
+        20,
+        max_residual=1.0,
+    )
 
 
 def kept(target):

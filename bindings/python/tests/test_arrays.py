@@ -283,7 +283,7 @@ def test_wear_laws_accept_cycle_arrays(scene):
     assert np.allclose(depth, 1e-14 * cycle.slip_pressure * cycle.slip_distance, rtol=1e-12, atol=0.0) and depth.max() > 0.0
     assert np.array_equal(depth, ss.wear.archard(1e-14, cycle.slip_pressure, cycle.slip_distance, grid=history.grid))
     with pytest.raises(TypeError, match=r"sides of its cells: give grid= \(such as history.grid"):
-        ss.wear.energy(1e-14, cycle.dissipation)
+        ss.wear.energy(1e-14, np.array(cycle.dissipation))
     depth = ss.wear.energy(1e-14, cycle.dissipation, grid=history.grid)
     assert np.allclose(depth, 1e-14 * cycle.dissipation / history.grid.cell_area, rtol=1e-12, atol=0.0)
 
@@ -456,6 +456,33 @@ def test_solution_converts_to_xarray_dataset(scene):
         ss.io.to_xarray(1.0)
     with pytest.raises(ValueError, match="one body and one grid"):
         ss.io.to_xarray([planes[0], *ss.subsurface.Planes(scene.bodies, [0.0]).solve_all("one", contact)])
+
+
+def test_names_of_zones_are_attributes_of_dataset(scene, tmp_path):
+    xarray = pytest.importorskip("xarray")
+    pytest.importorskip("scipy")  # required to write netCDF
+    shear = ss.TangentialProblem(scene.bodies, scene.normal(), 0.5, force_x=20.0).solve()
+    dataset = ss.io.to_xarray(shear)
+    dataset.to_netcdf(tmp_path / "zones.nc", engine="scipy")
+    with xarray.open_dataset(tmp_path / "zones.nc", engine="scipy") as back:
+        for zones in (dataset.zones, back.load().zones):
+            assert zones.attrs["flag_meanings"] == "separated stick slip" and list(zones.attrs["flag_values"]) == [0, 1, 2]
+            assert zones.attrs["flag_values"].dtype == zones.dtype
+            assert np.array_equal(zones == ss.Zone.STICK, shear.zones == "stick")
+    assert "flag_values" not in dataset.traction_x.attrs
+
+
+def test_pair_in_wrong_order_is_named(scene):
+    pytest.importorskip("xarray")
+    contact = scene.normal()
+    shear = ss.TangentialProblem(scene.bodies, contact, 0.5, force_x=20.0).solve()
+    for export in (ss.io.to_xarray, ss.io.vti.to_bytes):
+        with pytest.raises(TypeError, match=r"in the order \(normal, shear\), got \(TangentialSolution, NormalSolution\)"):
+            export((shear, contact))
+        with pytest.raises(TypeError, match=r"a pair \(normal, shear\), .* got tuple of \(NormalSolution, NormalSolution\)"):
+            export((contact, contact))
+        with pytest.raises(TypeError, match=r"got ndarray: create a Field by Field\(grid, array\)"):
+            export(contact.pressure)
 
 
 def test_solutions_are_written_as_images(scene):

@@ -152,7 +152,8 @@ def test_history_failed_step_leaves_previous_fields_readable(scene):
     with pytest.raises(ss.BeyondFrictionCapacity):
         history.step(force_x=60.0)
     assert np.array_equal(step.slip_distance, slip)
-    [(place, error)] = ss.History.step_all([history, other], [ss.LoadStep(force_x=60.0), ss.LoadStep(force_x=20.0)])
+    loads = [ss.LoadStep(force_x=60.0), ss.LoadStep(force_x=20.0)]
+    [(place, error)] = ss.History.step_all([history, other], loads, return_exceptions=True)
     assert place == 0 and isinstance(error, ss.BeyondFrictionCapacity)
     assert np.array_equal(step.keep().slip_distance, slip)
     with pytest.raises(RuntimeError, match="keep"):

@@ -78,6 +78,62 @@ def test_results_computed_from_zones_are_numbers(scene):
         zones[0, 0] = 2
 
 
+def test_combined_zones_compare_equal_to_their_names(scene):
+    zones = ss.TangentialProblem(scene.bodies, scene.normal(), 0.5, force_x=20.0).solve().zones
+    numbers = np.array(zones)
+    for function in (
+        lambda given: np.concatenate([given, given]), lambda given: np.stack([given, given]), lambda given: np.vstack([given, given]),
+        lambda given: np.hstack((given, given)), lambda given: np.append(given, given), lambda given: np.where(numbers > 1, given, given),
+        lambda given: np.pad(given, 1), lambda given: np.broadcast_to(given, (2, 64, 64)), lambda given: np.block([[given, given]]),
+        lambda given: np.delete(given, 0, 0), lambda given: np.roll(given, 1), lambda given: np.unique(given), np.copy,
+    ):  # fmt: skip
+        combined = function(zones)
+        assert np.array_equal(combined == "stick", function(numbers) == 1) and (combined == "stick").any()
+        with pytest.raises(ValueError, match="is not a valid Zone"):
+            combined == "Stick"  # noqa: B015
+    assert type(np.concatenate([zones, zones.astype(float)])) is type(np.diff(zones)) is np.ndarray
+
+
+def test_energies_on_another_grid_are_rejected(scene):
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    cycle = ss.history.Cycle(history)
+    step = history.step(force_x=20.0)
+    cycle.add(history)
+    other = ss.Grid.square(64, 1.0)
+    kept, state = step.keep(), history.state()
+    for energy in (step.dissipation, kept.dissipation, cycle.dissipation, history.accumulated_dissipation, state.accumulated_dissipation,
+                   step.dissipation_midpoint, 2.0 * cycle.dissipation, cycle.dissipation + history.accumulated_dissipation):  # fmt: skip
+        assert energy.grid == scene.grid and isinstance(energy, np.ndarray)
+        with pytest.raises(ss.errors.GridMismatch, match="energy"):
+            ss.wear.energy(1e-13, energy, grid=other)
+        with pytest.raises(ss.errors.GridMismatch, match="energy"):
+            ss.wear.threshold_energy(1e-13, 1.0, energy, energy, grid=other)
+        # The area of a cell is known without a grid.
+        depth = ss.wear.energy(1e-13, energy)
+        assert np.array_equal(depth, ss.wear.energy(1e-13, np.array(energy), grid=scene.grid)) and type(depth) is np.ndarray
+    energy = cycle.dissipation
+    assert energy[3:].grid is None and type(energy > 0.0) is type(energy.sum(axis=0)) is np.ndarray
+    assert isinstance(energy.sum(), float) and isinstance(energy[3, 3], float) and type(np.array(energy)) is np.ndarray
+    assert np.array_equal(pickle.loads(pickle.dumps(energy)), energy)
+    with pytest.raises(ValueError, match="read-only"):
+        energy[0, 0] = 1.0
+    with pytest.raises(TypeError, match="an array does not contain the sides"):
+        ss.wear.energy(1e-13, np.array(energy))
+
+
+def test_dissipated_energy_is_that_of_mindlin(scene):
+    history = ss.History(scene.bodies, scene.ball, 0.5, tolerance=1e-8)
+    history.step(normal_force=FORCE)
+    exact = ss.analytical.CattaneoMindlin(scene.hertz, force=30.0, friction=0.5).energy_per_cycle
+    loop, cycle = ss.history.FrettingLoop(ss.history.LoadPath.triangle((30.0, 0.0), 4), lambda force: ss.LoadStep(force=force)), ss.history.Cycle(history)
+    for _ in range(2):
+        loop.cycle(history, cycle)
+    assert cycle.energy.dissipated_energy == pytest.approx(exact, rel=5e-3)
+    assert cycle.dissipation.sum() == pytest.approx(cycle.energy.dissipated_energy, rel=1e-12)
+    assert cycle.energy.dissipated_energy_midpoint < 0.8 * exact
+
+
 def test_gap_of_exports_is_described_as_loaded_or_unloaded(scene):
     pytest.importorskip("xarray")
     history = scene.history()

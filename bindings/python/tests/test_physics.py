@@ -267,7 +267,8 @@ def test_step_all_matches_single_steps(scene):
     alone = ss.History(scene.bodies, balls[1], 0.5)
     alone.step(normal_force=50.0)
     assert alone.to_bytes() == histories[1].to_bytes()
-    [(index, error)] = ss.History.step_all(histories, [ss.LoadStep(force_x=force) for force in (10.0, 30.0, 20.0)])
+    loads = [ss.LoadStep(force_x=force) for force in (10.0, 30.0, 20.0)]
+    [(index, error)] = ss.History.step_all(histories, loads, return_exceptions=True)
     assert index == 1 and isinstance(error, ss.BeyondFrictionCapacity)
     assert histories[1].tangential_force == (0.0, 0.0) and histories[2].tangential_force == pytest.approx((20.0, 0.0))
     with pytest.raises(ss.errors.Length):
@@ -276,6 +277,37 @@ def test_step_all_matches_single_steps(scene):
     with pytest.raises(ValueError, match=r"histories\[2\] is the same object as histories\[1\]: list each history once"):
         ss.History.step_all([histories[0], alone, alone], [ss.LoadStep(force_x=5.0)] * 3)
     assert histories[0].to_bytes() == before
+
+
+def test_step_all_raises_after_all_steps(scene):
+    histories = [scene.history() for _ in range(4)]
+    ss.History.step_all(histories, [ss.LoadStep(normal_force=50.0)] * 4)
+    loads = [ss.LoadStep(force_x=force) for force in (10.0, 30.0, 20.0, 40.0)]
+    message = r"^histories\[1\]: the tangential force 30\.0 exceeds .* \(2 of 4 steps failed: give return_exceptions=True for the list"
+    with pytest.raises(ss.BeyondFrictionCapacity, match=message) as caught:
+        ss.History.step_all(histories, loads)
+    assert [index for index, _ in caught.value.failures] == [1, 3] and caught.value.force == 30.0
+    assert all(isinstance(error, ss.BeyondFrictionCapacity) for _, error in caught.value.failures)
+    assert str(caught.value.failures[1][1]).startswith("the tangential force 40.0")
+    found = [history.tangential_force[0] for history in histories]
+    assert found == pytest.approx([10.0, 0.0, 20.0, 0.0]) and [history.steps for history in histories] == [2, 1, 2, 1]
+
+
+def test_step_all_rejects_wrong_lists(scene):
+    history, load = scene.history(), ss.LoadStep(normal_force=50.0)
+    before = history.to_bytes()
+    for arguments, message in (
+        ((history, load), "histories must be a sequence of History, got History: give a list"),
+        (([history], load), "loads must be a sequence of LoadStep, got LoadStep: give a list with one entry for each history"),
+        (([load], [history]), "histories must be a sequence of History, got LoadStep as the entry 0"),
+        (([history], [{"force_x": 1.0}]), "loads must be a sequence of LoadStep, got dict as the entry 0"),
+        (([history], None), "loads must be a sequence of LoadStep, got NoneType"),
+    ):
+        with pytest.raises(ss.errors.ArgumentType, match=message) as caught:
+            ss.History.step_all(*arguments)
+        assert caught.value.argument in ("histories", "loads")
+    assert history.to_bytes() == before
+    assert ss.History.step_all((one for one in [history]), (one for one in [load])) == []
 
 
 def test_minimise_matches_explicit_matrix():

@@ -310,7 +310,7 @@ def test_surfaces_convert_to_datasets_and_images(tmp_path):
     series.write(0.0, rough)
     assert len(series) == 1
     for wrong in (1.0, [rough], None):
-        with pytest.raises(TypeError, match="expected a solution, a state, a history, a Field, a surface"):
+        with pytest.raises(TypeError, match="expected a solution, a pair .*, a state, a history, a Field, a surface"):
             ss.io.vti.to_bytes(wrong)
 
 
@@ -332,6 +332,12 @@ def test_xarray_arrays_convert_to_surfaces():
     dataset = ss.io.to_xarray(field)
     assert dataset["values"].attrs["units"] == dataset.x.attrs["units"] == "um"
     assert ss.io.from_xarray(dataset["values"]) == field
+    # The sides of the cells are exact for any grid.
+    for cells in (2, 3, 7, 10, 32, 41, 64):
+        own = ss.Field(ss.Grid(cells, cells + 1, 0.3e-3 / cells, 0.7 / 3.0 / cells), np.ones((cells + 1, cells)), "m")
+        assert ss.io.from_xarray(ss.io.to_xarray(own)["values"]) == own, cells
+    with pytest.raises(ValueError, match="1 coordinates along y, which do not determine the side of the cells: create a Field"):
+        ss.io.from_xarray(array[:1])
     with pytest.raises(ValueError, match="evenly"):
         ss.io.from_xarray(array.assign_coords(x=x**2))
     with pytest.raises(ValueError, match="dimensions"):

@@ -257,7 +257,11 @@ def _zone(value: Any) -> Zone:
 
 
 class Zones(np.ndarray[Any, np.dtype[np.uint8]]):
-    """Array of zones. NumPy alone would find a number unequal to every name."""
+    """Array of zones. NumPy alone would find a number unequal to every name.
+
+    Functions that combine or select entries, such as ``numpy.concatenate`` and ``numpy.where``, return zones. Results of
+    ``numpy.array`` and of computations are plain arrays of numbers, which are unequal to every name.
+    """
 
     def __eq__(self, other: Any) -> Any:
         return np.asarray(self) == _numbers(other)
@@ -272,6 +276,19 @@ class Zones(np.ndarray[Any, np.dtype[np.uint8]]):
     def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
         # The results of NumPy functions are not zones.
         return np.asarray(array)[()]
+
+    def __array_function__(self, function: Any, types: Any, arguments: Any, options: Any) -> Any:
+        result = super().__array_function__(function, types, arguments, options)
+        if function.__name__ in _COMBINING and type(result) is np.ndarray and result.dtype == np.uint8:
+            return result.view(Zones)
+        return result
+
+
+# Functions of NumPy whose results contain entries of their arguments, but not the class.
+_COMBINING = {
+    "append", "block", "broadcast_to", "choose", "column_stack", "concatenate", "copy", "delete", "dstack", "hstack", "insert",
+    "pad", "resize", "select", "stack", "unique", "vstack", "where",
+}  # fmt: skip
 
 
 def _numbers(names: Any) -> Any:

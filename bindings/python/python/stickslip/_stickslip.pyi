@@ -968,7 +968,7 @@ class Cone:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     slope : float
         Slope tan(beta) of the flank (dimensionless), positive.
@@ -981,7 +981,7 @@ class Cone:
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
-    def __new__(cls, /, pair: ElasticPair, *, slope: float, load: float) -> Cone: ...
+    def __new__(cls, /, pair: ElasticPair | tuple[Material, Material], *, slope: float, load: float) -> Cone: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -1209,14 +1209,14 @@ class Convolution(LinearOperator):
     ----------
     grid : Grid
         The cells.
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The two bodies.
     component : Component or str
         Direction of the displacement first, direction of the traction second.
     periodic : bool, default False
         Whether the grid is periodic along x and y.
     """
-    def __new__(cls, /, grid: Grid, pair: ElasticPair, component: Component | str, *, periodic: bool = False) -> Convolution: ...
+    def __new__(cls, /, grid: Grid, pair: ElasticPair | tuple[Material, Material], component: Component | str, *, periodic: bool = False) -> Convolution: ...
 
 @final
 class CoupledProblem:
@@ -1498,6 +1498,7 @@ class CoupledRollingSolver:
     Solves coupled rolling for successive loads, each time from the last solution; created by
     :meth:`CoupledRollingProblem.solver`.
     """
+    def __new__(cls, /, *_arguments: Any, **_options: Any) -> CoupledRollingSolver: ...
     def __repr__(self, /) -> str: ...
     @property
     def gap(self, /) -> NDArray[float64]:
@@ -1634,6 +1635,7 @@ class CoupledSolver:
     """
     Solves coupled contacts repeatedly, each time from the last solution; created by :meth:`CoupledProblem.solver`.
     """
+    def __new__(cls, /, *_arguments: Any, **_options: Any) -> CoupledSolver: ...
     def __repr__(self, /) -> str: ...
     @property
     def gap(self, /) -> NDArray[float64]:
@@ -1856,7 +1858,8 @@ class Cycle:
     @property
     def dissipation(self, /) -> NDArray[float64]:
         """
-        Energy that each cell dissipated in the cycle (forces times lengths, not negative).
+        Energy that each cell dissipated in the cycle (forces times lengths, not negative). The array contains its grid, as the
+        attribute ``grid``. The sum of the array is ``energy.dissipated_energy``.
         """
     @property
     def energy(self, /) -> EnergyBalance:
@@ -2233,13 +2236,15 @@ class EnergyBalance:
     def dissipated_energy(self, /) -> float:
         """
         Dissipated energy, computed from the tractions at the end of the step, not negative. If pressure and friction do
-        not change and the load does not turn within the step, this value is exact for any length of the step.
+        not change and the load does not turn within the step, this value is exact for any length of the step. Compare this value
+        of a :class:`Cycle` with Mindlin's energy of a loop, and not ``dissipated_energy_midpoint``.
         """
     @property
     def dissipated_energy_midpoint(self, /) -> float:
         """
         Dissipated energy, computed from the mean of the tractions before and after the step. This value closes the
-        balance. It is not negative if pressure and friction do not change.
+        balance. It is not negative if pressure and friction do not change. In partial slip it depends on the length of the
+        steps and approaches ``dissipated_energy`` with shorter steps.
         """
     @property
     def elastic_after(self, /) -> float:
@@ -2531,7 +2536,7 @@ class FlatPunch:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     radius : float
         Radius a of the flat end (a length), positive.
@@ -2544,7 +2549,7 @@ class FlatPunch:
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
-    def __new__(cls, /, pair: ElasticPair, *, radius: float, load: float) -> FlatPunch: ...
+    def __new__(cls, /, pair: ElasticPair | tuple[Material, Material], *, radius: float, load: float) -> FlatPunch: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -3046,7 +3051,7 @@ class HertzEllipse:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     radius_x, radius_y : float
         Radii of curvature R_x and R_y along x and y (lengths), positive.
@@ -3059,7 +3064,7 @@ class HertzEllipse:
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
-    def __new__(cls, /, pair: ElasticPair, *, radius_x: float, radius_y: float, load: float) -> HertzEllipse: ...
+    def __new__(cls, /, pair: ElasticPair | tuple[Material, Material], *, radius_x: float, radius_y: float, load: float) -> HertzEllipse: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -3112,7 +3117,7 @@ class HertzLine:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     radius : float
         Radius R of the cylinder (a length), positive; for two cylinders 1/R = 1/R_1 + 1/R_2.
@@ -3125,7 +3130,7 @@ class HertzLine:
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
-    def __new__(cls, /, pair: ElasticPair, *, radius: float, load: float) -> HertzLine: ...
+    def __new__(cls, /, pair: ElasticPair | tuple[Material, Material], *, radius: float, load: float) -> HertzLine: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     def approach(self, /, datum: ArrayLike) -> Any:
@@ -3185,7 +3190,7 @@ class HertzSphere:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     radius : float
         Radius R of the sphere (a length), positive; for two spheres 1/R = 1/R_1 + 1/R_2.
@@ -3198,7 +3203,7 @@ class HertzSphere:
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
-    def __new__(cls, /, pair: ElasticPair, *, radius: float, load: float) -> HertzSphere: ...
+    def __new__(cls, /, pair: ElasticPair | tuple[Material, Material], *, radius: float, load: float) -> HertzSphere: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -3355,7 +3360,8 @@ class History:
     @property
     def accumulated_dissipation(self, /) -> NDArray[float64]:
         """
-        Energy that each cell dissipated since the start (not negative), a read-only copy.
+        Energy that each cell dissipated in the steps since the start (not negative), a read-only copy that contains its grid.
+        Cycles that :func:`stickslip.wear.run` jumps over are not steps. The result of the run contains their energy.
         """
     def edges(self, /) -> TangentialEdges:
         """
@@ -3615,9 +3621,10 @@ class History:
         GridTooShort, NotConverged
         """
     @staticmethod
-    def step_all(histories: Sequence[History], loads: Sequence[LoadStep], *, warn: bool = True) -> list[tuple[int, Any]]:
+    def step_all(histories: Sequence[History], loads: Sequence[LoadStep], *, return_exceptions: bool = False, warn: bool = True) -> list[tuple[int, Any]]:
         """
-        Takes one step of each of several histories in parallel.
+        Takes one step of each of several histories in parallel. A history whose step fails is unchanged, and the others take
+        their steps.
 
         Parameters
         ----------
@@ -3625,19 +3632,24 @@ class History:
             The histories, each listed once.
         loads : sequence of LoadStep
             One load per history.
+        return_exceptions : bool, default False
+            Whether the errors of failed steps are returned instead of raised.
         warn : bool, default True
             Whether the warnings of the steps are also issued through ``warnings``, each kind once per location.
 
         Returns
         -------
         list of (int, StickslipError)
-            Indices and errors of the histories whose step failed; these histories are unchanged.
+            Indices and errors of the histories whose step failed; empty unless ``return_exceptions`` is true.
 
         Raises
         ------
-        Length
+        ArgumentType, Length
         ValueError
             If a history is listed twice.
+        StickslipError
+            If steps failed, after all steps: the error of the first failed history. Its message contains the index of this history
+            and the number of failed steps, and its attribute ``failures`` is the list of all indices and errors.
         """
     @property
     def steps(self, /) -> int:
@@ -3742,7 +3754,7 @@ class JaegerSuperposition:
     full, stick : NormalSolution
         The contact under its load W, and the contact of the same bodies under the load W - F / mu for a tangential
         force F. The contact area under the second load is the stick zone.
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies. The coupling between pressure and traction of different materials is neglected.
     friction : float
         Coefficient of friction mu (dimensionless), not negative.
@@ -3751,7 +3763,7 @@ class JaegerSuperposition:
     ------
     NegativeOrNotFinite, GridMismatch, BoundaryMismatch, MaterialMismatch, NotConverged, EmptyContact
     """
-    def __new__(cls, /, full: NormalSolution, stick: NormalSolution, pair: ElasticPair, friction: float) -> JaegerSuperposition: ...
+    def __new__(cls, /, full: NormalSolution, stick: NormalSolution, pair: ElasticPair | tuple[Material, Material], friction: float) -> JaegerSuperposition: ...
     def __repr__(self, /) -> str: ...
     @property
     def force(self, /) -> float:
@@ -4651,7 +4663,7 @@ class MindlinFullStick:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     contact_radius : float
         Radius a of the contact circle (a length), positive.
@@ -4664,7 +4676,7 @@ class MindlinFullStick:
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
-    def __new__(cls, /, pair: ElasticPair, *, contact_radius: float, force: float) -> MindlinFullStick: ...
+    def __new__(cls, /, pair: ElasticPair | tuple[Material, Material], *, contact_radius: float, force: float) -> MindlinFullStick: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -4734,7 +4746,7 @@ class NoSlipPunch:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     radius : float
         Radius a of the flat end (a length), positive.
@@ -4747,7 +4759,7 @@ class NoSlipPunch:
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
-    def __new__(cls, /, pair: ElasticPair, *, radius: float, load: float) -> NoSlipPunch: ...
+    def __new__(cls, /, pair: ElasticPair | tuple[Material, Material], *, radius: float, load: float) -> NoSlipPunch: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -4776,7 +4788,7 @@ class NoSlipSphere:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     radius : float
         Radius R of the sphere (a length), positive.
@@ -4789,7 +4801,7 @@ class NoSlipSphere:
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
-    def __new__(cls, /, pair: ElasticPair, *, radius: float, load: float) -> NoSlipSphere: ...
+    def __new__(cls, /, pair: ElasticPair | tuple[Material, Material], *, radius: float, load: float) -> NoSlipSphere: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -5216,7 +5228,7 @@ class Persson:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     rms_slope : float
         Root mean square of the gradient (Sdq, dimensionless), positive: for an isotropic surface, sqrt(2) times the
@@ -5230,7 +5242,7 @@ class Persson:
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
-    def __new__(cls, /, pair: ElasticPair, *, rms_slope: float, mean_pressure: float) -> Persson: ...
+    def __new__(cls, /, pair: ElasticPair | tuple[Material, Material], *, rms_slope: float, mean_pressure: float) -> Persson: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -5438,7 +5450,7 @@ class PopovLimitingShape:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     radius : float
         Radius R of the paraboloid before wear, whose gap is r^2 / 2R (a length), positive.
@@ -5454,7 +5466,7 @@ class PopovLimitingShape:
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
-    def __new__(cls, /, pair: ElasticPair, *, radius: float, approach: float, stick_radius: float) -> PopovLimitingShape: ...
+    def __new__(cls, /, pair: ElasticPair | tuple[Material, Material], *, radius: float, approach: float, stick_radius: float) -> PopovLimitingShape: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -5592,7 +5604,7 @@ class Rectangle:
     """
     def __new__(cls, /, a: float, b: float) -> Rectangle: ...
     def __repr__(self, /) -> str: ...
-    def pair_tensor(self, /, pair: ElasticPair, x: float, y: float) -> Tensor:
+    def pair_tensor(self, /, pair: ElasticPair | tuple[Material, Material], x: float, y: float) -> Tensor:
         """
         Returns the coefficients of a pair at a position relative to the centre (lengths).
         """
@@ -6087,6 +6099,7 @@ class RollingSolver:
     Solves for successive creepages, forces or spins, each time from the last solution; created by
     :meth:`RollingProblem.solver`.
     """
+    def __new__(cls, /, *_arguments: Any, **_options: Any) -> RollingSolver: ...
     def __repr__(self, /) -> str: ...
     def creep_forces(self, /, points: ArrayLike, *, progress: Any | None = None) -> CreepForces:
         """
@@ -6351,7 +6364,7 @@ class RoundedPunch:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     flat : float
         Half-width b of the flat (a length), positive.
@@ -6366,7 +6379,7 @@ class RoundedPunch:
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
-    def __new__(cls, /, pair: ElasticPair, *, flat: float, radius: float, load: float) -> RoundedPunch: ...
+    def __new__(cls, /, pair: ElasticPair | tuple[Material, Material], *, flat: float, radius: float, load: float) -> RoundedPunch: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -6597,13 +6610,13 @@ class SpencePressing:
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @staticmethod
-    def plane(pair: ElasticPair, friction: float) -> SpencePressing:
+    def plane(pair: ElasticPair | tuple[Material, Material], friction: float) -> SpencePressing:
         """
         Returns the solution for a cylinder or strip in plane strain with this coefficient of friction (dimensionless, not
         negative).
         """
     @staticmethod
-    def round(pair: ElasticPair, friction: float) -> SpencePressing:
+    def round(pair: ElasticPair | tuple[Material, Material], friction: float) -> SpencePressing:
         """
         Returns the solution for a body of revolution with this coefficient of friction (dimensionless, not negative).
         """
@@ -6715,7 +6728,7 @@ class State:
     @property
     def accumulated_dissipation(self, /) -> NDArray[float64]:
         """
-        Energy that each cell dissipated since the start (not negative).
+        Energy that each cell dissipated in the steps since the start (not negative). The array contains its grid.
         """
     @property
     def friction(self, /) -> Friction:
@@ -7227,12 +7240,12 @@ class Table:
     ----------
     grid : Grid
         The cells.
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The two bodies.
     component : Component or str
         Direction of the displacement first, direction of the traction second.
     """
-    def __new__(cls, /, grid: Grid, pair: ElasticPair, component: Component | str) -> Table: ...
+    def __new__(cls, /, grid: Grid, pair: ElasticPair | tuple[Material, Material], component: Component | str) -> Table: ...
     def __repr__(self, /) -> str: ...
     @property
     def component(self, /) -> Component:
@@ -7561,6 +7574,7 @@ class TangentialSolver:
     Solves tangential contacts repeatedly, each time from the last solution; created by :meth:`TangentialProblem.solver`.
     Load, friction and pressure may change between calls. Slip is not carried over from one solve to the next.
     """
+    def __new__(cls, /, *_arguments: Any, **_options: Any) -> TangentialSolver: ...
     def __repr__(self, /) -> str: ...
     @property
     def friction_capacity(self, /) -> float:
@@ -7904,7 +7918,7 @@ class Westergaard:
 
     Parameters
     ----------
-    pair : ElasticPair
+    pair : ElasticPair or two Materials
         The bodies.
     amplitude : float
         Amplitude of the waves, half their height (a length), positive.
@@ -7919,7 +7933,7 @@ class Westergaard:
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
-    def __new__(cls, /, pair: ElasticPair, *, amplitude: float, wavelength: float, mean_pressure: float) -> Westergaard: ...
+    def __new__(cls, /, pair: ElasticPair | tuple[Material, Material], *, amplitude: float, wavelength: float, mean_pressure: float) -> Westergaard: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -8101,8 +8115,8 @@ def archard(coefficient: Field | ArrayLike, pressure: Field | ArrayLike, slip_di
     Parameters
     ----------
     coefficient : float, Field or array_like of shape (ny, nx)
-        Volume removed per normal force and sliding distance, of one body or of both together (one over a pressure), not
-        negative.
+        Volume removed per normal force and sliding distance, of one body or of both together (one over a pressure, 1/Pa in SI
+        units; 1 mm3/(N m) is 1e-9 1/Pa), not negative.
     pressure, slip_distance : Field or array_like of shape (ny, nx)
         Pressure, and the length of the slip path of each cell under this pressure (lengths), not negative, in a step or a
         cycle.
@@ -8269,13 +8283,15 @@ def energy(coefficient: Field | ArrayLike, energy: Field | ArrayLike, *, depth: 
     Parameters
     ----------
     coefficient : float, Field or array_like of shape (ny, nx)
-        Volume removed per dissipated energy, of one body or of both together (one over a pressure), not negative.
+        Volume removed per dissipated energy, of one body or of both together (one over a pressure, 1/Pa in SI units; 1 mm3/J
+        is 1e-9 1/Pa), not negative.
     energy : Field or array_like of shape (ny, nx)
         Energy dissipated in each cell in a step or a cycle (forces times lengths), not negative.
     depth : optional
         See :func:`archard`.
     grid : Grid, optional
-        Grid that gives the area of a cell, such as ``history.grid``; required if no Field is given.
+        Grid that gives the area of a cell. It is required for an array that does not contain its grid. The dissipation of a
+        cycle, a step, a history and a state contains it; a grid with other cells is then rejected.
 
     Returns
     -------
@@ -8710,7 +8726,8 @@ def threshold_energy(coefficient: Field | ArrayLike, threshold: float, accumulat
     depth : optional
         See :func:`archard`.
     grid : Grid, optional
-        Grid that gives the area of a cell, such as ``history.grid``; required if no Field is given.
+        Grid that gives the area of a cell. It is required for an array that does not contain its grid. The dissipation of a
+        cycle, a step, a history and a state contains it; a grid with other cells is then rejected.
 
     Returns
     -------
@@ -8739,7 +8756,8 @@ def vti_write(path: str | PathLike[str], fields: Any, *, grid: Grid | None = Non
         The file; an existing file is replaced.
     fields : dict, solution, State, History, Field or surface
         Fields by name; a pair of fields is a vector. For other objects, all their fields are written: ``gap`` is the gap under
-        load, and ``unloaded_gap`` the gap before loading.
+        load, and ``unloaded_gap`` the gap before loading. ``zones`` contains the numbers 0 separated, 1 stick and 2 slip,
+        because a VTI file stores no names.
     grid : Grid, optional
         Grid of the fields of a dictionary; required if they are arrays.
     """

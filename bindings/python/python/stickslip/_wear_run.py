@@ -2,51 +2,30 @@
 
 from __future__ import annotations
 
-import hashlib
 import os
 import zipfile
 import zlib
 from collections.abc import Callable
 from dataclasses import dataclass, fields
-from numbers import Integral, Real
-from typing import TYPE_CHECKING, Any, NoReturn
+from numbers import Real
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._checks import check_whole, kind, refuse_type
 from ._enums import WearEnding
 from ._progress import cycle_bar, is_stop
-from ._stickslip import CycleJump, Cycle, Field, HalfSpace, History, State, archard, energy
+from ._stickslip import Cycle, Field, HalfSpace, History, State
 from ._tables import to_frame
-from .errors import ArgumentRange, ArgumentType, EmptyContact, Format, Shape, SnapshotMismatch, StickslipError
+from ._wear_laws import CycleWear, JumpLaw, JumpWear, Limits, digest, law_in_words
+from .errors import ArgumentRange, EmptyContact, Format, SnapshotMismatch, StickslipError
 
 if TYPE_CHECKING:
     from .history import FrettingLoop
 
 # Exceptions of NumPy for a file that is not an archive of arrays, or is damaged.
 _DAMAGE = (ValueError, TypeError, LookupError, AttributeError, EOFError, zipfile.BadZipFile, zlib.error)
-
-
-@dataclass(frozen=True)
-class EnergyLaw:
-    """Wear law of :func:`run`: the depth of a cycle by :func:`energy`, from the energy dissipated in each cell."""
-
-    coefficient: ArrayLike
-    """Volume removed per dissipated energy (one over a pressure), a number or an array of shape (ny, nx)."""
-
-    def __call__(self, history: History, cycle: Cycle) -> NDArray[Any]:
-        return energy(self.coefficient, cycle.dissipation, grid=history.grid)
-
-
-@dataclass(frozen=True)
-class ArchardLaw:
-    """Wear law of :func:`run`: the depth of a cycle by :func:`archard`, from slip pressure and slip distance."""
-
-    coefficient: ArrayLike
-    """Volume removed per normal force and slip distance (one over a pressure), a number or an array of shape (ny, nx)."""
-
-    def __call__(self, history: History, cycle: Cycle) -> NDArray[Any]:
-        return archard(self.coefficient, cycle.slip_pressure, cycle.slip_distance, grid=history.grid)
 
 
 @dataclass(frozen=True, eq=False)
@@ -58,7 +37,7 @@ class WearHistory:
     """
 
     cycles: NDArray[Any]
-    """Number of cycles that wore the gap."""
+    """Number of cycles that wore the gap in this run and the runs that it resumes."""
     jump: NDArray[Any]
     """Number of cycles that the computed cycle represents; zero in the last entry of a complete run."""
     computed_cycles: NDArray[Any]
@@ -125,17 +104,21 @@ class WearSnapshot:
     state: State
     """State of the history, with the worn gap."""
     cycles: int
-    """Number of cycles that wore the gap."""
+    """Number of cycles that wore the gap in this run and the runs that it resumes."""
     depth: NDArray[Any]
     """Depth removed from both bodies together in this run and the runs that it resumes (lengths)."""
+    dissipation: NDArray[Any]
+    """Energy that each cell dissipated in this run and the runs that it resumes, including the cycles jumped over."""
     dissipated_energy: float
-    """Energy dissipated so far, including the cycles jumped over."""
+    """Energy dissipated so far, including the cycles jumped over: the sum of ``dissipation``, except for round-off."""
     rows: tuple[tuple[float, ...], ...]
     """Entries of :class:`WearHistory`."""
     law: str
     """The wear law, in words. A run resumes with the same law only."""
     loop: str
     """The steps of the cycle, in words. A run resumes with the same steps only."""
+    first_step: int
+    """:attr:`History.steps` at the start of the first of these runs. Wear before this step is part of the gap, and is not counted."""
 
     @property
     def history(self) -> WearHistory:
@@ -151,10 +134,12 @@ class WearSnapshot:
                 state=np.frombuffer(self.state.to_bytes(), np.uint8),
                 cycles=self.cycles,
                 depth=self.depth,
+                dissipation=self.dissipation,
                 dissipated_energy=self.dissipated_energy,
                 rows=np.array(self.rows, dtype=float),
                 law=self.law,
                 loop=self.loop,
+                first_step=self.first_step,
             )
         os.replace(partial, path)
 
@@ -176,10 +161,12 @@ class WearSnapshot:
                         State.from_bytes(file["state"].tobytes()),
                         int(file["cycles"]),
                         file["depth"],
+                        file["dissipation"],
                         float(file["dissipated_energy"]),
                         tuple(tuple(map(float, row)) for row in file["rows"]),
                         str(file["law"]),
                         str(file["loop"]),
+                        int(file["first_step"]),
                     )
             except (*_DAMAGE, StickslipError) as cause:
                 name, problem = os.fspath(path), "the file is not a snapshot of wear.run, or it is damaged"
@@ -192,7 +179,7 @@ class WearSnapshot:
         return History.from_state(bodies, self.state)
 
     def __repr__(self) -> str:
-        return f"WearSnapshot(cycles={self.cycles}, max_depth={self.depth.max():g})"
+        return f"WearSnapshot(cycles={self.cycles}, max_depth={self.depth.max():g}, counted from step {self.first_step})"
 
 
 @dataclass(frozen=True, eq=False)
@@ -210,7 +197,7 @@ class WearResult:
 
     @property
     def cycles(self) -> int:
-        """Number of cycles that wore the gap."""
+        """Number of cycles that wore the gap in this run and the runs that it resumes."""
         return self.snapshot.cycles
 
     @property
@@ -219,18 +206,24 @@ class WearResult:
         return self.snapshot.depth
 
     @property
+    def dissipation(self) -> NDArray[Any]:
+        """Energy that each cell dissipated in this run and the runs that it resumes, including the cycles jumped over."""
+        return self.snapshot.dissipation
+
+    @property
     def history(self) -> WearHistory:
         """The quantities during wear."""
         return self.snapshot.history
 
     def __repr__(self) -> str:
-        return f"WearResult(cycles={self.cycles}, ending='{self.ending}', {len(self.snapshot.rows)} gaps)"
+        counted = f"counted from step {self.snapshot.first_step}"
+        return f"WearResult(cycles={self.cycles}, ending='{self.ending}', {len(self.snapshot.rows)} gaps, {counted})"
 
 
 def run(
     history: History,
     loop: FrettingLoop,
-    law: Callable[[History, Cycle], ArrayLike],
+    law: Callable[[History, Cycle], ArrayLike] | JumpLaw,
     cycles: int,
     *,
     max_depth: float | None = None,
@@ -247,7 +240,10 @@ def run(
     On every gap, cycles are computed until one closes; it represents the following cycles. :class:`CycleJump` returns their
     number, limited by the stability of the worn gap and by the arguments. The depth of these cycles is removed from both
     bodies together, that is, it is added to the gap. Without slip, as in full stick, the depth is zero, and the remaining
-    cycles are jumped over at once.
+    cycles are jumped over at once. The result then has the regime ``result.last.regime == "full_stick"`` and a depth of zero.
+
+    Cycles, depth and energy are counted from the start of the run. A second run on the same history counts from zero, but its
+    gap contains the wear of the first run; to continue the counts, pass ``resume=result.snapshot``.
 
     Parameters
     ----------
@@ -256,10 +252,12 @@ def run(
     loop : FrettingLoop
         The steps of a cycle. Every step must prescribe the normal load, because the gap changes. ``until_steady`` has no
         effect; ``max_residual`` replaces it.
-    law : callable
+    law : callable or JumpLaw
         A function of history and cycle that returns the depth that the cycle removes in each cell (lengths, not negative)
         as an array of shape (ny, nx), such as :class:`EnergyLaw` or :class:`ArchardLaw`. A single number is rejected, because
         it would also wear the cells outside the contact. The depth of a jump is this depth times the number of cycles.
+        A law that depends on the energy dissipated before, such as :class:`ThresholdEnergyLaw`, is a :class:`JumpLaw` instead.
+        See the notes for the properties of the history that a law must not use.
     cycles : int
         Total number of cycles, including the cycles of ``resume``, whose number must not be larger.
     max_depth : float, optional
@@ -284,7 +282,7 @@ def run(
         A snapshot from which the run continues. The state of the history is replaced by that of the snapshot. The law and the
         steps of the loop must be those of the snapshot. Friction, settings, hardness and axis of the history must be those of
         the snapshot too; ``resume.restored(bodies)`` is such a history. The limits, such as ``largest_depth`` and ``settling``, may differ.
-        Laws other than :class:`EnergyLaw` and :class:`ArchardLaw` are compared by their names only.
+        Laws other than the three laws of this module are compared by their names only.
 
     Returns
     -------
@@ -303,6 +301,8 @@ def run(
         If the load of the loop is equal for different values of its path.
     Shape
         If the law does not return an array of shape (ny, nx).
+    ValueError
+        If the depth of a :class:`JumpLaw` decreases with the number of cycles.
     SnapshotMismatch
         If the law, the steps of the loop, or friction, settings, hardness or axis of the history differ from those of the
         snapshot.
@@ -313,6 +313,15 @@ def run(
 
     Notes
     -----
+    A law must take slip, pressure and energy from the cycle. The properties ``accumulated_dissipation``, ``accumulated_slip``,
+    ``slip`` and ``steps`` of the history contain the computed steps only, without the cycles jumped over, but with
+    cycles repeated until one closes. ``history.last_step`` is the last step of the cycle, not the cycle. The energy including
+    the cycles jumped over is the argument ``dissipation`` of :meth:`JumpLaw.depth_of_jump`.
+
+    The length of a jump of a :class:`JumpLaw` is limited by the cells that wear at its end. Their depth changes with their
+    pressure by the depth of the next cycle times the number of cycles, divided by the pressure. Cells below a threshold
+    set no limit.
+
     After an exception, also after Ctrl-C, the history is in the state after the last jump, and the attribute ``snapshot``
     of the exception contains it. Pass it as ``resume`` to continue.
 
@@ -336,28 +345,35 @@ def run(
     _check(cycles, settling, largest_jump, snapshot_every)
     for name, value in (("max_depth", max_depth), ("max_residual", max_residual)):
         if not isinstance(value, Real) and not (name == "max_depth" and value is None):
-            _refuse_type(name, f"must be a number, got {_kind(value)}")
+            refuse_type(name, f"must be a number, got {kind(value)}")
     if max_depth is not None and not max_depth >= 0.0:
         error = ArgumentRange(f"max_depth must not be negative, got {max_depth}")
         error.argument = "max_depth"
         raise error
     loop._check_loads()
-    given = {"law": _law_in_words(law), "loop": _loop_in_words(loop)}
+    given = {"law": law_in_words(law), "loop": _loop_in_words(loop)}
     if resume is None:
         _check_contact(history.contact)
         done, rows, total_energy = 0, [], 0.0
-        depth = np.zeros(history.grid.shape)
+        depth, dissipation = np.zeros(history.grid.shape), np.zeros(history.grid.shape)
+        counts: dict[str, Any] = {**given, "first_step": history.steps}
     else:
         _check_resume(resume, cycles, given, history)
         history.set_state(resume.state)
         done, rows, total_energy = resume.cycles, list(resume.rows), resume.dissipated_energy
-        depth = resume.depth.copy()
+        depth, dissipation = resume.depth.copy(), resume.dissipation.copy()
+        counts = {**given, "first_step": resume.first_step}
         # The last entry of a complete run describes the gap from which the run continues.
         if rows and rows[-1][1] == 0.0:
             rows.pop()
     cycle = Cycle(history)
     snapshots: list[WearSnapshot] = []
-    snapshot = WearSnapshot(history.state(), done, depth, total_energy, tuple(rows), **given)
+    wear = JumpWear(law, history) if isinstance(law, JumpLaw) else CycleWear(law)
+
+    def taken() -> WearSnapshot:
+        return WearSnapshot(history.state(), done, depth, dissipation, total_energy, tuple(rows), **counts)
+
+    snapshot = taken()
     with cycle_bar(cycles, done, progress is True) as bar:
         try:
             while True:
@@ -367,20 +383,18 @@ def run(
                 if done >= cycles or is_worn_out:
                     ending = WearEnding.DEPTH if is_worn_out else WearEnding.CYCLE_LIMIT
                     rows.append(row)
-                    snapshot = WearSnapshot(history.state(), done, depth, total_energy, tuple(rows), **given)
+                    snapshot = taken()
                     return WearResult(ending, cycle, snapshot, tuple(snapshots))
-                of_cycle = _depth_of(law, history, cycle)
-                left = min(cycles - done, largest_jump or cycles, _until_depth(max_depth, depth, of_cycle, cycles))
                 limit = largest_depth(history) if callable(largest_depth) else largest_depth
-                limits = {"largest_depth": limit, "max_residual": max_residual, "cycles_left": left}
-                jump = CycleJump(history.bodies, cycle, of_cycle, **limits).cycles()
-                assert jump is not None  # `cycles_left` is finite
-                depth = depth + jump * of_cycle
-                history.set_gap(Field(history.grid, history.gap_as_set + jump * of_cycle))
+                limits = Limits(min(cycles - done, largest_jump or cycles), limit, max_depth, max_residual)
+                jump, removed = wear.jump(history, cycle, depth, dissipation, limits)
+                depth = depth + removed
+                dissipation = dissipation + jump * np.asarray(cycle.dissipation)
+                history.set_gap(Field(history.grid, history.gap_as_set + removed))
                 done += jump
                 total_energy += jump * cycle.energy.dissipated_energy
                 rows.append((row[0], float(jump), *row[2:]))
-                snapshot = WearSnapshot(history.state(), done, depth, total_energy, tuple(rows), **given)
+                snapshot = taken()
                 if snapshot_every is not None and done // snapshot_every > (done - jump) // snapshot_every:
                     snapshots.append(snapshot)
                 bar(jump)
@@ -392,51 +406,21 @@ def run(
             raise
 
 
-def _depth_of(law: Callable[[History, Cycle], ArrayLike], history: History, cycle: Cycle) -> NDArray[Any]:
-    """Returns the depth of a cycle, an array of the shape of the grid."""
-    given = law(history, cycle)
-    depth = np.asarray(given, dtype=float)
-    shape = history.grid.shape
-    if depth.shape != shape:
-        found = f"an array of shape {depth.shape}"
-        if depth.ndim == 0:
-            found = "None" if given is None else f"the number {depth:g}"
-        error = Shape(
-            f"the wear law must return an array of shape (ny, nx) = {shape}, got {found}: return a depth for each cell, "
-            "for example wear.energy(coefficient, cycle.dissipation, grid=history.grid)"
-        )
-        error.quantity, error.expected, error.found = "depth of the wear law", shape, depth.shape
-        raise error
-    return depth
-
-
-def _kind(value: object) -> str:
-    if isinstance(value, type):
-        return f"the class {value.__name__}"
-    return "None" if value is None else f"an object of the class {type(value).__name__}"
-
-
-def _refuse_type(name: str, problem: str) -> NoReturn:
-    error = ArgumentType(f"{name} {problem}")
-    error.argument = name
-    raise error
-
-
 def _check_types(history: object, loop: object, law: object, progress: object, resume: object) -> None:
     from .history import FrettingLoop  # this module is imported by `history`
 
     if not isinstance(history, History):
-        _refuse_type("history", f"must be a History, got {_kind(history)}")
+        refuse_type("history", f"must be a History, got {kind(history)}")
     if not isinstance(loop, FrettingLoop):
-        _refuse_type("loop", f"must be a FrettingLoop, got {_kind(loop)}: the order is history, loop, law, cycles")
-    if isinstance(law, type) or not callable(law):
+        refuse_type("loop", f"must be a FrettingLoop, got {kind(loop)}: the order is history, loop, law, cycles")
+    if isinstance(law, type) or not (callable(law) or isinstance(law, JumpLaw)):
         remedy = "give a function of history and cycle, such as EnergyLaw(coefficient)"
-        _refuse_type("law", f"must be a function that returns the depth, got {_kind(law)}: {remedy}")
+        refuse_type("law", f"must be a function that returns the depth, got {kind(law)}: {remedy}")
     if not (progress is None or isinstance(progress, (bool, np.bool_)) or callable(progress)):
-        _refuse_type("progress", f"must be a function, True or None, got {_kind(progress)}")
+        refuse_type("progress", f"must be a function, True or None, got {kind(progress)}")
     if not (resume is None or isinstance(resume, WearSnapshot)):
         remedy = "give result.snapshot or WearSnapshot.load(path)"
-        _refuse_type("resume", f"must be a WearSnapshot, got {_kind(resume)}: {remedy}")
+        refuse_type("resume", f"must be a WearSnapshot, got {kind(resume)}: {remedy}")
 
 
 def _check(cycles: int, settling: int, largest_jump: int | None, snapshot_every: int | None) -> None:
@@ -444,13 +428,7 @@ def _check(cycles: int, settling: int, largest_jump: int | None, snapshot_every:
     optional = {"largest_jump": largest_jump, "snapshot_every": snapshot_every}
     least |= {name: (value, 1) for name, value in optional.items() if value is not None}
     for name, (value, smallest) in least.items():
-        if isinstance(value, bool) or not isinstance(value, Real):
-            _refuse_type(name, f"must be a whole number, got {_kind(value)}")
-        is_whole = isinstance(value, Integral) or float(value).is_integer()
-        if not is_whole or value < smallest:
-            error = ArgumentRange(f"{name} must be a whole number of at least {smallest}, got {value}")
-            error.argument = name
-            raise error
+        check_whole(name, value, smallest)
 
 
 def _check_contact(contact: NDArray[Any]) -> None:
@@ -468,8 +446,11 @@ def _check_resume(resume: WearSnapshot, cycles: int, given: dict[str, str], hist
     for name, found in given.items():
         expected = getattr(resume, name)
         if found != expected:
+            # The words agree up to the digest if other steps differ, or digits that are not shown.
+            is_hidden = expected.split(" (digest")[0] == found.split(" (digest")[0]
+            hidden = " (the difference is in other steps, or in digits that are not shown)" if is_hidden else ""
             mismatch = SnapshotMismatch(
-                f"the {name} of the snapshot is {expected}, got {found}: "
+                f"the {name} of the snapshot is {expected}, got {found}{hidden}: "
                 f"resume with the same {name}, or start a new run from resume.restored(bodies)"
             )
             mismatch.argument = name
@@ -490,25 +471,15 @@ def _check_resume(resume: WearSnapshot, cycles: int, given: dict[str, str], hist
     _check_contact(resume.state.contact)
 
 
-def _law_in_words(law: Callable[[History, Cycle], ArrayLike]) -> str:
-    if not isinstance(law, (EnergyLaw, ArchardLaw)):
-        named = law if hasattr(law, "__qualname__") else type(law)
-        return f"{named.__module__}.{named.__qualname__}"
-    coefficient = np.asarray(law.coefficient, dtype=float)
-    text = repr(float(coefficient)) if coefficient.ndim == 0 else f"array of digest {_digest(coefficient.tobytes())}"
-    return f"{type(law).__name__}(coefficient={text})"
-
-
 def _loop_in_words(loop: FrettingLoop) -> str:
-    """Returns the number of steps, and a digest of the path and of the loads along it."""
+    """Returns the number of steps, the step of the largest value, and a digest of the path and of the loads along it."""
     values = loop._path.cycles(1)
+    steps = [loop._step(value) for value in values]
+    largest = max(range(len(values)), key=lambda index: np.hypot(*values[index]))
     # The last argument of the reduced form contains the exact numbers; `repr` rounds them.
-    loads = b"".join(loop._step(value).__reduce__()[1][-1] for value in values)
-    return f"{len(values)} steps of digest {_digest(np.asarray(values, dtype=float).tobytes() + loads)}"
-
-
-def _digest(content: bytes) -> str:
-    return hashlib.sha256(content).hexdigest()[:16]
+    loads = b"".join(step.__reduce__()[1][-1] for step in steps)
+    number = digest(np.asarray(values, dtype=float).tobytes() + loads)
+    return f"{len(values)} steps with {steps[largest]!r} at the largest value (digest {number})"
 
 
 def _settle(history: History, loop: FrettingLoop, cycle: Cycle, settling: int, max_residual: float) -> int:
@@ -518,14 +489,6 @@ def _settle(history: History, loop: FrettingLoop, cycle: Cycle, settling: int, m
         if cycle.cyclic_residual <= max_residual:
             return computed
     return settling
-
-
-def _until_depth(max_depth: float | None, depth: NDArray[Any], of_cycle: NDArray[Any], cycles: int) -> int:
-    """Returns the number of cycles until a cell reaches the largest depth."""
-    if max_depth is None or not (of_cycle > 0.0).any():
-        return cycles
-    worn = of_cycle > 0.0
-    return int(min(cycles, np.ceil(((max_depth - depth[worn]) / of_cycle[worn]).min())))
 
 
 def _row(

@@ -5,8 +5,12 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass
+from numbers import Real
+
+import numpy as np
 
 from . import wear
+from ._checks import check_whole, kind, refuse_type
 from ._enums import LeadingEdge, StopReason, Regime, EntryRule
 from ._progress import cycle_bar, is_stop
 from ._remarks import warn
@@ -24,7 +28,7 @@ from ._stickslip import (
     StepErrorEstimate,
     StepResult,
 )
-from .errors import ArgumentRange, EmptyContact, Tolerance
+from .errors import EmptyContact, Tolerance
 
 # The alias makes `import stickslip.history.wear` work.
 sys.modules[f"{__name__}.wear"] = wear
@@ -64,6 +68,8 @@ class FrettingLoop:
     Raises
     ------
     Tolerance
+    ArgumentType
+        If an argument has a wrong type, for example if path and load are swapped.
     TypeError
         In a cycle, if ``load`` returns no :class:`~stickslip.LoadStep`, for example without a ``return``.
 
@@ -101,12 +107,17 @@ class FrettingLoop:
         *,
         until_steady: float | None = None,
     ) -> None:
+        if until_steady is not None and (isinstance(until_steady, bool) or not isinstance(until_steady, Real)):
+            refuse_type("until_steady", f"must be a number in (0, 1), got {kind(until_steady)}")
         if until_steady is not None and not 0.0 < until_steady < 1.0:
             error = Tolerance(f"the tolerance must lie strictly between 0 and 1, got {until_steady}")
             error.value = until_steady
             raise error
         if not isinstance(path, LoadPath):
-            raise TypeError(f"the path must be a LoadPath, got {type(path).__name__}: create one by LoadPath(values)")
+            refuse_type("path", f"must be a LoadPath, got {kind(path)}: create one by LoadPath(values); the order is path, load")
+        if isinstance(load, type) or not callable(load):
+            remedy = "give a function, such as lambda value: LoadStep(shift=value)"
+            refuse_type("load", f"must be a function that returns a LoadStep, got {kind(load)}: {remedy}")
         self._path = path
         self._load = load
         self._until_steady = until_steady
@@ -116,7 +127,15 @@ class FrettingLoop:
 
         After a step that fails, or that is interrupted by Ctrl-C, history and cycle are in the state after the last
         successful step.
+
+        Raises
+        ------
+        ArgumentType
+            If an argument has a wrong type, for example if history and cycle are swapped.
         """
+        _check_history(history, "history, cycle")
+        if not isinstance(cycle, Cycle):
+            refuse_type("cycle", f"must be a Cycle, got {kind(cycle)}: create one by Cycle(history)")
         self._pass(history, cycle, None)
 
     def run(
@@ -145,17 +164,22 @@ class FrettingLoop:
 
         Raises
         ------
+        ArgumentType
+            If an argument has a wrong type, for example if history and cycles are swapped.
         ArgumentRange
-            If the number of cycles is negative.
+            If the number of cycles is negative or not whole.
         ValueError
             If ``load`` returns equal steps for different values of the path.
         EmptyContact
             If no step of a cycle is in contact, and the loop has the tolerance ``until_steady``.
         """
-        if cycles < 0:
-            error = ArgumentRange(f"cycles must not be negative, got {cycles}")
-            error.argument = "cycles"
-            raise error
+        _check_history(history, "history, cycles")
+        check_whole("cycles", cycles, 0, ": the order is history, cycles")
+        cycles = int(cycles)
+        if not (observer is None or callable(observer)):
+            refuse_type("observer", f"must be a function of history and cycle, got {kind(observer)}")
+        if not (progress is None or isinstance(progress, (bool, np.bool_)) or callable(progress)):
+            refuse_type("progress", f"must be a function, True or None, got {kind(progress)}")
         self._check_loads()
         last = Cycle(history)
         is_pressed = False
@@ -225,6 +249,11 @@ class FrettingLoop:
 
     def __repr__(self) -> str:
         return f"FrettingLoop({self._path!r}, until_steady={self._until_steady})"
+
+
+def _check_history(history: object, order: str) -> None:
+    if not isinstance(history, History):
+        refuse_type("history", f"must be a History, got {kind(history)}: the order is {order}")
 
 
 __all__ = [

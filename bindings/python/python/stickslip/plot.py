@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from ._checks import require, require_entries
 from ._enums import Zone
 from ._stickslip import CoupledRollingSolution, CoupledSolution, Field, Grid, NormalSolution, TangentialSolution
 from .errors import Shape
@@ -31,6 +32,9 @@ if TYPE_CHECKING:
     from .subsurface import Plane
 
 _COLOURS = {Zone.SEPARATED: "white", Zone.STICK: "tab:blue", Zone.SLIP: "tab:orange"}
+
+# Objects that have tractions and zones.
+_SHEARED = "a tangential, coupled or rolling solution, a state or a history"
 
 # Colours of contact spots.
 _SPOTS = ("tab:blue", "tab:orange", "tab:green", "tab:red", "tab:purple", "tab:brown", "tab:pink")
@@ -67,7 +71,12 @@ def _with_grid(grid: Any, values: Any) -> tuple[Grid, Any]:
         return grid, values
     field = getattr(grid, "heights", grid)
     if values is not None or not isinstance(field, Field):
-        raise TypeError(f"the first argument must be a Grid, or a Field without further values, got {type(grid).__name__}")
+        remedy = ": give solution.grid, solution.pressure" if hasattr(grid, "pressure") and hasattr(grid, "grid") else ""
+        if isinstance(grid, np.ndarray):
+            remedy = ": give grid, array"
+        raise TypeError(
+            f"the first argument must be a Grid, or a Field without further values, got {type(grid).__name__}{remedy}"
+        )
     return field.grid, field
 
 
@@ -88,7 +97,9 @@ def _spots_of(solution: Any) -> Any:
         return solution[1].spots(solution[0])
     if isinstance(solution, TangentialSolution):
         raise TypeError("a tangential solution has no pressure: give (normal, shear)")
-    return getattr(_half(solution, "normal"), "spots", solution)
+    spots = getattr(_half(solution, "normal"), "spots", solution)
+    require("spots", spots, ("labels", "grid"), "ContactSpots, a normal or coupled solution, a history, or (normal, shear)")
+    return spots
 
 
 def _samples(grid: Grid, values: Any) -> Any:
@@ -283,6 +294,7 @@ def pressure_map(
     ``unit`` and ``value_scale`` refer to the pressure; for the other arguments see :func:`field`.
     """
     solution = _half(solution, "normal")
+    require("solution", solution, ("pressure", "grid"), "a normal or coupled solution, a state or a history")
     pressure = np.asarray(solution.pressure)
     if _profile_axis(solution.grid) is None:
         options = _limits(value_scale * pressure, options, from_zero=True)
@@ -308,6 +320,7 @@ def stick_map(
     For ``scale`` and ``length_unit`` see :func:`field`.
     """
     solution = _half(solution, "tangential", "rolling")
+    require("solution", solution, ("zones", "grid"), _SHEARED)
     grid, names = solution.grid, [zone.name.lower() for zone in Zone]
     along = _profile_axis(grid)
     if along is not None:
@@ -352,6 +365,7 @@ def traction_map(
         Options of ``imshow``, or of ``plot`` for a profile.
     """
     solution = _half(solution, "tangential", "rolling")
+    require("solution", solution, ("traction", "grid"), _SHEARED)
     grid = solution.grid
     x, y = (np.asarray(component) for component in solution.traction)
     names: dict[str, Any] = {"unit": unit, "value_scale": value_scale, "scale": scale, "length_unit": length_unit}
@@ -492,6 +506,7 @@ def stress_section(
         If there are fewer than two planes, if the stress is unknown, if ``along`` is not an axis, or if ``at`` is outside
         the grid.
     """
+    require_entries("planes", planes, ("normal_stress",), "a sequence of Plane, as returned by Planes.solve_all")
     if len(planes) < 2:
         raise ValueError(f"a section requires planes at two depths or more, got {len(planes)}")
     planes = sorted(planes, key=lambda plane: plane.depth)
@@ -538,6 +553,7 @@ def hysteresis(
     ``plot``.
     """
     component = _component(axis)
+    require("cycle", cycle, ("points",), "a Cycle, such as the attribute last of the result of a loop")
     axes = _axes(axes)
     points = cycle.points
     axes.plot(scale * points.shift[component], value_scale * points.force[component], **options)
@@ -559,10 +575,12 @@ def work_precision(
     ``scale`` is a factor for the time and ``unit`` the resulting unit, such as 1e3 and "ms". The options are passed to
     ``loglog``.
     """
-    axes = _axes(axes)
     named = reports if isinstance(reports, Mapping) else {"": reports}
+    named = {name: list(line) if isinstance(line, Iterable) else line for name, line in named.items()}
+    for line in named.values():
+        require_entries("reports", line, ("energy_error_bound", "time"), "a sequence of Report, or sequences by name")
+    axes = _axes(axes)
     for name, line in named.items():
-        line = list(line)
         axes.loglog(
             [report.energy_error_bound for report in line],
             [scale * report.time for report in line],

@@ -4,8 +4,7 @@ use pyo3::prelude::*;
 
 use crate::analytical::closed_form::closed_form;
 use crate::analytical::coordinates::{Coordinates, PlaneStrain};
-use crate::argument::Object;
-use crate::material::ElasticPair;
+use crate::material::{ElasticPair, Pair};
 
 closed_form! {
     /// A sphere or a paraboloid of revolution pressed on a half-space.
@@ -15,7 +14,7 @@ closed_form! {
     ///
     /// Parameters
     /// ----------
-    /// pair : ElasticPair
+    /// pair : ElasticPair or two Materials
     ///     The bodies.
     /// radius : float
     ///     Radius R of the sphere (a length), positive; for two spheres 1/R = 1/R_1 + 1/R_2.
@@ -25,7 +24,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive
-    HertzSphere(pair: Object<ElasticPair> => &pair.0, radius, load)
+    HertzSphere(pair: Pair => &pair.0, radius, load)
     objects {
         /// The bodies.
         pair: ElasticPair,
@@ -66,7 +65,7 @@ closed_form! {
     ///
     /// Parameters
     /// ----------
-    /// pair : ElasticPair
+    /// pair : ElasticPair or two Materials
     ///     The bodies.
     /// radius_x, radius_y : float
     ///     Radii of curvature R_x and R_y along x and y (lengths), positive.
@@ -76,7 +75,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive
-    HertzEllipse(pair: Object<ElasticPair> => &pair.0, radius_x, radius_y, load)
+    HertzEllipse(pair: Pair => &pair.0, radius_x, radius_y, load)
     objects {
         /// The bodies.
         pair: ElasticPair,
@@ -111,7 +110,7 @@ closed_form! {
     ///
     /// Parameters
     /// ----------
-    /// pair : ElasticPair
+    /// pair : ElasticPair or two Materials
     ///     The bodies.
     /// radius : float
     ///     Radius R of the cylinder (a length), positive; for two cylinders 1/R = 1/R_1 + 1/R_2.
@@ -121,7 +120,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive
-    HertzLine(pair: Object<ElasticPair> => &pair.0, radius, load)
+    HertzLine(pair: Pair => &pair.0, radius, load)
     objects {
         /// The bodies.
         pair: ElasticPair,

@@ -3,9 +3,8 @@
 use pyo3::prelude::*;
 
 use crate::analytical::closed_form::closed_form;
-use crate::argument::Object;
 use crate::error::OrRaise;
-use crate::material::ElasticPair;
+use crate::material::Pair;
 use crate::pickle::picklable;
 use crate::real::Real;
 
@@ -17,7 +16,7 @@ closed_form! {
     ///
     /// Parameters
     /// ----------
-    /// pair : ElasticPair
+    /// pair : ElasticPair or two Materials
     ///     The bodies.
     /// radius : float
     ///     Radius a of the flat end (a length), positive.
@@ -27,7 +26,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive
-    NoSlipPunch(pair: Object<ElasticPair> => &pair.0, radius, load)
+    NoSlipPunch(pair: Pair => &pair.0, radius, load)
     numbers {
         /// Radius a of the flat end, and of the contact circle (a length).
         contact_radius,
@@ -46,7 +45,7 @@ closed_form! {
     ///
     /// Parameters
     /// ----------
-    /// pair : ElasticPair
+    /// pair : ElasticPair or two Materials
     ///     The bodies.
     /// radius : float
     ///     Radius R of the sphere (a length), positive.
@@ -56,7 +55,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive
-    NoSlipSphere(pair: Object<ElasticPair> => &pair.0, radius, load)
+    NoSlipSphere(pair: Pair => &pair.0, radius, load)
     numbers {
         /// Radius R of the sphere (a length).
         radius,
@@ -85,7 +84,7 @@ picklable!(SpencePressing: stickslip::analytical::SpencePressing);
 impl SpencePressing {
     /// Returns the solution for a body of revolution with this coefficient of friction (dimensionless, not negative).
     #[staticmethod]
-    fn round(py: Python<'_>, pair: Object<ElasticPair>, friction: Real) -> PyResult<Self> {
+    fn round(py: Python<'_>, pair: Pair, friction: Real) -> PyResult<Self> {
         stickslip::analytical::SpencePressing::round(&pair.0, friction.0)
             .or_raise(py)
             .map(Self)
@@ -94,7 +93,7 @@ impl SpencePressing {
     /// Returns the solution for a cylinder or strip in plane strain with this coefficient of friction (dimensionless, not
     /// negative).
     #[staticmethod]
-    fn plane(py: Python<'_>, pair: Object<ElasticPair>, friction: Real) -> PyResult<Self> {
+    fn plane(py: Python<'_>, pair: Pair, friction: Real) -> PyResult<Self> {
         stickslip::analytical::SpencePressing::plane(&pair.0, friction.0)
             .or_raise(py)
             .map(Self)

@@ -4,9 +4,8 @@ use pyo3::prelude::*;
 
 use crate::analytical::MindlinFullStick;
 use crate::analytical::closed_form::closed_form;
-use crate::argument::Object;
 use crate::error::OrRaise;
-use crate::material::ElasticPair;
+use crate::material::{ElasticPair, Pair};
 use crate::real::Real;
 
 closed_form! {
@@ -18,7 +17,7 @@ closed_form! {
     ///
     /// Parameters
     /// ----------
-    /// pair : ElasticPair
+    /// pair : ElasticPair or two Materials
     ///     The bodies.
     /// slope : float
     ///     Slope tan(beta) of the flank (dimensionless), positive.
@@ -28,7 +27,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive
-    Cone(pair: Object<ElasticPair> => &pair.0, slope, load)
+    Cone(pair: Pair => &pair.0, slope, load)
     objects {
         /// The bodies.
         pair: ElasticPair,
@@ -69,7 +68,7 @@ closed_form! {
     ///
     /// Parameters
     /// ----------
-    /// pair : ElasticPair
+    /// pair : ElasticPair or two Materials
     ///     The bodies.
     /// radius : float
     ///     Radius a of the flat end (a length), positive.
@@ -79,7 +78,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive
-    FlatPunch(pair: Object<ElasticPair> => &pair.0, radius, load)
+    FlatPunch(pair: Pair => &pair.0, radius, load)
     objects {
         /// The bodies.
         pair: ElasticPair,
@@ -135,7 +134,7 @@ closed_form! {
     ///
     /// Parameters
     /// ----------
-    /// pair : ElasticPair
+    /// pair : ElasticPair or two Materials
     ///     The bodies.
     /// flat : float
     ///     Half-width b of the flat (a length), positive.
@@ -147,7 +146,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive, BelowMinimum
-    RoundedPunch(pair: Object<ElasticPair> => &pair.0, flat, radius, load)
+    RoundedPunch(pair: Pair => &pair.0, flat, radius, load)
     numbers {
         /// Half-width of the contact (a length).
         half_width,

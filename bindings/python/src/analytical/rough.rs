@@ -4,9 +4,8 @@ use pyo3::prelude::*;
 
 use crate::analytical::HertzSphere;
 use crate::analytical::closed_form::closed_form;
-use crate::argument::Object;
 use crate::error::OrRaise;
-use crate::material::ElasticPair;
+use crate::material::{ElasticPair, Pair};
 use crate::real::Real;
 
 closed_form! {
@@ -19,7 +18,7 @@ closed_form! {
     ///
     /// Parameters
     /// ----------
-    /// pair : ElasticPair
+    /// pair : ElasticPair or two Materials
     ///     The bodies.
     /// rms_slope : float
     ///     Root mean square of the gradient (Sdq, dimensionless), positive: for an isotropic surface, sqrt(2) times the
@@ -30,7 +29,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive
-    Persson(pair: Object<ElasticPair> => &pair.0, rms_slope, mean_pressure)
+    Persson(pair: Pair => &pair.0, rms_slope, mean_pressure)
     objects {
         /// The bodies.
         pair: ElasticPair,

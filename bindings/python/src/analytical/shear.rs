@@ -2,8 +2,7 @@
 
 use crate::analytical::HertzSphere;
 use crate::analytical::closed_form::closed_form;
-use crate::argument::Object;
-use crate::material::ElasticPair;
+use crate::material::{ElasticPair, Pair};
 
 closed_form! {
     /// A contact circle in full stick under a tangential force along x.
@@ -15,7 +14,7 @@ closed_form! {
     ///
     /// Parameters
     /// ----------
-    /// pair : ElasticPair
+    /// pair : ElasticPair or two Materials
     ///     The bodies.
     /// contact_radius : float
     ///     Radius a of the contact circle (a length), positive.
@@ -25,7 +24,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive, NotFinite
-    MindlinFullStick(pair: Object<ElasticPair> => &pair.0, contact_radius, force)
+    MindlinFullStick(pair: Pair => &pair.0, contact_radius, force)
     objects {
         /// The bodies.
         pair: ElasticPair,

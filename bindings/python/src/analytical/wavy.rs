@@ -1,8 +1,7 @@
 //! Wavy surfaces pressed together and in partial slip.
 
 use crate::analytical::closed_form::closed_form;
-use crate::argument::Object;
-use crate::material::ElasticPair;
+use crate::material::{ElasticPair, Pair};
 
 closed_form! {
     /// A surface with waves along x that is pressed on a half-space, in plane strain.
@@ -12,7 +11,7 @@ closed_form! {
     ///
     /// Parameters
     /// ----------
-    /// pair : ElasticPair
+    /// pair : ElasticPair or two Materials
     ///     The bodies.
     /// amplitude : float
     ///     Amplitude of the waves, half their height (a length), positive.
@@ -24,7 +23,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive
-    Westergaard(pair: Object<ElasticPair> => &pair.0, amplitude, wavelength, mean_pressure)
+    Westergaard(pair: Pair => &pair.0, amplitude, wavelength, mean_pressure)
     objects {
         /// The bodies.
         pair: ElasticPair,

@@ -1,8 +1,7 @@
 //! Surfaces worn by fretting.
 
 use crate::analytical::closed_form::closed_form;
-use crate::argument::Object;
-use crate::material::ElasticPair;
+use crate::material::{ElasticPair, Pair};
 
 closed_form! {
     /// The limiting shape of a paraboloid of revolution worn by small oscillations at a constant approach, when wear has
@@ -14,7 +13,7 @@ closed_form! {
     ///
     /// Parameters
     /// ----------
-    /// pair : ElasticPair
+    /// pair : ElasticPair or two Materials
     ///     The bodies.
     /// radius : float
     ///     Radius R of the paraboloid before wear, whose gap is r^2 / 2R (a length), positive.
@@ -27,7 +26,7 @@ closed_form! {
     /// Raises
     /// ------
     /// NotPositive, NegativeOrNotFinite, BelowMinimum
-    PopovLimitingShape(pair: Object<ElasticPair> => &pair.0, radius, approach, stick_radius)
+    PopovLimitingShape(pair: Pair => &pair.0, radius, approach, stick_radius)
     objects {
         /// The bodies.
         pair: ElasticPair,

@@ -10,7 +10,7 @@ use crate::friction::AnyFriction;
 use crate::load::{self, TangentialArgument};
 use crate::real::Real;
 use crate::sensitivity::sensitive;
-use crate::solver::{Reused, solver};
+use crate::solver::{Reused, created_by, solver};
 
 /// Solves coupled contacts repeatedly, each time from the last solution; created by :meth:`CoupledProblem.solver`.
 #[pyclass(frozen, module = "stickslip")]
@@ -26,6 +26,7 @@ impl CoupledSolver {
     }
 }
 
+created_by! { CoupledSolver: "CoupledProblem(bodies, gap, friction, normal_force=..., force_x=...)" }
 solver!(CoupledSolver: CoupledSolution);
 sensitive!(CoupledSolver: CoupledSolution);
 

@@ -6,7 +6,7 @@ use pyo3::prelude::*;
 use stickslip::Axis;
 use stickslip::stiffness::StiffnessWorkspace;
 
-use crate::array::{Array, contact, copy, snapshot, zones};
+use crate::array::{Array, contact, copy, energies, snapshot, zones};
 use crate::boundary::Boundary;
 use crate::choice::Choice;
 use crate::digits::{short, tuple};
@@ -117,10 +117,12 @@ impl History {
         self.read(|history| snapshot(py, history.accumulated_slip()))
     }
 
-    /// Energy that each cell dissipated since the start (not negative), a read-only copy.
+    /// Energy that each cell dissipated in the steps since the start (not negative), a read-only copy that contains its grid.
+    /// Cycles that :func:`stickslip.wear.run` jumps over are not steps. The result of the run contains their energy.
     #[getter]
     fn accumulated_dissipation<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        self.read(|history| snapshot(py, history.accumulated_dissipation()))
+        let array = self.read(|history| snapshot(py, history.accumulated_dissipation()))?;
+        energies(py, &array, self.grid())
     }
 
     /// Computes the displacement of body 1 relative to body 2 due to the tractions along x and y (lengths). The cost is

@@ -27,10 +27,12 @@ readers! { EnergyBalance.0:
     /// simultaneously.
     elastic_after: f64,
     /// Dissipated energy, computed from the tractions at the end of the step, not negative. If pressure and friction do
-    /// not change and the load does not turn within the step, this value is exact for any length of the step.
+    /// not change and the load does not turn within the step, this value is exact for any length of the step. Compare this value
+    /// of a :class:`Cycle` with Mindlin's energy of a loop, and not ``dissipated_energy_midpoint``.
     dissipated_energy: f64,
     /// Dissipated energy, computed from the mean of the tractions before and after the step. This value closes the
-    /// balance. It is not negative if pressure and friction do not change.
+    /// balance. It is not negative if pressure and friction do not change. In partial slip it depends on the length of the
+    /// steps and approaches ``dissipated_energy`` with shorter steps.
     dissipated_energy_midpoint: f64,
     /// Energy released by the tractions of cells that leave the contact.
     released: f64,

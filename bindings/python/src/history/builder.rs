@@ -177,7 +177,7 @@ impl History {
             ));
         }
         let grid = bodies.0.grid();
-        let gap = gap.per_cell(py, "gap", grid)?;
+        let gap = gap.gap_before_friction(py, grid)?;
         let friction = friction.on(py, grid)?;
         let hardness = hardness.map(|hardness| hardness.on(py, grid)).transpose()?;
         let history = unobserved_on(py, grid, || {

@@ -5,7 +5,7 @@ use std::sync::{Mutex, MutexGuard};
 use pyo3::prelude::*;
 
 use crate::argument::Object;
-use crate::array::{Array, snapshot};
+use crate::array::{Array, energies, snapshot};
 use crate::choice::Choice;
 use crate::digits::{counted, rough, short, tuple};
 use crate::error::OrRaise;
@@ -206,10 +206,17 @@ impl Cycle {
             .into())
     }
 
-    /// Energy that each cell dissipated in the cycle (forces times lengths, not negative).
+    /// Energy that each cell dissipated in the cycle (forces times lengths, not negative). The array contains its grid, as the
+    /// attribute ``grid``. The sum of the array is ``energy.dissipated_energy``.
     #[getter]
     fn dissipation<'py>(&self, py: Python<'py>) -> PyResult<Array<'py>> {
-        Ok(snapshot(py, self.lock()?.dissipation()))
+        let cycle = self.lock()?;
+        let (array, grid) = (
+            snapshot(py, cycle.dissipation()),
+            cycle.dissipation().grid(),
+        );
+        drop(cycle);
+        energies(py, &array, grid)
     }
 
     /// Work, elastic energy and dissipation of the cycle.

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyType};
 
-use crate::array::{Array, contact, snapshot, view, zones};
+use crate::array::{Array, contact, energies, snapshot, view, zones};
 use crate::boundary::Boundary;
 use crate::choice::Choice;
 use crate::digits::{short, tuple};
@@ -171,10 +171,15 @@ impl State {
         view(slf, |state| state.0.accumulated_slip())
     }
 
-    /// Energy that each cell dissipated since the start (not negative).
+    /// Energy that each cell dissipated in the steps since the start (not negative). The array contains its grid.
     #[getter]
-    fn accumulated_dissipation<'py>(slf: &Bound<'py, Self>) -> Array<'py> {
-        view(slf, |state| state.0.accumulated_dissipation())
+    fn accumulated_dissipation<'py>(slf: &Bound<'py, Self>) -> PyResult<Array<'py>> {
+        let array = view(slf, |state| state.0.accumulated_dissipation());
+        energies(
+            slf.py(),
+            &array,
+            slf.get().0.accumulated_dissipation().grid(),
+        )
     }
 
     /// Zone of each cell: 0 separated, 1 stick, 2 slip.

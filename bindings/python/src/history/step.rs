@@ -6,7 +6,7 @@ use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use stickslip::Field;
 
-use crate::array::{Array, snapshot, view};
+use crate::array::{Array, energies, snapshot, view};
 use crate::digits::{short, tuple};
 use crate::history::{EnergyBalance, History};
 use crate::pickle::{Reduced, Stored, reduced};
@@ -118,6 +118,13 @@ impl StepResult {
         slf.get()
             .read(slf.py(), |step| snapshot(slf.py(), of(step)))
     }
+
+    /// Returns an array of energies together with its grid.
+    fn of_energies<'py>(slf: &Bound<'py, Self>, array: &Array<'py>) -> PyResult<Array<'py>> {
+        let py = slf.py();
+        let grid = slf.get().read(py, |step| step.dissipation().grid())?;
+        energies(py, array, grid)
+    }
 }
 
 impl Stored for StepResult {
@@ -160,14 +167,16 @@ impl StepResult {
     /// Energy dissipated in each cell, from its traction at the end of the step (forces times lengths, not negative).
     #[getter]
     fn dissipation<'py>(slf: &Bound<'py, Self>) -> PyResult<Array<'py>> {
-        Self::field(slf, |step| step.dissipation())
+        let array = Self::field(slf, |step| step.dissipation())?;
+        Self::of_energies(slf, &array)
     }
 
     /// Energy dissipated in each cell, computed from the mean of its tractions before and after the step (forces times
     /// lengths). Its sum closes the energy balance; see :attr:`EnergyBalance.dissipated_energy_midpoint`.
     #[getter]
     fn dissipation_midpoint<'py>(slf: &Bound<'py, Self>) -> PyResult<Array<'py>> {
-        Self::field(slf, |step| step.dissipation_midpoint())
+        let array = Self::field(slf, |step| step.dissipation_midpoint())?;
+        Self::of_energies(slf, &array)
     }
 
     /// Work, elastic energy and dissipation of the step.

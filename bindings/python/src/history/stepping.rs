@@ -8,6 +8,7 @@ use pyo3::prelude::*;
 use rayon::prelude::*;
 use stickslip::Error;
 
+use crate::argument::Listed;
 use crate::conversion;
 use crate::error::{OrRaise, raised};
 use crate::history::builder::{NAME, Work};
@@ -160,7 +161,8 @@ impl History {
         Ok(steps)
     }
 
-    /// Takes one step of each of several histories in parallel.
+    /// Takes one step of each of several histories in parallel. A history whose step fails is unchanged, and the others take
+    /// their steps.
     ///
     /// Parameters
     /// ----------
@@ -168,27 +170,34 @@ impl History {
     ///     The histories, each listed once.
     /// loads : sequence of LoadStep
     ///     One load per history.
+    /// return_exceptions : bool, default False
+    ///     Whether the errors of failed steps are returned instead of raised.
     /// warn : bool, default True
     ///     Whether the warnings of the steps are also issued through ``warnings``, each kind once per location.
     ///
     /// Returns
     /// -------
     /// list of (int, StickslipError)
-    ///     Indices and errors of the histories whose step failed; these histories are unchanged.
+    ///     Indices and errors of the histories whose step failed; empty unless ``return_exceptions`` is true.
     ///
     /// Raises
     /// ------
-    /// Length
+    /// ArgumentType, Length
     /// ValueError
     ///     If a history is listed twice.
+    /// StickslipError
+    ///     If steps failed, after all steps: the error of the first failed history. Its message contains the index of this history
+    ///     and the number of failed steps, and its attribute ``failures`` is the list of all indices and errors.
     #[staticmethod]
-    #[pyo3(signature = (histories, loads, *, warn=true))]
+    #[pyo3(signature = (histories, loads, *, return_exceptions=false, warn=true))]
     fn step_all<'py>(
         py: Python<'py>,
-        histories: Vec<Bound<'py, Self>>,
-        loads: Vec<LoadStep>,
+        histories: Listed<'py, Self>,
+        loads: Listed<'py, LoadStep>,
+        return_exceptions: bool,
         warn: bool,
     ) -> PyResult<Vec<(usize, Bound<'py, PyAny>)>> {
+        let (histories, loads) = (histories.objects, loads.objects);
         let (expected, found) = (histories.len(), loads.len());
         if expected != found {
             let quantity = "loads of the contacts";
@@ -201,6 +210,7 @@ impl History {
                 },
             ));
         }
+        let loads: Vec<_> = loads.iter().map(|load| load.get().0).collect();
         let mut places = Vec::with_capacity(histories.len());
         for (index, history) in histories.iter().enumerate() {
             let first = histories[..index]
@@ -218,17 +228,19 @@ impl History {
         let mut contacts: Vec<_> = contacts.zip(&loads).enumerate().collect();
         let failed = solve(py, cells, Progress::none(), |observer| {
             let observer = Mutex::new(observer);
-            let step =
-                |(index, (Work { history, taken }, load)): &mut (usize, (&mut Work, &LoadStep))| {
-                    let seen = |_: &_| {
-                        observer
-                            .lock()
-                            .map_or(ControlFlow::Continue(()), |mut seen| seen(None))
-                    };
-                    let outcome = history.step_observed(&load.0, seen);
-                    *taken += u64::from(outcome.is_ok());
-                    outcome.err().map(|error| (*index, error))
+            let step = |(index, (Work { history, taken }, load)): &mut (
+                usize,
+                (&mut Work, &stickslip::LoadStep),
+            )| {
+                let seen = |_: &_| {
+                    observer
+                        .lock()
+                        .map_or(ControlFlow::Continue(()), |mut seen| seen(None))
                 };
+                let outcome = history.step_observed(load, seen);
+                *taken += u64::from(outcome.is_ok());
+                outcome.err().map(|error| (*index, error))
+            };
             Ok(contacts.par_iter_mut().filter_map(step).collect::<Vec<_>>())
         })?;
         let failed = failed.or_raise(py)?;
@@ -240,11 +252,16 @@ impl History {
                 self::warn(py, warn, || step.warnings())?;
             }
         }
+        let first = failed.first().map(|(_, error)| error.clone());
         let exception = |error| raised(py, error).into_value(py).into_bound(py).into_any();
-        Ok(failed
+        let failures: Vec<_> = failed
             .into_iter()
             .map(|(index, error)| (index, exception(error)))
-            .collect())
+            .collect();
+        match first.filter(|_| !return_exceptions) {
+            None => Ok(failures),
+            Some(first) => Err(first_of(py, first, expected, failures)?),
+        }
     }
 
     /// Result of the last step, which led to the present state. Raises ``NoLastStep`` before the first step, after
@@ -255,4 +272,22 @@ impl History {
         let step = work.history.last_step().or_raise(slf.py())?;
         Ok(StepResult::last(step, slf.clone().unbind(), work.taken))
     }
+}
+
+/// Returns the error of the first failed history, whose message contains its index and the number of failed steps.
+fn first_of<'py>(
+    py: Python<'py>,
+    error: Error,
+    count: usize,
+    failures: Vec<(usize, Bound<'py, PyAny>)>,
+) -> PyResult<PyErr> {
+    let exception = raised(py, error).into_value(py).into_bound(py);
+    let message = format!(
+        "histories[{}]: {exception} ({} of {count} steps failed: give return_exceptions=True for the list of errors)",
+        failures[0].0,
+        failures.len()
+    );
+    exception.setattr("args", (message,))?;
+    exception.setattr("failures", failures)?;
+    Ok(PyErr::from_value(exception.into_any()))
 }

@@ -63,8 +63,8 @@ fn of_any_cells(
 /// Parameters
 /// ----------
 /// coefficient : float, Field or array_like of shape (ny, nx)
-///     Volume removed per normal force and sliding distance, of one body or of both together (one over a pressure), not
-///     negative.
+///     Volume removed per normal force and sliding distance, of one body or of both together (one over a pressure, 1/Pa in SI
+///     units; 1 mm3/(N m) is 1e-9 1/Pa), not negative.
 /// pressure, slip_distance : Field or array_like of shape (ny, nx)
 ///     Pressure, and the length of the slip path of each cell under this pressure (lengths), not negative, in a step or a
 ///     cycle.
@@ -113,13 +113,15 @@ pub(crate) fn archard<'py>(
 /// Parameters
 /// ----------
 /// coefficient : float, Field or array_like of shape (ny, nx)
-///     Volume removed per dissipated energy, of one body or of both together (one over a pressure), not negative.
+///     Volume removed per dissipated energy, of one body or of both together (one over a pressure, 1/Pa in SI units; 1 mm3/J
+///     is 1e-9 1/Pa), not negative.
 /// energy : Field or array_like of shape (ny, nx)
 ///     Energy dissipated in each cell in a step or a cycle (forces times lengths), not negative.
 /// depth : optional
 ///     See :func:`archard`.
 /// grid : Grid, optional
-///     Grid that gives the area of a cell, such as ``history.grid``; required if no Field is given.
+///     Grid that gives the area of a cell. It is required for an array that does not contain its grid. The dissipation of a
+///     cycle, a step, a history and a state contains it; a grid with other cells is then rejected.
 ///
 /// Returns
 /// -------
@@ -165,7 +167,8 @@ pub(crate) fn energy<'py>(
 /// depth : optional
 ///     See :func:`archard`.
 /// grid : Grid, optional
-///     Grid that gives the area of a cell, such as ``history.grid``; required if no Field is given.
+///     Grid that gives the area of a cell. It is required for an array that does not contain its grid. The dissipation of a
+///     cycle, a step, a history and a state contains it; a grid with other cells is then rejected.
 ///
 /// Returns
 /// -------

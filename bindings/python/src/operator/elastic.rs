@@ -12,7 +12,7 @@ use crate::array::Array;
 use crate::choice::Choice;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
-use crate::material::ElasticPair;
+use crate::material::Pair;
 use crate::operator::{LinearOperator, numbers, target};
 use crate::solution_pool::lock;
 use crate::work::{unobserved, unobserved_on};
@@ -114,7 +114,7 @@ impl TensorOperator {
 /// ----------
 /// grid : Grid
 ///     The cells.
-/// pair : ElasticPair
+/// pair : ElasticPair or two Materials
 ///     The two bodies.
 /// component : Component or str
 ///     Direction of the displacement first, direction of the traction second.
@@ -130,7 +130,7 @@ impl Convolution {
     fn new(
         py: Python<'_>,
         grid: Object<Grid>,
-        pair: Object<ElasticPair>,
+        pair: Pair,
         component: Choice<Component>,
         periodic: bool,
     ) -> PyResult<PyClassInitializer<Self>> {

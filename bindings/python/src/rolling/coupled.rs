@@ -28,7 +28,7 @@ use crate::rolling::RollingSolution;
 use crate::rolling::control::{Controls, Keywords};
 use crate::settings::{Settings, chosen};
 use crate::solution_pool::lock;
-use crate::solver::{Reused, solve_once, solver};
+use crate::solver::{Reused, created_by, solve_once, solver};
 use crate::work::{unobserved_on, watch};
 
 /// Bodies, gap, friction and loads of steady rolling in which the tractions change the pressure.
@@ -129,7 +129,7 @@ impl CoupledRollingProblem {
         )?;
         let normal = load::needed_as("normal_force", normal_force, approach)?;
         let grid = bodies.0.grid();
-        let gap = gap.per_cell(py, "gap", grid)?;
+        let gap = gap.gap_before_friction(py, grid)?;
         let friction = friction.on(py, grid)?;
         let given = (
             bodies.clone(),
@@ -221,6 +221,7 @@ pub(crate) struct CoupledRollingSolver(
     Mutex<Controls>,
 );
 
+created_by! { CoupledRollingSolver: "CoupledRollingProblem(bodies, gap, friction, normal_force=..., creepage_x=...)" }
 solver!(rolling::CoupledRollingSolver as CoupledRollingSolver:
     rolling::CoupledRollingSolution as CoupledRollingSolution, rolling::CoupledRollingSolution::warnings);
 

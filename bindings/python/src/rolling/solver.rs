@@ -17,7 +17,7 @@ use crate::report::Report;
 use crate::rolling::control::{Controls, Keywords};
 use crate::rolling::{CreepForces, RollingSolution};
 use crate::solution_pool::lock;
-use crate::solver::{Reused, solver};
+use crate::solver::{Reused, created_by, solver};
 use crate::tangential::pressure::Pressure;
 use crate::work::watch;
 
@@ -42,6 +42,7 @@ impl RollingSolver {
     }
 }
 
+created_by! { RollingSolver: "RollingProblem(bodies, normal, friction, creepage_x=...)" }
 solver!(rolling::RollingSolver as RollingSolver: rolling::RollingSolution as RollingSolution,
     rolling::RollingSolution::warnings);
 

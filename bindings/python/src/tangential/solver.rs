@@ -8,7 +8,7 @@ use crate::friction::AnyFriction;
 use crate::load::{TangentialArgument, keywords};
 use crate::real::Real;
 use crate::sensitivity::sensitive;
-use crate::solver::{Reused, solver};
+use crate::solver::{Reused, created_by, solver};
 use crate::tangential::pressure::Pressure;
 use crate::tangential::{RelativeDisplacement, TangentialSolution};
 use crate::work::unobserved_on;
@@ -28,6 +28,7 @@ impl TangentialSolver {
     }
 }
 
+created_by! { TangentialSolver: "TangentialProblem(bodies, normal, friction, force_x=...)" }
 solver!(TangentialSolver: TangentialSolution);
 sensitive!(TangentialSolver: TangentialSolution);
 

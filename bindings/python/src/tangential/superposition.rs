@@ -6,7 +6,7 @@ use crate::argument::Object;
 use crate::array::{Array, view, zones};
 use crate::digits::short;
 use crate::error::OrRaise;
-use crate::material::ElasticPair;
+use crate::material::Pair;
 use crate::normal::NormalSolution;
 use crate::readers::readers;
 use crate::real::Real;
@@ -18,7 +18,7 @@ use crate::real::Real;
 /// full, stick : NormalSolution
 ///     The contact under its load W, and the contact of the same bodies under the load W - F / mu for a tangential
 ///     force F. The contact area under the second load is the stick zone.
-/// pair : ElasticPair
+/// pair : ElasticPair or two Materials
 ///     The bodies. The coupling between pressure and traction of different materials is neglected.
 /// friction : float
 ///     Coefficient of friction mu (dimensionless), not negative.
@@ -43,7 +43,7 @@ impl JaegerSuperposition {
         py: Python<'_>,
         full: Object<NormalSolution>,
         stick: Object<NormalSolution>,
-        pair: Object<ElasticPair>,
+        pair: Pair,
         friction: Real,
     ) -> PyResult<Self> {
         let (full, stick) = (full.get(), stick.get());

@@ -6,7 +6,9 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from .._enums import Zone
 from .._stickslip import (
     CoupledRollingSolution,
     CoupledSolution,
@@ -39,6 +41,11 @@ _NUMBERS = (
     "contact_area", "contact_area_corrected", "yielded_cells", "dissipated_energy", "elastic_energy", "steps", "rms_height",
     "rms_slope", "skewness", "kurtosis", "filled_cells",
 )  # fmt: skip
+# Names of the numbers of zones, by the conventions for climate and forecast data (CF).
+_FLAGS = {
+    "flag_values": np.array(list(Zone), np.uint8),
+    "flag_meanings": " ".join(zone.name.lower() for zone in Zone),
+}
 _SURFACES = (RoughSurface, Levelled, Filled, Filtered)
 _PARTS = {"normal_stress": ("xx", "yy", "zz"), "shear_stress": ("xy", "xz", "yz")}
 
@@ -49,8 +56,9 @@ def to_xarray(solution: Any) -> xarray.Dataset:
     Fields have the dimensions (y, x), with the centres of the cells as coordinates. Components of vectors are named by
     their axis, such as ``traction_x``, and components of stresses by both axes, such as ``xz``. Numbers are attributes of
     the dataset. The docstring of each field is its attribute ``long_name``: ``gap`` is the gap under load, and ``unloaded_gap``
-    the gap before loading. The unit of a Field or a surface is kept; for
-    other objects set ``dataset.x.attrs["units"]``.
+    the gap before loading. The attributes ``flag_values`` and ``flag_meanings`` of ``zones`` contain the names of its numbers,
+    by the CF conventions: ``dataset.zones == stickslip.Zone.STICK`` is the mask of the stick zone. The unit of a Field or a
+    surface is kept; for other objects set ``dataset.x.attrs["units"]``.
 
     Parameters
     ----------
@@ -131,6 +139,8 @@ def _halves_of(solution: Any) -> tuple[Any, ...]:
         return (solution,)
     if isinstance(solution, Sequence):
         kinds = [type(part) for part in solution]
+        if kinds in ([TangentialSolution, NormalSolution], [RollingSolution, NormalSolution]):
+            raise TypeError(f"a pair must be in the order (normal, shear), got ({', '.join(kind.__name__ for kind in kinds)})")
         if kinds in ([NormalSolution, TangentialSolution], [NormalSolution, RollingSolution]):
             normal, shear = solution
             if normal.grid != shear.grid:
@@ -140,7 +150,13 @@ def _halves_of(solution: Any) -> tuple[Any, ...]:
                 shear.spots(normal)
             return normal, shear
     name = type(solution).__name__
-    raise TypeError(f"expected a solution, a state, a history, a Field, a surface or planes, got {name}")
+    if isinstance(solution, (list, tuple)):
+        name += f" of ({', '.join(type(part).__name__ for part in solution[:3])}{', ...' if len(solution) > 3 else ''})"
+    remedy = ": create a Field by Field(grid, array)" if isinstance(solution, np.ndarray) else ""
+    raise TypeError(
+        "expected a solution, a pair (normal, shear), a state, a history, a Field, a surface or planes, "
+        f"got {name}{remedy}"
+    )
 
 
 def from_xarray(array: xarray.DataArray) -> Field:
@@ -180,8 +196,8 @@ def from_xarray(array: xarray.DataArray) -> Field:
         _factor(own, own)  # an unknown unit is rejected
     sides = []
     for axis in ("x", "y"):
+        side = _side(np.asarray(array[axis], dtype=float), axis)
         steps = np.diff(np.asarray(array[axis], dtype=float))
-        side = float(steps.mean()) if steps.size else 0.0
         if not side > 0.0 or np.abs(steps - side).max() > 1e-6 * side:
             raise ValueError(f"the coordinates along {axis} must be evenly spaced and increasing")
         unit = array[axis].attrs.get("units")
@@ -213,6 +229,21 @@ def check_coordinates(array: Any, quantity: str, sides: tuple[float, float]) -> 
                 f"{quantity} has coordinates from {along[0]} to {along[-1]} along {axis}, which do not agree with {along.size} cells "
                 f"of the side {side}: convert their unit, or give .values to ignore the coordinates"
             )
+
+
+def _side(coordinates: NDArray[Any], axis: str) -> float:
+    """Returns the side of the cells along an axis."""
+    if coordinates.size < 2:
+        raise ValueError(
+            f"the array has {coordinates.size} coordinates along {axis}, which do not determine the side of the cells: "
+            "create a Field by Field(grid, array)"
+        )
+    # The difference of the two middle coordinates of a grid is exact, but the mean difference is rounded.
+    middle = coordinates.size // 2
+    side = float(coordinates[middle + coordinates.size % 2] - coordinates[middle - 1 + coordinates.size % 2])
+    if side > 0.0 and np.array_equal(Grid(coordinates.size, 1, side, side).x, coordinates):
+        return side
+    return float(np.diff(coordinates).mean())
 
 
 def _factor(unit: str, into: str) -> float:
@@ -256,7 +287,8 @@ def _dataset(grid: Any, fields: dict[str, tuple[Any, str]], numbers: dict[str, A
     import xarray
 
     variables = {
-        name: (("y", "x"), np.array(values), {"long_name": doc}) for name, (values, doc) in fields.items()
+        name: (("y", "x"), np.array(values), {"long_name": doc, **(_FLAGS if name == "zones" else {})})
+        for name, (values, doc) in fields.items()
     }
     return xarray.Dataset(variables, {"y": grid.y, "x": grid.x}, numbers)
 

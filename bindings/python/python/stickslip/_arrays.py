@@ -1,0 +1,28 @@
+"""Arrays of the energies of cells, which contain their grid."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+if TYPE_CHECKING:
+    from ._stickslip import Grid
+
+
+class CellEnergies(np.ndarray[Any, np.dtype[np.float64]]):
+    """Array of one energy per cell with its grid, from which the wear laws take the area of a cell. The grid is ``None`` if the
+    shape differs from that of the grid."""
+
+    grid: Grid | None
+
+    def __array_finalize__(self, source: Any) -> None:
+        grid = getattr(source, "grid", None)
+        self.grid = grid if grid is not None and grid.shape == self.shape else None
+
+    def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
+        if array.shape != self.shape or array.dtype != np.float64:
+            return np.asarray(array)[()]
+        energies = array.view(CellEnergies)
+        energies.grid = self.grid
+        return energies
