@@ -394,6 +394,8 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LARGE_CREEPAGE = 22
     ! Warning: a relative displacement of the amount zero has no effect on a step with a tangential load.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_UNUSED_RELATIVE_DISPLACEMENT = 23
+    ! Warning: a cycle repeats a closed loop, so that its energies are sums over several loops.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_REPEATED_LOOP = 24
     ! Any other warning, described by its message.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_OTHER = 127
     ! Size of the message of a warning in bytes.

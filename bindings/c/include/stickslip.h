@@ -325,6 +325,9 @@
 // Warning: a relative displacement of the amount zero has no effect on a step with a tangential load.
 #define STICKSLIP_WARNING_UNUSED_RELATIVE_DISPLACEMENT 23
 
+// Warning: a cycle repeats a closed loop, so that its energies are sums over several loops.
+#define STICKSLIP_WARNING_REPEATED_LOOP 24
+
 // Any other warning, described by its message.
 #define STICKSLIP_WARNING_OTHER 127
 
