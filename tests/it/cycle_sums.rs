@@ -89,9 +89,8 @@ fn cycle_of_several_loops_gives_warning() {
     let mut cycle = Cycle::new(&history);
     add(&mut history, &mut cycle, &ellipse, 12);
     assert!(!is_warned(&cycle));
+    // The first loop starts at rest and thus at a different point.
     add(&mut history, &mut cycle, &ellipse, 12);
-    assert!(!is_warned(&cycle));
-    add(&mut history, &mut cycle, &ellipse, 1);
     assert!(is_warned(&cycle));
 }
 
