@@ -256,3 +256,27 @@ def test_loop_whose_load_ignores_the_path_is_rejected(scene):
     with pytest.raises(ValueError, match="equal steps for all values of the path"):
         ss.wear.run(history, loop, ss.wear.EnergyLaw(1e-13), 100)
     assert history.steps == 1
+
+
+def test_unstated_marks_of_missing_points_are_rejected():
+    text = b"1.5,2.5\n-9999,4\n"
+    with pytest.raises(ss.errors.Format, match=r"1 number with the value -9999\.0 may mark missing points: set the option missing"):
+        ss.io.csv.parse(text, cell=(1.0, 1.0))
+    assert np.isnan(ss.io.csv.parse(text, cell=(1.0, 1.0), missing=-9999)[1, 0])
+    assert ss.io.csv.parse(text, cell=(1.0, 1.0), missing=np.nan)[1, 0] == -9999.0
+
+
+def test_repeated_loops_and_creepages_in_per_cent_are_warned_of(scene):
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    cycle = ss.history.Cycle(history)
+    path = ss.history.LoadPath.sine((1e-6, 0.0), 8)
+    for count in range(2):
+        for shift in path.cycles(1):
+            history.step(shift=shift, warn=False)
+            cycle.add(history)
+        assert ("repeated_loop" in [warning.kind for warning in cycle.warnings]) == (count == 1)
+    rolling = ss.rolling.RollingProblem(scene.bodies, scene.normal(), 0.3, creepage_x=0.2).solve(warn=False)
+    assert [str(warning) for warning in rolling.warnings if warning.kind == "large_creepage"] == [
+        "the creepage is 20 %, expected at most 10 %: give a creepage of 1 % as 0.01; the model assumes small creepages"
+    ]
