@@ -213,7 +213,10 @@ pub(in crate::history) fn repeats_loop(points: &[LoopPoint]) -> bool {
             .into_iter()
             .fold(0.0, |size: f64, part| size.max(part.abs()))
     };
-    let product = |a: [f64; 6], b: [f64; 6]| a.into_iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
+    let product = |a: [f64; 6], b: [f64; 6]| {
+        let products = a.into_iter().zip(b);
+        products.fold(0.0, |sum, (a, b)| sum + a * b)
+    };
     let last = points.len().saturating_sub(1);
     (0..last).any(|start| {
         let first_step = change(start, start + 1);
