@@ -259,6 +259,7 @@ impl Grid {
 const SAME_SIDE: f64 = 1e-12;
 
 /// Returns `(i - (n - 1)/2) d`, exactly antisymmetric about the middle of the grid.
+#[inline]
 fn centre(i: usize, n: usize, d: f64) -> f64 {
     (i as f64 - 0.5 * (n - 1) as f64) * d
 }

@@ -105,6 +105,7 @@ impl EnergyBalance {
     }
 
     /// Returns the energies in the order of [`Self::from_parts`].
+    #[inline]
     fn parts(self) -> [f64; 7] {
         let [before, after] = [self.elastic_before, self.elastic_after];
         let [end, middle] = [self.dissipated_energy, self.dissipated_energy_midpoint];
@@ -112,6 +113,7 @@ impl EnergyBalance {
         [self.work, before, after, end, middle, rest[0], rest[1]]
     }
 
+    #[inline]
     const fn from_parts(parts: [f64; 7]) -> Self {
         let [work, before, after, end, middle, released, residual] = parts;
         Self {
@@ -145,6 +147,7 @@ impl EnergyBalance {
 
 impl Reduction for EnergyBalance {
     /// Returns the sum of this balance and the balance of other cells.
+    #[inline]
     fn plus(self, other: Self) -> Self {
         Self::from_parts(self.parts().plus(other.parts()))
     }

@@ -91,6 +91,7 @@ pub(crate) struct Limits {
 try_clone!(Limits { cells } { layout, sum });
 
 /// Returns whether a traction or force of this size reaches its limit.
+#[inline]
 pub(crate) fn is_at_limit(size: f64, limit: f64) -> bool {
     size >= limit * (1.0 - SLIDING)
 }

@@ -12,6 +12,7 @@ pub(crate) struct RigidMotion {
 
 impl RigidMotion {
     /// Returns the displacement of a point.
+    #[inline]
     pub(crate) fn at(self, [x, y]: [f64; 2]) -> [f64; 2] {
         [
             self.shift[0] - self.twist * y,

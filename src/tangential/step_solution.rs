@@ -101,22 +101,26 @@ impl<'a> StepSolution<'a> {
     }
 
     /// Returns the traction of a cell.
+    #[inline]
     pub(crate) fn traction(&self, cell: usize) -> [f64; 2] {
         at(&self.traction, cell)
     }
 
     /// Returns the displacement of a cell.
+    #[inline]
     pub(crate) fn displacement(&self, cell: usize) -> [f64; 2] {
         at(&self.displacement, cell)
     }
 
     /// Returns the offset of a cell.
+    #[inline]
     pub(crate) fn offset(&self, cell: usize) -> [f64; 2] {
         at(&self.offset, cell)
     }
 
     /// Returns the slip of a cell in the step, or `None` if it does not slip. A cell slips if it is at its friction
     /// limit and has moved opposite to its traction. A motion along the traction is a residual of the solve.
+    #[inline]
     pub(crate) fn slip(&self, cell: usize, centre: [f64; 2]) -> Option<[f64; 2]> {
         let moved = minus(self.displacement(cell), self.motion.at(centre));
         let moved = minus(moved, self.offset(cell));
@@ -125,6 +129,7 @@ impl<'a> StepSolution<'a> {
     }
 
     /// Returns the zone of a cell.
+    #[inline]
     pub(crate) fn zone(&self, cell: usize) -> Zone {
         match (self.pressure[cell] > 0.0, self.is_at_limit(cell)) {
             (false, _) => Zone::Separated,
@@ -134,6 +139,7 @@ impl<'a> StepSolution<'a> {
     }
 
     /// Returns whether a cell is at its friction limit.
+    #[inline]
     pub(crate) fn is_at_limit(&self, cell: usize) -> bool {
         is_at_limit(length(self.traction(cell)), self.limits[cell])
     }

@@ -30,6 +30,7 @@ pub(crate) fn zeros(axes: &[Axis], cells: usize) -> Result<TangentialVector> {
 }
 
 /// Returns `[x, y]` of a cell, with zero for a component that the model omits.
+#[inline]
 pub(crate) fn at<V: AsRef<[f64]>>(vector: &[V; 2], cell: usize) -> [f64; 2] {
     let part = |axis: usize| vector[axis].as_ref().get(cell).copied().unwrap_or(0.0);
     [part(0), part(1)]

@@ -108,6 +108,7 @@ impl LinearisedSet<1> for Interval {
         g * x - least
     }
 
+    #[inline]
     fn excess(self, x: [f64; 1]) -> f64 {
         (self.project(x)[0] - x[0]).abs()
     }
@@ -131,6 +132,7 @@ impl LinearisedSet<1> for Interval {
         }]
     }
 
+    #[inline]
     fn motion(self, [x]: [f64; 1]) -> IntervalMotion {
         if self.lower >= self.upper {
             IntervalMotion::Fixed

@@ -66,7 +66,7 @@ pub(crate) struct LinearWorkspace<R, const N: usize> {
     pub(in crate::cgm) spread: Vec<[[f64; N]; N]>,
     /// Basis of GMRES. Its vectors are empty before their first use.
     basis: [Vec<[f64; N]>; RESTART + 1],
-    sparse: SparseScratch<N>,
+    sparse: SparseScratch,
     pub(in crate::cgm) report: Report,
 }
 
@@ -88,7 +88,7 @@ impl<R: Row<N>, const N: usize> LinearWorkspace<R, N> {
             correction: Vec::new(),
             spread: Vec::new(),
             basis: std::array::from_fn(|_| Vec::new()),
-            sparse: SparseScratch::new(),
+            sparse: SparseScratch::default(),
             report: Report::with_room(),
         })
     }
@@ -294,7 +294,7 @@ impl<R: Row<N>, const N: usize> Linear<'_, '_, R, N> {
         let direction = slices(&w.direction);
         let is_computed = self
             .sparse
-            .is_some_and(|sparse| sparse.apply(&w.moving, direction, &mut w.image, &mut w.sparse));
+            .is_some_and(|sparse| sparse.apply(&w.moving, direction, &mut w.image, &w.sparse));
         if !is_computed {
             let image = slices_mut(&mut w.image);
             self.preconditioner

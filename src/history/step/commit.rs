@@ -1,5 +1,7 @@
 //! Commit of a solved step to the state and the results.
 
+use std::ops::Range;
+
 use crate::cgm::reduce::Reduction;
 use crate::history::state::State;
 use crate::history::state::mark::StateMark;
@@ -193,18 +195,22 @@ fn enter(
         &mut memory.slip,
     ];
     let own = own.map(|parts| parts.each_mut().map(|part| held.lines(part)));
-    let columns = held.ranges()[0].clone();
+    let columns = &held.ranges()[0];
     let work = |row: usize, (vectors, numbers, (zones, own)): RowParts<'_>| {
+        let vectors = vectors.map(|parts| parts.map(|part| cells_of(part.items, columns)));
         let [traction, accumulated, slip] = vectors;
+        let numbers = numbers.map(|part| cells_of(part.items, columns));
         let [path, energy, distance, dissipated, mid_step] = numbers;
+        let zones = cells_of(zones.items, columns);
         let [mut offset, mut trend, mut last_slip] = own;
         let mut totals = StepTotals::ZERO;
         let start = row * columns.len();
         let y = grid.y(held.index(start) / grid.nx());
-        for (own, i) in columns.clone().enumerate() {
+        for own in 0..zones.len() {
             let offsets = offset.each_ref().map(|part| &*part.items);
-            let q = traction.each_ref().map(|part| part.items[i]);
-            let (place, before) = ((start + own, [grid.x(i), y]), (q, at(&offsets, own)));
+            let q = traction.each_ref().map(|part| part[own]);
+            let centre = [grid.x(columns.start + own), y];
+            let (place, before) = ((start + own, centre), (q, at(&offsets, own)));
             let cell = taken.cell(place, before);
             write(&mut offset, own, cell.offset);
             let last = if taken.is_rolled {
@@ -215,16 +221,16 @@ fn enter(
             write(&mut trend, own, minus(cell.traction, last));
             write(&mut last_slip, own, cell.slip);
             for axis in 0..2 {
-                traction[axis].items[i] = cell.traction[axis];
-                accumulated[axis].items[i] += cell.slip[axis];
-                slip[axis].items[i] = cell.slip[axis];
+                traction[axis][own] = cell.traction[axis];
+                accumulated[axis][own] += cell.slip[axis];
+                slip[axis][own] = cell.slip[axis];
             }
-            zones.items[i] = cell.zone;
-            distance.items[i] = length(cell.slip);
-            path.items[i] += distance.items[i];
-            dissipated.items[i] = cell.energy.dissipated_energy;
-            energy.items[i] += dissipated.items[i];
-            mid_step.items[i] = cell.energy.dissipated_energy_midpoint;
+            zones[own] = cell.zone;
+            distance[own] = length(cell.slip);
+            path[own] += distance[own];
+            dissipated[own] = cell.energy.dissipated_energy;
+            energy[own] += dissipated[own];
+            mid_step[own] = cell.energy.dissipated_energy_midpoint;
             totals = Reduction::plus(totals, cell.totals());
         }
         totals
@@ -244,7 +250,13 @@ fn enter(
     memory.entered.extend_from_slice(answer.entered);
 }
 
+/// Returns the cells of a row in these columns. Slices of one length need no bounds check per cell.
+fn cells_of<'a, T>(row: &'a mut [T], columns: &Range<usize>) -> &'a mut [T] {
+    &mut row[columns.clone()]
+}
+
 /// Writes a vector to a cell, for the components that the model includes.
+#[inline]
 fn write(parts: &mut [Blocks<'_, f64>; 2], cell: usize, values: [f64; 2]) {
     for (part, value) in parts.iter_mut().zip(values) {
         if let Some(place) = part.items.get_mut(cell) {
@@ -279,6 +291,7 @@ struct CommittedStep<'a> {
 
 impl CommittedStep<'_> {
     /// Computes the result of the step in a cell with this centre, earlier traction and earlier offset.
+    #[inline]
     fn cell(
         &self,
         (k, centre): (usize, [f64; 2]),
@@ -295,7 +308,11 @@ impl CommittedStep<'_> {
         let (u_before, offset) = (at(&self.displacement, k), answer.offset(k));
         // Part of the motion that a cell has not followed because it came into contact within the step.
         let lag = minus(offset_before, offset);
-        let found = answer.slip(k, centre).filter(|_| is_contact);
+        let zone = answer.zone(k);
+        let found = match zone {
+            Zone::Slip => answer.slip(k, centre),
+            Zone::Stick | Zone::Separated => None,
+        };
         let slip = found.unwrap_or([0.0; 2]);
         let is_loose = found.is_some() || !is_contact;
 
@@ -309,7 +326,7 @@ impl CommittedStep<'_> {
             traction,
             slip,
             offset: if is_loose { relative } else { offset },
-            zone: answer.zone(k),
+            zone,
             energy: EnergyBalance {
                 work: 0.0 - cell_area * dot(mean, lag),
                 elastic_before: 0.5 * cell_area * dot(before, u_before),
@@ -335,6 +352,7 @@ struct CellStep {
 
 impl CellStep {
     /// Creates the result for a cell that remains separated. `relative` is the displacement to the other body.
+    #[inline]
     fn apart(centre: [f64; 2], relative: [f64; 2]) -> Self {
         Self {
             centre,
@@ -346,6 +364,7 @@ impl CellStep {
         }
     }
 
+    #[inline]
     fn totals(&self) -> StepTotals {
         let [[x, y], [qx, qy]] = [self.centre, self.traction];
         let cells = [Zone::Stick, Zone::Slip].map(|zone| usize::from(self.zone == zone));

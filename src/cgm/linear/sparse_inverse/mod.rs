@@ -42,7 +42,7 @@ const REACH: usize = 2;
 const ENTRIES: usize = EARLIER.len() + 1;
 /// Number of patterns of moving neighbours.
 const PATTERNS: usize = 1 << EARLIER.len();
-/// Pattern of a cell of another rank that does not move. The row of such a cell is zero.
+/// Pattern of a cell that does not move.
 const NOTHING: u16 = 1 << EARLIER.len();
 /// Number of cells below which the transforms take little time, compared with the computation of the factors.
 const SMALL: usize = 4096;
@@ -63,30 +63,11 @@ pub(crate) struct SparseFactors<const N: usize> {
     tables: OnceLock<Result<[Table; N]>>,
 }
 
-/// Buffers of products with the sparse inverse. They are empty before the first scattered contact.
-#[derive(Debug, Clone)]
-pub(crate) struct SparseScratch<const N: usize> {
-    /// Pattern of the moving neighbours of each moving cell.
+/// Pattern of the moving neighbours of each moving cell, and [`NOTHING`] for the other cells. It is empty before the first
+/// scattered contact.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct SparseScratch {
     patterns: Vec<u16>,
-    /// Product with the first factor.
-    half: [Vec<f64>; N],
-}
-
-impl<const N: usize> SparseScratch<N> {
-    pub(super) fn new() -> Self {
-        Self {
-            patterns: Vec::new(),
-            half: std::array::from_fn(|_| Vec::new()),
-        }
-    }
-
-    fn resize(&mut self, cells: usize) -> Result<()> {
-        fallible::resize_with_zeros(&mut self.patterns, cells)?;
-        for part in &mut self.half {
-            fallible::resize_with_zeros(part, cells)?;
-        }
-        Ok(())
-    }
 }
 
 impl<const N: usize> SparseFactors<N> {
@@ -113,13 +94,12 @@ impl<const N: usize> SparseFactors<N> {
     }
 }
 
-/// Computes the rows of the factor for all patterns, and the row of zeros of [`NOTHING`].
+/// Computes the rows of the factor for all patterns.
 fn table(coefficients: &[[f64; 5]; 3]) -> Result<Table> {
-    let mut table = fallible::with_room(PATTERNS + 1)?;
+    let mut table = fallible::with_room(PATTERNS)?;
     for pattern in 0..PATTERNS {
         table.push(row(coefficients, pattern)?);
     }
-    table.push([0.0; ENTRIES]);
     Ok(table)
 }
 
@@ -180,7 +160,7 @@ impl<const N: usize> SparseInverse<N> {
         &self,
         moving: &FreeCells,
         moves: &[f64],
-        scratch: &mut SparseScratch<N>,
+        scratch: &mut SparseScratch,
     ) -> bool {
         let found = self.find_patterns(moving, moves, scratch);
         let most = COMPACT * (moving.of_all_ranks() * EARLIER.len()) as f64;
@@ -192,12 +172,14 @@ impl<const N: usize> SparseInverse<N> {
         &self,
         moving: &FreeCells,
         moves: &[f64],
-        scratch: &mut SparseScratch<N>,
+        scratch: &mut SparseScratch,
     ) -> Result<usize> {
         let (layout, columns) = (moving.layout(), self.columns);
         let halo = layout.with_halo(moves, REACH)?;
         let tables = self.factors.tables();
-        layout.collective_result(tables.and_then(|_| scratch.resize(halo.values.len())))?;
+        let room = |_| fallible::resize_with_zeros(&mut scratch.patterns, halo.values.len());
+        layout.collective_result(tables.and_then(room))?;
+        scratch.patterns.fill(NOTHING);
         let pattern = |cell: usize| {
             let pattern = earlier(&halo.values, cell, columns, |moves| {
                 moves.bits(|moves| moves > 0.0)
@@ -206,11 +188,9 @@ impl<const N: usize> SparseInverse<N> {
         };
         let own = halo.before..halo.before + layout.cells();
         for cell in own.end..halo.values.len() {
-            let moves = halo.values[cell] > 0.0;
-            scratch.patterns[cell] = if moves { pattern(cell) } else { NOTHING };
-        }
-        for part in &mut scratch.half {
-            part.fill(0.0);
+            if halo.values[cell] > 0.0 {
+                scratch.patterns[cell] = pattern(cell);
+            }
         }
         let patterns = layout.blocks(&mut scratch.patterns[own]);
         Ok(moving.sweep(patterns, |entries, patterns| {
@@ -224,62 +204,92 @@ impl<const N: usize> SparseInverse<N> {
 
     /// Computes the product with `direction` on the moving cells for which the scratch is [prepared](Self::prepare). `direction`
     /// must be zero on the other cells. Returns false if the ranks cannot exchange their rows.
+    ///
+    /// Each moving cell multiplies its row by its value of $`G r`$, and adds the result to its earlier neighbours. The neighbours
+    /// of cells after a chunk may belong to the chunk. Therefore each chunk also visits these cells, but adds to its own cells
+    /// only. The order of the additions does not depend on the chunks.
     pub(super) fn apply(
         &self,
         moving: &FreeCells,
         direction: [&[f64]; N],
         image: &mut [Vec<f64>; N],
-        scratch: &mut SparseScratch<N>,
+        scratch: &SparseScratch,
     ) -> bool {
         let (layout, columns) = (moving.layout(), self.columns);
         let Ok(tables) = self.factors.tables() else {
             return false;
         };
-        let SparseScratch { patterns, half } = scratch;
-        let patterns = &patterns[..];
-        for ((table, direction), (half, image)) in
-            tables.iter().zip(direction).zip(half.iter_mut().zip(image))
-        {
+        let patterns = &scratch.patterns[..];
+        for ((table, direction), image) in tables.iter().zip(direction).zip(image) {
             let Ok(halo) = layout.with_halo(direction, REACH) else {
                 return false;
             };
             let residual = &*halo.values;
-            let first = |cell: usize| {
-                let row = &table[usize::from(patterns[cell])];
-                let sum = earlier(residual, cell, columns, |neighbours| {
-                    neighbours.sum(|entry, residual| row[entry] * residual)
-                });
-                sum + row[EARLIER.len()] * residual[cell]
-            };
-            let own = halo.before..halo.before + layout.cells();
-            for (cell, half) in (own.end..).zip(&mut half[own.end..]) {
-                *half = first(cell);
-            }
-            let before = halo.before;
-            let blocks = layout.blocks(&mut half[own]);
-            moving.sweep(blocks, |entries, half| {
-                for place in entries.places() {
-                    half.items[place] = first(before + entries.chunk.start + place);
-                }
-            });
-            let half = &half[..];
-            let second = |cell: usize| {
-                let sum = later(patterns, cell, columns, |patterns| {
-                    later(half, cell, columns, |half| {
-                        patterns.sum_with(half, |entry, pattern, half| {
-                            table[usize::from(pattern)][entry] * half
-                        })
-                    })
-                });
-                sum + table[usize::from(patterns[cell])][EARLIER.len()] * half[cell]
-            };
             moving.sweep(layout.blocks(image), |entries, image| {
-                for place in entries.places() {
-                    image.items[place] = second(before + entries.chunk.start + place);
+                let image = image.items;
+                let chunk = halo.before + entries.chunk.start..halo.before + entries.chunk.end;
+                let after = chunk.end..patterns.len().min(chunk.end + REACH * (columns + 1));
+                let after = after.filter(|cell| patterns[*cell] != NOTHING);
+                for place in entries.places().chain(after.map(|cell| cell - chunk.start)) {
+                    let cell = chunk.start + place;
+                    let row = &table[usize::from(patterns[cell])];
+                    let sum = earlier(residual, cell, columns, |neighbours| {
+                        neighbours.sum(|entry, residual| row[entry] * residual)
+                    });
+                    let half = sum + row[EARLIER.len()] * residual[cell];
+                    if let Some(own) = image.get_mut(place) {
+                        *own = row[EARLIER.len()] * half;
+                    }
+                    add_to_earlier(row, half, place, columns, image);
                 }
             });
         }
         true
+    }
+}
+
+/// Adds the products of a row and of a number to the earlier neighbours of a cell that belong to the image.
+#[inline]
+fn add_to_earlier(
+    row: &[f64; ENTRIES],
+    half: f64,
+    place: usize,
+    columns: usize,
+    image: &mut [f64],
+) {
+    let [f0, f1, f2, n0, n1, n2, n3, n4, o0, o1, _] = row;
+    add_to(
+        image,
+        place.wrapping_sub(2 * columns + 1),
+        [f0, f1, f2],
+        half,
+    );
+    add_to(
+        image,
+        place.wrapping_sub(columns + 2),
+        [n0, n1, n2, n3, n4],
+        half,
+    );
+    add_to(image, place.wrapping_sub(2), [o0, o1], half);
+}
+
+/// Adds the products of adjacent entries of a row and of a number to the cells from `first`. Skips the cells outside the image.
+/// The number of a cell before the image wraps around.
+#[inline]
+fn add_to<const K: usize>(image: &mut [f64], first: usize, row: [&f64; K], half: f64) {
+    let cells = image
+        .get_mut(first..)
+        .and_then(|cells| cells.first_chunk_mut::<K>());
+    if let Some(cells) = cells {
+        for (cell, entry) in cells.iter_mut().zip(row) {
+            *cell += entry * half;
+        }
+    } else {
+        for (k, entry) in row.into_iter().enumerate() {
+            if let Some(cell) = image.get_mut(first.wrapping_add(k)) {
+                *cell += entry * half;
+            }
+        }
     }
 }
 
@@ -317,28 +327,17 @@ impl<T: Copy> Neighbours<'_, T> {
         (far(0) + far(1) + far(2)) + next + (own(0) + own(1))
     }
 
-    /// Adds one term for each later neighbour. The entries count from the last neighbour to the first, because the cell is an
-    /// earlier neighbour at the opposite offset.
-    #[inline]
-    fn sum_with<U: Copy>(self, other: Neighbours<'_, U>, term: impl Fn(usize, T, U) -> f64) -> f64 {
-        let far = |n: usize| term(2 - n, self.far[n], other.far[n]);
-        let near = |n: usize| term(7 - n, self.near[n], other.near[n]);
-        let own = |n: usize| term(9 - n, self.own[n], other.own[n]);
-        let next = (near(0) + near(1)) + (near(2) + near(3)) + near(4);
-        (far(0) + far(1) + far(2)) + next + (own(0) + own(1))
-    }
-
     /// Returns the pattern of the earlier neighbours that satisfy a condition.
     #[inline]
     fn bits(self, holds: impl Fn(T) -> bool) -> u16 {
-        let values = self.far.iter().chain(self.near).chain(self.own);
-        values.enumerate().fold(0, |bits, (bit, &value)| {
-            bits | u16::from(holds(value)) << bit
-        })
+        let bit = |value: T, bit: usize| u16::from(holds(value)) << bit;
+        let far = (0..3).fold(0, |bits, n| bits | bit(self.far[n], n));
+        let near = (0..5).fold(far, |bits, n| bits | bit(self.near[n], 3 + n));
+        (0..2).fold(near, |bits, n| bits | bit(self.own[n], 8 + n))
     }
 }
 
-/// Calls `f` with the values at the earlier neighbours of a cell. Values beyond the ends of the vector are zero. The value at a
+/// Calls `f` with the values at the earlier neighbours of a cell. Values before the start of the vector are zero. The value at a
 /// neighbour beyond the side of the grid is the value of a different cell.
 #[inline]
 fn earlier<T: Copy + Default, R>(
@@ -357,58 +356,28 @@ fn earlier<T: Copy + Default, R>(
     };
     match inside() {
         Some(neighbours) => f(neighbours),
-        None => at_end(values, cell, columns, false, f),
+        None => at_start(values, cell, columns, f),
     }
 }
 
-/// Calls `f` with the values at the later neighbours of a cell, to which this cell is an earlier neighbour.
-#[inline]
-fn later<T: Copy + Default, R>(
-    values: &[T],
-    cell: usize,
-    columns: usize,
-    f: impl Fn(Neighbours<'_, T>) -> R,
-) -> R {
-    let inside = || {
-        let values = values.get(cell..)?;
-        Some(Neighbours {
-            far: values.get(2 * columns - 1..)?.first_chunk()?,
-            near: values.get(columns.checked_sub(2)?..)?.first_chunk()?,
-            own: values.get(1..)?.first_chunk()?,
-        })
-    };
-    match inside() {
-        Some(neighbours) => f(neighbours),
-        None => at_end(values, cell, columns, true, f),
-    }
-}
-
-/// Calls `f` with the values at the earlier or later neighbours of a cell near an end of the vector.
+/// Calls `f` with the values at the earlier neighbours of a cell near the start of the vector.
 #[cold]
-fn at_end<T: Copy + Default, R>(
+fn at_start<T: Copy + Default, R>(
     values: &[T],
     cell: usize,
     columns: usize,
-    is_later: bool,
     f: impl Fn(Neighbours<'_, T>) -> R,
 ) -> R {
     let value = |entry: usize| {
         let [x, y] = EARLIER[entry];
-        let (x, rows) = (isize::from(x), usize::from(y.unsigned_abs()));
-        let place = if is_later {
-            (cell + rows * columns).checked_add_signed(-x)
-        } else {
-            let above = cell.checked_sub(rows * columns);
-            above.and_then(|above| above.checked_add_signed(x))
-        };
+        let above = cell.checked_sub(usize::from(y.unsigned_abs()) * columns);
+        let place = above.and_then(|above| above.checked_add_signed(x.into()));
         let value = place.and_then(|place| values.get(place));
         value.copied().unwrap_or_default()
     };
-    let entry =
-        |first: usize, last: usize, n: usize| value(if is_later { last - n } else { first + n });
     f(Neighbours {
-        far: &std::array::from_fn(|n| entry(0, 2, n)),
-        near: &std::array::from_fn(|n| entry(3, 7, n)),
-        own: &std::array::from_fn(|n| entry(8, 9, n)),
+        far: &std::array::from_fn(&value),
+        near: &std::array::from_fn(|n| value(3 + n)),
+        own: &std::array::from_fn(|n| value(8 + n)),
     })
 }
