@@ -6,6 +6,7 @@ mod tests;
 
 use crate::error::{Result, counted};
 use crate::grid::Grid;
+use crate::report::Status;
 
 pub(crate) use resolution::{RESOLVED, Resolution};
 
@@ -130,10 +131,11 @@ pub enum Warning {
         /// The magnitude of the twist of the step, in tenths of a radian.
         tenths: usize,
     },
-    /// The creepage of rolling bodies exceeds 0.1, whereas the model assumes small creepages. A common cause is a creepage in per
-    /// cent. For a step of a history the prescribed creepage counts.
+    /// The creepage of rolling bodies exceeds 0.1, whereas the model assumes small creepages. Common causes are a creepage in per
+    /// cent and an inconsistent unit of the spin. The magnitude of the spin times the largest distance of a contact cell from the
+    /// origin of the grid is added to the creepage. For a step of a history the prescribed creepage counts.
     LargeCreepage {
-        /// The magnitude of the creepage, in per cent.
+        /// The magnitude of the creepage including the spin, in per cent.
         per_cent: usize,
     },
     /// The contact radius a exceeds 0.3 of the radius of curvature R of the gap. Half-space theory assumes that a/R is
@@ -148,6 +150,15 @@ pub enum Warning {
         /// The larger of a/R along x and a/R along y, in thousandths.
         per_mille: usize,
     },
+    /// The largest pressure exceeds half of the contact modulus ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus),
+    /// for coated bodies the modulus of the outermost layers). Half-space theory assumes that strains are small. Common causes are
+    /// an inconsistent unit of the modulus or the load, and a mean pressure given as a force on a periodic grid.
+    PressureBeyondModulus {
+        /// The largest pressure divided by the contact modulus, in thousandths.
+        per_mille: usize,
+    },
+    /// The solve ended before it converged, so that the solution is its last feasible iterate.
+    NotConverged,
     /// The rms slope of the gap before loading within the contact exceeds 0.5. Half-space theory assumes that slopes
     /// are small. If all contact spots are at most two cells wide, the slopes between cells in contact and their other
     /// neighbours are used.
@@ -309,12 +320,20 @@ impl std::fmt::Display for Warning {
             ),
             Self::LargeCreepage { per_cent } => write!(
                 formatter,
-                "the creepage is {per_cent} %, expected at most 10 %: give a creepage of 1 % as 0.01; the model assumes small creepages"
+                "creepage and spin move the surfaces by {per_cent} % of the length rolled, expected at most 10 %: give a creepage of 1 % as 0.01, and check the unit of the spin; the model assumes small creepages"
             ),
             Self::LargeContactRadius { per_mille } => write!(
                 formatter,
                 "the contact radius is about {:.2} of the radius of curvature, expected at most 0.3: check the units of gap and grid, or lower the load; half-spaces assume small slopes",
                 1e-3 * *per_mille as f64
+            ),
+            Self::PressureBeyondModulus { per_mille } => write!(
+                formatter,
+                "the largest pressure is {:.2} of the contact modulus, expected at most 0.5: check the units of modulus and load, and multiply a mean pressure by the area of the grid; half-spaces assume small strains",
+                1e-3 * *per_mille as f64
+            ),
+            Self::NotConverged => formatter.write_str(
+                "the solve ended before it converged, so that the solution is its last iterate: check the status in the report, and solve again with a larger limit or tolerance"
             ),
             Self::SteepSurface { per_mille } => write!(
                 formatter,
@@ -456,15 +475,22 @@ impl Warning {
         (tenths > LARGEST_TWIST).then_some(tenths)
     }
 
-    /// Returns the magnitude of a creepage in per cent, or `None` if the creepage is small.
+    /// Returns the magnitude of a creepage, with the motion of the farthest contact cell by the spin, in per cent. Returns `None`
+    /// if this creepage is small.
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
         reason = "the magnitude is not negative, and a large one saturates"
     )]
-    pub(crate) fn creepage_beyond([x, y]: [f64; 2]) -> Option<usize> {
-        let per_cent = (100.0 * x.hypot(y)).round() as usize;
+    pub(crate) fn creepage_beyond([x, y]: [f64; 2], by_spin: f64) -> Option<usize> {
+        let per_cent = (100.0 * (x.hypot(y) + by_spin.abs())).round() as usize;
         (per_cent > LARGEST_CREEPAGE).then_some(per_cent)
+    }
+
+    /// Returns the warning about a solve that ended before it converged.
+    pub(crate) fn of_status(status: Status) -> Option<Self> {
+        let is_final = matches!(status, Status::Converged | Status::Unsolved);
+        (!is_final).then_some(Self::NotConverged)
     }
 
     /// Returns a neglected lift due to tractions, in millionths, or `None` if the lift is within the tolerance.

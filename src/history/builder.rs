@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use crate::bodies::coupling::Coupling;
 use crate::cgm::{Settings, settings_methods};
-use crate::error::Result;
+use crate::error::{Error, Result};
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::History;
@@ -146,7 +146,7 @@ impl HistoryBuilder<'_> {
 
     /// Sets whether the plastic overlap under the [hardness](Self::hardness) is permanent (default: not permanent). The
     /// permanent overlap of a step is added to the gap of all following steps and to [`State::yielded`]. The next contact
-    /// is elastic under the same or a smaller load. This option has no effect without a hardness.
+    /// is elastic under the same or a smaller load. This option requires a hardness.
     ///
     /// ```
     /// use stickslip::{*, normal::Hardness};
@@ -178,7 +178,7 @@ impl HistoryBuilder<'_> {
     ///   displacement differs.
     /// - [`Error::Sample`](crate::Error::Sample) if the gap is not finite, or for a bulk strain along a periodic axis.
     /// - [`Error::UnsupportedByModel`](crate::Error::UnsupportedByModel) for a relative displacement along an axis without
-    ///   tractions.
+    ///   tractions, or a permanent set without hardness.
     /// - [`Error::Method`](crate::Error::Method) if the model does not support the method.
     /// - [`Error::Tolerance`](crate::Error::Tolerance) or [`Error::IterationLimit`](crate::Error::IterationLimit) if a
     ///   setting is out of range.
@@ -216,6 +216,14 @@ impl HistoryBuilder<'_> {
     fn checked(&self) -> Result<&'static [Axis]> {
         self.settings.check()?;
         self.model.check(&self.settings)?;
+        if self.is_set_permanent && self.hardness.is_none() {
+            return Err(Error::UnsupportedByModel {
+                model: "a history without hardness",
+                quantity: "a permanent set",
+                value: 0.0,
+                remedy: "set the hardness, above which cells yield",
+            });
+        }
         let axes = match self.model {
             TangentialModel::Scalar => self.axis.alone(),
             TangentialModel::Vector => Axis::BOTH,

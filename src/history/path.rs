@@ -83,9 +83,18 @@ impl LoadPath {
     ///
     /// # Errors
     /// - [`Error::NotFinite`] if the phase is not finite.
+    /// - [`Error::BelowMinimum`] if the phase exceeds a full turn, as a phase in degrees.
     /// - Errors of [`sine`](Self::sine).
     pub fn ellipse(amplitudes: [f64; 2], phase: f64, steps: usize) -> Result<Self> {
-        let (ahead, along) = finite("phase", phase)?.sin_cos();
+        if finite("phase", phase)?.abs() > std::f64::consts::TAU {
+            return Err(Error::BelowMinimum {
+                quantity: "full turn divided by the phase in radians",
+                value: std::f64::consts::TAU / phase.abs(),
+                least_is: "convert a phase in degrees to radians",
+                least: 1.0,
+            });
+        }
+        let (ahead, along) = phase.sin_cos();
         Self::wave(amplitudes, steps, |quarter| {
             let turned = quarter.sine() * along + quarter.cosine() * ahead;
             [quarter.sine(), turned.clamp(-1.0, 1.0)]

@@ -83,6 +83,7 @@ impl NormalSolution {
         let cells = self.overloaded_cells();
         let beyond = (cells > 0).then_some(Warning::BeyondHardness { cells });
         let mut warnings = self.contact_map().warnings()?;
+        warnings.extend(Warning::of_status(self.report().status));
         warnings.extend(beyond);
         warnings.extend(self.discretisation_warning()?);
         warnings.extend(self.scale().warnings());

@@ -5,7 +5,7 @@ use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::warning::Warning;
 
-/// Approach, contact radius and slope, stored as integers for warnings.
+/// Approach, contact radius, slope and pressure, stored as integers for warnings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(crate) struct Scale {
@@ -15,12 +15,16 @@ pub(crate) struct Scale {
     radius_per_mille: usize,
     /// Rms slope within the contact, or around it if it is at most two cells wide, in thousandths.
     slope_per_mille: usize,
+    /// Largest pressure divided by the contact modulus, in thousandths.
+    #[cfg_attr(feature = "serde", serde(default))]
+    pressure_per_mille: usize,
 }
 
 /// Largest value of each quantity for which no warning is given.
 const LARGEST_APPROACH: usize = 10;
 const LARGEST_RADIUS: usize = 300;
 const LARGEST_SLOPE: usize = 500;
+const LARGEST_PRESSURE: usize = 500;
 
 /// Sums over pairs of neighbours along an axis that are both in contact. The summands are 1, x, x^2, s, x s and s^2.
 /// Here x is the middle of the pair, and s is the slope of the gap between the two cells.
@@ -35,14 +39,14 @@ impl Scale {
     pub(super) fn of(bodies: &HalfSpace, gap: &[f64], pressure: &[f64], approach: f64) -> Self {
         let grid = bodies.grid();
         let ([nx, ny], sides) = (grid.size(), [grid.dx(), grid.dy()]);
-        let (slopes, outer, least) = reduce::fold(
+        let (slopes, outer, [least, most]) = reduce::fold(
             &bodies.grid_layout(),
             |cells| {
                 let (mut slopes, mut outer) =
                     ([Slopes::default(); 2], [Surroundings::default(); 2]);
-                let mut least = f64::INFINITY;
+                let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
                 for cell in cells.filter(|cell| pressure[*cell] > 0.0) {
-                    least = least.min(gap[cell]);
+                    (least, most) = (least.min(gap[cell]), most.max(pressure[cell]));
                     let (column, row) = (cell % nx, cell / nx);
                     let next = [
                         (column + 1 < nx).then_some(cell + 1),
@@ -69,9 +73,12 @@ impl Scale {
                         slopes[axis] = slopes[axis].plus([1.0, x, x * x, s, x * s, s * s]);
                     }
                 }
-                (slopes, outer, least)
+                (slopes, outer, [least, most])
             },
-            |(a, outer, least), (b, also, other)| (a.plus(b), outer.plus(also), least.min(other)),
+            |(a, outer, [least, most]), (b, also, [lower, higher])| {
+                let range = [least.min(lower), most.max(higher)];
+                (a.plus(b), outer.plus(also), range)
+            },
         );
         let grid = grid.whole();
         let radius = slopes.map(|slopes| radius_over_curvature(grid, slopes));
@@ -87,6 +94,7 @@ impl Scale {
             approach_tenths: whole(10.0 * (approach - least) / grid.longest_side()),
             radius_per_mille: whole(1e3 * radius[0].max(radius[1])),
             slope_per_mille: whole(1e3 * (squared[0] + squared[1]).sqrt()),
+            pressure_per_mille: whole(1e3 * most / bodies.pair().contact_modulus()),
         }
     }
 
@@ -96,6 +104,7 @@ impl Scale {
             approach_tenths: self.approach_tenths.max(other.approach_tenths),
             radius_per_mille: self.radius_per_mille.max(other.radius_per_mille),
             slope_per_mille: self.slope_per_mille.max(other.slope_per_mille),
+            pressure_per_mille: self.pressure_per_mille.max(other.pressure_per_mille),
         }
     }
 
@@ -105,6 +114,7 @@ impl Scale {
             approach_tenths,
             radius_per_mille,
             slope_per_mille,
+            pressure_per_mille,
         } = self;
         let approach = Warning::ApproachBeyondGrid {
             tenths: approach_tenths,
@@ -115,10 +125,14 @@ impl Scale {
         let slope = Warning::SteepSurface {
             per_mille: slope_per_mille,
         };
+        let pressure = Warning::PressureBeyondModulus {
+            per_mille: pressure_per_mille,
+        };
         [
             (approach_tenths > LARGEST_APPROACH).then_some(approach),
             (radius_per_mille > LARGEST_RADIUS).then_some(radius),
             (slope_per_mille > LARGEST_SLOPE).then_some(slope),
+            (pressure_per_mille > LARGEST_PRESSURE).then_some(pressure),
         ]
         .into_iter()
         .flatten()

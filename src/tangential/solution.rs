@@ -343,6 +343,7 @@ impl TangentialSolution {
     /// - [`Error::Memory`] if memory runs out.
     pub fn try_warnings(&self) -> Result<Vec<Warning>> {
         let mut warnings = self.contact_map().warnings()?;
+        warnings.extend(Warning::of_status(self.report.status));
         warnings.extend(self.zone_warnings().chain(self.pressing_warning()));
         warnings.extend(self.motion_warnings());
         let contact = || self.contact_map().mean_spot();

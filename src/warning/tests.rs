@@ -6,7 +6,8 @@ use crate::warning::Warning;
 variants! { Warning:
     NoContact ContactAtEdge UnresolvedSpots SingleRowOfCells ContactSpansGrid BeyondHardness StalePressure StressAtEdge
     UnderresolvedContact UnderresolvedStickZone UnderresolvedSlipZone DiscretisationError SingleLoadStep
-    ApproachBeyondGrid ShiftBeyondGrid LargeTwist LargeCreepage LargeContactRadius SteepSurface HeldShiftLostForce
+    ApproachBeyondGrid ShiftBeyondGrid LargeTwist LargeCreepage LargeContactRadius PressureBeyondModulus NotConverged SteepSurface
+    HeldShiftLostForce
     UnusedRelativeDisplacement RepeatedLoop NeglectedLift CoatingBeyondGrid
     CoatingBelowCell AccuracyNotReached
 }
@@ -124,11 +125,19 @@ fn every_warning_has_its_text() {
         ),
         (
             Warning::LargeCreepage { per_cent: 50 },
-            "the creepage is 50 %, expected at most 10 %: give a creepage of 1 % as 0.01; the model assumes small creepages",
+            "creepage and spin move the surfaces by 50 % of the length rolled, expected at most 10 %: give a creepage of 1 % as 0.01, and check the unit of the spin; the model assumes small creepages",
         ),
         (
             Warning::LargeContactRadius { per_mille: 350 },
             "the contact radius is about 0.35 of the radius of curvature, expected at most 0.3: check the units of gap and grid, or lower the load; half-spaces assume small slopes",
+        ),
+        (
+            Warning::PressureBeyondModulus { per_mille: 750 },
+            "the largest pressure is 0.75 of the contact modulus, expected at most 0.5: check the units of modulus and load, and multiply a mean pressure by the area of the grid; half-spaces assume small strains",
+        ),
+        (
+            Warning::NotConverged,
+            "the solve ended before it converged, so that the solution is its last iterate: check the status in the report, and solve again with a larger limit or tolerance",
         ),
         (
             Warning::SteepSurface { per_mille: 750 },

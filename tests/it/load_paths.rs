@@ -91,6 +91,9 @@ fn table_is_unchanged_and_cycles_repeat() {
 
 #[test]
 fn invalid_paths_are_rejected() {
+    // A phase of 90 is meant in degrees.
+    kit::assert_refused! { LoadPath::ellipse([1.0; 2], 90.0, 8) => Error::BelowMinimum { .. } }
+    assert!(LoadPath::ellipse([1.0; 2], -TAU, 8).is_ok());
     for shape in SHAPES {
         for steps in [0, 1, 2, 3, 5, 42] {
             kit::assert_refused! { shape([1.0, 0.0], steps) => error if error == Error::StepsPerCycle(steps) }
@@ -113,7 +116,7 @@ proptest! {
     #[test]
     fn values_stay_within_amplitudes(
         amplitudes in [-1e3..1e3_f64, -1e3..1e3],
-        phase in -10.0..10.0_f64,
+        phase in -TAU..TAU,
         quarter in 1..20_usize,
     ) {
         let path = LoadPath::ellipse(amplitudes, phase, 4 * quarter).unwrap();

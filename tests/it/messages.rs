@@ -641,25 +641,92 @@ fn creepage_above_a_tenth_gives_warning() {
         let mut warnings = warnings.into_iter();
         warnings.find(|warning| matches!(warning, Warning::LargeCreepage { .. }))
     };
-    // 0.12 is the magnitude of 0.072 and 0.096. Creepages of 0.2 and 0.5 may be meant in per cent.
-    for (creepage, per_cent) in [
-        ([0.06, 0.08], None),
-        ([-0.072, 0.096], Some(12)),
-        ([0.2, 0.0], Some(20)),
-        ([0.0, 0.5], Some(50)),
+    // 0.12 is the magnitude of 0.072 and 0.096. Creepages of 0.2 and 0.5 may be meant in per cent. The farthest contact cell has
+    // a distance of about 1 from the origin.
+    for (creepage, spin, per_cent) in [
+        ([0.06, 0.08], 0.0, None),
+        ([-0.072, 0.096], 0.0, Some(12)),
+        ([0.2, 0.0], 0.0, Some(20)),
+        ([0.0, 0.5], 0.0, Some(50)),
+        ([0.01, 0.0], -0.05, None),
+        ([0.01, 0.0], -0.2, Some(20)),
     ] {
-        let expected = per_cent.map(|per_cent| Warning::LargeCreepage { per_cent });
-        let problem = RollingProblem::builder(&bodies, &normal, friction()).creepage(creepage);
-        let rolling = problem.build().unwrap().solve().unwrap();
-        assert_eq!(stated(rolling.warnings()), expected);
+        let problem = RollingProblem::builder(&bodies, &normal, friction());
+        let problem = problem.creepage(creepage).spin(spin).build().unwrap();
+        let rolling = problem.solve().unwrap();
         let mut history = History::builder(&bodies, &ball, friction())
             .model(TangentialModel::Vector)
             .build()
             .unwrap();
         let press = LoadStep::hold().normal(NormalLoad::Force(load()));
-        let rolled = press.roll(Rolling::new(1).creepage(creepage));
-        assert_eq!(stated(history.step(&rolled).unwrap().warnings()), expected);
+        let rolled = press.roll(Rolling::new(1).creepage(creepage).spin(spin));
+        let step = history.step(&rolled).unwrap();
+        for warnings in [rolling.warnings(), step.warnings()] {
+            match (stated(warnings), per_cent) {
+                (None, None) => {}
+                (Some(Warning::LargeCreepage { per_cent: found }), Some(expected)) => {
+                    assert!(found.abs_diff(expected) <= usize::from(spin != 0.0));
+                }
+                (found, _) => panic!("{creepage:?} {spin}: {found:?}"),
+            }
+        }
     }
+}
+
+/// A mean pressure given as a force passes all limits that follow from the approach, which cannot exceed the mean gap.
+#[test]
+fn pressure_above_half_of_contact_modulus_gives_warning() {
+    let grid = Grid::square(16, 4.0).unwrap();
+    let bodies = HalfSpace::with_boundary(grid, kit::unit_pair(0.3), Boundary::Periodic).unwrap();
+    let modulus = bodies.pair().contact_modulus();
+    let wave = std::f64::consts::TAU / 4.0;
+    let gap = Field::from_fn(grid, |x, y| {
+        1e-3 * (2.0 - (wave * x).cos() - (wave * y).cos())
+    });
+    for part in [0.4, 0.6] {
+        let force = NormalLoad::Force(part * modulus * grid.area());
+        let problem = NormalProblem::builder(&bodies, &gap, force)
+            .build()
+            .unwrap();
+        let warnings = problem.solve().unwrap().warnings();
+        let mut ratios = warnings.iter().filter_map(|warning| match warning {
+            Warning::PressureBeyondModulus { per_mille } => Some(*per_mille),
+            _ => None,
+        });
+        // The wave adds a thousandth of the modulus to the mean pressure.
+        assert_eq!(ratios.next().is_some_and(|ratio| ratio > 600), part > 0.5);
+    }
+}
+
+#[test]
+fn solution_of_unconverged_solve_gives_warning() {
+    let bodies = bodies(16);
+    let ball = ball(&bodies);
+    let problem = NormalProblem::builder(&bodies, &ball, NormalLoad::Force(load()));
+    let mut solver = problem
+        .max_iterations(1)
+        .build()
+        .unwrap()
+        .into_solver()
+        .unwrap();
+    let mut normal = solver.new_solution();
+    assert!(!normal.warnings().contains(&Warning::NotConverged));
+    assert!(solver.solve_into(&mut normal).is_err());
+    assert!(normal.warnings().contains(&Warning::NotConverged));
+
+    let normal = pressed(&bodies, &ball, load());
+    assert!(!normal.warnings().contains(&Warning::NotConverged));
+    let shift = TangentialLoad::force([0.3 * load(), 0.0]);
+    let problem = TangentialProblem::builder(&bodies, &normal, friction(), shift);
+    let mut solver = problem
+        .max_iterations(1)
+        .build()
+        .unwrap()
+        .into_solver()
+        .unwrap();
+    let mut tangential = solver.new_solution();
+    assert!(solver.solve_into(&mut tangential).is_err());
+    assert!(tangential.warnings().contains(&Warning::NotConverged));
 }
 
 #[test]

@@ -3,6 +3,7 @@
 
 use stickslip::analytical::{Carter, HertzLine};
 use stickslip::history::{AdaptiveSteps, EntryRule, LeadingEdge, Rolling};
+use stickslip::normal::Hardness;
 use stickslip::rolling::RollingProblem;
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
@@ -502,7 +503,9 @@ fn invalid_rolling_is_rejected() {
     is_refused(builder(&bodies).build(), one.spin(0.1));
     let apart = RelativeDisplacement::bulk_strain(bodies.grid(), [[0.0; 2]; 2]).unwrap();
     is_refused(builder(&bodies).relative_displacement(apart).build(), one);
-    is_refused(builder(&bodies).permanent_set(true).build(), one);
+    let yielding = builder(&bodies).hardness(Hardness::uniform(1e3).unwrap());
+    is_refused(yielding.permanent_set(true).build(), one);
+    kit::assert_refused! { builder(&bodies).permanent_set(true).build() => Error::UnsupportedByModel { .. } }
     let waves =
         HalfSpace::with_boundary(bodies.grid(), *bodies.pair(), Boundary::Periodic).unwrap();
     is_refused(builder(&waves).build(), one);

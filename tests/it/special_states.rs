@@ -192,7 +192,7 @@ fn warnings_can_be_compared() {
             NormalLoad::Force(force),
         ))
     };
-    let flat = press(&Field::zeros(grid), 1.0);
+    let flat = press(&Field::zeros(grid), 1e-3);
     let across = Warning::ContactSpansGrid {
         along_x: true,
         along_y: true,

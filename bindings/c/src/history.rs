@@ -197,7 +197,8 @@ pub unsafe extern "C" fn stickslip_history_step(
 /// the change of the tractions is at most the tolerance times the friction limits. A tolerance of 0.01 is a good
 /// choice. The argument observer may be NULL; it receives the iterations of all steps. After a failure, for example
 /// STICKSLIP_STEP_TOO_LONG, the state of the history is unchanged. If the call has undone steps, the history has no
-/// last step until its next step.
+/// last step until its next step. After several steps, the result and the wear of the last step are those of the last one
+/// alone; the field STICKSLIP_DISSIPATED_ENERGY contains the energy of all steps.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_press(
     history: *mut stickslip_history,

@@ -159,6 +159,10 @@ pub const STICKSLIP_WARNING_LARGE_CREEPAGE: i32 = 22;
 pub const STICKSLIP_WARNING_UNUSED_RELATIVE_DISPLACEMENT: i32 = 23;
 /// Warning: a cycle repeats a closed loop, so that its energies are sums over several loops.
 pub const STICKSLIP_WARNING_REPEATED_LOOP: i32 = 24;
+/// Warning: the largest pressure exceeds half of the contact modulus.
+pub const STICKSLIP_WARNING_PRESSURE_BEYOND_MODULUS: i32 = 25;
+/// Warning: the solve ended before it converged.
+pub const STICKSLIP_WARNING_NOT_CONVERGED: i32 = 26;
 /// Any other warning, described by its message.
 pub const STICKSLIP_WARNING_OTHER: i32 = 127;
 
@@ -220,6 +224,10 @@ impl From<&Warning> for stickslip_warning {
                 (STICKSLIP_WARNING_UNUSED_RELATIVE_DISPLACEMENT, 0, 0)
             }
             Warning::RepeatedLoop => (STICKSLIP_WARNING_REPEATED_LOOP, 0, 0),
+            Warning::PressureBeyondModulus { .. } => {
+                (STICKSLIP_WARNING_PRESSURE_BEYOND_MODULUS, 0, 0)
+            }
+            Warning::NotConverged => (STICKSLIP_WARNING_NOT_CONVERGED, 0, 0),
             _ => (STICKSLIP_WARNING_OTHER, 0, 0),
         };
         let mut message: [c_char; STICKSLIP_WARNING_LENGTH] = [0; STICKSLIP_WARNING_LENGTH];

@@ -154,6 +154,8 @@ impl Warning {
             W::LargeTwist { .. } => "large_twist",
             W::LargeCreepage { .. } => "large_creepage",
             W::LargeContactRadius { .. } => "large_contact_radius",
+            W::PressureBeyondModulus { .. } => "pressure_beyond_modulus",
+            W::NotConverged => "not_converged",
             W::SteepSurface { .. } => "steep_surface",
             W::HeldShiftLostForce { .. } => "held_shift_lost_force",
             W::UnusedRelativeDisplacement => "unused_relative_displacement",

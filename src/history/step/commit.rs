@@ -10,7 +10,7 @@ use crate::history::state::permanent_set::update_permanent_set;
 use crate::history::state::window_shrinking::narrow;
 use crate::history::step::diagnostics::StepDiagnostics;
 use crate::history::step::solve::StepInput;
-use crate::history::{EnergyBalance, History, Rolling, StepResult};
+use crate::history::{EnergyBalance, History, StepResult};
 use crate::normal::{NormalControl, NormalSolution};
 use crate::numerics::cell_vector::{dot, length, minus, plus, slices};
 use crate::parallel::Blocks;
@@ -111,8 +111,9 @@ impl History {
             step.remarks.shift_tenths = Warning::shift_beyond(state.grid(), moved);
             step.remarks.twist_tenths = Warning::twist_beyond(twisted);
         }
-        let creepage = load.rolling().map(Rolling::prescribed_creepage);
-        step.remarks.creepage_per_cent = creepage.and_then(Warning::creepage_beyond);
+        let contact = (&*bodies, state.normal.pressure());
+        let creepage = load.rolling().and_then(|roll| roll.large_creepage(contact));
+        step.remarks.creepage_per_cent = creepage;
         step.remarks.lost_per_cent = state.lose_held_force(load);
         step.energy = step.energy.plus(pressing);
         let margins = travel.map_or([0; 2], |travel| travel.margins());

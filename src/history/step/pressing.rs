@@ -70,6 +70,11 @@ impl History {
     ///
     /// After an error the state is bitwise unchanged. If the call has undone steps, the history has no [last
     /// step](History::last_step), as after [`History::set_state`].
+    ///
+    /// # Slip and energy
+    /// The [last step](History::last_step) is the last of the steps taken, with the slip and energy of this step alone.
+    /// [`History::accumulated_slip`] and [`History::accumulated_dissipation`] include all steps: subtract their values
+    /// before the call for the wear of the load.
     pub fn press(&mut self, load: &LoadStep, tolerance: f64) -> Result<usize> {
         self.press_observed(load, tolerance, |_| ControlFlow::Continue(()))
     }

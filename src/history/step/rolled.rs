@@ -1,5 +1,6 @@
 //! Step in which the bodies roll.
 
+use crate::cgm::reduce;
 use crate::error::{Error, Result, finite};
 use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
@@ -11,6 +12,7 @@ use crate::rolling::RollingShift;
 use crate::tangential::{
     Axis, RigidMotion, TangentialControl, TangentialModel, TangentialTarget, carry_offsets,
 };
+use crate::warning::Warning;
 
 /// Rolling in a step: the number of cells, the leading edge, and the creepages and spin of body 2.
 ///
@@ -96,9 +98,22 @@ impl Rolling {
         self
     }
 
-    /// Returns the prescribed creepages, which are zero along an axis with a prescribed force.
-    pub(in crate::history) fn prescribed_creepage(&self) -> [f64; 2] {
-        self.creepage
+    /// Returns the magnitude of a prescribed creepage that needs a warning, in per cent. The spin adds its motion of the contact
+    /// cell that is farthest from the origin.
+    pub(in crate::history) fn large_creepage(
+        &self,
+        (bodies, pressure): (&HalfSpace, &Field),
+    ) -> Option<usize> {
+        let (grid, pressure) = (bodies.grid(), pressure.as_slice());
+        let distance = reduce::max(&bodies.grid_layout(), |cell| {
+            let [x, y] = grid.position(cell % grid.nx(), cell / grid.nx());
+            if pressure[cell] > 0.0 {
+                x.hypot(y)
+            } else {
+                0.0
+            }
+        });
+        Warning::creepage_beyond(self.creepage, self.spin * distance)
     }
 
     /// Returns the path of the particles on the grid of these bodies.

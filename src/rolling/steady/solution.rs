@@ -240,13 +240,21 @@ impl RollingSolution {
         let mut warnings = unwrap_or_abort(map.warnings());
         let lift = self.neglected_lift;
         warnings.extend(lift.map(|per_million| Warning::NeglectedLift { per_million }));
+        warnings.extend(Warning::of_status(self.report.status));
         warnings.extend(self.creepage_warning());
         warnings
     }
 
-    /// Returns the warning about a large creepage.
+    /// Returns the warning about a large creepage or spin.
     pub(in crate::rolling) fn creepage_warning(&self) -> Option<Warning> {
-        let per_cent = Warning::creepage_beyond(self.creepage)?;
+        let columns = self.grid().nx();
+        let contact = (0..self.zones.len()).filter(|cell| self.zones[*cell] != Zone::Separated);
+        let distance = contact.map(|cell| {
+            let [x, y] = self.grid().position(cell % columns, cell / columns);
+            x.hypot(y)
+        });
+        let by_spin = self.spin * distance.fold(0.0, f64::max);
+        let per_cent = Warning::creepage_beyond(self.creepage, by_spin)?;
         Some(Warning::LargeCreepage { per_cent })
     }
 

@@ -451,6 +451,9 @@ class AdaptiveSteps:
         Applies a load in as many steps as the tolerance requires, and returns the number of steps. Ctrl-C takes effect
         after the current part. The state of the history is then unchanged, but it has no last step until its next step.
 
+        The last step of the history is the last of these steps, with its slip and energy alone. For wear, give ``cycle``, or take the
+        increase of :attr:`History.accumulated_dissipation`.
+
         Parameters
         ----------
         history : History
@@ -3440,6 +3443,9 @@ class History:
         The load is applied in 1, 2, 4, 8, ... steps from the present state, until the tractions differ from the tractions
         for half the number of steps by no more than the tolerance. A call that fails, or that is interrupted by Ctrl-C,
         leaves the state unchanged. The history then has no last step until its next step.
+
+        :attr:`last_step` is the last of these steps, with its slip and energy alone. For the wear of the load, take the increase of
+        :attr:`accumulated_dissipation`.
 
         Parameters
         ----------

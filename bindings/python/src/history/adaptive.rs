@@ -94,6 +94,9 @@ impl AdaptiveSteps {
     /// Applies a load in as many steps as the tolerance requires, and returns the number of steps. Ctrl-C takes effect
     /// after the current part. The state of the history is then unchanged, but it has no last step until its next step.
     ///
+    /// The last step of the history is the last of these steps, with its slip and energy alone. For wear, give ``cycle``, or take the
+    /// increase of :attr:`History.accumulated_dissipation`.
+    ///
     /// Parameters
     /// ----------
     /// history : History

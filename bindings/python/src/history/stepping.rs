@@ -105,6 +105,9 @@ impl History {
     /// for half the number of steps by no more than the tolerance. A call that fails, or that is interrupted by Ctrl-C,
     /// leaves the state unchanged. The history then has no last step until its next step.
     ///
+    /// :attr:`last_step` is the last of these steps, with its slip and energy alone. For the wear of the load, take the increase of
+    /// :attr:`accumulated_dissipation`.
+    ///
     /// Parameters
     /// ----------
     /// load : LoadStep, optional
