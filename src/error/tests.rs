@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use crate::error::{Error, Place, RankFailure, SLIDE};
+use crate::error::{Error, Place, RankFailure, SLIDE, SLIDE_UNDER_CAP, of_rolling};
 use crate::report::{Report, Status};
 
 /// Enumeration whose variants are listed here. The `match` has no wildcard, so a new variant must be added to the list.
@@ -206,7 +206,7 @@ fn every_error_has_its_text() {
         ),
         (
             Error::NoPressureToHold,
-            "the normal problem has no pressure to hold yet: prescribe a normal force or an approach",
+            "a normal problem has no earlier pressure to hold, only a history has one: prescribe a normal force or an approach",
         ),
         (
             Error::Method {
@@ -256,6 +256,22 @@ fn every_error_has_its_text() {
             "the tangential force 3.0 exceeds the friction limit 0.0: give a positive coefficient of friction",
         ),
         (
+            Error::BeyondFrictionCapacity {
+                force: 3.0,
+                limit: 1e-6,
+                remedy: SLIDE_UNDER_CAP,
+            },
+            "the tangential force 3.0 exceeds the friction limit 1e-6: check the unit of max_shear_stress, or prescribe a shift or a spring to let the body slide",
+        ),
+        (
+            of_rolling(Error::BeyondFrictionCapacity {
+                force: 3.0,
+                limit: 1e-6,
+                remedy: SLIDE_UNDER_CAP,
+            }),
+            "the tangential force 3.0 exceeds the friction limit 1e-6: check the unit of max_shear_stress, or prescribe the creepage, or lower the force",
+        ),
+        (
             Error::BeyondFrictionMoment {
                 moment: 0.5,
                 limit: 0.25,
@@ -268,7 +284,7 @@ fn every_error_has_its_text() {
                 force: 2e9,
                 capacity: 3e-8,
             },
-            "the normal force 2000000000.0 exceeds 3e-8, the largest force that the cells can carry at their hardness: use a larger grid, or prescribe an approach",
+            "the normal force 2000000000.0 exceeds 3e-8, the largest force that the cells can carry at their hardness: check the unit of the hardness, use a larger grid, or prescribe an approach",
         ),
         (
             Error::Yielded {
@@ -498,6 +514,34 @@ fn every_error_has_its_text() {
             "the calculation has not converged: stopped at the iteration limit in 3 iterations, 0 + 0 convolutions (double + single), 0.000 s: residual 2.5e-1, energy error not bounded, load error 0.0e0",
         ),
     ]);
+}
+
+#[test]
+fn unconverged_solve_has_remedy_for_its_status() {
+    let remedy = |status, products, residual| {
+        let report = Report {
+            status,
+            double_precision_products: products,
+            residual,
+            ..Report::unsolved()
+        };
+        let text = Error::NotConverged(Box::new(report.clone())).to_string();
+        let rest = text.strip_prefix(&format!("the calculation has not converged: {report}"));
+        rest.unwrap().to_owned()
+    };
+    let round_off =
+        ": the tolerance is below round-off, so set it above these errors (1e-12 or more)";
+    assert_eq!(remedy(Status::Stalled, 9, 1e-15), round_off);
+    assert_eq!(remedy(Status::Stalled, 9, 1e-3), "");
+    assert_eq!(remedy(Status::Stalled, 9, f64::NAN), "");
+    assert_eq!(
+        remedy(Status::IterationLimit, 9, 1e-3),
+        ": raise max_iterations"
+    );
+    assert_eq!(remedy(Status::IterationLimit, 0, 1e-3), "");
+    assert_eq!(remedy(Status::TimeLimit, 9, 1e-3), ": raise the time limit");
+    assert_eq!(remedy(Status::Unsolved, 0, 1e-3), ": solve first");
+    assert_eq!(remedy(Status::Cancelled, 9, 1e-3), "");
 }
 
 #[test]
