@@ -1,5 +1,8 @@
 //! Error messages that are not a fixed sentence of their variant.
 
+#[cfg(test)]
+mod tests;
+
 use crate::report::{Report, Status};
 
 /// Returns the name of a file as a prefix for the description of a problem in the file.
