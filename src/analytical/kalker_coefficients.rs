@@ -15,7 +15,8 @@ use crate::error::{Error, Result, at_least, positive};
 /// M = G c^3\,(C_{32}\,\eta + c\,C_{33}\,\varphi), \qquad C_{32} = -C_{23} ,
 /// ```
 ///
-/// with positive $`C_{11}, C_{22}, C_{23}, C_{33}`$ and the signs of [`rolling`](crate::rolling) with the leading edge
+/// where $`G`$ is the shear modulus of the bodies: twice the [`equivalent_shear_modulus`] of their pair. The formulas have
+/// positive $`C_{11}, C_{22}, C_{23}, C_{33}`$ and the signs of [`rolling`](crate::rolling) with the leading edge
 /// at +x. The coefficients depend neither on the pressure nor on the friction.
 ///
 /// The values were computed with this crate for $`a/b`$ from 1/16 to 16. They result from [steady
@@ -45,6 +46,8 @@ use crate::error::{Error, Result, at_least, positive};
 /// assert_eq!(circle.c32(), -circle.c23());
 /// # Ok::<(), stickslip::Error>(())
 /// ```
+///
+/// [`equivalent_shear_modulus`]: crate::ElasticPair::equivalent_shear_modulus
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct KalkerCoefficients {
@@ -58,8 +61,8 @@ impl KalkerCoefficients {
     /// Returns the coefficients of an ellipse for bodies of Poisson's ratio `poisson_ratio` (0 to 1/2). The ratio $`a/b`$ of the
     /// semi-axes along and across the rolling direction is `ratio` (1/16 to 16). For different bodies with a
     /// [`dundurs_beta`](crate::ElasticPair::dundurs_beta) of zero, use the [equivalent Poisson's
-    /// ratio](crate::ElasticPair::equivalent_poisson_ratio). The modulus G is then twice the [equivalent shear
-    /// modulus](crate::ElasticPair::equivalent_shear_modulus).
+    /// ratio](crate::ElasticPair::equivalent_poisson_ratio). For equal and different bodies, the modulus G is twice the
+    /// [equivalent shear modulus](crate::ElasticPair::equivalent_shear_modulus).
     ///
     /// # Errors
     /// - [`Error::NotPositive`] if the ratio is not positive and finite.

@@ -5,7 +5,7 @@ use crate::cgm::{Total, reduce};
 use crate::contact::SolveContext;
 use crate::coupled::increment::CoupledIncrement;
 use crate::coupled::window_solver::CoupledRequest;
-use crate::error::{Error, Result, SLIDE};
+use crate::error::{Error, Result};
 use crate::memory::fallible::TryClone;
 use crate::report::Status;
 
@@ -47,7 +47,7 @@ impl CoupledIncrement {
                 return Err(Error::BeyondFrictionCapacity {
                     force,
                     limit,
-                    remedy: SLIDE,
+                    remedy: self.pressed.limits.remedy,
                 });
             }
         }

@@ -153,8 +153,8 @@ checked_struct! {
     #[serde(remote = "Edges", deny_unknown_fields)]
     check(read) {
         let grid = read.grid();
-        read.centres.check("centres", grid)?;
-        read.means.check("means", grid)?;
+        read.centres.check("field of centres", grid)?;
+        read.means.check("field of means", grid)?;
         let count = grid.cells();
         match read.cells.iter().find(|cell| cell.index >= count) {
             None => Ok(()),

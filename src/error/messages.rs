@@ -1,5 +1,10 @@
 //! Error messages that are not a fixed sentence of their variant.
 
+#[cfg(test)]
+mod tests;
+
+use crate::report::{Report, Status};
+
 /// Returns the name of a file as a prefix for the description of a problem in the file.
 pub(super) fn prefix(file: Option<&str>) -> String {
     file.map_or_else(String::new, |file| format!("{file}: "))
@@ -53,7 +58,7 @@ pub(super) fn beyond_capacity(force: f64, limit: f64, remedy: &str) -> String {
 /// Returns the message for a normal force beyond the hardness, with a remedy.
 pub(super) fn beyond_hardness(force: f64, capacity: f64) -> String {
     format!(
-        "the normal force {force:?} exceeds {capacity:?}, the largest force that the cells can carry at their hardness: use a larger grid, or prescribe an approach"
+        "the normal force {force:?} exceeds {capacity:?}, the largest force that the cells can carry at their hardness: check the unit of the hardness, use a larger grid, or prescribe an approach"
     )
 }
 
@@ -90,4 +95,22 @@ pub(super) fn not_closed(residual: f64, limit: f64) -> String {
     format!(
         "the residual of the cycle (relative to its amplitude) is {residual:?}, but must be at most {limit:?} for a jump: compute another cycle on this gap first, or raise the limit"
     )
+}
+
+/// Residual below which a stalled solve is limited by round-off. The smallest residuals of hard problems are larger than 1e-12.
+const NEAR_ROUND_OFF: f64 = 1e-9;
+
+/// Returns the message for a solve that has not converged, with a remedy for the status.
+pub(super) fn not_converged(report: &Report) -> String {
+    let remedy = match report.status {
+        Status::Unsolved => ": solve first",
+        // The limit of an iteration without an operator is fixed.
+        Status::IterationLimit if report.products() > 0 => ": raise max_iterations",
+        Status::TimeLimit => ": raise the time limit",
+        Status::Stalled if report.residual <= NEAR_ROUND_OFF => {
+            ": the tolerance is below round-off, so set it above these errors (1e-12 or more)"
+        }
+        _ => "",
+    };
+    format!("the calculation has not converged: {report}{remedy}")
 }

@@ -11,8 +11,9 @@ mod system;
 pub(crate) mod tests;
 
 pub(crate) use check::{
-    SLIDE, all_finite, all_non_negative, at_least, check_converged, finite, has_squares, length,
-    memory, non_negative, not_converged, of_rolling, poisson_ratio, positive, samples_obey,
+    SLIDE, SLIDE_UNDER_CAP, all_finite, all_non_negative, at_least, check_converged, finite,
+    has_squares, length, memory, non_negative, not_converged, of_rolling, poisson_ratio, positive,
+    samples_obey,
 };
 pub(crate) use messages::counted;
 pub use {kind::ErrorKind, place::Place, ranks::RankFailure, result::Result, system::SystemError};
@@ -231,9 +232,9 @@ pub enum Error {
     /// The iteration limit is zero.
     #[error("the iteration limit must be at least 1, got 0")]
     IterationLimit,
-    /// The load control holds the pressure, but the normal problem has no pressure yet.
+    /// The load control holds the pressure, but a normal problem has no earlier pressure. Only a step of a history can hold one.
     #[error(
-        "the normal problem has no pressure to hold yet: prescribe a normal force or an approach"
+        "a normal problem has no earlier pressure to hold, only a history has one: prescribe a normal force or an approach"
     )]
     NoPressureToHold,
     /// The method does not support the problem.
@@ -563,6 +564,6 @@ pub enum Error {
     Ranks(RankFailure),
     /// The iteration ended before it reached the tolerance. After `solve_into` or `solve_observed` the solution contains the last
     /// feasible iterate. A [`History`](crate::History) remains unchanged.
-    #[error("the calculation has not converged: {0}")]
+    #[error("{}", messages::not_converged(.0))]
     NotConverged(Box<Report>),
 }

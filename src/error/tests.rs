@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 
-use crate::error::{Error, Place, RankFailure, SLIDE};
+use crate::error::{Error, Place, RankFailure, SLIDE, SLIDE_UNDER_CAP, of_rolling};
 use crate::report::{Report, Status};
 
 /// Enumeration whose variants are listed here. The `match` has no wildcard, so a new variant must be added to the list.
@@ -206,7 +206,7 @@ fn every_error_has_its_text() {
         ),
         (
             Error::NoPressureToHold,
-            "the normal problem has no pressure to hold yet: prescribe a normal force or an approach",
+            "a normal problem has no earlier pressure to hold, only a history has one: prescribe a normal force or an approach",
         ),
         (
             Error::Method {
@@ -256,6 +256,22 @@ fn every_error_has_its_text() {
             "the tangential force 3.0 exceeds the friction limit 0.0: give a positive coefficient of friction",
         ),
         (
+            Error::BeyondFrictionCapacity {
+                force: 3.0,
+                limit: 1e-6,
+                remedy: SLIDE_UNDER_CAP,
+            },
+            "the tangential force 3.0 exceeds the friction limit 1e-6: check the unit of max_shear_stress, or prescribe a shift or a spring to let the body slide",
+        ),
+        (
+            of_rolling(Error::BeyondFrictionCapacity {
+                force: 3.0,
+                limit: 1e-6,
+                remedy: SLIDE_UNDER_CAP,
+            }),
+            "the tangential force 3.0 exceeds the friction limit 1e-6: check the unit of max_shear_stress, or prescribe the creepage, or lower the force",
+        ),
+        (
             Error::BeyondFrictionMoment {
                 moment: 0.5,
                 limit: 0.25,
@@ -268,7 +284,7 @@ fn every_error_has_its_text() {
                 force: 2e9,
                 capacity: 3e-8,
             },
-            "the normal force 2000000000.0 exceeds 3e-8, the largest force that the cells can carry at their hardness: use a larger grid, or prescribe an approach",
+            "the normal force 2000000000.0 exceeds 3e-8, the largest force that the cells can carry at their hardness: check the unit of the hardness, use a larger grid, or prescribe an approach",
         ),
         (
             Error::Yielded {

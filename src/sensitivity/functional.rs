@@ -120,10 +120,10 @@ impl Weights {
             fields.try_for_each(|field| field.check(name, bodies.grid()))
         };
         if let Some(field) = &self.pressure {
-            field.check("weights of the pressures", bodies.grid())?;
+            field.check("field of weights of the pressures", bodies.grid())?;
         }
-        fields("weights of the tractions", &self.traction)?;
-        fields("weights of the slips", &self.slip)?;
+        fields("field of weights of the tractions", &self.traction)?;
+        fields("field of weights of the slips", &self.slip)?;
         finite("weight of the approach", self.approach)?;
         for weight in self.shift {
             finite("weight of the shift", weight)?;

@@ -48,7 +48,7 @@ checked_struct! {
     }
     #[serde(remote = "ContactSpots")]
     check(read) {
-        length("labels", read.grid.cells(), read.labels.len())?;
+        length("list of labels", read.grid.cells(), read.labels.len())?;
         let largest = read.labels.iter().copied().max().unwrap_or(0);
         at_least(
             "the largest label of a cell",

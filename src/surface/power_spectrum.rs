@@ -77,8 +77,8 @@ checked_struct! {
     #[serde(remote = "PowerSpectrum")]
     check(read) {
         let rings = read.wave_numbers.len();
-        length("values", rings, read.values.len())?;
-        length("modes", rings, read.modes.len())
+        length("list of values", rings, read.values.len())?;
+        length("list of modes", rings, read.modes.len())
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use crate::error::{Result, all_non_negative, non_negative, positive};
+use crate::error::{Result, SLIDE, SLIDE_UNDER_CAP, all_non_negative, non_negative, positive};
 use crate::grid::Grid;
 use crate::grid::field::{Field, clone_in_place};
 use crate::grid::per_cell::PerCell;
@@ -94,7 +94,7 @@ impl Friction {
     /// # Errors
     /// - [`Error::NotPositive`](crate::Error::NotPositive) if `tau_max` is not positive and finite.
     pub fn max_shear_stress(mut self, tau_max: f64) -> Result<Self> {
-        self.max_shear_stress = Some(positive("shear cap", tau_max)?);
+        self.max_shear_stress = Some(positive("max_shear_stress", tau_max)?);
         Ok(self)
     }
 
@@ -170,6 +170,15 @@ impl Friction {
     /// pressure.
     pub(crate) fn is_proportional(&self) -> bool {
         matches!(self.coefficient, PerCell::Uniform(_)) && self.max_shear_stress.is_none()
+    }
+
+    /// Returns the remedy for a force beyond the sum of the limits.
+    pub(crate) fn remedy(&self) -> &'static str {
+        if self.max_shear_stress.is_some() {
+            SLIDE_UNDER_CAP
+        } else {
+            SLIDE
+        }
     }
 
     fn coefficient_at(&self, index: usize) -> f64 {

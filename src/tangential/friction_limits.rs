@@ -39,6 +39,7 @@ impl PressureOnWindow {
                 layout: region.layout().clone(),
                 cells: fallible::zeros(region.cells())?,
                 sum: 0.0,
+                remedy: SLIDE,
             },
             region,
         })
@@ -86,9 +87,11 @@ pub(crate) struct Limits {
     layout: Layout,
     pub(crate) cells: Vec<f64>,
     pub(crate) sum: f64,
+    /// Remedy for a force beyond the sum of the limits, in words.
+    pub(crate) remedy: &'static str,
 }
 
-try_clone!(Limits { cells } { layout, sum });
+try_clone!(Limits { cells } { layout, sum, remedy });
 
 /// Returns whether a traction or force of this size reaches its limit.
 #[inline]
@@ -98,6 +101,7 @@ pub(crate) fn is_at_limit(size: f64, limit: f64) -> bool {
 
 impl Limits {
     fn set(&mut self, friction: &Friction, region: &Region, pressure: &[f64]) {
+        self.remedy = friction.remedy();
         let friction = &friction.within(region);
         parallel::update(&mut self.cells, |first, chunk| {
             for (k, limit) in (first..).zip(chunk) {
@@ -138,7 +142,7 @@ impl Limits {
             return Err(Error::BeyondFrictionCapacity {
                 force,
                 limit,
-                remedy: SLIDE,
+                remedy: self.remedy,
             });
         }
         Ok(())

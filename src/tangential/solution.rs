@@ -63,7 +63,7 @@ record! {
             read.traction[axis].check("traction", grid)?;
             read.slip[axis].check("slip", grid)?;
         }
-        length("zones", grid.cells(), read.zones.len())?;
+        length("list of zones", grid.cells(), read.zones.len())?;
         all_finite("shift", &read.shift)?;
         finite("twist", read.twist).map(|_| ())
     }

@@ -101,6 +101,16 @@ fn force_beyond_friction_names_remedy_for_its_subject() {
     let text = message(history.step(&drag.roll(Rolling::new(1))));
     assert!(text.ends_with(roll), "{text}");
 
+    // A cap in the wrong unit is a likely cause of a small limit.
+    let capped = || friction().max_shear_stress(1e-9).unwrap();
+    let unit = "check the unit of max_shear_stress, or ";
+    let cause = TangentialLoad::force([too_much, 0.0]);
+    let text = message(TangentialProblem::builder(&bodies, &normal, capped(), cause).build());
+    assert!(text.ends_with(&format!("{unit}{slide}")), "{text}");
+    let capped = RollingProblem::builder(&bodies, &normal, capped());
+    let text = message(capped.control(Axis::X, control[0]).build());
+    assert!(text.ends_with(&format!("{unit}{roll}")), "{text}");
+
     let hertz = HertzSphere::new(bodies.pair(), RADIUS, load()).unwrap();
     let text = message(CattaneoMindlin::new(hertz, 0.5, too_much));
     assert!(

@@ -161,9 +161,10 @@ contains
 
     ! Returns the number of cycles like this one that a jump may skip, not rounded. Up to this number, removing the wear
     ! in one step does not make the pressure oscillate, and the limits are met. The number is infinite if nothing limits
-    ! it. depth (lengths) is the depth that the cycle removed from both bodies together. Returns
-    ! STICKSLIP_CYCLE_NOT_CLOSED if the cycle does not close, like the first cycle from rest. Returns
-    ! STICKSLIP_NEGATIVE_OR_NOT_FINITE for an invalid limit, and STICKSLIP_SAMPLE for an invalid depth.
+    ! it, as in full stick: set cycles_left or largest_depth before using the number. depth (lengths) is the depth that
+    ! the cycle removed from both bodies together. Returns STICKSLIP_CYCLE_NOT_CLOSED if the cycle does not close, like
+    ! the first cycle from rest. Returns STICKSLIP_NEGATIVE_OR_NOT_FINITE for an invalid limit, and STICKSLIP_SAMPLE for
+    ! an invalid depth.
     function cycle_jump(this, bodies, depth, limits, status) result(found)
         class(contact_cycle), intent(in) :: this
         class(half_space), intent(in) :: bodies

@@ -483,7 +483,7 @@
 // The iteration limit is zero.
 #define STICKSLIP_ITERATION_LIMIT 78
 
-// A solver cannot hold its pressure before the first solve: prescribe a force or an approach.
+// A solver cannot hold a pressure, which only a history can: prescribe a force or an approach.
 #define STICKSLIP_NO_PRESSURE_TO_HOLD 79
 
 // The method does not solve this kind of problem.
@@ -1385,8 +1385,8 @@ typedef struct {
     uint64_t reserved[6];
 } stickslip_step_result;
 
-// Limits of a jump in addition to the stability limit of the pressure; stickslip_jump_limits_default() returns the
-// defaults.
+// Limits of a jump in addition to the stability limit of the pressure. Start from stickslip_jump_limits_default(), which
+// returns the defaults: a struct of zeros permits no depth, no cycles and no residual.
 typedef struct {
     // Largest depth removed in one jump (a length); infinite (default) for no limit. A hundredth of the approach preserves
     // the shape of a ball.
@@ -2102,7 +2102,7 @@ stickslip_jump_limits stickslip_jump_limits_default(void);
 
 // Writes to cycles the number of cycles like this one that a jump may skip, not rounded. Up to this number, removing the
 // wear in one step does not make the pressure oscillate, and the limits are met. limits may be NULL (the defaults). The
-// number is infinite if nothing limits it.
+// number is infinite if nothing limits it, as in full stick: set cycles_left or largest_depth before using the number.
 //
 // depth (lengths, count entries) is the depth that the cycle removed from both bodies together. Returns
 // STICKSLIP_CYCLE_NOT_CLOSED if the cycle does not close, like the first cycle from rest. Returns

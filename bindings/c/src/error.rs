@@ -60,6 +60,16 @@ impl Failure {
         )
     }
 
+    /// Creates the failure for a quantity with a number of cells but without their values.
+    pub(crate) fn missing_cells(name: &str, count: usize) -> Self {
+        Self::new(
+            STICKSLIP_BAD_POINTER,
+            format!(
+                "the member cells of the {name} is NULL, but count is {count}: set cells to an array, or count to zero"
+            ),
+        )
+    }
+
     pub(crate) fn busy(name: &str) -> Self {
         Self::new(
             STICKSLIP_BUSY,
@@ -82,11 +92,11 @@ impl Failure {
         self.with(|numbers| numbers.found = written)
     }
 
-    /// Creates the failure for a number that is not a constant of its kind.
-    pub(crate) fn option(name: &str, value: i32) -> Self {
+    /// Creates the failure for a number that is not a constant of its kind. The remedy names the constants.
+    pub(crate) fn option(name: &str, value: i32, constants: &str) -> Self {
         Self::new(
             STICKSLIP_UNKNOWN_OPTION,
-            format!("the value {value} is not a valid {name}"),
+            format!("the value {value} is not a valid {name}: use {constants}"),
         )
         .with(|numbers| numbers.value = f64::from(value))
     }

@@ -80,7 +80,7 @@ pub const STICKSLIP_SLIP: u8 = 2;
 
 /// Creates the failure for a number that is not a field of the object.
 pub(crate) fn none(field: i32) -> Failure {
-    Failure::option("field of this object", field)
+    Failure::option("field of this object", field, "a field that the object has")
 }
 
 pub(crate) fn of_normal(solution: &NormalSolution, field: i32) -> Outcome<&Field> {

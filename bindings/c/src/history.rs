@@ -137,7 +137,7 @@ fn axis(value: i32) -> Outcome<Axis> {
     match value {
         STICKSLIP_X => Ok(Axis::X),
         STICKSLIP_Y => Ok(Axis::Y),
-        other => Err(Failure::option("axis", other)),
+        other => Err(Failure::option("axis", other, "STICKSLIP_X or STICKSLIP_Y")),
     }
 }
 
@@ -145,7 +145,11 @@ pub(crate) fn entry_rule(value: i32) -> Outcome<EntryRule> {
     match value {
         STICKSLIP_SINCE_TOUCH => Ok(EntryRule::SinceTouch),
         STICKSLIP_WHOLE_STEP => Ok(EntryRule::WholeStep),
-        other => Err(Failure::option("entry rule", other)),
+        other => Err(Failure::option(
+            "entry rule",
+            other,
+            "STICKSLIP_SINCE_TOUCH or STICKSLIP_WHOLE_STEP",
+        )),
     }
 }
 

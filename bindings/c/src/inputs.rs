@@ -126,7 +126,11 @@ impl stickslip_boundary {
             STICKSLIP_NON_PERIODIC => Ok(Boundary::NonPeriodic),
             STICKSLIP_PERIODIC => Ok(Boundary::Periodic),
             STICKSLIP_PERIODIC_ALONG_Y => Ok(Boundary::PeriodicAlongY { datum: self.datum }),
-            other => Err(Failure::option("boundary", other)),
+            other => Err(Failure::option(
+                "kind of boundary",
+                other,
+                "STICKSLIP_NON_PERIODIC, STICKSLIP_PERIODIC or STICKSLIP_PERIODIC_ALONG_Y",
+            )),
         }
     }
 }
@@ -141,7 +145,11 @@ pub(crate) fn cell_value(chosen: i32) -> Outcome<CellValue> {
     match chosen {
         STICKSLIP_UNIFORM => Ok(CellValue::Uniform),
         STICKSLIP_CENTRE => Ok(CellValue::Centre),
-        other => Err(Failure::option("cell_value", other)),
+        other => Err(Failure::option(
+            "cell value",
+            other,
+            "STICKSLIP_UNIFORM or STICKSLIP_CENTRE",
+        )),
     }
 }
 
@@ -167,7 +175,7 @@ impl stickslip_per_cell {
             // A count without an array can be the result of a failed allocation.
             return match self.count {
                 0 => Ok(None),
-                _ => Err(Failure::pointer(name)),
+                count => Err(Failure::missing_cells(name, count)),
             };
         }
         // SAFETY: the caller follows the safety contract of this function.
@@ -318,7 +326,13 @@ impl stickslip_settings {
         let method = match self.method {
             STICKSLIP_ACTIVE_SET => Method::ActiveSet,
             STICKSLIP_POLONSKY_KEER => Method::PolonskyKeer,
-            other => return Err(Failure::option("method", other)),
+            other => {
+                return Err(Failure::option(
+                    "method",
+                    other,
+                    "STICKSLIP_ACTIVE_SET or STICKSLIP_POLONSKY_KEER",
+                ));
+            }
         };
         let settings = Settings::default()
             .method(method)

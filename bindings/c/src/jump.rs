@@ -11,8 +11,8 @@ use crate::pointer::{answer, cells, input, optional};
 use crate::reserved::known;
 use crate::status::stickslip_status;
 
-/// Limits of a jump in addition to the stability limit of the pressure; stickslip_jump_limits_default() returns the
-/// defaults.
+/// Limits of a jump in addition to the stability limit of the pressure. Start from stickslip_jump_limits_default(), which
+/// returns the defaults: a struct of zeros permits no depth, no cycles and no residual.
 #[repr(C)]
 #[derive(Debug, Clone, Copy)]
 pub struct stickslip_jump_limits {
@@ -57,7 +57,7 @@ pub extern "C" fn stickslip_jump_limits_default() -> stickslip_jump_limits {
 
 /// Writes to cycles the number of cycles like this one that a jump may skip, not rounded. Up to this number, removing the
 /// wear in one step does not make the pressure oscillate, and the limits are met. limits may be NULL (the defaults). The
-/// number is infinite if nothing limits it.
+/// number is infinite if nothing limits it, as in full stick: set cycles_left or largest_depth before using the number.
 ///
 /// depth (lengths, count entries) is the depth that the cycle removed from both bodies together. Returns
 /// STICKSLIP_CYCLE_NOT_CLOSED if the cycle does not close, like the first cycle from rest. Returns

@@ -44,7 +44,11 @@ impl stickslip_normal_load {
             }
             STICKSLIP_FORCE => Ok(NormalControl::Force(self.value)),
             STICKSLIP_APPROACH => Ok(NormalControl::Approach(self.value)),
-            other => Err(Failure::option("normal load", other)),
+            other => Err(Failure::option(
+                "kind of normal load",
+                other,
+                "STICKSLIP_HOLD, STICKSLIP_FORCE or STICKSLIP_APPROACH",
+            )),
         }
     }
 
@@ -96,7 +100,11 @@ impl stickslip_control {
                 position: self.value,
                 stiffness: self.stiffness,
             }),
-            other => Err(Failure::option("tangential load", other)),
+            other => Err(Failure::option(
+                "kind of tangential load",
+                other,
+                "STICKSLIP_HOLD, STICKSLIP_FORCE, STICKSLIP_SHIFT or STICKSLIP_SPRING",
+            )),
         }
     }
 }

@@ -21,7 +21,11 @@ pub(crate) fn model(value: i32) -> Outcome<TangentialModel> {
     match value {
         STICKSLIP_SCALAR => Ok(TangentialModel::Scalar),
         STICKSLIP_VECTOR => Ok(TangentialModel::Vector),
-        other => Err(Failure::option("tangential model", other)),
+        other => Err(Failure::option(
+            "tangential model",
+            other,
+            "STICKSLIP_SCALAR or STICKSLIP_VECTOR",
+        )),
     }
 }
 
@@ -30,6 +34,10 @@ pub(crate) fn coupling(value: i32) -> Outcome<Coupling> {
         STICKSLIP_FULL => Ok(Coupling::Full),
         STICKSLIP_ONE_WAY => Ok(Coupling::OneWay),
         STICKSLIP_NEGLECTED => Ok(Coupling::Neglected),
-        other => Err(Failure::option("coupling", other)),
+        other => Err(Failure::option(
+            "coupling",
+            other,
+            "STICKSLIP_FULL, STICKSLIP_ONE_WAY or STICKSLIP_NEGLECTED",
+        )),
     }
 }

@@ -51,8 +51,9 @@ impl stickslip_rolling_control {
             STICKSLIP_CREEPAGE => Ok(RollingControl::Creepage(self.value)),
             STICKSLIP_FORCE => Ok(RollingControl::Force(self.value)),
             other => Err(Failure::option(
-                "load along an axis: STICKSLIP_CREEPAGE or STICKSLIP_FORCE",
+                "kind of rolling load along an axis",
                 other,
+                "STICKSLIP_CREEPAGE or STICKSLIP_FORCE",
             )),
         }
     }
@@ -63,8 +64,9 @@ impl stickslip_rolling_control {
             STICKSLIP_SPIN => Ok(SpinControl::Spin(self.value)),
             STICKSLIP_MOMENT => Ok(SpinControl::Moment(self.value)),
             other => Err(Failure::option(
-                "load of the rotation: STICKSLIP_SPIN or STICKSLIP_MOMENT",
+                "kind of rolling load of the rotation",
                 other,
+                "STICKSLIP_SPIN or STICKSLIP_MOMENT",
             )),
         }
     }
@@ -106,7 +108,11 @@ pub(crate) fn leading_edge(value: i32) -> Outcome<LeadingEdge> {
         STICKSLIP_MINUS_X => Ok(LeadingEdge::MinusX),
         STICKSLIP_PLUS_Y => Ok(LeadingEdge::PlusY),
         STICKSLIP_MINUS_Y => Ok(LeadingEdge::MinusY),
-        other => Err(Failure::option("leading edge", other)),
+        other => Err(Failure::option(
+            "leading edge",
+            other,
+            "STICKSLIP_PLUS_X, STICKSLIP_MINUS_X, STICKSLIP_PLUS_Y or STICKSLIP_MINUS_Y",
+        )),
     }
 }
 

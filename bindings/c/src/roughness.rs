@@ -103,7 +103,11 @@ impl stickslip_self_affine {
         match self.amplitudes {
             STICKSLIP_EXACT => Ok(recipe.amplitudes(Amplitudes::Exact)),
             STICKSLIP_GAUSSIAN => Ok(recipe.amplitudes(Amplitudes::Gaussian)),
-            other => Err(Failure::option("kind of amplitudes", other)),
+            other => Err(Failure::option(
+                "kind of amplitudes",
+                other,
+                "STICKSLIP_EXACT or STICKSLIP_GAUSSIAN",
+            )),
         }
     }
 }

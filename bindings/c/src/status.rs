@@ -89,7 +89,7 @@ pub const STICKSLIP_MATERIAL_MISMATCH: i32 = 76;
 pub const STICKSLIP_TOLERANCE: i32 = 77;
 /// The iteration limit is zero.
 pub const STICKSLIP_ITERATION_LIMIT: i32 = 78;
-/// A solver cannot hold its pressure before the first solve: prescribe a force or an approach.
+/// A solver cannot hold a pressure, which only a history can: prescribe a force or an approach.
 pub const STICKSLIP_NO_PRESSURE_TO_HOLD: i32 = 79;
 /// The method does not solve this kind of problem.
 pub const STICKSLIP_METHOD: i32 = 80;

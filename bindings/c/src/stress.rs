@@ -22,7 +22,11 @@ pub(crate) fn body(value: i32) -> Outcome<Body> {
     match value {
         STICKSLIP_BODY_1 => Ok(Body::One),
         STICKSLIP_BODY_2 => Ok(Body::Two),
-        other => Err(Failure::option("body", other)),
+        other => Err(Failure::option(
+            "body",
+            other,
+            "STICKSLIP_BODY_1 or STICKSLIP_BODY_2",
+        )),
     }
 }
 

@@ -137,6 +137,12 @@ static void bad_input_is_refused(void) {
     CHECK(error.expected == CELLS && error.found == CELLS - 1);
     CHECK(stickslip_normal_solver_new(bodies, NULL, CELLS, &load, NULL, NULL, &solver) == STICKSLIP_BAD_POINTER);
     CHECK(stickslip_normal_solver_new(bodies, ball, CELLS, &nan_load, NULL, NULL, &solver) == STICKSLIP_NEGATIVE_OR_NOT_FINITE);
+    stickslip_normal_load shift_load = {STICKSLIP_SHIFT, 1e-6}, hold = {STICKSLIP_HOLD, 0.0};
+    CHECK(stickslip_normal_solver_new(bodies, ball, CELLS, &shift_load, NULL, NULL, &solver) == STICKSLIP_UNKNOWN_OPTION);
+    CHECK(strcmp(stickslip_last_error_message(), "the value 3 is not a valid kind of normal load: use STICKSLIP_HOLD, "
+                                                 "STICKSLIP_FORCE or STICKSLIP_APPROACH") == 0);
+    CHECK(stickslip_normal_solver_new(bodies, ball, CELLS, &hold, NULL, NULL, &solver) == STICKSLIP_NO_PRESSURE_TO_HOLD);
+    CHECK(strstr(stickslip_last_error_message(), "only a history has one: prescribe a normal force") != NULL);
     double holed[CELLS];
     memcpy(holed, ball, sizeof holed);
     holed[37] = NAN;
@@ -539,6 +545,8 @@ static void numbers_without_effect_are_rejected(void) {
     stickslip_friction friction = stickslip_coulomb(0.5);
     friction.coefficient.count = CELLS; /* without an array, as after a failed allocation */
     CHECK(stickslip_history_set_friction(history, &friction) == STICKSLIP_BAD_POINTER);
+    CHECK(strstr(stickslip_last_error_message(), "the member cells of the coefficient of friction is NULL, but count is") !=
+          NULL);
     friction.coefficient.count = 0;
     OK(stickslip_history_set_friction(history, &friction));
     stickslip_history_options options = stickslip_history_options_default();

@@ -99,6 +99,13 @@ int main() {
     const ss::FieldArgument of_stored(kept_samples);
     check(of_stored.data() == kept_samples.data(), "argument of a stored vector");
 
+    // The message for a moved-from object names its kind.
+    ss::NormalSolver emptied(bodies, ss::sphere(grid, 5.0), ss::press_by_force(100.0));
+    const ss::NormalSolver owner(std::move(emptied));
+    fails(STICKSLIP_BAD_POINTER, [&] { emptied.set_load(ss::press_by_force(50.0)); });
+    const std::string text = stickslip_last_error_message();
+    check(text == "normal solver is NULL or misaligned", text.c_str());
+
     // A layer with the modulus of its body changes nothing, and a harder layer reduces the approach.
     const auto under = [&](double modulus) {
         const ss::Coated body{steel, {{modulus, 0.3, 0.02}}};

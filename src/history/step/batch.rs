@@ -76,7 +76,7 @@ impl History {
     /// ```
     pub fn step_all(histories: &mut [Self], loads: &[LoadStep]) -> Result<StepFailures> {
         let count = histories.len();
-        length("loads of the contacts", count, loads.len())?;
+        length("list of loads", count, loads.len())?;
         if count == 0 {
             return Ok(StepFailures(Vec::new()));
         }

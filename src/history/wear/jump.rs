@@ -174,6 +174,9 @@ impl CycleJump {
 
     /// Returns the number of cycles without rounding. It is the smallest of the limits, or infinity without a limit.
     ///
+    /// An infinite number is not a factor for a depth: [`Field::add_scaled`](crate::Field::add_scaled) rejects it. It results if
+    /// no cell slips and no other limit is set. Set [`Self::cycles_left`] or [`Self::largest_depth`] before using the number.
+    ///
     /// # Errors
     /// - [`Error::NegativeOrNotFinite`] if a limit is negative or not finite.
     /// - [`Error::CycleNotClosed`] if the residual of the cycle exceeds the allowed value.

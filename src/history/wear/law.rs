@@ -14,6 +14,9 @@ use crate::parallel;
 /// [cycle](crate::history::Cycle::slip_distance) together with its [slip pressure](crate::history::Cycle::slip_pressure). See
 /// Archard, J. Appl. Phys. 24 (1953) 981, <https://doi.org/10.1063/1.1721448>.
 ///
+/// A failed step leaves [`History::last_step`](crate::history::History::last_step) at the earlier step. A program must not
+/// add the wear of this step again.
+///
 /// # Errors
 /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the uniform coefficient is negative or not finite.
 /// - [`Error::Sample`](crate::Error::Sample) at a coefficient, pressure or length that is negative or not finite.
@@ -46,6 +49,9 @@ pub fn archard<'a>(
 /// energy that each cell dissipates in a [step](crate::history::StepResult::dissipation) or a
 /// [cycle](crate::history::Cycle::dissipation). See Fouvry, Kapsa & Vincent, Wear 200 (1996) 186,
 /// <https://doi.org/10.1016/S0043-1648(96)07306-1>.
+///
+/// A failed step leaves [`History::last_step`](crate::history::History::last_step) at the earlier step. A program must not
+/// add the wear of this step again.
 ///
 /// # Errors
 /// - [`Error::NegativeOrNotFinite`](crate::Error::NegativeOrNotFinite) if the uniform coefficient is negative or not finite.

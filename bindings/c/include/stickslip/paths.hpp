@@ -77,9 +77,10 @@ class Cycle {
     std::vector<double> field(std::int32_t which) const && { return field(which).copy(); }
     /// Returns the number of cycles like this one that a jump may skip, not rounded. Up to this number, removing the
     /// wear in one step does not make the pressure oscillate, and the limits are met. The number is infinite if nothing
-    /// limits it. depth (lengths) is the depth that the cycle removed from both bodies together. Throws
-    /// STICKSLIP_CYCLE_NOT_CLOSED if the cycle does not close, like the first cycle from rest. Throws
-    /// STICKSLIP_NEGATIVE_OR_NOT_FINITE for an invalid limit, and STICKSLIP_SAMPLE for an invalid depth.
+    /// limits it, as in full stick: set cycles_left or largest_depth before using the number. depth (lengths) is the
+    /// depth that the cycle removed from both bodies together. Throws STICKSLIP_CYCLE_NOT_CLOSED if the cycle does not
+    /// close, like the first cycle from rest. Throws STICKSLIP_NEGATIVE_OR_NOT_FINITE for an invalid limit, and
+    /// STICKSLIP_SAMPLE for an invalid depth.
     double jump(const HalfSpace &bodies, const FieldArgument &depth,
         const stickslip_jump_limits &limits = stickslip_jump_limits_default()) const {
         double found{};

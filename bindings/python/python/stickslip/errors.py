@@ -281,7 +281,7 @@ class IterationLimit(StickslipError, ValueError):
 
 
 class NoPressureToHold(StickslipError, ValueError):
-    """A normal problem must hold its pressure but has no pressure yet."""
+    """A normal problem has no earlier pressure to hold; only a history has one."""
 
 
 class Method(StickslipError, ValueError):

@@ -203,7 +203,7 @@ impl History {
         let (histories, loads) = (histories.objects, loads.objects);
         let (expected, found) = (histories.len(), loads.len());
         if expected != found {
-            let quantity = "loads of the contacts";
+            let quantity = "list of loads";
             return Err(raised(
                 py,
                 Error::Length {
