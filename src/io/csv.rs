@@ -453,8 +453,8 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 ///   first line, if the first line or column may be labels, or if the lines may be points.
 /// - [`Error::Format`] if the text is in UTF-16, if the file contains no numbers, or if it is a file of
 ///   [`asc`](super::asc).
-/// - [`Error::Format`] if the least or the greatest number may mark missing points, as -9999, -32768 or 1e30, but neither a
-///   comment nor [`Options::missing`] states the mark. Such a number is farther from the other numbers than their range.
+/// - [`Error::Format`] if a number may mark missing points, as -9999, -32768 or 1e30, but neither a comment nor
+///   [`Options::missing`] states the mark. Such a number is farther from the other numbers than four fifths of them are apart.
 ///
 /// ```
 /// use stickslip::io::csv;

@@ -3,6 +3,7 @@
 use super::text::comments;
 use crate::error::{Result, counted};
 use crate::files::Format;
+use crate::memory::fallible;
 
 /// Names that introduce the value of missing points in a comment, in lower-case letters and digits.
 const NAMES: [&str; 8] = [
@@ -25,7 +26,8 @@ const MARKS: [f64; 8] = [
 /// states.
 ///
 /// # Errors
-/// - A format error if the mark is neither given nor stated, but the least or the greatest of the numbers may be a mark.
+/// - A format error if the mark is neither given nor stated, but one of the numbers may be a mark.
+/// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
 pub(super) fn mark<I: Iterator<Item = f64> + Clone>(
     format: Format,
     bytes: &[u8],
@@ -33,8 +35,11 @@ pub(super) fn mark<I: Iterator<Item = f64> + Clone>(
     numbers: &I,
 ) -> Result<Option<f64>> {
     let mark = given.or_else(|| comments(bytes).find_map(|comment| stated(&comment)));
-    let Some(suspect) = suspect(numbers).filter(|_| mark.is_none()) else {
+    if mark.is_some() {
         return Ok(mark);
+    }
+    let Some(suspect) = suspect(numbers)? else {
+        return Ok(None);
     };
     let count = numbers.clone().filter(is(suspect)).count();
     let problem = format!(
@@ -53,25 +58,27 @@ pub(super) fn is(mark: f64) -> impl Fn(&f64) -> bool {
     move |&number| number == mark
 }
 
-/// Returns the least or the greatest number if it is a usual mark and farther from the other numbers than their range.
-fn suspect<I: Iterator<Item = f64> + Clone>(numbers: &I) -> Option<f64> {
-    let (least, most) = range(numbers.clone());
-    [least, most].into_iter().find(|&end| {
-        if !MARKS.contains(&end.abs()) {
-            return false;
+/// Returns a number that is a usual mark and farther from the other numbers than four fifths of them are apart.
+fn suspect<I: Iterator<Item = f64> + Clone>(numbers: &I) -> Result<Option<f64>> {
+    let marks = MARKS.into_iter().flat_map(|mark| [-mark, mark]);
+    for mark in marks.filter(|mark| numbers.clone().any(|number| is(*mark)(&number))) {
+        let others = numbers
+            .clone()
+            .filter(|number| !number.is_nan() && !is(mark)(number));
+        let mut sorted = fallible::with_room(others.clone().count())?;
+        sorted.extend(others);
+        sorted.sort_unstable_by(f64::total_cmp);
+        let last = sorted.len().saturating_sub(1);
+        let (Some(low), Some(high)) = (sorted.get(last / 10), sorted.get(last - last / 10)) else {
+            continue;
+        };
+        // Spikes do not widen this range.
+        let nearest = sorted.iter().map(|number| (number - mark).abs());
+        if nearest.fold(f64::INFINITY, f64::min) > high - low {
+            return Ok(Some(mark));
         }
-        let is_end = is(end);
-        let (low, high) = range(numbers.clone().filter(|number| !is_end(number)));
-        low <= high && (low - end).max(end - high) > high - low
-    })
-}
-
-/// Returns the least and the greatest number.
-fn range(numbers: impl Iterator<Item = f64>) -> (f64, f64) {
-    let none = (f64::INFINITY, f64::NEG_INFINITY);
-    numbers.fold(none, |(least, most), number| {
-        (least.min(number), most.max(number))
-    })
+    }
+    Ok(None)
 }
 
 /// Returns the value of missing points if a comment contains it, as `# missing value = -32768` or

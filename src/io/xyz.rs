@@ -109,7 +109,7 @@ pub fn read(path: impl AsRef<Path>) -> Result<Field> {
 /// - [`Error::Format`] if the text is in UTF-16, if the points have fewer than two grid positions, or if there are too
 ///   few points for the grid that they span.
 /// - [`Error::Format`] if commas separate more than three whole numbers, because the commas might be decimal commas.
-/// - [`Error::Format`] if the least or the greatest height may mark missing points, as in [`csv`](super::csv::parse).
+/// - [`Error::Format`] if a height may mark missing points, as in [`csv`](super::csv::parse).
 ///
 /// ```
 /// use stickslip::io::xyz;

@@ -6,7 +6,7 @@ use pyo3::exceptions::{PyOverflowError, PyTypeError};
 #[cfg(feature = "stubs")]
 use pyo3::inspect::PyStaticExpr;
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyFloat, PyTuple};
+use pyo3::types::{PyBool, PyDict, PyFloat, PyTuple};
 
 use crate::conversion::kind_of;
 use crate::error::named;
@@ -80,6 +80,8 @@ impl FromPyObject<'_, '_> for Real {
     fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
         let found = if object.is_instance_of::<PyFloat>() {
             None
+        } else if object.is_instance_of::<PyBool>() {
+            Some("a truth value")
         } else {
             unreal(&object)?
         };
@@ -306,7 +308,7 @@ pub(crate) fn plane<'py>(
         match shape.filter(differs) {
             Some(shape) => misshapen(object.py(), quantity, grid, &shape),
             None => PyTypeError::new_err(format!(
-                "{quantity} must be a Field, a number, or an array of real numbers of shape (ny, nx), got {}{}",
+                "{quantity} must be a Field or an array of real numbers of shape (ny, nx), got {}{}",
                 kind_of(object),
                 remedy(object)
             )),

@@ -71,6 +71,10 @@ impl History {
     /// After an error the state is bitwise unchanged. If the call has undone steps, the history has no [last
     /// step](History::last_step), as after [`History::set_state`].
     ///
+    /// # Model
+    /// With one-way coupling the scalar model omits the tractions across its axis. The stick radius of a pressed ball is then
+    /// several per cent too large: use the vector model.
+    ///
     /// # Slip and energy
     /// The [last step](History::last_step) is the last of the steps taken, with the slip and energy of this step alone.
     /// [`History::accumulated_slip`] and [`History::accumulated_dissipation`] include all steps: subtract their values

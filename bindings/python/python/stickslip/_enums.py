@@ -240,7 +240,10 @@ class Zone(IntEnum):
 
     @classmethod
     def _missing_(cls, value: object) -> Zone | None:
-        return next((zone for zone in cls if zone.name.lower() == value), None)
+        found = next((zone for zone in cls if zone.name.lower() == value), None)
+        if found is None and isinstance(value, str):
+            raise ValueError(f"{value!r} is not a zone: use 'separated', 'stick' or 'slip'")
+        return found
 
     def __eq__(self, other: object) -> bool:
         return self is _zone(other) if isinstance(other, str) else int(self) == other
