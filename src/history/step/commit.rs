@@ -211,23 +211,23 @@ fn enter(
             part.fill(0.0);
         }
         // Values in a local copy need not be read again after each write.
-        let taken = taken;
+        let local = taken;
         let mut totals = StepTotals::ZERO;
         let start = row * columns.len();
         let y = grid.y(held.index(start) / grid.nx());
         for own in 0..zones.len() {
             let (k, centre) = (start + own, [grid.x(columns.start + own), y]);
-            let relative = taken.answer.relative(k, centre);
+            let relative = local.answer.relative(k, centre);
             let before = [qx[own], qy[own]];
-            let is_contact = taken.answer.pressure[k] > 0.0;
-            if !is_contact && before == [0.0; 2] {
+            let is_contact = local.answer.pressure[k] > 0.0;
+            if !is_contact && before.iter().all(|q| *q == 0.0) {
                 write(&mut offset, own, relative);
                 zones[own] = Zone::Separated;
                 [qx[own], qy[own]] = [0.0; 2];
                 continue;
             }
             let offset_before = at(&offset, own);
-            let cell = taken.cell((k, centre), (before, offset_before), relative);
+            let cell = local.cell((k, centre), (before, offset_before), relative);
             write(&mut offset, own, cell.offset);
             zones[own] = cell.zone;
             [qx[own], qy[own]] = cell.traction;
