@@ -125,18 +125,20 @@ impl Friction {
     /// coefficients.
     #[must_use]
     pub fn limit(&self, index: usize, pressure: f64) -> f64 {
-        let (limit, cap) = (self.coefficient_at(index) * pressure, self.cap());
-        // `f64::min` would discard NaN.
-        if limit > cap { cap } else { limit }
+        limited(self.coefficient_at(index) * pressure, self.cap())
     }
 
     /// Returns the friction of the cells of a region.
     pub(crate) fn within(&self, region: &Region) -> FrictionWithin<'_> {
+        let borrowed = |window| FrictionWithin {
+            friction: Cow::Borrowed(self),
+            window,
+        };
         let PerCell::Cells(field) = &self.coefficient else {
-            return FrictionWithin::of(self, region);
+            return borrowed(None);
         };
         if !region.is_shared() {
-            return FrictionWithin::of(self, region);
+            return borrowed(Some(region.own()));
         }
         let mut cells = Field::zeros(field.grid().of_size(region.own().size));
         region.gather(field.as_slice(), cells.as_mut_slice());
@@ -238,26 +240,36 @@ impl Friction {
     }
 }
 
+/// Returns the smaller value, or NaN if the limit is NaN. `f64::min` would discard NaN.
+#[inline]
+fn limited(limit: f64, cap: f64) -> f64 {
+    if limit > cap { cap } else { limit }
+}
+
 /// Friction of the cells of a region, in the order of the region.
 #[derive(Debug)]
 pub(crate) struct FrictionWithin<'a> {
     friction: Cow<'a, Friction>,
-    /// Window of the region in the cells of the friction, or `None` if the friction has coefficients for exactly the
-    /// region.
+    /// Window of the region in the cells of the friction. `None` if the friction is uniform or has coefficients for
+    /// exactly the region.
     window: Option<Window>,
 }
 
-impl<'a> FrictionWithin<'a> {
-    /// Restricts a friction that is uniform or has the coefficients of all local cells.
-    fn of(friction: &'a Friction, region: &Region) -> Self {
-        Self {
-            friction: Cow::Borrowed(friction),
-            window: Some(region.own()),
-        }
-    }
-
+impl FrictionWithin<'_> {
     fn place(&self, cell: usize) -> usize {
         self.window.map_or(cell, |window| window.index(cell))
+    }
+
+    /// Writes the limits of the cells from `first` on under these pressures.
+    pub(crate) fn write_limits(&self, first: usize, pressure: &[f64], limits: &mut [f64]) {
+        let (coefficients, cap) = (self.friction.coefficients(), self.friction.cap());
+        for (cell, (limit, pressure)) in limits.iter_mut().zip(pressure).enumerate() {
+            *limit = if *pressure > 0.0 {
+                limited(coefficients.of(self.place(first + cell)) * pressure, cap)
+            } else {
+                0.0
+            };
+        }
     }
 
     /// Returns the limit of a cell under a pressure.

@@ -104,13 +104,7 @@ impl Limits {
         self.remedy = friction.remedy();
         let friction = &friction.within(region);
         parallel::update(&mut self.cells, |first, chunk| {
-            for (k, limit) in (first..).zip(chunk) {
-                *limit = if pressure[k] > 0.0 {
-                    friction.limit(k, pressure[k])
-                } else {
-                    0.0
-                };
-            }
+            friction.write_limits(first, &pressure[first..], chunk);
         });
         // Negligible limits carry no load, and their squares would underflow.
         let least = NEGLIGIBLE * self.largest();

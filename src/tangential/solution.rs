@@ -147,7 +147,8 @@ impl TangentialSolution {
             if answer.pressure[k] <= 0.0 {
                 continue;
             }
-            let slip = answer.slip(k, centre(grid, i)).unwrap_or([0.0; 2]);
+            let slip = answer.slip(k, answer.relative(k, centre(grid, i)));
+            let slip = slip.unwrap_or([0.0; 2]);
             let traction = answer.traction(k);
             for axis in 0..2 {
                 self.traction[axis].as_mut_slice()[i] = traction[axis];

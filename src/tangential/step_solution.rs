@@ -118,12 +118,18 @@ impl<'a> StepSolution<'a> {
         at(&self.offset, cell)
     }
 
-    /// Returns the slip of a cell in the step, or `None` if it does not slip. A cell slips if it is at its friction
-    /// limit and has moved opposite to its traction. A motion along the traction is a residual of the solve.
+    /// Returns the displacement of a cell with this centre relative to the other body.
     #[inline]
-    pub(crate) fn slip(&self, cell: usize, centre: [f64; 2]) -> Option<[f64; 2]> {
-        let moved = minus(self.displacement(cell), self.motion.at(centre));
-        let moved = minus(moved, self.offset(cell));
+    pub(crate) fn relative(&self, cell: usize, centre: [f64; 2]) -> [f64; 2] {
+        minus(self.displacement(cell), self.motion.at(centre))
+    }
+
+    /// Returns the slip in the step of a cell with this displacement relative to the other body, or `None` if it does
+    /// not slip. A cell slips if it is at its friction limit and has moved opposite to its traction. A motion along the
+    /// traction is a residual of the solve.
+    #[inline]
+    pub(crate) fn slip(&self, cell: usize, relative: [f64; 2]) -> Option<[f64; 2]> {
+        let moved = minus(relative, self.offset(cell));
         let slips = self.is_at_limit(cell) && dot(self.traction(cell), moved) <= 0.0;
         slips.then_some(moved)
     }

@@ -168,9 +168,8 @@ fn enter(
 ) {
     let (grid, held) = (state.grid(), answer.region.held());
     let taken = CommittedStep {
-        answer,
+        answer: *answer,
         cell_area: grid.cell_area(),
-        motion: state.motion,
         change: state.motion.since(before),
         middle: back.map(|back| 0.5 * back),
         is_rolled: back.iter().any(|part| *part != 0.0),
@@ -199,40 +198,58 @@ fn enter(
     let columns = &held.ranges()[0];
     let work = |row: usize, (vectors, numbers, (zones, own)): RowParts<'_>| {
         let vectors = vectors.map(|parts| parts.map(|part| cells_of(part.items, columns)));
-        let [traction, accumulated, slip] = vectors;
+        let [[qx, qy], accumulated, [slip_x, slip_y]] = vectors;
         let numbers = numbers.map(|part| cells_of(part.items, columns));
         let [path, energy, distance, dissipated, mid_step] = numbers;
         let zones = cells_of(zones.items, columns);
-        let [mut offset, mut trend, mut last_slip] = own;
+        let [offset, trend, last_slip] = own.map(|parts| parts.map(|part| part.items));
+        let [mut offset, [trend_x, trend_y], [last_x, last_y]] = [offset, trend, last_slip];
+        if !taken.is_rolled {
+            combine(trend_x, qx, |_, before| before);
+            combine(trend_y, qy, |_, before| before);
+        }
+        for part in [&mut *slip_x, slip_y, distance, dissipated, mid_step] {
+            part.fill(0.0);
+        }
+        // Values in a local copy need not be read again after each write.
+        let local = taken;
         let mut totals = StepTotals::ZERO;
         let start = row * columns.len();
         let y = grid.y(held.index(start) / grid.nx());
         for own in 0..zones.len() {
-            let offsets = offset.each_ref().map(|part| &*part.items);
-            let q = traction.each_ref().map(|part| part[own]);
-            let centre = [grid.x(columns.start + own), y];
-            let (place, before) = ((start + own, centre), (q, at(&offsets, own)));
-            let cell = taken.cell(place, before);
-            write(&mut offset, own, cell.offset);
-            let last = if taken.is_rolled {
-                at(&trend.each_ref().map(|part| &*part.items), own)
-            } else {
-                q
-            };
-            write(&mut trend, own, minus(cell.traction, last));
-            write(&mut last_slip, own, cell.slip);
-            for axis in 0..2 {
-                traction[axis][own] = cell.traction[axis];
-                accumulated[axis][own] += cell.slip[axis];
-                slip[axis][own] = cell.slip[axis];
+            let (k, centre) = (start + own, [grid.x(columns.start + own), y]);
+            let relative = local.answer.relative(k, centre);
+            let before = [qx[own], qy[own]];
+            let is_contact = local.answer.pressure[k] > 0.0;
+            if !is_contact && before.iter().all(|q| *q == 0.0) {
+                write(&mut offset, own, relative);
+                zones[own] = Zone::Separated;
+                [qx[own], qy[own]] = [0.0; 2];
+                continue;
             }
+            let offset_before = at(&offset, own);
+            let cell = local.cell((k, centre), (before, offset_before), relative);
+            write(&mut offset, own, cell.offset);
             zones[own] = cell.zone;
-            distance[own] = length(cell.slip);
-            path[own] += distance[own];
-            dissipated[own] = cell.energy.dissipated_energy;
-            energy[own] += dissipated[own];
-            mid_step[own] = cell.energy.dissipated_energy_midpoint;
+            [qx[own], qy[own]] = cell.traction;
+            if cell.zone == Zone::Slip {
+                [slip_x[own], slip_y[own]] = cell.slip;
+                distance[own] = length(cell.slip);
+                dissipated[own] = cell.energy.dissipated_energy;
+                mid_step[own] = cell.energy.dissipated_energy_midpoint;
+            }
             totals = Reduction::plus(totals, cell.totals());
+        }
+        for (trend, traction) in [(trend_x, &*qx), (trend_y, &*qy)] {
+            combine(trend, traction, |before, traction| traction - before);
+        }
+        for (last, slip) in [(last_x, &*slip_x), (last_y, &*slip_y)] {
+            combine(last, slip, |_, slip| slip);
+        }
+        let [sum_x, sum_y] = accumulated;
+        let parts = [&*slip_x, &*slip_y, &*distance, &*dissipated];
+        for (sum, part) in [sum_x, sum_y, path, energy].into_iter().zip(parts) {
+            combine(sum, part, |sum, part| sum + part);
         }
         totals
     };
@@ -258,11 +275,19 @@ fn cells_of<'a, T>(row: &'a mut [T], columns: &Range<usize>) -> &'a mut [T] {
 
 /// Writes a vector to a cell, for the components that the model includes.
 #[inline]
-fn write(parts: &mut [Blocks<'_, f64>; 2], cell: usize, values: [f64; 2]) {
+fn write(parts: &mut [&mut [f64]; 2], cell: usize, values: [f64; 2]) {
     for (part, value) in parts.iter_mut().zip(values) {
-        if let Some(place) = part.items.get_mut(cell) {
+        if let Some(place) = part.get_mut(cell) {
             *place = value;
         }
+    }
+}
+
+/// Replaces each value of `to` by `by(value, value of from)`. A component that the model omits has no values.
+#[inline]
+fn combine(to: &mut [f64], from: &[f64], by: impl Fn(f64, f64) -> f64) {
+    for (to, from) in to.iter_mut().zip(from) {
+        *to = by(*to, *from);
     }
 }
 
@@ -276,11 +301,11 @@ type RowParts<'a> = (
 );
 
 /// Values of a committed step on which the results of its cells depend.
+#[derive(Clone, Copy)]
 struct CommittedStep<'a> {
-    answer: &'a StepSolution<'a>,
+    answer: StepSolution<'a>,
     cell_area: f64,
-    /// Motion of body 2 at the end of the step. `change` is its motion in the step.
-    motion: RigidMotion,
+    /// Motion of body 2 in the step.
     change: RigidMotion,
     /// Vector from a particle to the middle of its path.
     middle: [f64; 2],
@@ -291,27 +316,25 @@ struct CommittedStep<'a> {
 }
 
 impl CommittedStep<'_> {
-    /// Computes the result of the step in a cell with this centre, earlier traction and earlier offset.
+    /// Computes the result of the step in a cell with this centre, earlier traction and earlier offset. `relative` is
+    /// the displacement to the other body.
     #[inline]
     fn cell(
         &self,
         (k, centre): (usize, [f64; 2]),
         (before, offset_before): ([f64; 2], [f64; 2]),
+        relative: [f64; 2],
     ) -> CellStep {
-        let (answer, cell_area) = (self.answer, self.cell_area);
+        let (answer, cell_area) = (&self.answer, self.cell_area);
         let (traction, u) = (answer.traction(k), answer.displacement(k));
-        let relative = minus(u, self.motion.at(centre));
         let is_contact = answer.pressure[k] > 0.0;
-        if !is_contact && before.iter().all(|q| *q == 0.0) {
-            return CellStep::apart(centre, relative);
-        }
         let mean = [0, 1].map(|axis| 0.5 * (before[axis] + traction[axis]));
         let (u_before, offset) = (at(&self.displacement, k), answer.offset(k));
         // Part of the motion that a cell has not followed because it came into contact within the step.
         let lag = minus(offset_before, offset);
         let zone = answer.zone(k);
         let found = match zone {
-            Zone::Slip => answer.slip(k, centre),
+            Zone::Slip => answer.slip(k, relative),
             Zone::Stick | Zone::Separated => None,
         };
         let slip = found.unwrap_or([0.0; 2]);
@@ -352,19 +375,6 @@ struct CellStep {
 }
 
 impl CellStep {
-    /// Creates the result for a cell that remains separated. `relative` is the displacement to the other body.
-    #[inline]
-    fn apart(centre: [f64; 2], relative: [f64; 2]) -> Self {
-        Self {
-            centre,
-            traction: [0.0; 2],
-            slip: [0.0; 2],
-            offset: relative,
-            zone: Zone::Separated,
-            energy: EnergyBalance::ZERO,
-        }
-    }
-
     #[inline]
     fn totals(&self) -> StepTotals {
         let [[x, y], [qx, qy]] = [self.centre, self.traction];
