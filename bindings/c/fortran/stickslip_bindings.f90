@@ -396,6 +396,10 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_UNUSED_RELATIVE_DISPLACEMENT = 23
     ! Warning: a cycle repeats a closed loop, so that its energies are sums over several loops.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_REPEATED_LOOP = 24
+    ! Warning: the largest pressure exceeds half of the contact modulus.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_PRESSURE_BEYOND_MODULUS = 25
+    ! Warning: the solve ended before it converged.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_NOT_CONVERGED = 26
     ! Any other warning, described by its message.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_OTHER = 127
     ! Size of the message of a warning in bytes.
@@ -1598,7 +1602,8 @@ module stickslip_bindings
 
         ! Applies a load in as many steps as the tolerance requires, and writes their number to taken (may be NULL). A
         ! failure, for example STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged. If the call has undone steps, the
-        ! history has no last step until its next step.
+        ! history has no last step until its next step. After several steps, the result and the wear of the last step are those of the
+        ! last one alone; the field STICKSLIP_DISSIPATED_ENERGY contains the energy of all steps.
         function stickslip_adaptive_steps_step(steps, history, load, taken) result(answer) bind(c)
             import
             type(stickslip_adaptive_steps), value :: steps
@@ -2353,7 +2358,8 @@ module stickslip_bindings
         ! the change of the tractions is at most the tolerance times the friction limits. A tolerance of 0.01 is a good
         ! choice. The argument observer may be NULL; it receives the iterations of all steps. After a failure, for example
         ! STICKSLIP_STEP_TOO_LONG, the state of the history is unchanged. If the call has undone steps, the history has no
-        ! last step until its next step.
+        ! last step until its next step. After several steps, the result and the wear of the last step are those of the last one
+        ! alone; the field STICKSLIP_DISSIPATED_ENERGY contains the energy of all steps.
         function stickslip_history_press(history, load, tolerance, observer, taken) result(answer) bind(c)
             import
             type(stickslip_history), value :: history

@@ -56,7 +56,8 @@ contains
 
     ! Applies a load in as many steps as the tolerance requires, and writes their number to taken. A failure, for
     ! example STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged. If the call has undone steps, the
-    ! history has no last step until its next step.
+    ! history has no last step until its next step. After several steps, the result and the wear of the last step are
+    ! those of the last one alone; the field STICKSLIP_DISSIPATED_ENERGY contains the energy of all steps.
     subroutine adaptive_steps_step(this, history, load, taken, status)
         class(adaptive_steps), intent(in) :: this
         class(contact_history), intent(in) :: history

@@ -210,7 +210,8 @@ contains
     ! issues a warning. The function applies the load in 1, 2, 4, 8, ... steps from the current state until the change
     ! of the tractions is at most the tolerance times the friction limits. A tolerance of 0.01 is a good choice. After a
     ! failure, for example STICKSLIP_STEP_TOO_LONG, the state of the history is unchanged. If the call has undone steps,
-    ! the history has no last step until its next step.
+    ! the history has no last step until its next step. After several steps, the result and the wear of the last step
+    ! are those of the last one alone; the field STICKSLIP_DISSIPATED_ENERGY contains the energy of all steps.
     subroutine history_press(this, load, tolerance, taken, observer, status)
         class(contact_history), intent(in) :: this
         type(stickslip_load_step), intent(in) :: load

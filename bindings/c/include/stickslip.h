@@ -328,6 +328,12 @@
 // Warning: a cycle repeats a closed loop, so that its energies are sums over several loops.
 #define STICKSLIP_WARNING_REPEATED_LOOP 24
 
+// Warning: the largest pressure exceeds half of the contact modulus.
+#define STICKSLIP_WARNING_PRESSURE_BEYOND_MODULUS 25
+
+// Warning: the solve ended before it converged.
+#define STICKSLIP_WARNING_NOT_CONVERGED 26
+
 // Any other warning, described by its message.
 #define STICKSLIP_WARNING_OTHER 127
 
@@ -1578,7 +1584,8 @@ stickslip_status stickslip_adaptive_steps_free(stickslip_adaptive_steps *steps);
 
 // Applies a load in as many steps as the tolerance requires, and writes their number to taken (may be NULL). A
 // failure, for example STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged. If the call has undone steps, the
-// history has no last step until its next step.
+// history has no last step until its next step. After several steps, the result and the wear of the last step are those of the
+// last one alone; the field STICKSLIP_DISSIPATED_ENERGY contains the energy of all steps.
 stickslip_status stickslip_adaptive_steps_step(stickslip_adaptive_steps *steps,
                                                stickslip_history *history,
                                                const stickslip_load_step *load,
@@ -2013,7 +2020,8 @@ stickslip_status stickslip_history_step(stickslip_history *history,
 // the change of the tractions is at most the tolerance times the friction limits. A tolerance of 0.01 is a good
 // choice. The argument observer may be NULL; it receives the iterations of all steps. After a failure, for example
 // STICKSLIP_STEP_TOO_LONG, the state of the history is unchanged. If the call has undone steps, the history has no
-// last step until its next step.
+// last step until its next step. After several steps, the result and the wear of the last step are those of the last one
+// alone; the field STICKSLIP_DISSIPATED_ENERGY contains the energy of all steps.
 stickslip_status stickslip_history_press(stickslip_history *history,
                                          const stickslip_load_step *load,
                                          double tolerance,

@@ -86,7 +86,9 @@ class History {
     /// warning. The function applies the load in 1, 2, 4, 8, ... steps from the current state until the change of the
     /// tractions is at most the tolerance times the friction limits. A tolerance of 0.01 is a good choice. After a
     /// failure, for example STICKSLIP_STEP_TOO_LONG, the state of the history is unchanged. If the call has undone
-    /// steps, the history has no last step until its next step.
+    /// steps, the history has no last step until its next step. After several steps, the result and the wear of the
+    /// last step are those of the last one alone; the field STICKSLIP_DISSIPATED_ENERGY contains the energy of all
+    /// steps.
     std::size_t press(const stickslip_load_step &load, double tolerance, const Observe &observe = nullptr) {
         std::size_t found{};
         detail::Watch(observe).run([&](const stickslip_observer *observer) {

@@ -30,7 +30,8 @@ class AdaptiveSteps {
         })) {}
     /// Applies a load in as many steps as the tolerance requires, and returns their number. A failure, for example
     /// STICKSLIP_STEP_TOO_LONG, leaves the state of the history unchanged. If the call has undone steps, the history
-    /// has no last step until its next step.
+    /// has no last step until its next step. After several steps, the result and the wear of the last step are those of
+    /// the last one alone; the field STICKSLIP_DISSIPATED_ENERGY contains the energy of all steps.
     std::size_t step(History &history, const stickslip_load_step &load) {
         std::size_t found{};
         check(stickslip_adaptive_steps_step(get(), history.get(), &load, &found));
