@@ -174,15 +174,15 @@ impl HistoryBuilder<'_> {
     /// Checks the input and creates the history without solving. The gap is copied if it is shared with other owners.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`](crate::Error::GridMismatch) if the grid of the gap, friction, hardness or relative
+    /// - [`Error::GridMismatch`] if the grid of the gap, friction, hardness or relative
     ///   displacement differs.
-    /// - [`Error::Sample`](crate::Error::Sample) if the gap is not finite, or for a bulk strain along a periodic axis.
-    /// - [`Error::UnsupportedByModel`](crate::Error::UnsupportedByModel) for a relative displacement along an axis without
+    /// - [`Error::Sample`] if the gap is not finite, or for a bulk strain along a periodic axis.
+    /// - [`Error::UnsupportedByModel`] for a relative displacement along an axis without
     ///   tractions, or a permanent set without hardness.
-    /// - [`Error::Method`](crate::Error::Method) if the model does not support the method.
-    /// - [`Error::Tolerance`](crate::Error::Tolerance) or [`Error::IterationLimit`](crate::Error::IterationLimit) if a
+    /// - [`Error::Method`] if the model does not support the method.
+    /// - [`Error::Tolerance`] or [`Error::IterationLimit`] if a
     ///   setting is out of range.
-    /// - [`Error::Ranks`](crate::Error::Ranks) if ranks fail or pass different input.
+    /// - [`Error::Ranks`] if ranks fail or pass different input.
     pub fn build(self) -> Result<History> {
         let bodies = self.bodies;
         let axes = bodies.collective_result_checked(
