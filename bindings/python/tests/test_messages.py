@@ -280,7 +280,7 @@ def test_non_real_numbers_are_rejected(scene, number):
                 call()
     with pytest.raises(TypeError, match="must be a real number, got (complex: give the real part|text)"):
         ss.Material(number, 0.3)
-    assert ss.Material(np.float32(1.0), 0) == ss.Material(np.array(1.0), np.int64(0)) == ss.Material(1, False)
+    assert ss.Material(np.float32(1.0), 0) == ss.Material(np.array(1.0), np.int64(0)) == ss.Material(1, 0)
 
 
 def test_pairs_accept_lists_and_arrays(scene):
