@@ -296,7 +296,7 @@ fn unstated_marks_of_missing_points_are_rejected() {
         assert!(options.parse(points.as_bytes()).unwrap().as_slice()[2].is_nan());
     }
     // Spikes do not hide a mark.
-    let spiked = "1 2 3 4\n2 3 4 5\n-9999 4 3 -1e5\n3 2 1 1e5\n";
+    let spiked = "1.5 2 3 1\n2 3.5 4 1\n-9999 4 3 -1e5\n3 2.5 1 1e5\n";
     let refused = csv(None, spiked).unwrap_err().to_string();
     assert!(refused.contains("value -9999.0"), "{refused}");
     // Heights of this magnitude are valid, and so are rare numbers far from the others.
