@@ -174,14 +174,12 @@ impl HistoryBuilder<'_> {
     /// Checks the input and creates the history without solving. The gap is copied if it is shared with other owners.
     ///
     /// # Errors
-    /// - [`Error::GridMismatch`] if the grid of the gap, friction, hardness or relative
-    ///   displacement differs.
+    /// - [`Error::GridMismatch`] if the grid of the gap, friction, hardness or relative displacement differs.
     /// - [`Error::Sample`] if the gap is not finite, or for a bulk strain along a periodic axis.
-    /// - [`Error::UnsupportedByModel`] for a relative displacement along an axis without
-    ///   tractions, or a permanent set without hardness.
+    /// - [`Error::UnsupportedByModel`] for a relative displacement along an axis without tractions, or a permanent set without
+    ///   hardness.
     /// - [`Error::Method`] if the model does not support the method.
-    /// - [`Error::Tolerance`] or [`Error::IterationLimit`] if a
-    ///   setting is out of range.
+    /// - [`Error::Tolerance`] or [`Error::IterationLimit`] if a setting is out of range.
     /// - [`Error::Ranks`] if ranks fail or pass different input.
     pub fn build(self) -> Result<History> {
         let bodies = self.bodies;

@@ -260,7 +260,7 @@ impl FrictionWithin<'_> {
         self.window.map_or(cell, |window| window.index(cell))
     }
 
-    /// Writes the limits of the cells from `first` on under these pressures.
+    /// Writes the limits of consecutive cells under these pressures. The first cell has the index `first`.
     pub(crate) fn write_limits(&self, first: usize, pressure: &[f64], limits: &mut [f64]) {
         let (coefficients, cap) = (self.friction.coefficients(), self.friction.cap());
         for (cell, (limit, pressure)) in limits.iter_mut().zip(pressure).enumerate() {

@@ -19,7 +19,7 @@ const RESOLVED_WIDTH: usize = 20;
 /// other steps because forces need less resolution than energies.
 const RESOLVED_ROLLING_WIDTH: usize = 10;
 
-/// Least number of cells on the mean radius of contact spots at which a slip zone can be resolved.
+/// Smallest mean radius of contact spots, in cells, for which a slip zone can be resolved.
 const LEAST_RADIUS: usize = 4;
 
 /// Resolution of the zones of a contact, or of several steps. An entry is `None` if the zone does not exist.

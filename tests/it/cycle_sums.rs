@@ -52,7 +52,7 @@ fn cycle_of_several_loops_gives_warning() {
         let path = LoadPath::sine([part * LIMIT, 0.0], 8).unwrap();
         let mut history = ball_history(1e-7);
         let mut cycle = Cycle::new(&history);
-        // The first cycle starts at rest, so that it does not close if cells slip.
+        // The first cycle starts without tractions, so that it does not close if cells slip.
         add(&mut history, &mut cycle, &path, 8);
         assert!(!is_warned(&cycle));
         cycle.begin(&history).unwrap();
@@ -89,7 +89,7 @@ fn cycle_of_several_loops_gives_warning() {
     let mut cycle = Cycle::new(&history);
     add(&mut history, &mut cycle, &ellipse, 12);
     assert!(!is_warned(&cycle));
-    // The first loop starts at rest and thus at a different point.
+    // The first loop starts without tractions and thus from a different point.
     add(&mut history, &mut cycle, &ellipse, 12);
     assert!(is_warned(&cycle));
 }

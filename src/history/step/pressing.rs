@@ -72,8 +72,8 @@ impl History {
     /// step](History::last_step), as after [`History::set_state`].
     ///
     /// # Model
-    /// With one-way coupling the scalar model omits the tractions across its axis. The stick radius of a pressed ball is then
-    /// several per cent too large: use the vector model.
+    /// The scalar model with one-way coupling omits the tractions across its axis. The stick radius of a pressed ball is then
+    /// several per cent too large. Use the vector model.
     ///
     /// # Slip and energy
     /// The [last step](History::last_step) is the last of the steps taken, with the slip and energy of this step alone.

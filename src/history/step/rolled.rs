@@ -104,6 +104,10 @@ impl Rolling {
         &self,
         (bodies, pressure): (&HalfSpace, &Field),
     ) -> Option<usize> {
+        // Without a spin the distance has no effect.
+        if self.spin == 0.0 {
+            return Warning::creepage_beyond(self.creepage, 0.0);
+        }
         let (grid, pressure) = (bodies.grid(), pressure.as_slice());
         let distance = reduce::max(&bodies.grid_layout(), |cell| {
             let [x, y] = grid.position(cell % grid.nx(), cell / grid.nx());

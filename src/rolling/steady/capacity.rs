@@ -76,8 +76,8 @@ impl RollingProblem {
     /// Returns the limits of the moment about the origin of the grid as the spin tends to minus and plus infinity. The
     /// moment is continuous in the spin, so a spin exists for each moment between these limits.
     ///
-    /// At a large spin each traction is at its limit m along the motion of the middle of its path. The exception is a cell with
-    /// the middle of its path at rest. Let f be the sums, along some axes, of tractions within their limits. Then
+    /// At a large spin each traction is at its limit m along the motion of the middle of its path. The exception is a cell whose
+    /// path has a middle without motion. Let f be the sums, along some axes, of tractions within their limits. Then
     /// $`\sum q \cdot t \le \sum m |t + c| - c \cdot f`$ for every shift c along these axes. The smallest of these bounds is the
     /// moment about the middles of the paths when the whole contact slides.
     ///

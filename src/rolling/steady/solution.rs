@@ -194,9 +194,9 @@ impl RollingSolution {
     /// the displacement at the middle of its path. The contribution of h decreases with the step.
     ///
     /// Between bodies of the same material all of the work is dissipated, including the work at the trailing edge. The work is
-    /// more accurate than the integral of the [dissipation](Self::dissipation_per_area). This integral never exceeds the work. Between
-    /// bodies of different materials the pressure also does work, which is not included. Such bodies dissipate energy even
-    /// without a creepage force.
+    /// more accurate than the integral of the [dissipation](Self::dissipation_per_area). This integral never exceeds the work.
+    /// Between bodies of different materials the pressure also does work, which is not included. Such bodies dissipate energy
+    /// even without a creepage force.
     #[must_use]
     pub fn work(&self) -> f64 {
         let ([x, y], [xi, eta]) = (self.force(), self.creepage);
@@ -207,8 +207,9 @@ impl RollingSolution {
 
     /// Returns the energy that slip dissipates in each cell per area and per length rolled, $`-q \cdot s`$ (a pressure). Its
     /// product with a wear coefficient is the depth worn per length rolled. [`wear::energy`](crate::history::wear::energy)
-    /// requires the energy of a cell instead: multiply by the area of a cell. The energy is evaluated with the tractions at the end of a step. Between bodies of the same material the
-    /// integral of this energy is therefore less than the [work](Self::work). The difference decreases with the cell size.
+    /// requires the energy of a cell instead: multiply by the area of a cell and by the length rolled. The energy is evaluated
+    /// with the tractions at the end of a step. Between bodies of the same material the integral of this energy is therefore
+    /// less than the [work](Self::work). The difference decreases with the cell size.
     ///
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
