@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Fails on a dead relative link or picture in a README, and on a dead path of the repository in a document or a comment.
+"""Fails on a dead relative link or picture in a README, on a dead path of the repository in a document or a comment, and
+on a large file.
 With a folder as argument, writes the example of the crate's README to src/main.rs in this folder."""
 
 import fnmatch
@@ -26,6 +27,8 @@ COMMENTS = {
 EXEMPT = ("CHANGELOG.md", "THIRD_PARTY.md", "LICENSE")
 # A file in the program of the reader.
 ELSEWHERE = ("src/main.rs",)
+# A larger file is usually the output of a tool that was added by mistake.
+LARGEST_FILE = 512 * 1024  # bytes
 
 
 class Tree:
@@ -107,7 +110,10 @@ def main() -> None:
     for file, what, target in found:
         print(f"{file}: dead {what} {target}")
     print(f"links and paths of {len(read)} files: {len(found)} dead")
-    sys.exit(bool(found))
+    large = [file for file in tree.files if (ROOT / file).stat().st_size > LARGEST_FILE]
+    for file in large:
+        print(f"{file}: larger than {LARGEST_FILE} bytes")
+    sys.exit(bool(found or large))
 
 
 if __name__ == "__main__":
