@@ -225,7 +225,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         // The error enum of the crate is non-exhaustive.
         _ => "StickslipError",
     };
-    let message = in_words(py, &error, message)?;
+    let message = with_remedy(&error, in_words(py, &error, message)?);
     named(py, name, &message, &attributes)
 }
 
@@ -236,6 +236,21 @@ fn in_words(py: Python<'_>, error: &Error, sentence: String) -> PyResult<String>
         return Ok(sentence);
     }
     in_python(py, &sentence)
+}
+
+/// Returns the sentence of an error with the names of classes and arguments of the package in its remedy.
+fn with_remedy(error: &Error, sentence: String) -> String {
+    match error {
+        Error::CoupledMaterials { .. } => sentence.replace(
+            "a coupled problem or a history with full coupling, or accept the error of one-way or neglected coupling",
+            "CoupledProblem or History with coupling=\"full\", or accept the error of coupling=\"one_way\" or \"neglected\"",
+        ),
+        // A modulus in the place of Poisson's ratio.
+        Error::PoissonRatio(value) if value.is_finite() && value.abs() > 1.0 => {
+            format!("{sentence}: the modulus precedes Poisson's ratio")
+        }
+        _ => sentence,
+    }
 }
 
 fn one<'py>(
