@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._checks import require, require_entries
+from ._checks import kind, refuse_type, require, require_entries
 from ._enums import Zone
 from ._stickslip import CoupledRollingSolution, CoupledSolution, Field, Grid, NormalSolution, TangentialSolution
 from .errors import Shape
@@ -85,6 +85,13 @@ def _half(solution: Any, *names: str) -> Any:
     if isinstance(solution, (CoupledSolution, CoupledRollingSolution)):
         return next(getattr(solution, name) for name in names if hasattr(solution, name))
     return solution
+
+
+def _require_solution(solution: Any, attributes: tuple[str, ...], due: str) -> None:
+    """Raises an error unless an object is a solution with these fields. The message for an array states how to draw it."""
+    if isinstance(solution, (np.ndarray, Field)):
+        refuse_type("solution", f"must be {due}, got {kind(solution)}: draw an array by plot.field(grid, array)")
+    require("solution", solution, attributes, due)
 
 
 def _spots_of(solution: Any) -> Any:
@@ -294,7 +301,7 @@ def pressure_map(
     ``unit`` and ``value_scale`` refer to the pressure; for the other arguments see :func:`field`.
     """
     solution = _half(solution, "normal")
-    require("solution", solution, ("pressure", "grid"), "a normal or coupled solution, a state or a history")
+    _require_solution(solution, ("pressure", "grid"), "a normal or coupled solution, a state or a history")
     pressure = np.asarray(solution.pressure)
     if _profile_axis(solution.grid) is None:
         options = _limits(value_scale * pressure, options, from_zero=True)
@@ -320,7 +327,7 @@ def stick_map(
     For ``scale`` and ``length_unit`` see :func:`field`.
     """
     solution = _half(solution, "tangential", "rolling")
-    require("solution", solution, ("zones", "grid"), _SHEARED)
+    _require_solution(solution, ("zones", "grid"), _SHEARED)
     grid, names = solution.grid, [zone.name.lower() for zone in Zone]
     along = _profile_axis(grid)
     if along is not None:
@@ -365,7 +372,7 @@ def traction_map(
         Options of ``imshow``, or of ``plot`` for a profile.
     """
     solution = _half(solution, "tangential", "rolling")
-    require("solution", solution, ("traction", "grid"), _SHEARED)
+    _require_solution(solution, ("traction", "grid"), _SHEARED)
     grid = solution.grid
     x, y = (np.asarray(component) for component in solution.traction)
     names: dict[str, Any] = {"unit": unit, "value_scale": value_scale, "scale": scale, "length_unit": length_unit}
