@@ -58,10 +58,10 @@ fn of_sample(
     attributes.set_item("row", row)?;
     attributes.set_item("column", column)?;
     let is_missing = value == "nan" && MEASURED.contains(quantity);
-    let remedy = if is_missing {
-        " (surface.fill_missing fills missing heights)"
-    } else {
-        ""
+    let remedy = match (is_missing, rule.contains("fill missing heights")) {
+        (true, false) => " (surface.fill_missing fills missing heights)",
+        (true, true) => " (surface.fill_missing)",
+        (false, _) => "",
     };
     Ok(match place {
         None => format!("{quantity} at index {index} is {value}, but {rule}{remedy}"),
@@ -245,7 +245,7 @@ fn with_remedy(error: &Error, sentence: String) -> String {
             "a coupled problem or a history with full coupling, or accept the error of one-way or neglected coupling",
             "CoupledProblem or History with coupling=\"full\", or accept the error of coupling=\"one_way\" or \"neglected\"",
         ),
-        // A modulus in the place of Poisson's ratio.
+        // The two arguments are probably in the wrong order.
         Error::PoissonRatio(value) if value.is_finite() && value.abs() > 1.0 => {
             format!("{sentence}: the modulus precedes Poisson's ratio")
         }

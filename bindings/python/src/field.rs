@@ -32,8 +32,8 @@ use crate::unit::{Unit, factor, is_same, known, one_of};
 /// its array: their result has no unit, and fields of different units raise an error. The axes of an array of xarray with the
 /// dimensions x and y are recognised by their names. Its coordinates x and y, if any, must rise in steps of the cell sides. The
 /// labels of a DataFrame of pandas are either such coordinates, whole numbers that rise in steps of one, or names. Other labels,
-/// such as those of a reversed or shuffled table, raise an error. Masked cells are missing points (NaN): a gap with masked cells
-/// raises ``Sample``, and :func:`surface.fill_missing <stickslip.surface.fill_missing>` fills them.
+/// such as those of a reversed or shuffled table, raise an error. Masked cells are missing points (NaN). They are rejected in a gap
+/// or a pressure, and :func:`surface.fill_missing <stickslip.surface.fill_missing>` fills them.
 ///
 /// Parameters
 /// ----------

@@ -320,7 +320,7 @@ def test_sample_message_has_row_column_and_remedy(scene):
     for given in (gap, masked):
         with pytest.raises(ss.errors.Sample, match=r"row 3, column 5 .* \(surface.fill_missing fills missing heights\)"):
             ss.NormalProblem(scene.bodies, given, force=1.0)
-        with pytest.raises(ss.errors.Sample, match=r"row 3, column 5 .* \(surface.fill_missing"):
+        with pytest.raises(ss.errors.Sample, match=r"row 3, column 5 .*; fill missing heights first \(surface\.fill_missing\)$"):
             ss.surface.gap_from_heights(ss.Field(scene.grid, given))
     holed = ss.Field(scene.grid, gap)
     for call in (

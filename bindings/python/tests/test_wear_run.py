@@ -287,6 +287,8 @@ def test_arguments_of_wrong_type_are_named():
         ("cycles", "must be a whole number, got None", (worn, loop(), LAW, None), {}),
         ("largest_jump", "must be a whole number", (worn, loop(), LAW, 10), {"largest_jump": ""}),
         ("max_depth", "must be a number", (worn, loop(), LAW, 10), {"max_depth": "1e-6"}),
+        ("max_depth", "must be a number", (worn, loop(), LAW, 10), {"max_depth": True}),
+        ("max_residual", "must be a number", (worn, loop(), LAW, 10), {"max_residual": True}),
         ("max_residual", "must be a number", (worn, loop(), LAW, 10), {"max_residual": None}),
         ("progress", "got an object of the class int", (worn, loop(), LAW, 10), {"progress": 5}),
         ("resume", "must be a WearSnapshot, got an object of the class str", (worn, loop(), LAW, 10), {"resume": "a.npz"}),

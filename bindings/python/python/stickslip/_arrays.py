@@ -21,7 +21,8 @@ class CellEnergies(np.ndarray[Any, np.dtype[np.float64]]):
         self.grid = grid if grid is not None and grid.shape == self.shape else None
 
     def __reduce__(self) -> tuple[Any, ...]:
-        restore, arguments, state = super().__reduce__()  # type: ignore[misc]
+        reduced: Any = super().__reduce__()
+        restore, arguments, state = reduced
         return restore, arguments, (self.grid, state)
 
     def __setstate__(self, state: Any) -> None:

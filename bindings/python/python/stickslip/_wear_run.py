@@ -347,7 +347,7 @@ def run(
     _check_types(history, loop, law, progress, resume)
     _check(cycles, settling, largest_jump, snapshot_every)
     for name, value in (("max_depth", max_depth), ("max_residual", max_residual)):
-        if not isinstance(value, Real) and not (name == "max_depth" and value is None):
+        if (isinstance(value, bool) or not isinstance(value, Real)) and not (name == "max_depth" and value is None):
             refuse_type(name, f"must be a number, got {kind(value)}")
     if max_depth is not None and not max_depth >= 0.0:
         error = ArgumentRange(f"max_depth must not be negative, got {max_depth}")
