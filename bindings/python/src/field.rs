@@ -114,6 +114,12 @@ impl Field {
         Ok(Self(field, unit))
     }
 
+    /// Priority over a DataFrame of pandas in arithmetic. The DataFrame would apply its transposed blocks to the field.
+    #[classattr]
+    fn __pandas_priority__() -> u32 {
+        5000
+    }
+
     /// Unit of the lengths of a surface; ``None`` if it is not known.
     #[getter]
     fn unit(&self) -> Option<&str> {
@@ -808,6 +814,8 @@ impl Samples<'_> {
         self.known()?.ok_or_else(|| {
             let instead = if self.has_heights() {
                 format!(", got {}: give its .heights", kind_of(&self.0))
+            } else if self.0.hasattr("dims").unwrap_or(false) {
+                ": convert an array of xarray by io.from_xarray(array)".into()
             } else {
                 ": create a Field by Field(grid, array)".into()
             };

@@ -216,11 +216,12 @@ def test_labels_of_pandas_tables_must_rise(scene):
             problem(reversed_)
         assert np.array_equal(ss.Field(scene.grid, reversed_.sort_index(axis=number)).array, scene.ball.array)
     shuffled = table.sample(frac=1.0, random_state=0)
-    message = r"gap has labels along y that do not rise: sort it by \.sort_index\(axis=0\), or give \.values to ignore the labels"
-    for given in (shuffled, shuffled.set_axis([str(label) for label in shuffled.index])):
+    message = r"gap has coordinates along y that do not rise: sort it by \.sort_index\(axis=0\), or give \.values to ignore the coordinates"
+    decimal = table.set_axis(scene.grid.y).sample(frac=1.0, random_state=0)
+    for given in (shuffled, shuffled.set_axis([str(label) for label in shuffled.index]), decimal):
         with pytest.raises(ValueError, match=message):
             problem(given)
-    with pytest.raises(ValueError, match="samples has labels along y that do not rise"):
+    with pytest.raises(ValueError, match="samples has coordinates along y that do not rise"):
         ss.Field(scene.grid, shuffled)
     with pytest.raises(ValueError, match=r"gap has coordinates from 0\.0 to 126\.0 along y"):
         problem(table.set_axis(range(0, 128, 2)))
@@ -231,6 +232,17 @@ def test_labels_of_pandas_tables_must_rise(scene):
     for given in accepted:
         assert np.array_equal(ss.Field(scene.grid, given).array, scene.ball.array)
     assert np.array_equal(ss.Field(scene.grid, shuffled.values).array, shuffled.to_numpy())
+
+
+def test_arithmetic_with_tables_keeps_axes(scene):
+    pandas = pytest.importorskip("pandas", minversion="2.1")
+    field = scene.ball + ss.surface.sinusoidal(scene.grid, 1e-6, 1e-4)
+    table = pandas.DataFrame(field.array + 1e-6 * np.arange(64.0))
+    for total in (table + field, field + table, np.add(table, field)):
+        assert isinstance(total, ss.Field) and np.array_equal(total.array, table.to_numpy() + field.array)
+    assert np.array_equal((table - field).array, table.to_numpy() - field.array)
+    with pytest.raises(ValueError, match="other field has decreasing coordinates along y"):
+        table.iloc[::-1] + field
 
 
 def test_masked_cells_are_missing_points(scene):
@@ -292,6 +304,8 @@ def test_units_of_heights_and_coordinates_must_agree(scene):
         ss.Field(grid, micrometres)
     converted = ss.io.from_xarray(micrometres).to_unit("m")
     assert np.allclose(converted, scene.ball.array, rtol=1e-14) and converted.grid.dx == pytest.approx(grid.dx, rel=1e-12)
+    with pytest.raises(TypeError, match=r"contain their grid: convert an array of xarray by io\.from_xarray\(array\)$"):
+        ss.surface.level(micrometres, "plane")
     # A pressure has no unit of length, and one unit has several names.
     pressure = heights("Pa", "m")
     assert ss.TangentialProblem(scene.bodies, pressure, 0.5, force_x=0.0).friction_capacity > 0.0

@@ -235,9 +235,9 @@ def check_coordinates(array: Any, quantity: str, sides: tuple[float, float]) -> 
         rising = remedy.format(axis if "sortby" in remedy else "yx".index(axis))
         if (steps < 0.0).all() and steps.size:
             raise ValueError(f"{quantity} has decreasing coordinates along {axis}: {rising}")
-        if is_number and not (steps > 0.0).all():
+        if (steps < 0.0).any() or is_number and not steps.all():
             raise ValueError(
-                f"{quantity} has labels along {axis} that do not rise: {rising}, or give .values to ignore the labels"
+                f"{quantity} has coordinates along {axis} that do not rise: {rising}, or give .values to ignore the coordinates"
             )
         if not (np.abs(steps - side) <= 1e-3 * side).all():
             raise ValueError(
