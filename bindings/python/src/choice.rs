@@ -1,11 +1,11 @@
 //! Options selected by name: a string or a member of an enumeration of ``stickslip``, whose members are also strings.
 
-use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 #[cfg(feature = "stubs")]
 use pyo3::{inspect::PyStaticExpr, type_hint_identifier, type_hint_union};
 
 use crate::conversion::kind_of;
+use crate::real::unnamed;
 
 /// Enumeration of the crate whose variants have names.
 pub(crate) trait Named: Copy + PartialEq + 'static {
@@ -40,26 +40,20 @@ impl<T: Named> FromPyObject<'_, '_> for Choice<T> {
             let names: Vec<_> = T::ALL.iter().map(|(name, _)| format!("'{name}'")).collect();
             names.join(", ")
         };
-        let given: String = object.extract().map_err(|_| {
-            PyTypeError::new_err(format!(
-                "{} must be one of {}, or a member of {}.{}, got {}",
-                T::ENUMERATION,
-                names(),
-                T::MODULE,
-                T::ENUMERATION,
-                kind_of(&object)
-            ))
-        })?;
+        let refused = |class: &str, found: &str| {
+            let (names, module, enumeration) = (names(), T::MODULE, T::ENUMERATION);
+            let message = format!(
+                "must be one of {names}, or a member of {module}.{enumeration}, got {found}"
+            );
+            unnamed(object.py(), class, &message)
+        };
+        let given: String = object
+            .extract()
+            .map_err(|_| refused("ArgumentType", &kind_of(&object)))?;
         let named = T::ALL.iter().find(|(name, _)| *name == given);
-        named.map(|(_, variant)| Self(*variant)).ok_or_else(|| {
-            PyValueError::new_err(format!(
-                "{} must be one of {}, or a member of {}.{}, got '{given}'",
-                T::ENUMERATION,
-                names(),
-                T::MODULE,
-                T::ENUMERATION
-            ))
-        })
+        named
+            .map(|(_, variant)| Self(*variant))
+            .ok_or_else(|| refused("ArgumentRange", &format!("'{given}'")))
     }
 }
 

@@ -8,7 +8,7 @@ use pyo3::types::{PyList, PyTuple};
 use pyo3::{inspect::PyStaticExpr, type_hint_identifier};
 
 use crate::layers::Layer;
-use crate::real::{Real, is_real, unnamed};
+use crate::real::{Real, filled, is_no_mask, is_real, unnamed};
 
 /// Declares the class of an argument of a prescribed form: the content, the expected form (starting with the name of the
 /// argument) and, if helpful, an alternative.
@@ -27,6 +27,7 @@ macro_rules! due {
             fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
                 let instead = concat!("" $(, ": ", $instead)?);
                 is_real(&object, named_in($due))?;
+                is_no_mask(&object, named_in($due))?;
                 as_due(&object)
                     .map(Self)
                     .map_err(|error: PyErr| refused(&object, &error, $due, instead))
@@ -101,6 +102,7 @@ macro_rules! springs {
                 let (position, stiffness) = (part("position")?, part("stiffness")?);
                 let due = concat!("the position of ", $keyword, " must be ", $position);
                 is_real(&position, named_in(due))?;
+                is_no_mask(&position, named_in(due))?;
                 let position = as_due(&position)
                     .map_err(|error: PyErr| refused(&position, &error, due, ""))?;
                 let stiffness: Real = stiffness.extract()?;
@@ -172,7 +174,10 @@ where
     object.extract().or_else(|error: PyErr| {
         // PyO3 extracts entries of different types from a tuple only.
         let listed = if object.hasattr("__array__")? {
-            object.call_method0("tolist")?
+            let numpy = object.py().import("numpy")?;
+            numpy
+                .call_method1("asarray", (filled(object)?,))?
+                .call_method0("tolist")?
         } else {
             object.clone()
         };
@@ -214,8 +219,9 @@ fn triples(object: &Bound<'_, PyAny>, due: &str, instead: &str) -> PyResult<Vec<
         return Ok(Vec::new());
     }
     let refused = |error: &PyErr| refused(object, error, due, instead);
+    let given = filled(object)?;
     let rows: PyArrayLike2<'_, f64, AllowTypeChange> =
-        object.extract().map_err(|error: PyErr| refused(&error))?;
+        given.extract().map_err(|error: PyErr| refused(&error))?;
     let rows = rows.as_array();
     if rows.ncols() != 3 {
         return Err(refused(&PyTypeError::new_err(due.to_owned())));

@@ -58,10 +58,10 @@ fn of_sample(
     attributes.set_item("row", row)?;
     attributes.set_item("column", column)?;
     let is_missing = value == "nan" && MEASURED.contains(quantity);
-    let remedy = if is_missing {
-        " (surface.fill_missing fills missing heights)"
-    } else {
-        ""
+    let remedy = match (is_missing, rule.contains("fill missing heights")) {
+        (true, false) => " (surface.fill_missing fills missing heights)",
+        (true, true) => " (surface.fill_missing)",
+        (false, _) => "",
     };
     Ok(match place {
         None => format!("{quantity} at index {index} is {value}, but {rule}{remedy}"),
@@ -225,7 +225,7 @@ fn exception(py: Python<'_>, error: Error, grid: Option<Grid>) -> PyResult<PyErr
         // The error enum of the crate is non-exhaustive.
         _ => "StickslipError",
     };
-    let message = in_words(py, &error, message)?;
+    let message = with_remedy(&error, in_words(py, &error, message)?);
     named(py, name, &message, &attributes)
 }
 
@@ -236,6 +236,21 @@ fn in_words(py: Python<'_>, error: &Error, sentence: String) -> PyResult<String>
         return Ok(sentence);
     }
     in_python(py, &sentence)
+}
+
+/// Returns the sentence of an error with the names of classes and arguments of the package in its remedy.
+fn with_remedy(error: &Error, sentence: String) -> String {
+    match error {
+        Error::CoupledMaterials { .. } => sentence.replace(
+            "a coupled problem or a history with full coupling, or accept the error of one-way or neglected coupling",
+            "CoupledProblem or History with coupling=\"full\", or accept the error of coupling=\"one_way\" or \"neglected\"",
+        ),
+        // The two arguments are probably in the wrong order.
+        Error::PoissonRatio(value) if value.is_finite() && value.abs() > 1.0 => {
+            format!("{sentence}: the modulus precedes Poisson's ratio")
+        }
+        _ => sentence,
+    }
 }
 
 fn one<'py>(

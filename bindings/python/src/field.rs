@@ -17,8 +17,8 @@ use crate::error::OrRaise;
 use crate::grid::{Grid, size};
 use crate::pickle::{Reduced, Stored, reduced};
 use crate::real::{
-    Count, by_axis, check_coordinates, is_no_mask, is_real, misshapen, plane, shape_error,
-    wrong_type,
+    Count, by_axis, check_coordinates, is_no_mask, is_no_truth_value, is_real, misshapen, plane,
+    shape_error, wrong_type,
 };
 use crate::unit::{Unit, factor, is_same, known, one_of};
 
@@ -30,7 +30,10 @@ use crate::unit::{Unit, factor, is_same, known, one_of};
 /// either order, is computed cell by cell and is a field. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of
 /// booleans. Two fields are compared as a whole by ``==``. Other NumPy functions, such as ``numpy.maximum``, treat a field as
 /// its array: their result has no unit, and fields of different units raise an error. The axes of an array of xarray with the
-/// dimensions x and y are recognised by their names. Its coordinates x and y, if any, must rise in steps of the cell sides.
+/// dimensions x and y are recognised by their names. Its coordinates x and y, if any, must rise in steps of the cell sides. The
+/// labels of a DataFrame of pandas are either such coordinates, whole numbers that rise in steps of one, or names. Other labels,
+/// such as those of a reversed or shuffled table, raise an error. Masked cells are missing points (NaN). They are rejected in a gap
+/// or a pressure, and :func:`surface.fill_missing <stickslip.surface.fill_missing>` fills them.
 ///
 /// Parameters
 /// ----------
@@ -48,6 +51,12 @@ use crate::unit::{Unit, factor, is_same, known, one_of};
 /// A number, an array or a field without a unit takes the unit of the other operand in sums, differences and comparisons.
 /// A product with it and a quotient by it keep the unit, so ``heights * 1e-6`` does not convert a unit; :meth:`to_unit`
 /// does. Products and ratios of two fields with units, inverse fields and powers have no unit.
+///
+/// Bodies, loads and grids have no unit. A gap is therefore used as given: its lengths must have the unit of the sides of the
+/// grid, and moduli and forces a consistent unit. ``Field(grid, heights, "um")`` states that heights and cell sides are both in
+/// micrometres. Heights in micrometres on a grid in metres are converted by their factor, ``Field(grid, 1e-6 * heights, "m")``.
+/// An array of xarray whose attribute ``units`` differs from the attribute ``units`` of its coordinates raises an error;
+/// coordinates without this attribute have the unit of the array.
 ///
 /// Raises
 /// ------
@@ -98,10 +107,17 @@ impl Field {
         samples: Samples<'_>,
         unit: Option<&str>,
     ) -> PyResult<Self> {
+        is_no_truth_value(&samples.0, "samples")?;
         let unit = one_of([unit.map(known).transpose()?, samples.unit()?])?;
         let field = samples.on(py, "samples", grid.0)?;
         same_grid(grid.0, &field, "samples").or_raise(py)?;
         Ok(Self(field, unit))
+    }
+
+    /// Priority over a DataFrame of pandas in arithmetic. The DataFrame would apply its transposed blocks to the field.
+    #[classattr]
+    fn __pandas_priority__() -> u32 {
+        5000
     }
 
     /// Unit of the lengths of a surface; ``None`` if it is not known.
@@ -798,6 +814,8 @@ impl Samples<'_> {
         self.known()?.ok_or_else(|| {
             let instead = if self.has_heights() {
                 format!(", got {}: give its .heights", kind_of(&self.0))
+            } else if self.0.hasattr("dims").unwrap_or(false) {
+                ": convert an array of xarray by io.from_xarray(array)".into()
             } else {
                 ": create a Field by Field(grid, array)".into()
             };

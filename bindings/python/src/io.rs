@@ -547,7 +547,8 @@ pub(crate) fn vti_to_bytes<'py>(
 /// Parameters
 /// ----------
 /// path : path_like
-///     The PVD file; the images are written to the same folder.
+///     The PVD file; the images are written to the same folder. Both are complete after each call of :meth:`write`, so that the
+///     writer needs no ``with`` and no ``close``.
 #[pyclass(frozen, module = "stickslip.io.pvd")]
 pub(crate) struct PvdWriter(Mutex<io::pvd::PvdWriter>);
 

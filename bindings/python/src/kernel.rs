@@ -18,7 +18,7 @@ use crate::function::raising;
 use crate::grid::Grid;
 use crate::material::ElasticPair;
 use crate::operator::{LinearOperator, Product, Shared, product_of};
-use crate::real::{Real, is_real, wrong_type};
+use crate::real::{Real, is_real, named_by, wrong_type};
 
 /// Two bodies with a user-defined response, in place of the material pair of a :class:`HalfSpace`. A kernel is created by
 /// :meth:`isotropic`, :meth:`tabulated` or :meth:`operators`. Kernels cannot be pickled, nor can bodies that use them.
@@ -138,7 +138,9 @@ impl Kernel {
         let mut table: Option<CoefficientTable> = None;
         for (name, values) in coefficients {
             is_real(&values, "coefficients")?;
-            let component: Choice<Component> = name.extract()?;
+            let component: Choice<Component> = name
+                .extract()
+                .map_err(|error: PyErr| named_by(py, error, "a key of coefficients"))?;
             let values: PyArrayLike2<'_, f64, AllowTypeChange> = values.extract()?;
             let values = values.as_array();
             let (ny, nx) = values.dim();

@@ -1,6 +1,8 @@
 //! Layers of coated bodies and the response of coated bodies to waves.
 
+use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 use stickslip::layers;
 
 use crate::argument::by_value;
@@ -54,13 +56,19 @@ by_value!(Layer);
 #[pymethods]
 impl Layer {
     #[new]
-    #[pyo3(signature = (youngs_modulus, poisson_ratio, *, thickness))]
+    #[pyo3(signature = (youngs_modulus, poisson_ratio, *positional, thickness),
+        text_signature = "(youngs_modulus, poisson_ratio, *, thickness)")]
     fn new(
         py: Python<'_>,
         youngs_modulus: Real,
         poisson_ratio: Real,
+        positional: &Bound<'_, PyTuple>,
         thickness: Real,
     ) -> PyResult<Self> {
+        if !positional.is_empty() {
+            let message = "Layer takes youngs_modulus and poisson_ratio by position, and thickness= by keyword";
+            return Err(PyTypeError::new_err(message));
+        }
         layers::Layer::new(youngs_modulus.0, poisson_ratio.0, thickness.0)
             .or_raise(py)
             .map(Self)

@@ -119,6 +119,18 @@ impl Recipe {
         }
     }
 
+    /// Returns the warnings of the normal solution that is the argument by position with this index; none for another argument.
+    pub(crate) fn warnings_of_normal(
+        &self,
+        py: Python<'_>,
+        index: usize,
+    ) -> Vec<stickslip::Warning> {
+        let argument = self.arguments.bind(py).get_item(index).ok();
+        let normal = argument
+            .and_then(|argument| argument.cast_into::<crate::normal::NormalSolution>().ok());
+        normal.map_or_else(Vec::new, |normal| normal.get().get().warnings())
+    }
+
     /// Returns both kinds of arguments, for ``__getnewargs_ex__``.
     pub(crate) fn parts<'py>(
         &self,

@@ -3,11 +3,11 @@
 use std::cell::{Cell, RefCell};
 use std::sync::{Arc, Mutex, PoisonError};
 
-use pyo3::exceptions::{PyRuntimeError, PyValueError};
+use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use rayon::{ThreadPool, ThreadPoolBuilder};
 
-use crate::real::Count;
+use crate::real::{Whole, out_of_range};
 
 /// Number of threads and their pool, with the process that owns it: the threads of a pool do not survive in a forked
 /// process.
@@ -122,7 +122,11 @@ pub(crate) fn alone<T>(work: impl FnOnce() -> T) -> T {
 /// Parameters
 /// ----------
 /// threads : int
-///     Number of threads, at least 1.
+///     Number of threads, at least 1. For the number of cores give ``os.cpu_count()``.
+///
+/// Raises
+/// ------
+/// ArgumentType, ArgumentRange
 ///
 /// Examples
 /// --------
@@ -131,13 +135,14 @@ pub(crate) fn alone<T>(work: impl FnOnce() -> T) -> T {
 /// >>> stickslip.num_threads()
 /// 2
 #[pyfunction]
-pub(crate) fn set_num_threads(_py: Python<'_>, threads: Count) -> PyResult<()> {
-    let threads = threads.0;
-    if threads == 0 {
-        return Err(PyValueError::new_err(
-            "the number of threads must be at least 1, got 0",
-        ));
-    }
+pub(crate) fn set_num_threads(py: Python<'_>, threads: Whole) -> PyResult<()> {
+    let Some(threads) = usize::try_from(threads.0).ok().filter(|count| *count > 0) else {
+        let message = format!(
+            "must be at least 1, got {}: for the number of cores give os.cpu_count()",
+            threads.0
+        );
+        return Err(out_of_range(py, "threads", &message));
+    };
     let owned = Owned::new(threads)?;
     owned.put(&mut POOL.lock().unwrap_or_else(PoisonError::into_inner));
     Ok(())

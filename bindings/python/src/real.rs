@@ -6,7 +6,7 @@ use pyo3::exceptions::{PyOverflowError, PyTypeError};
 #[cfg(feature = "stubs")]
 use pyo3::inspect::PyStaticExpr;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyDict, PyFloat, PyTuple};
+use pyo3::types::{PyDict, PyFloat, PyTuple};
 
 use crate::conversion::kind_of;
 use crate::error::named;
@@ -36,19 +36,40 @@ fn unreal(object: &Bound<'_, PyAny>) -> PyResult<Option<&'static str>> {
     })
 }
 
-/// Returns `Ok` unless an object is an array of truth values, such as a mask of cells. NumPy would convert them to 0 and 1.
-pub(crate) fn is_no_mask(object: &Bound<'_, PyAny>, quantity: &str) -> PyResult<()> {
+/// Returns the number of dimensions of an array of truth values; a single truth value of Python or NumPy has none. Returns `None`
+/// for other objects.
+fn dimensions_of_truth(object: &Bound<'_, PyAny>) -> PyResult<Option<usize>> {
     let Some(array) = as_array(object) else {
-        return Ok(());
+        return Ok(None);
     };
     let kind: String = array.getattr("dtype")?.getattr("kind")?.extract()?;
-    let dimensions: usize = array.getattr("ndim")?.extract()?;
-    if kind == "b" && dimensions > 0 {
-        return Err(PyTypeError::new_err(format!(
-            "{quantity} must be real numbers, got truth values: convert a mask by mask.astype(float)"
-        )));
+    if kind == "b" {
+        array.getattr("ndim")?.extract().map(Some)
+    } else {
+        Ok(None)
     }
-    Ok(())
+}
+
+/// Returns `Ok` unless an object is a truth value or an array of truth values, such as a mask of cells. NumPy would convert them
+/// to 0 and 1.
+pub(crate) fn is_no_mask(object: &Bound<'_, PyAny>, quantity: &str) -> PyResult<()> {
+    match dimensions_of_truth(object)? {
+        None => Ok(()),
+        Some(0) => Err(PyTypeError::new_err(format!(
+            "{quantity} must be a real number, got a truth value"
+        ))),
+        Some(_) => Err(PyTypeError::new_err(format!(
+            "{quantity} must be real numbers, got truth values: convert a mask by mask.astype(float)"
+        ))),
+    }
+}
+
+/// Returns `Ok` unless an object is a single truth value.
+pub(crate) fn is_no_truth_value(object: &Bound<'_, PyAny>, quantity: &str) -> PyResult<()> {
+    match dimensions_of_truth(object)? {
+        Some(0) => is_no_mask(object, quantity),
+        _ => Ok(()),
+    }
 }
 
 /// Returns `Ok` unless an object contains complex numbers, text or times.
@@ -80,7 +101,7 @@ impl FromPyObject<'_, '_> for Real {
     fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
         let found = if object.is_instance_of::<PyFloat>() {
             None
-        } else if object.is_instance_of::<PyBool>() {
+        } else if dimensions_of_truth(&object)? == Some(0) {
             Some("a truth value")
         } else {
             unreal(&object)?
@@ -120,6 +141,10 @@ macro_rules! whole {
             const INPUT_TYPE: PyStaticExpr = <$type as FromPyObject<'_, '_>>::INPUT_TYPE;
 
             fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+                if dimensions_of_truth(&object)? == Some(0) {
+                    let message = "must be a whole number, got a truth value";
+                    return Err(unnamed(object.py(), "ArgumentType", message));
+                }
                 let number: PyResult<$type> = object.extract();
                 number.map(Self).map_err(|error| {
                     let is_negative = object.lt(0).unwrap_or(false);
@@ -140,6 +165,8 @@ whole! {
     Count(usize);
     /// Seed of random numbers.
     Seed(u64);
+    /// Whole number of either sign, whose range the function checks.
+    Whole(i64);
 }
 
 /// Creates an exception of ``stickslip.errors`` about an argument. PyO3 adds a note with the name of the argument, and the
@@ -148,17 +175,34 @@ pub(crate) fn unnamed(py: Python<'_>, class: &str, message: &str) -> PyErr {
     named(py, class, message, &PyDict::new(py)).unwrap_or_else(|failure| failure)
 }
 
+/// Starts the message of an exception created by [`unnamed`] with the name of a part of an argument.
+pub(crate) fn named_by(py: Python<'_>, error: PyErr, part: &str) -> PyErr {
+    let value = error.value(py);
+    if value.hasattr("argument").unwrap_or(true) {
+        return error;
+    }
+    let class = value.get_type().name().map(|name| name.to_string());
+    match class {
+        Ok(class) => of_argument(py, &class, part, &value.to_string()),
+        Err(_) => error,
+    }
+}
+
 /// Creates the exception for an argument of a wrong type, of which the caller states the name.
 pub(crate) fn wrong_type(py: Python<'_>, argument: &str, message: &str) -> PyErr {
+    of_argument(py, "ArgumentType", argument, message)
+}
+
+/// Creates the exception for an argument out of range, of which the caller states the name.
+pub(crate) fn out_of_range(py: Python<'_>, argument: &str, message: &str) -> PyErr {
+    of_argument(py, "ArgumentRange", argument, message)
+}
+
+fn of_argument(py: Python<'_>, class: &str, argument: &str, message: &str) -> PyErr {
     let exception = || {
         let attributes = PyDict::new(py);
         attributes.set_item("argument", argument)?;
-        named(
-            py,
-            "ArgumentType",
-            &format!("{argument} {message}"),
-            &attributes,
-        )
+        named(py, class, &format!("{argument} {message}"), &attributes)
     };
     exception().unwrap_or_else(|failure| failure)
 }

@@ -39,6 +39,18 @@ pub(crate) fn solve_once<'py, S: Solver>(
     progress: Option<Bound<'py, PyAny>>,
     is_warned: bool,
 ) -> PyResult<Bound<'py, S::Object>> {
+    solve_sheared(py, cells, solver, progress, is_warned, Vec::new)
+}
+
+/// Solves a problem once. The warnings of its normal contact, which the solve of this contact has issued, are not issued again.
+pub(crate) fn solve_sheared<'py, S: Solver>(
+    py: Python<'py>,
+    cells: usize,
+    solver: impl FnOnce() -> Result<S> + Send,
+    progress: Option<Bound<'py, PyAny>>,
+    is_warned: bool,
+    of_contact: impl FnOnce() -> Vec<stickslip::Warning>,
+) -> PyResult<Bound<'py, S::Object>> {
     let progress = Progress::of(progress.as_ref())?;
     let mut solution = None;
     let outcome = solve(py, cells, progress, |observer| {
@@ -46,7 +58,7 @@ pub(crate) fn solve_once<'py, S: Solver>(
         let solution = solution.insert(solver.new_solution());
         solver.solve_observed(solution, |iteration| observer(Some(iteration)))
     })?;
-    finished::<S>(py, outcome, solution.map(Arc::new), is_warned)
+    finished::<S>(py, outcome, solution.map(Arc::new), is_warned, of_contact)
 }
 
 /// Returns the solution as an object, or the exception with the last iterate attached.
@@ -55,13 +67,19 @@ fn finished<S: Solver>(
     outcome: Result<()>,
     solution: Option<Arc<S::Solution>>,
     is_warned: bool,
+    of_contact: impl FnOnce() -> Vec<stickslip::Warning>,
 ) -> PyResult<Bound<'_, S::Object>> {
     let solution =
         || solution.ok_or_else(|| PyRuntimeError::new_err("the solve returned no solution"));
     match outcome {
         Ok(()) => {
             let solution = solution()?;
-            warn(py, is_warned, || S::warnings(&solution))?;
+            warn(py, is_warned, || {
+                let mut warnings = S::warnings(&solution);
+                let issued = of_contact();
+                warnings.retain(|warning| !issued.contains(warning));
+                warnings
+            })?;
             Bound::new(py, S::Object::from(solution))
         }
         Err(error) => Err(with_iterate(py, error, || {
@@ -166,7 +184,7 @@ impl<S: Solver> Reused<S> {
             solver.solve_observed(into, |iteration| observer(Some(iteration)))
         })?;
         spare.keep(&solution);
-        finished::<S>(py, outcome, Some(solution), is_warned)
+        finished::<S>(py, outcome, Some(solution), is_warned, Vec::new)
     }
 }
 

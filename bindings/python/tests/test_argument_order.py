@@ -138,6 +138,10 @@ def test_plots_name_objects_of_wrong_class(scene, name, draw, due):
         assert caught.value.argument == name
     with pytest.raises(ss.errors.ArgumentType, match="got an object of the class NormalSolution"):
         ss.plot.stick_map(scene.normal())
+    for draw in (ss.plot.pressure_map, ss.plot.stick_map, ss.plot.traction_map):
+        for array in (scene.normal().pressure, scene.ball):
+            with pytest.raises(ss.errors.ArgumentType, match=r"draw an array by plot\.field\(grid, array\)$"):
+                draw(array)
     with pytest.raises(TypeError, match="got NormalSolution: give solution.grid, solution.pressure"):
         ss.plot.field(scene.normal())
 

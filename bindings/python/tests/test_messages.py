@@ -30,7 +30,7 @@ LOOP = ss.history.FrettingLoop(ss.history.LoadPath.sine((1e-7, 0.0), 4), lambda 
         (lambda scene: ss.Spring(1.0, 2.0), "positional argument"),
         (lambda scene: STEEL.coated(OXIDE), r"layers must be a sequence of Layer, got Layer: give \[layer\]"),
         (lambda scene: STEEL.coated([OXIDE, 5e-6]), r"layers must be a sequence of Layer, got list with the entry 5e-06: .*Layer\("),
-        (lambda scene: ss.layers.Layer(380e9, 5e-6, 0.22), "positional argument"),
+        (lambda scene: ss.layers.Layer(380e9, 5e-6, 0.22), "missing 1 required keyword argument: 'thickness'"),
         (lambda scene: ss.HalfSpace(scene.grid, (OXIDE, STEEL)), r"pair must be .*, got \(Layer, Material\)"),
         (lambda scene: ss.surface.level(scene.ball, "plain"), r"form must be .*, got 'plain'"),
         (lambda scene: ss.surface.level(scene.ball, -1), r"form must be .*, got -1"),
@@ -82,7 +82,6 @@ def test_pair_with_number_out_of_range_names_number(scene, call, message):
         (lambda scene: ss.Settings(max_iterations=-1), "max_iterations", "must not be negative, got -1"),
         (lambda scene: ss.history.LoadPath.sine((1.0, 0.0), np.int64(-4)), "steps", "must not be negative, got -4"),
         (lambda scene: ss.history.Rolling(-2), "cells", "must not be negative, got -2"),
-        (lambda scene: ss.set_num_threads(-1), "threads", "must not be negative, got -1"),
         (lambda scene: ss.io.csv.read("x.csv", cell=(1.0, 1.0), skip_rows=-1), "skip_rows", "must not be negative, got -1"),
         (lambda scene: scene.ball.get(-1, 0), "ix", "must not be negative, got -1"),
         (lambda scene: ss.Material(10**400, 0.3), "youngs_modulus", "is too large for a real number, got 1000"),
@@ -117,20 +116,27 @@ def test_wrong_type_of_number_message_names_argument(scene, call, argument, mess
 
 
 @pytest.mark.parametrize(
-    ("call", "quantity"),
+    ("call", "quantity", "order"),
     [
-        (lambda scene: ss.History(scene.bodies, 0.25, scene.ball), "gap"),
-        (lambda scene: ss.NormalProblem(scene.bodies, 0.25, force=1.0), "gap"),
-        (lambda scene: ss.CoupledProblem(scene.bodies, 0.25, scene.ball, normal_force=1.0), "gap"),
-        (lambda scene: ss.rolling.CoupledRollingProblem(scene.bodies, np.float64(0.25), scene.ball, normal_force=1.0), "gap"),
-        (lambda scene: ss.TangentialProblem(scene.bodies, 0.25, scene.normal().pressure, force_x=1.0), "pressure"),
-        (lambda scene: scene.history().set_gap(0.25), "gap"),
+        (lambda scene: ss.History(scene.bodies, 0.25, scene.ball), "gap", ", and friction after the gap"),
+        (lambda scene: ss.NormalProblem(scene.bodies, 0.25, force=1.0), "gap", ""),
+        (lambda scene: ss.CoupledProblem(scene.bodies, 0.25, scene.ball, normal_force=1.0), "gap", ", and friction after the gap"),
+        (
+            lambda scene: ss.rolling.CoupledRollingProblem(scene.bodies, np.float64(0.25), scene.ball, normal_force=1.0),
+            "gap",
+            ", and friction after the gap",
+        ),
+        (lambda scene: ss.TangentialProblem(scene.bodies, 0.25, scene.normal().pressure, force_x=1.0), "pressure", ""),
+        (lambda scene: scene.history().set_gap(0.25), "gap", ""),
     ],
 )
-def test_number_instead_of_gap_or_pressure_is_rejected_with_remedy(scene, call, quantity):
-    message = rf"^{quantity} must be .* of shape \(ny, nx\), got the number 0\.25: for a uniform {quantity} give Field\(grid, 0\.25\)(, and friction after the gap)?$"
-    with pytest.raises(ss.errors.ArgumentType, match=message) as refused:
+def test_number_instead_of_gap_or_pressure_is_rejected_with_remedy(scene, call, quantity, order):
+    with pytest.raises(ss.errors.ArgumentType) as refused:
         call(scene)
+    assert str(refused.value) == (
+        f"{quantity} must be a Field or an array of shape (ny, nx), got the number 0.25: "
+        f"for a uniform {quantity} give Field(grid, 0.25){order}"
+    )
     assert refused.value.argument == quantity
 
 
@@ -314,7 +320,7 @@ def test_sample_message_has_row_column_and_remedy(scene):
     for given in (gap, masked):
         with pytest.raises(ss.errors.Sample, match=r"row 3, column 5 .* \(surface.fill_missing fills missing heights\)"):
             ss.NormalProblem(scene.bodies, given, force=1.0)
-        with pytest.raises(ss.errors.Sample, match=r"row 3, column 5 .* \(surface.fill_missing"):
+        with pytest.raises(ss.errors.Sample, match=r"row 3, column 5 .*; fill missing heights first \(surface\.fill_missing\)$"):
             ss.surface.gap_from_heights(ss.Field(scene.grid, given))
     holed = ss.Field(scene.grid, gap)
     for call in (
@@ -349,7 +355,7 @@ def test_subsurface_messages_state_required_arguments(scene):
     for tractions in [(contact, contact), (shear, contact)]:
         with pytest.raises(TypeError, match=r"expected \(normal, shear\)"):
             ss.subsurface.at_points(scene.bodies, "one", tractions, points)
-    with pytest.raises(ValueError, match="Body must be one of 'one', 'two', or a member of stickslip.subsurface.Body, got '1'"):
+    with pytest.raises(ValueError, match="^body must be one of 'one', 'two', or a member of stickslip.subsurface.Body, got '1'$"):
         ss.subsurface.at_points(scene.bodies, "1", contact, points)
     with pytest.raises(TypeError, match="'one', 'two', .* got int"):
         ss.subsurface.at_points(scene.bodies, 1, contact, points)
@@ -431,3 +437,71 @@ def test_missing_normal_load_names_the_keyword_of_the_problem():
         ss.CoupledProblem(bodies, ball, 0.3, force_x=1.0)
     with pytest.raises(TypeError, match="load by force="):
         ss.NormalProblem(bodies, ball)
+
+
+@pytest.mark.parametrize(
+    ("call", "argument", "found"),
+    [
+        (lambda scene: ss.Settings(method="no"), "method", "'no'"),
+        (lambda scene: ss.NormalProblem(scene.bodies, scene.ball, force=1.0, method=3), "method", "int"),
+        (lambda scene: ss.TangentialProblem(scene.bodies, scene.ball, 0.5, force_x=1.0, model="Vector"), "model", "'Vector'"),
+        (lambda scene: ss.History(scene.bodies, scene.ball, 0.5, coupling="one way"), "coupling", "'one way'"),
+        (lambda scene: ss.HalfSpace(scene.grid, (STEEL, STEEL), cell_value="center"), "cell_value", "'center'"),
+        (lambda scene: ss.Kernel.tabulated(scene.bodies.pair, (1.0, 1.0), {"zw": np.ones((2, 2))}), "a key of coefficients", "'zw'"),
+        (
+            lambda scene: ss.adaptive.AdaptiveProblem(
+                (STEEL, STEEL), lambda x, y: x**2 + y**2, ss.adaptive.Region.rectangle((-1.0, 1.0), (-1.0, 1.0)), force=1.0, target={"forse": 0.1}
+            ),
+            "a key of target",
+            "'forse'",
+        ),
+    ],
+)
+def test_unknown_name_message_names_argument(scene, call, argument, found):
+    error = TypeError if found == "int" else ValueError
+    with pytest.raises(error, match=rf"^{argument} must be one of '.*', or a member of stickslip\.[\w.]+, got {found}$") as refused:
+        call(scene)
+    assert refused.value.argument == argument
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda scene: ss.layers.Layer(380e9, 0.22, 1.0, thickness=5e-6), "by position, and thickness= by keyword"),
+        (lambda scene: scene.history().press(normal_force=FORCE), "by tolerance=, such as tolerance=0.01"),
+        (lambda scene: ss.History.load("state"), "bodies must be of the class HalfSpace, got str: the bodies are the first argument"),
+        (lambda scene: ss.History.load(scene.bodies), r"give the path after the bodies: History\.load\(bodies, path\)"),
+    ],
+)
+def test_missing_argument_message_names_it(scene, call, message):
+    with pytest.raises(TypeError, match=message):
+        call(scene)
+
+
+@pytest.mark.parametrize("threads", [0, -1, 10**30])
+def test_number_of_threads_message_states_remedy(threads):
+    before = ss.num_threads()
+    message = r"must be at least 1, got -?\d: for the number of cores give os\.cpu_count\(\)" if threads <= 0 else "is too large"
+    with pytest.raises(ss.errors.ArgumentRange, match=f"^threads {message}") as refused:
+        ss.set_num_threads(threads)
+    assert refused.value.argument == "threads" and ss.num_threads() == before
+
+
+def test_modulus_in_place_of_poisson_ratio_is_named(scene):
+    for call in (lambda: ss.Material(0.3, 210e9), lambda: ss.layers.Layer(0.3, 210e9, thickness=1.0)):
+        with pytest.raises(ss.errors.PoissonRatio, match=r"got 210000000000\.0: the modulus precedes Poisson's ratio$"):
+            call()
+    with pytest.raises(ss.errors.PoissonRatio, match=r"got 0\.6$"):
+        ss.Material(210e9, 0.6)
+
+
+def test_coupled_materials_message_names_classes(scene):
+    pair = ss.HalfSpace(scene.grid, (STEEL, ss.Material(70e9, 0.33)))
+    normal = ss.NormalProblem(pair, scene.ball, force=FORCE).solve()
+    message = r'use CoupledProblem or History with coupling="full", or accept the error of coupling="one_way" or "neglected"$'
+    with pytest.raises(ss.errors.CoupledMaterials, match=message):
+        ss.TangentialProblem(pair, normal, 0.5, force_x=1.0, coupling="full")
+    # Bodies of the same material are not coupled.
+    shear = [ss.TangentialProblem(scene.bodies, scene.normal(), 0.5, force_x=20.0, coupling=name).solve() for name in ("full", "one_way")]
+    assert np.array_equal(shear[0].traction[0], shear[1].traction[0])
+    assert "accept every value" in ss.TangentialProblem.__doc__

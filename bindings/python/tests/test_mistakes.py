@@ -1,6 +1,8 @@
 """Mistakes in calls that would compute a plausible result of a different problem."""
 
+import copy
 import pickle
+import warnings
 
 import numpy as np
 import pytest
@@ -115,7 +117,10 @@ def test_energies_on_another_grid_are_rejected(scene):
     energy = cycle.dissipation
     assert energy[3:].grid is None and type(energy > 0.0) is type(energy.sum(axis=0)) is np.ndarray
     assert isinstance(energy.sum(), float) and isinstance(energy[3, 3], float) and type(np.array(energy)) is np.ndarray
-    assert np.array_equal(pickle.loads(pickle.dumps(energy)), energy)
+    for copied in (pickle.loads(pickle.dumps(energy)), copy.copy(energy), copy.deepcopy(energy)):
+        assert np.array_equal(copied, energy) and type(copied) is type(energy)
+        assert copied.grid == scene.grid and np.array_equal(ss.wear.energy(1e-13, copied), ss.wear.energy(1e-13, energy))
+    assert pickle.loads(pickle.dumps(energy[3:])).grid is None
     with pytest.raises(ValueError, match="read-only"):
         energy[0, 0] = 1.0
     with pytest.raises(TypeError, match="an array does not contain the sides"):
@@ -197,6 +202,120 @@ def test_coordinates_of_xarray_arguments_must_agree_with_the_grid(scene):
     with pytest.raises(ValueError, match="units um and mm"):
         ss.Field(grid, gap, "um") + of(grid.y, grid.x, units="mm")
     assert ss.Field(grid, of(grid.y, grid.x, units="mm")).unit == "mm" and ss.Field(grid, of(grid.y, grid.x, units="Pa")).unit is None
+
+
+def test_labels_of_pandas_tables_must_rise(scene):
+    pandas = pytest.importorskip("pandas")
+    table = pandas.DataFrame(scene.ball.array)
+
+    def problem(given):
+        return ss.NormalProblem(scene.bodies, given, force=FORCE)
+
+    for reversed_, axis, number in ((table.iloc[::-1], "y", 0), (table.iloc[:, ::-1], "x", 1)):
+        with pytest.raises(ValueError, match=rf"gap has decreasing coordinates along {axis}: sort it by \.sort_index\(axis={number}\)"):
+            problem(reversed_)
+        assert np.array_equal(ss.Field(scene.grid, reversed_.sort_index(axis=number)).array, scene.ball.array)
+    shuffled = table.sample(frac=1.0, random_state=0)
+    message = r"gap has coordinates along y that do not rise: sort it by \.sort_index\(axis=0\), or give \.values to ignore the coordinates"
+    decimal = table.set_axis(scene.grid.y).sample(frac=1.0, random_state=0)
+    for given in (shuffled, shuffled.set_axis([str(label) for label in shuffled.index]), decimal):
+        with pytest.raises(ValueError, match=message):
+            problem(given)
+    with pytest.raises(ValueError, match="samples has coordinates along y that do not rise"):
+        ss.Field(scene.grid, shuffled)
+    with pytest.raises(ValueError, match=r"gap has coordinates from 0\.0 to 126\.0 along y"):
+        problem(table.set_axis(range(0, 128, 2)))
+    accepted = (
+        table.set_axis(range(5, 69)), table.set_axis([str(label) for label in range(64)], axis=1), table.set_axis([f"row {k}" for k in range(64)]),
+        table.set_axis([repr(float(x)) for x in scene.grid.x], axis=1), pandas.DataFrame(shuffled.sort_index()), table.convert_dtypes(),
+    )  # fmt: skip
+    for given in accepted:
+        assert np.array_equal(ss.Field(scene.grid, given).array, scene.ball.array)
+    assert np.array_equal(ss.Field(scene.grid, shuffled.values).array, shuffled.to_numpy())
+
+
+def test_arithmetic_with_tables_keeps_axes(scene):
+    pandas = pytest.importorskip("pandas", minversion="2.1")
+    field = scene.ball + ss.surface.sinusoidal(scene.grid, 1e-6, 1e-4)
+    table = pandas.DataFrame(field.array + 1e-6 * np.arange(64.0))
+    for total in (table + field, field + table, np.add(table, field)):
+        assert isinstance(total, ss.Field) and np.array_equal(total.array, table.to_numpy() + field.array)
+    assert np.array_equal((table - field).array, table.to_numpy() - field.array)
+    with pytest.raises(ValueError, match="other field has decreasing coordinates along y"):
+        table.iloc[::-1] + field
+
+
+def test_masked_cells_are_missing_points(scene):
+    gap = np.ma.masked_array(scene.ball.array, mask=False)
+    assert np.array_equal(ss.NormalProblem(scene.bodies, gap, force=FORCE).solve().pressure, scene.normal().pressure)
+    gap[3, 5] = np.ma.masked
+    history = scene.history()
+    for call in (
+        lambda: ss.NormalProblem(scene.bodies, gap, force=FORCE),
+        lambda: ss.TangentialProblem(scene.bodies, gap, 0.5, force_x=1.0),
+        lambda: history.set_gap(gap),
+        lambda: history.set_gap(history.gap_as_set + gap),
+        lambda: ss.NormalProblem(scene.bodies, scene.ball + gap, force=FORCE),
+        lambda: ss.Friction(gap, grid=scene.grid),
+        lambda: ss.NormalProblem(scene.bodies, scene.ball, force=FORCE, hardness=1e9 + gap),
+    ):
+        with pytest.raises(ss.errors.Sample, match="row 3, column 5 .* is nan"):
+            call()
+    measured = ss.Field(scene.grid, gap)
+    assert np.isnan(measured[3, 5]) and ss.surface.fill_missing(measured).filled_cells == 1
+
+
+def test_missing_coordinates_have_no_values(scene):
+    hertz, radii = scene.hertz, np.ma.masked_array([0.0, 1e-5, 1e-3], [False, True, False])
+    for values in (hertz.pressure(radii), hertz.gap(radii), hertz.displacement(np.array([0.0, np.nan, 1e-3]))):
+        assert np.isnan(values).tolist() == [False, True, False]
+    ellipse = ss.analytical.HertzEllipse(scene.bodies.pair, radius_x=3e-3, radius_y=4e-3, load=FORCE)
+    assert np.isnan(ellipse.pressure(radii, 0.0)).tolist() == [False, True, False] and np.isnan(ellipse.pressure(0.0, np.nan))
+    with pytest.raises(ss.errors.Sample, match="is nan"):
+        ss.subsurface.at_points(scene.bodies, "one", scene.normal(), np.ma.masked_array([[0.0, 0.0, 1e-5]], [[0, 0, 1]]))
+
+
+def test_load_path_of_pandas_table_is_that_of_its_rows():
+    pandas = pytest.importorskip("pandas")
+    values = [(1e-6, 0.0), (0.0, 2e-6)]
+    path = ss.history.LoadPath(pandas.DataFrame(values, columns=["x", "y"]))
+    assert path.cycles(1) == ss.history.LoadPath(values).cycles(1) == values
+
+
+def test_units_of_heights_and_coordinates_must_agree(scene):
+    xarray = pytest.importorskip("xarray")
+    grid = scene.grid
+
+    def heights(unit, of_coordinates):
+        array = xarray.DataArray(1e6 * scene.ball.array, {"y": grid.y, "x": grid.x}, ("y", "x"), attrs={"units": unit})
+        for axis in ("x", "y"):
+            array[axis].attrs["units"] = of_coordinates
+        return array
+
+    micrometres = heights("um", "m")
+    message = r'gap has the unit um, but its coordinates along x have the unit m: convert it by io\.from_xarray\(array\)\.to_unit\("m"\)'
+    for call in (
+        lambda: ss.NormalProblem(scene.bodies, micrometres, force=FORCE),
+        lambda: scene.history().set_gap(micrometres),
+    ):
+        with pytest.raises(ValueError, match=message):
+            call()
+    with pytest.raises(ValueError, match="samples has the unit um, but its coordinates along x have the unit m"):
+        ss.Field(grid, micrometres)
+    converted = ss.io.from_xarray(micrometres).to_unit("m")
+    assert np.allclose(converted, scene.ball.array, rtol=1e-14) and converted.grid.dx == pytest.approx(grid.dx, rel=1e-12)
+    with pytest.raises(TypeError, match=r"contain their grid: convert an array of xarray by io\.from_xarray\(array\)$"):
+        ss.surface.level(micrometres, "plane")
+    # A pressure has no unit of length, and one unit has several names.
+    pressure = heights("Pa", "m")
+    assert ss.TangentialProblem(scene.bodies, pressure, 0.5, force_x=0.0).friction_capacity > 0.0
+    assert ss.Field(grid, heights("um", "\u00b5m")).unit == "um"
+
+
+def test_surfaces_without_unit_take_the_unit_of_the_other(scene):
+    plain, stated = ss.Field(scene.grid, 1.0), ss.Field(scene.grid, 2.0, "um")
+    assert (plain + stated).unit == (stated - plain).unit == ss.surface.gap_between(plain, stated).unit == "um"
+    assert "takes the unit of the other operand" in " ".join(ss.Field.__doc__.split())
 
 
 def test_exported_pairs_belong_to_one_grid(scene):
@@ -281,6 +400,76 @@ def test_repeated_loops_and_creepages_in_per_cent_are_warned_of(scene):
     assert len(warned) == 1 and warned[0].startswith("creepage and spin move the surfaces by 20 % of the length rolled")
 
 
-def test_truth_values_instead_of_numbers_are_rejected(scene):
-    with pytest.raises(ss.errors.ArgumentType, match="must be a real number, got a truth value"):
-        ss.NormalProblem(scene.bodies, scene.ball, force=True)
+def sheared(scene):
+    """Returns a history after a cycle of one step, and the cycle."""
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    cycle = ss.history.Cycle(history)
+    history.step(force_x=20.0)
+    cycle.add(history)
+    return history, cycle
+
+
+@pytest.mark.parametrize("truth", [True, np.True_, np.array(True)])
+def test_truth_values_instead_of_numbers_are_rejected(scene, truth):
+    for call in (
+        lambda: ss.NormalProblem(scene.bodies, scene.ball, force=truth),
+        lambda: scene.history().step(shift_x=truth),
+        lambda: ss.Friction(truth),
+        lambda: scene.history(hardness=truth),
+        lambda: scene.history().set_friction(truth),
+        lambda: ss.Field(scene.grid, truth),
+        lambda: ss.LoadStep(spring_x=ss.Spring(position=truth, stiffness=1.0)),
+        lambda: ss.wear.EnergyLaw(truth)(*sheared(scene)),
+    ):
+        with pytest.raises(TypeError, match="must be a real number, got a truth value"):
+            call()
+    with pytest.raises(TypeError, match="force must be real numbers, got truth values"):
+        ss.LoadStep(force=(truth, truth))
+    for call in (lambda: ss.Grid(truth, 3, 1.0, 1.0), lambda: ss.set_num_threads(truth), lambda: ss.Settings(max_iterations=truth)):
+        with pytest.raises(ss.errors.ArgumentType, match="must be a whole number, got a truth value"):
+            call()
+
+
+def test_functions_with_wrong_number_of_parameters_are_rejected_before_work(scene):
+    history = scene.history()
+    history.step(normal_force=FORCE)
+    path = ss.history.LoadPath.triangle((1e-6, 0.0), 8)
+    loop = ss.history.FrettingLoop(path, lambda shift: ss.LoadStep(normal_force=FORCE, shift=shift))
+
+    class OldLaw:
+        def depth_of_jump(self, history, cycle, cycles):
+            return cycle.dissipation
+
+    for call, message in (
+        (lambda: ss.history.FrettingLoop(path, lambda x, y: ss.LoadStep(shift=(x, y))), r"load must accept one argument by position \(value\), .* \(x, y\)"),
+        (lambda: loop.run(history, 1, lambda cycle: None), r"observer must accept 2 arguments by position \(history, cycle\), .* \(cycle\)"),
+        (lambda: loop.run(history, 1, progress=lambda: None), r"progress must accept 2 arguments by position \(cycles, cycle\)"),
+        (lambda: ss.wear.run(history, loop, lambda cycle: cycle.dissipation, 9), r"law must accept 2 arguments by position \(history, cycle\)"),
+        (lambda: ss.wear.run(history, loop, OldLaw(), 9), r"law\.depth_of_jump must accept 4 arguments by position"),
+        (lambda: ss.wear.run(history, loop, ss.wear.EnergyLaw(1e-13), 9, progress=lambda: None), "progress must accept one argument"),
+    ):
+        with pytest.raises(ss.errors.ArgumentType, match=message):
+            call()
+    assert history.steps == 1
+    assert loop.run(history, 1, lambda *arguments: None, progress=lambda *arguments: None).cycles == 1
+
+
+def test_shear_does_not_repeat_warnings_of_its_normal_contact(scene):
+    def kinds(problem):
+        with warnings.catch_warnings(record=True) as issued:
+            warnings.simplefilter("always")
+            solution = problem.solve()
+        return solution, [str(warning.message) for warning in issued]
+
+    contact, pressing = kinds(ss.NormalProblem(scene.bodies, scene.ball, force=1e3))
+    assert any("edge of the grid" in message for message in pressing)
+    for make in (
+        lambda pressure: ss.TangentialProblem(scene.bodies, pressure, 0.5, force_x=100.0),
+        lambda pressure: ss.TangentialProblem(scene.bodies, pressure.pressure, 0.5, force_x=100.0),
+    ):
+        shear, messages = kinds(make(contact))
+        all_messages = [str(warning) for warning in shear.warnings]
+        is_solved = make(contact).__getnewargs_ex__()[0][1] is contact
+        assert messages == [message for message in all_messages if not (is_solved and message in pressing)]
+        assert set(pressing) & set(all_messages)

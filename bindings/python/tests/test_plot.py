@@ -292,3 +292,13 @@ def test_stress_section_matches_planes(scene):
             plot.stress_section(planes, **wrong)
     with pytest.raises(ValueError, match="two depths"):
         plot.stress_section(planes[:1])
+
+
+def test_plots_check_labels_of_pandas_and_xarray(scene):
+    pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
+    gap = scene.ball.array * (1.0 + np.arange(64.0))
+    transposed = xarray.DataArray(gap, {"y": scene.grid.y, "x": scene.grid.x}, ("y", "x")).T
+    for values in (transposed, pandas.DataFrame(gap)):
+        assert np.array_equal(ss.plot.field(scene.grid, values).images[0].get_array(), gap)
+    with pytest.raises(ValueError, match="decreasing coordinates along y"):
+        ss.plot.field(scene.grid, pandas.DataFrame(gap).iloc[::-1])

@@ -266,7 +266,7 @@ def test_rolling_rejected_input_leaves_solver_unchanged(ball):
 def test_rolling_invalid_contacts_are_rejected(ball):
     with pytest.raises(ss.errors.NotPositive, match="step"):
         ball.problem(step=0, creepage_x=0.0)
-    with pytest.raises(ValueError, match="LeadingEdge must be one of 'plus_x'"):
+    with pytest.raises(ValueError, match="leading_edge must be one of 'plus_x'"):
         ball.problem(leading_edge="x")
     with pytest.raises(ss.errors.Method):
         ball.problem(method="polonsky_keer", creepage_x=0.0)

@@ -283,8 +283,8 @@ def test_sensitivities_round_trip():
     ("call", "kind", "message"),
     [
         (lambda: Functional.pressure_norm("a"), TypeError, "exponent must be a real number, got text"),
-        (lambda: Functional.shift("z"), ValueError, "Axis must be one of 'x', 'y'"),
-        (lambda: Functional.shift(1), TypeError, "Axis must be one of 'x', 'y'"),
+        (lambda: Functional.shift("z"), ValueError, "axis must be one of 'x', 'y'"),
+        (lambda: Functional.shift(1), TypeError, "axis must be one of 'x', 'y'"),
         (lambda: Functional.weighted(pressure=np.ones((2, 3)), grid=GRID), ss.errors.Shape, r"pressure has shape \(2, 3\)"),
         (lambda: Functional.weighted(pressure=np.ones((CELLS, CELLS))), TypeError, "give grid="),
         (lambda: Functional.weighted(traction=3.0, grid=GRID), TypeError, r"traction must be a pair \(x, y\) of fields, got float"),

@@ -287,6 +287,8 @@ def test_arguments_of_wrong_type_are_named():
         ("cycles", "must be a whole number, got None", (worn, loop(), LAW, None), {}),
         ("largest_jump", "must be a whole number", (worn, loop(), LAW, 10), {"largest_jump": ""}),
         ("max_depth", "must be a number", (worn, loop(), LAW, 10), {"max_depth": "1e-6"}),
+        ("max_depth", "must be a number", (worn, loop(), LAW, 10), {"max_depth": True}),
+        ("max_residual", "must be a number", (worn, loop(), LAW, 10), {"max_residual": True}),
         ("max_residual", "must be a number", (worn, loop(), LAW, 10), {"max_residual": None}),
         ("progress", "got an object of the class int", (worn, loop(), LAW, 10), {"progress": 5}),
         ("resume", "must be a WearSnapshot, got an object of the class str", (worn, loop(), LAW, 10), {"resume": "a.npz"}),
@@ -459,3 +461,21 @@ def test_loop_without_contact_does_not_become_steady():
         path, lambda shift: ss.LoadStep(normal_force=FORCE * (shift[0] != 0.0), shift=shift), until_steady=1e-3
     )
     assert lifting.run(unpressed, 10).ending == ss.history.StopReason.STEADY
+
+
+def test_snapshots_follow_jumps_unless_jumps_are_limited():
+    whole = ss.wear.run(history(), loop(), LAW, 1000, snapshot_every=100)
+    assert len(whole.snapshots) < len(whole.history) <= 6
+    limited = ss.wear.run(history(), loop(), LAW, 1000, snapshot_every=100, largest_jump=100)
+    intervals = [snapshot.cycles // 100 for snapshot in limited.snapshots]
+    assert intervals == list(range(1, 11))
+
+
+def test_missing_normal_load_of_loops_is_warned_of_with_remedy():
+    path = ss.history.LoadPath.triangle((1e-6, 0.0), 8)
+    held = ss.history.FrettingLoop(path, lambda shift: ss.LoadStep(shift=shift))
+    with pytest.warns(ss.ContactWarning, match="no cell carries pressure .*: prescribe a positive normal force, or an approach"):
+        held.run(ss.History(BODIES, ss.surface.sphere(GRID, 3.5e-3), 0.5), 1)
+    with pytest.warns(ss.ContactWarning, match="kept the pressure, which belongs to the old gap: prescribe the normal load again"):
+        ss.wear.run(history(), held, LAW, 100)
+    assert "Every step must prescribe the normal load" in " ".join(ss.wear.run.__doc__.split())

@@ -20,8 +20,9 @@ relative to body 1, opposite to the creepage of Kalker and CONTACT. Slip is the 
 surface of body 2. Fields are arrays of shape (ny, nx), x fastest.
 
 Arrays of solutions are read-only views of their memory, and arrays of histories are read-only copies. Every argument that
-accepts a field accepts an array, which is copied, or a :class:`Field`, which is created once and shared. The GIL is released
-during solves. Ctrl-C ends a solve at its next product and leaves the state of solvers and histories unchanged.
+accepts a field accepts an array, which is copied, or a :class:`Field`, which is created once and shared. ``help(Field)`` states
+the rules for units, for masked arrays, and for the labels of pandas and xarray. The GIL is released during solves.
+Ctrl-C ends a solve at its next product and leaves the state of solvers and histories unchanged.
 
 A contact consists of a :class:`Grid`, two :class:`Material` objects in a :class:`HalfSpace`, and a gap: a shape of
 :mod:`~stickslip.surface` or an array. :class:`NormalProblem` solves normal contact. :class:`TangentialProblem` solves one

@@ -20,6 +20,15 @@ class CellEnergies(np.ndarray[Any, np.dtype[np.float64]]):
         grid = getattr(source, "grid", None)
         self.grid = grid if grid is not None and grid.shape == self.shape else None
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        reduced: Any = super().__reduce__()
+        restore, arguments, state = reduced
+        return restore, arguments, (self.grid, state)
+
+    def __setstate__(self, state: Any) -> None:
+        self.grid, own = state
+        super().__setstate__(own)
+
     def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
         if array.shape != self.shape or array.dtype != np.float64:
             return np.asarray(array)[()]

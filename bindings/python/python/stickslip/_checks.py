@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Sequence
 from numbers import Integral, Real
 from typing import NoReturn
@@ -34,6 +35,19 @@ def check_whole(name: str, value: object, smallest: int, remedy: str = "") -> No
         error = ArgumentRange(f"{name} must be a whole number of at least {smallest}, got {value}")
         error.argument = name
         raise error
+
+
+def check_call(name: str, function: object, *parameters: str) -> None:
+    """Raises an error if a function does not accept these arguments by position. Functions without a signature are not checked."""
+    try:
+        signature = inspect.signature(function)  # type: ignore[arg-type]
+    except (TypeError, ValueError):
+        return
+    try:
+        signature.bind(*parameters)
+    except TypeError:
+        due = "one argument" if len(parameters) == 1 else f"{len(parameters)} arguments"
+        refuse_type(name, f"must accept {due} by position ({', '.join(parameters)}), got a function with the parameters {signature}")
 
 
 def require(name: str, value: object, attributes: Sequence[str], due: str, entry: str = "") -> None:

@@ -38,8 +38,8 @@ class Coupling(_Name):
     not coupled, such as bodies of the same material. Stick ratios depend on the choice, and on whether the load is
     applied in one step or in many.
 
-    The default of a history is "full". The default of a tangential problem, whose pressure is given, is "one_way"; "full"
-    is rejected there. A coupled problem always uses "full".
+    The default of a history is "full". The default of a tangential problem, whose pressure is given, is "one_way". There,
+    "full" raises ``CoupledMaterials`` for coupled bodies. A coupled problem always uses "full".
     """
 
     FULL = "full"

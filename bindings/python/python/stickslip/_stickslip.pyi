@@ -2334,7 +2334,10 @@ class Field:
     either order, is computed cell by cell and is a field. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of
     booleans. Two fields are compared as a whole by ``==``. Other NumPy functions, such as ``numpy.maximum``, treat a field as
     its array: their result has no unit, and fields of different units raise an error. The axes of an array of xarray with the
-    dimensions x and y are recognised by their names. Its coordinates x and y, if any, must rise in steps of the cell sides.
+    dimensions x and y are recognised by their names. Its coordinates x and y, if any, must rise in steps of the cell sides. The
+    labels of a DataFrame of pandas are either such coordinates, whole numbers that rise in steps of one, or names. Other labels,
+    such as those of a reversed or shuffled table, raise an error. Masked cells are missing points (NaN). They are rejected in a gap
+    or a pressure, and :func:`surface.fill_missing <stickslip.surface.fill_missing>` fills them.
 
     Parameters
     ----------
@@ -2353,6 +2356,12 @@ class Field:
     A product with it and a quotient by it keep the unit, so ``heights * 1e-6`` does not convert a unit; :meth:`to_unit`
     does. Products and ratios of two fields with units, inverse fields and powers have no unit.
 
+    Bodies, loads and grids have no unit. A gap is therefore used as given: its lengths must have the unit of the sides of the
+    grid, and moduli and forces a consistent unit. ``Field(grid, heights, "um")`` states that heights and cell sides are both in
+    micrometres. Heights in micrometres on a grid in metres are converted by their factor, ``Field(grid, 1e-6 * heights, "m")``.
+    An array of xarray whose attribute ``units`` differs from the attribute ``units`` of its coordinates raises an error;
+    coordinates without this attribute have the unit of the array.
+
     Raises
     ------
     ValueError
@@ -2369,6 +2378,7 @@ class Field:
     >>> (field + 1.0).array[0]
     array([1., 2., 3., 4.])
     """
+    __pandas_priority__: Final[int]
     def __abs__(self, /) -> Field: ...
     def __add__(self, other: object, /) -> Field: ...
     def __array__(self, /, dtype: Any | None = None, copy: bool | None = None) -> Any: ...
@@ -2378,7 +2388,7 @@ class Field:
         """
     def __array_ufunc__(self, /, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:
         """
-        Implements NumPy functions with a field among their operands.
+        Implements NumPy functions with a field among their operands. Fields of different units are rejected, as in arithmetic.
         """
     def __eq__(self, value: object, /) -> bool: ...
     def __ge__(self, value: object, /) -> NDArray[bool_]: ...
@@ -3286,7 +3296,8 @@ class History:
         The axis of tangential load and tractions in the scalar model; the vector model has none.
     model : TangentialModel or str, default "scalar"
         "scalar" computes the traction along the axis; "vector" computes both components and supports loads of any
-        direction and twist.
+        direction and twist. Give "vector" with the coupling "one_way": "scalar" omits the tractions across the axis, and the
+        stick radius of a pressed ball is then about 10 % too large.
     coupling : Coupling or str, default "full"
         Coupling for bodies of different materials: "full" solves pressure and traction simultaneously; "one_way" includes
         the tangential displacements due to pressure only; "neglected" omits both.
@@ -3438,7 +3449,8 @@ class History:
         """
         Applies a load in steps with equal growth of the contact, as many as a tolerance requires. Press a contact of
         dissimilar bodies in this way or in several steps, because the stick and slip zones depend on the growth of the
-        contact. A single step issues a warning.
+        contact. A single step issues a warning. A history with the coupling "one_way" needs the model "vector", because the scalar
+        model omits the tractions across its axis.
 
         The load is applied in 1, 2, 4, 8, ... steps from the present state, until the tractions differ from the tractions
         for half the number of steps by no more than the tolerance. A call that fails, or that is interrupted by Ctrl-C,
@@ -6008,7 +6020,8 @@ class RollingProblem:
     def __repr__(self, /) -> str: ...
     def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> RollingSolution:
         """
-        Solves the problem once; see :meth:`NormalProblem.solve`.
+        Solves the problem once; see :meth:`NormalProblem.solve`. The warnings that the normal solution also has are not issued
+        again; the attribute ``warnings`` of the result lists them.
         """
     def solver(self, /) -> RollingSolver:
         """
@@ -6462,7 +6475,8 @@ class PvdWriter:
     Parameters
     ----------
     path : path_like
-        The PVD file; the images are written to the same folder.
+        The PVD file; the images are written to the same folder. Both are complete after each call of :meth:`write`, so that the
+        writer needs no ``with`` and no ``close``.
     """
     def __len__(self, /) -> int: ...
     def __new__(cls, /, path: str | PathLike[str]) -> PvdWriter: ...
@@ -7381,7 +7395,8 @@ class TangentialProblem:
         "scalar" computes the traction along the axis of the load, "vector" both components.
     coupling : Coupling or str, default "one_way"
         Coupling for bodies of different materials: "one_way" includes the tangential displacements due to pressure,
-        "neglected" omits them. "full" is rejected, because the pressure is given.
+        "neglected" omits them. "full" raises ``CoupledMaterials`` for such bodies, because the pressure is given. Bodies of
+        the same material are not coupled, and accept every value.
     relative_displacement : RelativeDisplacement, optional
         A displacement of body 1 relative to body 2 that is not caused by the contact. It grows proportionally to the
         load; none by default.
@@ -7419,7 +7434,8 @@ class TangentialProblem:
         """
     def solve(self, /, *, progress: Any | None = None, warn: bool = True) -> TangentialSolution:
         """
-        Solves the problem once; see :meth:`NormalProblem.solve`.
+        Solves the problem once; see :meth:`NormalProblem.solve`. The warnings that the normal solution also has are not issued
+        again; the attribute ``warnings`` of the result lists them.
         """
     def solver(self, /) -> TangentialSolver:
         """
@@ -8677,7 +8693,11 @@ def set_num_threads(threads: int) -> None:
     Parameters
     ----------
     threads : int
-        Number of threads, at least 1.
+        Number of threads, at least 1. For the number of cores give ``os.cpu_count()``.
+
+    Raises
+    ------
+    ArgumentType, ArgumentRange
 
     Examples
     --------

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._checks import check_whole, kind, refuse_type
+from ._checks import check_call, check_whole, kind, refuse_type
 from ._enums import WearEnding
 from ._progress import cycle_bar, is_stop
 from ._stickslip import Cycle, Field, HalfSpace, History, State
@@ -273,7 +273,9 @@ def run(
     settling : int, default 10
         The largest number of cycles that are computed on a gap until one closes.
     snapshot_every : int, optional
-        Number of cycles after which a snapshot is added to :attr:`WearResult.snapshots`, at the next end of a jump.
+        Number of cycles after which a snapshot is added to :attr:`WearResult.snapshots`, at the next end of a jump. A jump is not
+        divided: a jump over 5000 cycles adds one snapshot, also for ``snapshot_every=100``. With ``largest_jump=100``, every
+        interval of 100 cycles has its snapshot.
     progress : callable or bool, optional
         A function that is called after each jump with a :class:`WearSnapshot`. The run ends with the status "stopped" if the
         function returns ``False``.
@@ -291,7 +293,8 @@ def run(
     Raises
     ------
     ArgumentType
-        If an argument has a wrong type, for example if ``loop`` and ``law`` are swapped.
+        If an argument has a wrong type, for example if ``loop`` and ``law`` are swapped, or if the law is a function with a wrong
+        number of parameters.
     ArgumentRange
         If the number of cycles, ``settling``, ``largest_jump`` or ``snapshot_every`` is out of range, or if the snapshot
         contains more cycles.
@@ -344,7 +347,7 @@ def run(
     _check_types(history, loop, law, progress, resume)
     _check(cycles, settling, largest_jump, snapshot_every)
     for name, value in (("max_depth", max_depth), ("max_residual", max_residual)):
-        if not isinstance(value, Real) and not (name == "max_depth" and value is None):
+        if (isinstance(value, bool) or not isinstance(value, Real)) and not (name == "max_depth" and value is None):
             refuse_type(name, f"must be a number, got {kind(value)}")
     if max_depth is not None and not max_depth >= 0.0:
         error = ArgumentRange(f"max_depth must not be negative, got {max_depth}")
@@ -416,8 +419,14 @@ def _check_types(history: object, loop: object, law: object, progress: object, r
     if isinstance(law, type) or not (callable(law) or isinstance(law, JumpLaw)):
         remedy = "give a function of history and cycle, such as EnergyLaw(coefficient)"
         refuse_type("law", f"must be a function that returns the depth, got {kind(law)}: {remedy}")
+    if isinstance(law, JumpLaw):
+        check_call("law.depth_of_jump", law.depth_of_jump, "history", "cycle", "dissipation", "cycles")
+    else:
+        check_call("law", law, "history", "cycle")
     if not (progress is None or isinstance(progress, (bool, np.bool_)) or callable(progress)):
         refuse_type("progress", f"must be a function, True or None, got {kind(progress)}")
+    if callable(progress):
+        check_call("progress", progress, "snapshot")
     if not (resume is None or isinstance(resume, WearSnapshot)):
         remedy = "give result.snapshot or WearSnapshot.load(path)"
         refuse_type("resume", f"must be a WearSnapshot, got {kind(resume)}: {remedy}")

@@ -33,7 +33,7 @@ class _Argument(StickslipError):
         name = re.fullmatch(r"while processing '(\w+)'", note)
         if name is None:
             self.__dict__.setdefault("__notes__", []).append(note)
-        else:
+        elif not hasattr(self, "argument"):  # an exception about a part of the argument has its own name
             self.argument = name[1]
             self.args = (f"{name[1]} {self}",)
 
@@ -46,7 +46,7 @@ class ArgumentType(_Argument, TypeError):
 
 
 class ArgumentRange(_Argument, ValueError):
-    """A whole number is negative, or a number is too large."""
+    """A number is out of range, or a name is not one of the names of a choice."""
 
     argument: str
     """Name of the argument."""
@@ -214,7 +214,7 @@ class DatumTooNear(StickslipError, ValueError):
 
 class CoupledMaterials(StickslipError, ValueError):
     """The materials couple pressure and traction, and the requested model does not include the effect of shear on the
-    pressure."""
+    pressure. :class:`~stickslip.CoupledProblem` and :class:`~stickslip.History` with ``coupling="full"`` include it."""
 
     beta: float
     """Dundurs' second parameter of the pair."""

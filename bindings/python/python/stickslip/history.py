@@ -10,7 +10,7 @@ from numbers import Real
 import numpy as np
 
 from . import wear
-from ._checks import check_whole, kind, refuse_type
+from ._checks import check_call, check_whole, kind, refuse_type
 from ._enums import LeadingEdge, StopReason, Regime, EntryRule
 from ._progress import cycle_bar, is_stop
 from ._remarks import warn
@@ -69,7 +69,7 @@ class FrettingLoop:
     ------
     Tolerance
     ArgumentType
-        If an argument has a wrong type, for example if path and load are swapped.
+        If an argument has a wrong type, for example if path and load are swapped, or if ``load`` does not accept one argument.
     TypeError
         In a cycle, if ``load`` returns no :class:`~stickslip.LoadStep`, for example without a ``return``.
 
@@ -118,6 +118,7 @@ class FrettingLoop:
         if isinstance(load, type) or not callable(load):
             remedy = "give a function, such as lambda value: LoadStep(shift=value)"
             refuse_type("load", f"must be a function that returns a LoadStep, got {kind(load)}: {remedy}")
+        check_call("load", load, "value")
         self._path = path
         self._load = load
         self._until_steady = until_steady
@@ -178,8 +179,12 @@ class FrettingLoop:
         cycles = int(cycles)
         if not (observer is None or callable(observer)):
             refuse_type("observer", f"must be a function of history and cycle, got {kind(observer)}")
+        if observer is not None:
+            check_call("observer", observer, "history", "cycle")
         if not (progress is None or isinstance(progress, (bool, np.bool_)) or callable(progress)):
             refuse_type("progress", f"must be a function, True or None, got {kind(progress)}")
+        if callable(progress):
+            check_call("progress", progress, "cycles", "cycle")
         self._check_loads()
         last = Cycle(history)
         is_pressed = False

@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from ._checks import require, require_entries
+from ._checks import kind, refuse_type, require, require_entries
 from ._enums import Zone
 from ._stickslip import CoupledRollingSolution, CoupledSolution, Field, Grid, NormalSolution, TangentialSolution
 from .errors import Shape
@@ -87,6 +87,13 @@ def _half(solution: Any, *names: str) -> Any:
     return solution
 
 
+def _require_solution(solution: Any, attributes: tuple[str, ...], due: str) -> None:
+    """Raises an error unless an object is a solution with these fields. The message for an array states how to draw it."""
+    if isinstance(solution, (np.ndarray, Field)):
+        refuse_type("solution", f"must be {due}, got {kind(solution)}: draw an array by plot.field(grid, array)")
+    require("solution", solution, attributes, due)
+
+
 def _spots_of(solution: Any) -> Any:
     """Returns the contact spots of an object, with stick ratios if it has tractions."""
     if isinstance(solution, CoupledSolution):
@@ -104,6 +111,8 @@ def _spots_of(solution: Any) -> Any:
 
 def _samples(grid: Grid, values: Any) -> Any:
     """Returns the values of the cells of a grid, with their mask."""
+    if hasattr(values, "dims") or hasattr(values, "columns"):
+        values = Field(grid, values)  # checks the labels of xarray and pandas
     samples = values if np.ma.isMaskedArray(values) else np.asarray(values)
     if samples.shape != grid.shape:
         error = Shape(f"values has shape {samples.shape}, expected (ny, nx) = {grid.shape}")
@@ -294,7 +303,7 @@ def pressure_map(
     ``unit`` and ``value_scale`` refer to the pressure; for the other arguments see :func:`field`.
     """
     solution = _half(solution, "normal")
-    require("solution", solution, ("pressure", "grid"), "a normal or coupled solution, a state or a history")
+    _require_solution(solution, ("pressure", "grid"), "a normal or coupled solution, a state or a history")
     pressure = np.asarray(solution.pressure)
     if _profile_axis(solution.grid) is None:
         options = _limits(value_scale * pressure, options, from_zero=True)
@@ -320,7 +329,7 @@ def stick_map(
     For ``scale`` and ``length_unit`` see :func:`field`.
     """
     solution = _half(solution, "tangential", "rolling")
-    require("solution", solution, ("zones", "grid"), _SHEARED)
+    _require_solution(solution, ("zones", "grid"), _SHEARED)
     grid, names = solution.grid, [zone.name.lower() for zone in Zone]
     along = _profile_axis(grid)
     if along is not None:
@@ -365,7 +374,7 @@ def traction_map(
         Options of ``imshow``, or of ``plot`` for a profile.
     """
     solution = _half(solution, "tangential", "rolling")
-    require("solution", solution, ("traction", "grid"), _SHEARED)
+    _require_solution(solution, ("traction", "grid"), _SHEARED)
     grid = solution.grid
     x, y = (np.asarray(component) for component in solution.traction)
     names: dict[str, Any] = {"unit": unit, "value_scale": value_scale, "scale": scale, "length_unit": length_unit}

@@ -11,7 +11,7 @@ use crate::choice::Choice;
 use crate::conversion::kind_of;
 use crate::digits::as_python;
 use crate::error::named;
-use crate::real::Real;
+use crate::real::{Real, named_by};
 
 /// Argument with one number for the fields, or one number for each quantity.
 pub(super) enum Target {
@@ -35,7 +35,9 @@ impl FromPyObject<'_, '_> for Target {
     fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
         if let Ok(numbers) = object.cast::<PyDict>() {
             let of_quantity = |(name, target): (Bound<'_, PyAny>, Bound<'_, PyAny>)| {
-                let quantity: Choice<Quantity> = name.extract()?;
+                let quantity: Choice<Quantity> = name
+                    .extract()
+                    .map_err(|error| named_by(object.py(), error, "a key of target"))?;
                 let Real(target) = target.extract()?;
                 Ok((quantity.0, target))
             };

@@ -5,7 +5,7 @@ use numpy::{AllowTypeChange, IntoPyArray, PyArrayLikeDyn};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::real::is_real;
+use crate::real::{filled, is_real};
 #[cfg(feature = "stubs")]
 use pyo3::{inspect::PyStaticExpr, type_hint_identifier};
 
@@ -20,6 +20,7 @@ impl FromPyObject<'_, '_> for Coordinates {
 
     fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
         is_real(&object, "coordinates")?;
+        let object = filled(&object)?;
         let array: PyArrayLikeDyn<'_, f64, AllowTypeChange> = object.extract()?;
         Ok(Self(array.as_array().to_owned()))
     }
@@ -28,7 +29,8 @@ impl FromPyObject<'_, '_> for Coordinates {
 impl Coordinates {
     /// Evaluates a function at these coordinates.
     pub(crate) fn along(self, function: impl Fn(f64) -> f64) -> Values {
-        Values(self.0.mapv_into(function))
+        let [values] = self.all_along(|at| [function(at)]);
+        values
     }
 
     /// Evaluates several functions at these coordinates.
@@ -36,7 +38,15 @@ impl Coordinates {
         self,
         functions: impl Fn(f64) -> [f64; N],
     ) -> [Values; N] {
-        Values::each(&self.0.mapv(functions))
+        // A missing coordinate has no values. The functions would count it as outside the contact.
+        let of_known = |at: f64| {
+            if at.is_nan() {
+                [f64::NAN; N]
+            } else {
+                functions(at)
+            }
+        };
+        Values::each(&self.0.mapv(of_known))
     }
 
     /// Evaluates a function of these coordinates and others, which are broadcast to a common shape.
@@ -73,7 +83,13 @@ impl Coordinates {
                 "the arrays x and y must have shapes that can be broadcast together",
             ));
         };
-        let found = Zip::from(x).and(y).map_collect(|x, y| functions(*x, *y));
+        let found = Zip::from(x).and(y).map_collect(|&x, &y| {
+            if x.is_nan() || y.is_nan() {
+                [f64::NAN; N]
+            } else {
+                functions(x, y)
+            }
+        });
         Ok(Values::each(&found))
     }
 }

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 
-use pyo3::exceptions::PyValueError;
+use pyo3::exceptions::{PyTypeError, PyValueError};
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use stickslip::Error;
@@ -99,7 +99,8 @@ impl History {
 
     /// Applies a load in steps with equal growth of the contact, as many as a tolerance requires. Press a contact of
     /// dissimilar bodies in this way or in several steps, because the stick and slip zones depend on the growth of the
-    /// contact. A single step issues a warning.
+    /// contact. A single step issues a warning. A history with the coupling "one_way" needs the model "vector", because the scalar
+    /// model omits the tractions across its axis.
     ///
     /// The load is applied in 1, 2, 4, 8, ... steps from the present state, until the tractions differ from the tractions
     /// for half the number of steps by no more than the tolerance. A call that fails, or that is interrupted by Ctrl-C,
@@ -133,17 +134,22 @@ impl History {
     /// ------
     /// Tolerance, StepTooLong
     ///     In addition to the exceptions of :meth:`step`.
-    #[pyo3(signature = (load=None, *, tolerance, normal_force=None, approach=None, progress=None, warn=true))]
+    #[pyo3(signature = (load=None, *, tolerance=None, normal_force=None, approach=None, progress=None, warn=true),
+        text_signature = "($self, load=None, *, tolerance, normal_force=None, approach=None, progress=None, warn=True)")]
     fn press<'py>(
         slf: &Bound<'py, Self>,
         load: Option<StepArgument>,
-        tolerance: Real,
+        tolerance: Option<Real>,
         normal_force: Option<Real>,
         approach: Option<Real>,
         progress: Option<Bound<'py, PyAny>>,
         warn: bool,
     ) -> PyResult<usize> {
         let py = slf.py();
+        let tolerance = tolerance.ok_or_else(|| {
+            let message = "give the largest relative difference of the tractions by tolerance=, such as tolerance=0.01";
+            PyTypeError::new_err(message)
+        })?;
         let normal = match &load {
             None => Some(load::needed_as("normal_force", normal_force, approach)?),
             Some(_) => load::normal(normal_force, approach)?,

@@ -19,7 +19,7 @@ use crate::real::{Count, Real};
 use crate::rolling::control::{Controls, Keywords};
 use crate::rolling::{RollingSolution, RollingSolver};
 use crate::settings::{Settings, chosen};
-use crate::solver::solve_once;
+use crate::solver::solve_sheared;
 use crate::work::unobserved_on;
 
 /// Bodies, normal contact, friction and controls of steady rolling.
@@ -183,7 +183,8 @@ impl RollingProblem {
         })
     }
 
-    /// Solves the problem once; see :meth:`NormalProblem.solve`.
+    /// Solves the problem once; see :meth:`NormalProblem.solve`. The warnings that the normal solution also has are not issued
+    /// again; the attribute ``warnings`` of the result lists them.
     #[pyo3(signature = (*, progress=None, warn=true))]
     fn solve<'py>(
         &self,
@@ -192,7 +193,8 @@ impl RollingProblem {
         warn: bool,
     ) -> PyResult<Bound<'py, RollingSolution>> {
         let solver = || self.problem.clone().into_solver();
-        solve_once(py, self.grid.cells(), solver, progress, warn)
+        let of_contact = || self.recipe.warnings_of_normal(py, 1);
+        solve_sheared(py, self.grid.cells(), solver, progress, warn, of_contact)
     }
 
     /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.

@@ -15,7 +15,7 @@ use crate::load::{TangentialArgument, TangentialLoad, keywords};
 use crate::pickle::Recipe;
 use crate::real::{Count, Real};
 use crate::settings::{Settings, chosen};
-use crate::solver::solve_once;
+use crate::solver::solve_sheared;
 use crate::tangential::pressure::Pressure;
 use crate::tangential::{RelativeDisplacement, TangentialSolution, TangentialSolver};
 use crate::work::unobserved_on;
@@ -39,7 +39,8 @@ use crate::work::unobserved_on;
 ///     "scalar" computes the traction along the axis of the load, "vector" both components.
 /// coupling : Coupling or str, default "one_way"
 ///     Coupling for bodies of different materials: "one_way" includes the tangential displacements due to pressure,
-///     "neglected" omits them. "full" is rejected, because the pressure is given.
+///     "neglected" omits them. "full" raises ``CoupledMaterials`` for such bodies, because the pressure is given. Bodies of
+///     the same material are not coupled, and accept every value.
 /// relative_displacement : RelativeDisplacement, optional
 ///     A displacement of body 1 relative to body 2 that is not caused by the contact. It grows proportionally to the
 ///     load; none by default.
@@ -149,7 +150,8 @@ impl TangentialProblem {
         self.0.friction_capacity()
     }
 
-    /// Solves the problem once; see :meth:`NormalProblem.solve`.
+    /// Solves the problem once; see :meth:`NormalProblem.solve`. The warnings that the normal solution also has are not issued
+    /// again; the attribute ``warnings`` of the result lists them.
     #[pyo3(signature = (*, progress=None, warn=true))]
     fn solve<'py>(
         &self,
@@ -158,7 +160,8 @@ impl TangentialProblem {
         warn: bool,
     ) -> PyResult<Bound<'py, TangentialSolution>> {
         let solver = || self.0.clone().into_solver();
-        solve_once(py, self.1.cells(), solver, progress, warn)
+        let of_contact = || self.2.warnings_of_normal(py, 1);
+        solve_sheared(py, self.1.cells(), solver, progress, warn, of_contact)
     }
 
     /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.

@@ -208,26 +208,57 @@ def from_xarray(array: xarray.DataArray) -> Field:
 
 
 def check_coordinates(array: Any, quantity: str, sides: tuple[float, float]) -> None:
-    """Raises an error if the coordinates x or y of an array of xarray, or the decimal labels of a table of pandas, do not rise
-    in steps of the cell sides. Called before the values are read by their position."""
+    """Raises an error if the coordinates x or y of an array of xarray, or the labels of a table of pandas, do not rise in steps of
+    the cell sides. Called before the values are read by their position.
+
+    Labels that are whole numbers, or numbers as text, may also rise in steps of one: they are then numbers of rows or columns.
+    Names are ignored.
+    """
     if hasattr(array, "columns"):
-        labels = {axis: part for axis, part in (("x", array.columns), ("y", array.index)) if part.dtype.kind == "f"}
+        labels = {axis: part for axis, part in (("x", array.columns), ("y", array.index)) if part.dtype.kind in "fiuO"}
         remedy = "sort it by .sort_index(axis={})"
     else:
         labels = {axis: array.coords[axis] for axis in ("x", "y") if axis in array.dims and axis in array.coords}
         remedy = 'sort it by .sortby("{}")'
+        _check_units(array, quantity, labels)
     for axis, side in zip("xy", sides):
         if axis not in labels:
             continue
-        along = np.asarray(labels[axis], dtype=float)
+        try:
+            along = np.asarray(labels[axis], dtype=float)
+        except (TypeError, ValueError):  # names
+            continue
         steps = np.diff(along)
+        is_number = hasattr(array, "columns") and labels[axis].dtype.kind != "f"
+        if is_number and (steps == 1.0).all():
+            continue
+        rising = remedy.format(axis if "sortby" in remedy else "yx".index(axis))
         if (steps < 0.0).all() and steps.size:
-            sorting = remedy.format(axis if "sortby" in remedy else "yx".index(axis))
-            raise ValueError(f"{quantity} has decreasing coordinates along {axis}: {sorting}")
+            raise ValueError(f"{quantity} has decreasing coordinates along {axis}: {rising}")
+        if (steps < 0.0).any() or is_number and not steps.all():
+            raise ValueError(
+                f"{quantity} has coordinates along {axis} that do not rise: {rising}, or give .values to ignore the coordinates"
+            )
         if not (np.abs(steps - side) <= 1e-3 * side).all():
             raise ValueError(
                 f"{quantity} has coordinates from {along[0]} to {along[-1]} along {axis}, which do not agree with {along.size} cells "
                 f"of the side {side}: convert their unit, or give .values to ignore the coordinates"
+            )
+
+
+def _check_units(array: Any, quantity: str, labels: dict[str, Any]) -> None:
+    """Raises an error if the lengths of an array of xarray have a unit that differs from that of its coordinates."""
+    own = array.attrs.get("units")
+    for axis, along in labels.items():
+        unit = along.attrs.get("units")
+        try:
+            is_same = own is None or unit is None or _factor(unit, own) == 1.0
+        except (TypeError, ValueError):  # not a length, such as a pressure
+            continue
+        if not is_same:
+            raise ValueError(
+                f"{quantity} has the unit {own}, but its coordinates along {axis} have the unit {unit}: "
+                f'convert it by io.from_xarray(array).to_unit("{unit}")'
             )
 
 
