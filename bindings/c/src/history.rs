@@ -245,7 +245,8 @@ pub unsafe extern "C" fn stickslip_history_press_stepwise(
         let (mut history, load) = (changing(history)?, load.checked()?);
         let cycle = (!cycle.is_null()).then(|| changing(cycle)).transpose()?;
         let mut watch = StepWatch::new(observer, cycle);
-        let outcome = history.press_stepwise(&load, tolerance, |history| watch.receive(history));
+        let outcome =
+            history.press_steps_observed(&load, tolerance, |history| watch.receive(history));
         let count = watch.outcome(outcome)?;
         if let Some(place) = place {
             place.put(count);

@@ -135,7 +135,7 @@ pub(crate) fn set_num_threads(_py: Python<'_>, threads: Count) -> PyResult<()> {
     let threads = threads.0;
     if threads == 0 {
         return Err(PyValueError::new_err(
-            "the number of threads must be at least 1, got 0: give 1 to solve on the calling thread, or os.cpu_count() for all cores",
+            "the number of threads must be at least 1, got 0",
         ));
     }
     let owned = Owned::new(threads)?;

@@ -3420,7 +3420,7 @@ class History:
         :meth:`set_state`, and after a restart.
         """
     @staticmethod
-    def load(bodies: HalfSpace, path: str | PathLike[str] | None = None) -> History:
+    def load(bodies: HalfSpace, path: str | PathLike[str]) -> History:
         """
         Loads a history from a file written by :meth:`save`, on the same bodies.
         """
@@ -3434,7 +3434,7 @@ class History:
         """
         The normal solution, a copy.
         """
-    def press(self, /, load: LoadStep | None = None, *, tolerance: float | None = None, normal_force: float | None = None, approach: float | None = None, progress: Any | None = None, warn: bool = True) -> int:
+    def press(self, /, load: LoadStep | None = None, *, tolerance: float, normal_force: float | None = None, approach: float | None = None, progress: Any | None = None, warn: bool = True) -> int:
         """
         Applies a load in steps with equal growth of the contact, as many as a tolerance requires. Press a contact of
         dissimilar bodies in this way or in several steps, because the stick and slip zones depend on the growth of the

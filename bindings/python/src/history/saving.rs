@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyType};
 
@@ -71,12 +70,7 @@ impl History {
 
     /// Loads a history from a file written by :meth:`save`, on the same bodies.
     #[staticmethod]
-    #[pyo3(signature = (bodies, path=None), text_signature = "(bodies, path)")]
-    fn load(py: Python<'_>, bodies: Object<HalfSpace>, path: Option<PathBuf>) -> PyResult<Self> {
-        let Some(path) = path else {
-            let message = "load() needs the path of the file: History.load(bodies, path)";
-            return Err(PyTypeError::new_err(message));
-        };
+    fn load(py: Python<'_>, bodies: Object<HalfSpace>, path: PathBuf) -> PyResult<Self> {
         let history = unobserved_on(py, bodies.0.grid(), || {
             stickslip::History::load(&bodies.0, &path)
         })?;

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::sync::Mutex;
 
-use pyo3::exceptions::{PyTypeError, PyValueError};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 use stickslip::Error;
@@ -133,12 +133,11 @@ impl History {
     /// ------
     /// Tolerance, StepTooLong
     ///     In addition to the exceptions of :meth:`step`.
-    #[pyo3(signature = (load=None, *, tolerance=None, normal_force=None, approach=None, progress=None, warn=true),
-        text_signature = "($self, load=None, *, tolerance, normal_force=None, approach=None, progress=None, warn=True)")]
+    #[pyo3(signature = (load=None, *, tolerance, normal_force=None, approach=None, progress=None, warn=true))]
     fn press<'py>(
         slf: &Bound<'py, Self>,
         load: Option<StepArgument>,
-        tolerance: Option<Real>,
+        tolerance: Real,
         normal_force: Option<Real>,
         approach: Option<Real>,
         progress: Option<Bound<'py, PyAny>>,
@@ -148,10 +147,6 @@ impl History {
         let normal = match &load {
             None => Some(load::needed_as("normal_force", normal_force, approach)?),
             Some(_) => load::normal(normal_force, approach)?,
-        };
-        let Some(tolerance) = tolerance else {
-            let message = "press() needs tolerance=, the largest error of the tractions: tolerance=0.01 is a good choice";
-            return Err(PyTypeError::new_err(message));
         };
         let load = Keywords::default().step_or(load, normal, None, None)?;
         let progress = Progress::of(progress.as_ref())?;
