@@ -77,8 +77,9 @@ impl History {
     ///
     /// # Slip and energy
     /// The [last step](History::last_step) is the last of the steps taken, with the slip and energy of this step alone.
-    /// [`History::press_stepwise`] calls an observer after each step taken. [`History::accumulated_slip`] and [`History::accumulated_dissipation`] include all steps: subtract their values
-    /// before the call for the wear of the load.
+    /// [`History::press_steps_observed`] calls an observer after each step taken. [`History::accumulated_slip`] and [`History::accumulated_dissipation`] include all steps: subtract their values
+    /// before the call for the wear of the load. The error of the energy can be many times the tolerance
+    /// ([measured](crate::guide::accuracy#energies-of-adaptive-steps)).
     pub fn press(&mut self, load: &LoadStep, tolerance: f64) -> Result<usize> {
         self.press_observed(load, tolerance, |_| ControlFlow::Continue(()))
     }
@@ -115,7 +116,7 @@ impl History {
     /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.1)?).build()?;
     /// let load = LoadStep::hold().normal(NormalLoad::Force(60.0));
     /// let mut cycle = Cycle::new(&history);
-    /// let steps = history.press_stepwise(&load, 0.05, |history| cycle.add(history))?;
+    /// let steps = history.press_steps_observed(&load, 0.05, |history| cycle.add(history))?;
     /// assert_eq!(cycle.steps(), steps);
     /// assert!(cycle.energy().dissipated_energy > history.last_step()?.energy().dissipated_energy);
     /// # Ok::<(), Error>(())
@@ -124,7 +125,7 @@ impl History {
     /// # Errors
     /// - Errors of [`History::press`].
     /// - Errors of the observer.
-    pub fn press_stepwise(
+    pub fn press_steps_observed(
         &mut self,
         load: &LoadStep,
         tolerance: f64,

@@ -4,6 +4,8 @@
 
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
+use std::fmt::Display;
+
 use stickslip::history::{AdaptiveSteps, Cycle};
 use stickslip::{
     ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalLoad, Result,
@@ -11,6 +13,7 @@ use stickslip::{
 };
 
 const REFERENCE: u32 = 1024;
+const EQUAL: [u32; 3] = [16, 64, 256];
 const TOLERANCES: [f64; 5] = [0.1, 0.03, 0.01, 0.003, 0.001];
 
 /// Loads of a case: those that prepare the history, and the load that is divided into steps.
@@ -45,8 +48,22 @@ fn started(modulus: f64, friction: f64, loads: &Loads, step: Step) -> Result<His
     Ok(history)
 }
 
+/// Takes a load in equal steps.
+fn equal(steps: u32, loads: &Loads, step: Step) -> Result<Cycle> {
+    let mut history = started(210e9, 0.5, loads, step)?;
+    let mut cycle = Cycle::new(&history);
+    let [from, to] = [loads.1, loads.2];
+    for k in 1..=steps {
+        let part = f64::from(k) / f64::from(steps);
+        let values = std::array::from_fn(|i| from[i] + part * (to[i] - from[i]));
+        history.step(&step(values))?;
+        cycle.add(&history)?;
+    }
+    Ok(cycle)
+}
+
 /// Prints the errors of both energies relative to the reference.
-fn print(name: &str, tolerance: f64, steps: usize, cycle: &Cycle, exact: f64) {
+fn print(name: &str, tolerance: impl Display, steps: usize, cycle: &Cycle, exact: f64) {
     let energy = cycle.energy();
     let error = |found: f64| 100.0 * (found / exact - 1.0);
     let errors = [energy.dissipated_energy, energy.dissipated_energy_midpoint].map(error);
@@ -83,17 +100,17 @@ fn main() -> Result<()> {
     println!("| load | tolerance | steps | final tractions, % | mean tractions, % |");
     println!("|---|---|---|---|---|");
     for (name, step, loads) in &cases {
-        let mut history = started(210e9, 0.5, loads, *step)?;
-        let mut cycle = Cycle::new(&history);
-        for k in 1..=REFERENCE {
-            let part = f64::from(k) / f64::from(REFERENCE);
-            let [from, to] = [loads.1, loads.2];
-            history.step(&step(std::array::from_fn(|i| {
-                from[i] + part * (to[i] - from[i])
-            })))?;
-            cycle.add(&history)?;
+        let exact = equal(REFERENCE, loads, *step)?;
+        let exact = exact.energy().dissipated_energy_midpoint;
+        for steps in EQUAL {
+            print(
+                name,
+                "",
+                steps as usize,
+                &equal(steps, loads, *step)?,
+                exact,
+            );
         }
-        let exact = cycle.energy().dissipated_energy_midpoint;
         for tolerance in TOLERANCES {
             let mut history = started(210e9, 0.5, loads, *step)?;
             let mut cycle = Cycle::new(&history);
@@ -108,7 +125,7 @@ fn main() -> Result<()> {
     let pressed = |tolerance: f64| -> Result<(usize, Cycle)> {
         let mut history = build(70e9, 0.1)?;
         let mut cycle = Cycle::new(&history);
-        let steps = history.press_stepwise(&load, tolerance, |now| cycle.add(now))?;
+        let steps = history.press_steps_observed(&load, tolerance, |now| cycle.add(now))?;
         Ok((steps, cycle))
     };
     let mut history = build(70e9, 0.1)?;
