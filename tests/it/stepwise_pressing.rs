@@ -108,7 +108,7 @@ fn observer_of_pressing_receives_accepted_steps() {
     let (mut history, mut plain) = (build(), build());
     let mut cycle = Cycle::new(&history);
     let mut forces = vec![];
-    let count = history.press_stepwise(&load, 0.05, |history| {
+    let count = history.press_steps_observed(&load, 0.05, |history| {
         forces.push(history.normal().force());
         cycle.add(history)
     });
@@ -127,7 +127,7 @@ fn observer_of_pressing_receives_accepted_steps() {
 
     let mut failed = build();
     let mut seen = 0;
-    let outcome = failed.press_stepwise(&load, 0.05, |_| {
+    let outcome = failed.press_steps_observed(&load, 0.05, |_| {
         seen += 1;
         if seen == 2 {
             Err(Error::EmptyPath)
