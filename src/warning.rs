@@ -9,6 +9,7 @@ use crate::grid::Grid;
 use crate::report::Status;
 
 pub(crate) use resolution::{RESOLVED, Resolution};
+use resolution::{RESOLVED_AREA, RESOLVED_LINE};
 
 /// Warning that a converged solution may be misleading.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -138,6 +139,22 @@ pub enum Warning {
         /// The magnitude of the creepage including the spin, in per cent.
         per_cent: usize,
     },
+    /// The largest coefficient of friction exceeds 5. A common cause is a coefficient in per cent. A larger coefficient is also used
+    /// for bodies that stick everywhere.
+    LargeFriction {
+        /// The largest coefficient of all cells, in tenths.
+        tenths: usize,
+    },
+    /// The gap of contact cells changed between two pressures by more than the largest normal displacement due to the first
+    /// pressure. The contact after the change is then unrelated to the contact before it. A common cause is a wear coefficient in
+    /// an inconsistent unit (1 mm3/(N m) is 1e-9 1/Pa). Too many cycles of wear in one update are another.
+    ///
+    /// A step of a history has the warning if it solves for the pressure after [`set_gap`](crate::History::set_gap). Steps that
+    /// roll do not have it, because the texture of their gap moves.
+    LargeGapChange {
+        /// The largest change of the gap in a contact cell divided by the largest displacement, in tenths.
+        tenths: usize,
+    },
     /// The contact radius a exceeds 0.3 of the radius of curvature R of the gap. Half-space theory assumes that a/R is
     /// small.
     ///
@@ -198,9 +215,9 @@ pub enum Warning {
         /// The thickness divided by the longest side of the grid.
         sides: usize,
     },
-    /// A layer of a [coated](crate::Material::coated) body is so thin that its effect on the shortest waves of the grid is below
-    /// a ten-thousandth. The thickness times the ratio of the shear moduli of layer and body (or its reciprocal, if larger) is less
-    /// than a ten-thousandth of a cell side. The solution is then the limit of a contact without this layer. A common cause is an
+    /// A layer of a [coated](crate::Material::coated) body is so thin that its effect is smaller than the discretisation error. The
+    /// thickness times the ratio of the shear moduli of layer and body (or its reciprocal, if larger) is less than a hundredth of a
+    /// cell side. The solution then differs by a few thousandths at most from a contact without this layer. A common cause is an
     /// inconsistent unit of the thickness.
     CoatingBelowCell {
         /// The shorter side of a cell divided by the thickness.
@@ -262,13 +279,17 @@ impl std::fmt::Display for Warning {
             ),
             Self::UnderresolvedContact { cells } => write!(
                 formatter,
-                "the contact has only {}, so that its area and its stick ratio are inaccurate: refine the grid",
-                counted(*cells, "cell")
+                "the contact has only {}, so that its area and its stick ratio are inaccurate: refine the grid until it has {} (a line of cells: {})",
+                counted(*cells, "cell"),
+                RESOLVED_AREA[0],
+                RESOLVED_LINE[0]
             ),
             Self::UnderresolvedStickZone { cells } => write!(
                 formatter,
-                "the stick zone has only {}, so that its size is inaccurate: refine the grid",
-                counted(*cells, "cell")
+                "the stick zone has only {}, so that its size is inaccurate: refine the grid until it has {} (a line of cells: {})",
+                counted(*cells, "cell"),
+                RESOLVED_AREA[1],
+                RESOLVED_LINE[1]
             ),
             Self::UnderresolvedSlipZone { tenths } => write!(
                 formatter,
@@ -322,6 +343,17 @@ impl std::fmt::Display for Warning {
                 formatter,
                 "creepage and spin move the surfaces by {per_cent} % of the length rolled, expected at most 10 %: give a creepage of 1 % as 0.01, and check the unit of the spin; the model assumes small creepages"
             ),
+            Self::LargeFriction { tenths } => write!(
+                formatter,
+                "the largest coefficient of friction is {}, expected at most 5: give 30 % as 0.3, or ignore this warning if the bodies must stick everywhere",
+                *tenths as f64 / 10.0
+            ),
+            Self::LargeGapChange { tenths } => write!(
+                formatter,
+                "the gap of contact cells changed by {}.{} times the largest normal displacement of the last contact, expected at most 1: check the unit of the wear coefficient (1 mm3/(N m) is 1e-9 1/Pa), or change the gap in more updates",
+                tenths / 10,
+                tenths % 10
+            ),
             Self::LargeContactRadius { per_mille } => write!(
                 formatter,
                 "the contact radius is about {:.2} of the radius of curvature, expected at most 0.3: check the units of gap and grid, or lower the load; half-spaces assume small slopes",
@@ -357,7 +389,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::CoatingBelowCell { parts } => write!(
                 formatter,
-                "a cell is {parts} times as long as a layer is thick, so that the layer has no effect on the contact: check the units of thickness and grid"
+                "a cell is {parts} times as long as a layer is thick, so that the layer has almost no effect on the contact: check the units of thickness and grid"
             ),
             Self::AccuracyNotReached { tenths } => write_accuracy(formatter, *tenths),
         }
@@ -407,6 +439,12 @@ const LARGEST_TWIST: usize = 5;
 /// Largest creepage without a warning, in per cent.
 const LARGEST_CREEPAGE: usize = 10;
 
+/// Largest coefficient of friction without a warning, in tenths.
+const LARGEST_FRICTION: usize = 50;
+
+/// Largest change of the gap without a warning, in tenths of the largest normal displacement.
+const LARGEST_GAP_CHANGE: usize = 10;
+
 /// Number of spots above which a contact counts as rough. The radius of the spots then cannot be chosen.
 const MANY_SPOTS: usize = 10;
 
@@ -454,25 +492,13 @@ impl Warning {
     }
 
     /// Returns a shift over the longest side of the whole grid, in tenths, or `None` if the shift is small.
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "the size is not negative, and a large one saturates"
-    )]
     pub(crate) fn shift_beyond(grid: Grid, [x, y]: [f64; 2]) -> Option<usize> {
-        let tenths = (10.0 * x.hypot(y) / grid.whole().longest_side()).round() as usize;
-        (tenths > LARGEST_SHIFT).then_some(tenths)
+        tenths_beyond(x.hypot(y) / grid.whole().longest_side(), LARGEST_SHIFT)
     }
 
     /// Returns a twist in tenths of a radian, or `None` if the twist is small.
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "the magnitude is not negative, and a large one saturates"
-    )]
     pub(crate) fn twist_beyond(twist: f64) -> Option<usize> {
-        let tenths = (10.0 * twist.abs()).round() as usize;
-        (tenths > LARGEST_TWIST).then_some(tenths)
+        tenths_beyond(twist.abs(), LARGEST_TWIST)
     }
 
     /// Returns the magnitude of a creepage, with the motion of the farthest contact cell by the spin, in per cent. Returns `None`
@@ -485,6 +511,16 @@ impl Warning {
     pub(crate) fn creepage_beyond([x, y]: [f64; 2], by_spin: f64) -> Option<usize> {
         let per_cent = (100.0 * (x.hypot(y) + by_spin.abs())).round() as usize;
         (per_cent > LARGEST_CREEPAGE).then_some(per_cent)
+    }
+
+    /// Returns a coefficient of friction in tenths, or `None` if the coefficient is common.
+    pub(crate) fn friction_beyond(coefficient: f64) -> Option<usize> {
+        tenths_beyond(coefficient, LARGEST_FRICTION)
+    }
+
+    /// Returns a change of the gap over the largest normal displacement, in tenths, or `None` if the change is small.
+    pub(crate) fn gap_change_beyond(ratio: f64) -> Option<usize> {
+        tenths_beyond(ratio, LARGEST_GAP_CHANGE)
     }
 
     /// Returns the warning about a solve that ended before it converged.
@@ -502,4 +538,15 @@ impl Warning {
     pub(crate) fn lift_beyond(lift: f64, tolerance: f64) -> Option<usize> {
         (lift > tolerance).then(|| (1e6 * lift).ceil() as usize)
     }
+}
+
+/// Returns a non-negative value in tenths, or `None` if it is at most the limit.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the value is not negative, and a large one saturates"
+)]
+fn tenths_beyond(value: f64, limit: usize) -> Option<usize> {
+    let tenths = (10.0 * value).round() as usize;
+    (tenths > limit).then_some(tenths)
 }

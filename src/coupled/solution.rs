@@ -60,8 +60,9 @@ impl CoupledSolution {
         let (bodies, gap) = (&of.bodies, &of.gap);
         increment.write(gap, of.hardness.as_ref(), &mut self.normal);
         self.normal.measure_scale(bodies, gap);
+        let input = (None, &of.friction);
         self.tangential
-            .fill(bodies, None, &increment.answer(), increment.report());
+            .fill(bodies, input, &increment.answer(), increment.report());
         let pair = bodies.pair();
         self.tangential
             .set_coupled(pair.is_coupled().then(|| pair.coupling_strength()));
@@ -147,7 +148,7 @@ impl CoupledSolution {
             tangential
                 .zone_warnings()
                 .chain(tangential.pressing_warning())
-                .chain(tangential.motion_warnings()),
+                .chain(tangential.load_warnings()),
         );
         Ok(warnings)
     }

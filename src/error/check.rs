@@ -179,29 +179,23 @@ const ROUND_OFF: f64 = 1e-9;
 
 /// Remedy for a load beyond the friction limit.
 pub(crate) const SLIDE: &str = "prescribe a shift or a spring to let the body slide";
-const ROLL: &str = "prescribe the creepage, or lower the force";
+/// Remedy for a load of rolling bodies beyond the friction limit.
+pub(crate) const ROLL: &str = "prescribe the creepage, or lower the force";
 
 /// Remedy for a load beyond a friction limit with a largest shear stress.
 pub(crate) const SLIDE_UNDER_CAP: &str =
     "check the unit of max_shear_stress, or prescribe a shift or a spring to let the body slide";
-const ROLL_UNDER_CAP: &str =
+/// Remedy for a load of rolling bodies beyond a friction limit with a largest shear stress.
+pub(crate) const ROLL_UNDER_CAP: &str =
     "check the unit of max_shear_stress, or prescribe the creepage, or lower the force";
 
-/// Replaces the remedy for a force beyond the friction capacity by the remedy for rolling bodies.
-pub(crate) fn of_rolling(error: Error) -> Error {
+/// Replaces the remedy for a force beyond the friction capacity.
+pub(crate) fn with_remedy(error: Error, remedy: &'static str) -> Error {
     match error {
-        Error::BeyondFrictionCapacity {
+        Error::BeyondFrictionCapacity { force, limit, .. } => Error::BeyondFrictionCapacity {
             force,
             limit,
             remedy,
-        } => Error::BeyondFrictionCapacity {
-            force,
-            limit,
-            remedy: if remedy == SLIDE_UNDER_CAP {
-                ROLL_UNDER_CAP
-            } else {
-                ROLL
-            },
         },
         other => other,
     }

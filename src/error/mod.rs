@@ -11,9 +11,9 @@ mod system;
 pub(crate) mod tests;
 
 pub(crate) use check::{
-    SLIDE, SLIDE_UNDER_CAP, all_finite, all_non_negative, at_least, check_converged, finite,
-    has_squares, length, memory, non_negative, not_converged, of_rolling, poisson_ratio, positive,
-    samples_obey,
+    ROLL, ROLL_UNDER_CAP, SLIDE, SLIDE_UNDER_CAP, all_finite, all_non_negative, at_least,
+    check_converged, finite, has_squares, length, memory, non_negative, not_converged,
+    poisson_ratio, positive, samples_obey, with_remedy,
 };
 pub(crate) use messages::counted;
 pub use {kind::ErrorKind, place::Place, ranks::RankFailure, result::Result, system::SystemError};
@@ -109,7 +109,7 @@ pub enum Error {
     #[error("both bodies are rigid: give at least one body a finite Young's modulus")]
     BothRigid,
     /// A coated body has more layers than the limit.
-    #[error("a coated body must have at most {limit} layers, got {found}")]
+    #[error("a coated body must have at most {limit} layers, got {found}: combine thin layers")]
     TooManyLayers {
         /// Number of given layers.
         found: usize,
@@ -247,7 +247,9 @@ pub enum Error {
         quantity: &'static str,
     },
     /// The bounds of an entry contain no finite value.
-    #[error("the bounds [{lower:?}, {upper:?}] of entry {index} contain no finite value")]
+    #[error(
+        "the bounds [{lower:?}, {upper:?}] of entry {index} contain no finite value: give a lower bound that does not exceed the upper bound"
+    )]
     Bounds {
         /// Index of the entry.
         index: usize,
@@ -258,7 +260,7 @@ pub enum Error {
     },
     /// No point within the bounds has the prescribed total.
     #[error(
-        "the total {total:?} is outside the range [{lower:?}, {upper:?}] allowed by the bounds"
+        "the total {total:?} is outside the range [{lower:?}, {upper:?}] allowed by the bounds: prescribe a total in this range, or widen the bounds"
     )]
     #[non_exhaustive]
     Total {
@@ -378,7 +380,7 @@ pub enum Error {
     },
     /// A matrix is not symmetric positive definite.
     #[error(
-        "the matrix must be symmetric positive definite, but its factorisation fails at row {row}"
+        "the matrix must be symmetric positive definite, but its factorisation fails at row {row}: check its symmetry and its sign in this row"
     )]
     NotPositiveDefinite {
         /// The first row at which the factorisation fails.
@@ -406,7 +408,7 @@ pub enum Error {
     },
     /// A range of rows or columns is empty, or it extends beyond the grid.
     #[error(
-        "the range {start}..{end} of {quantity} is empty or extends beyond the {count} {quantity} of the grid"
+        "the range {start}..{end} of {quantity} is empty or extends beyond the {count} {quantity} of the grid: give a first index below the end, and an end of at most {count}"
     )]
     Range {
         /// The quantity: rows or columns.

@@ -71,7 +71,7 @@ pub enum RankFailure {
         rank: usize,
     },
     /// The named value, which must be the same on all ranks, differs between ranks. All ranks return this error.
-    #[error("the {0} must be the same on all ranks")]
+    #[error("the {0} must be the same on all ranks: compute it on one rank, or from equal input")]
     InconsistentInput(&'static str),
     /// A rank has rejected its part of the work. The error of this rank states the reason.
     #[error("rank {rank} rejected its part of the work: check the error of that rank")]

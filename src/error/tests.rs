@@ -2,7 +2,9 @@
 
 use std::fmt::Display;
 
-use crate::error::{Error, Place, RankFailure, SLIDE, SLIDE_UNDER_CAP, of_rolling};
+use crate::error::{
+    Error, Place, ROLL_UNDER_CAP, RankFailure, SLIDE, SLIDE_UNDER_CAP, with_remedy,
+};
 use crate::report::{Report, Status};
 
 /// Enumeration whose variants are listed here. The `match` has no wildcard, so a new variant must be added to the list.
@@ -122,7 +124,7 @@ fn every_error_has_its_text() {
         ),
         (
             Error::TooManyLayers { found: 9, limit: 8 },
-            "a coated body must have at most 8 layers, got 9",
+            "a coated body must have at most 8 layers, got 9: combine thin layers",
         ),
         (
             Error::UnsupportedForCoatings {
@@ -221,7 +223,7 @@ fn every_error_has_its_text() {
                 lower: 2.0,
                 upper: 1.0,
             },
-            "the bounds [2.0, 1.0] of entry 3 contain no finite value",
+            "the bounds [2.0, 1.0] of entry 3 contain no finite value: give a lower bound that does not exceed the upper bound",
         ),
         (
             Error::Total {
@@ -229,7 +231,7 @@ fn every_error_has_its_text() {
                 lower: 0.0,
                 upper: 4.0,
             },
-            "the total 5.0 is outside the range [0.0, 4.0] allowed by the bounds",
+            "the total 5.0 is outside the range [0.0, 4.0] allowed by the bounds: prescribe a total in this range, or widen the bounds",
         ),
         (
             Error::RepeatedDirection,
@@ -264,11 +266,14 @@ fn every_error_has_its_text() {
             "the tangential force 3.0 exceeds the friction limit 1e-6: check the unit of max_shear_stress, or prescribe a shift or a spring to let the body slide",
         ),
         (
-            of_rolling(Error::BeyondFrictionCapacity {
-                force: 3.0,
-                limit: 1e-6,
-                remedy: SLIDE_UNDER_CAP,
-            }),
+            with_remedy(
+                Error::BeyondFrictionCapacity {
+                    force: 3.0,
+                    limit: 1e-6,
+                    remedy: SLIDE_UNDER_CAP,
+                },
+                ROLL_UNDER_CAP,
+            ),
             "the tangential force 3.0 exceeds the friction limit 1e-6: check the unit of max_shear_stress, or prescribe the creepage, or lower the force",
         ),
         (
@@ -337,7 +342,7 @@ fn every_error_has_its_text() {
         ),
         (
             Error::NotPositiveDefinite { row: 2 },
-            "the matrix must be symmetric positive definite, but its factorisation fails at row 2",
+            "the matrix must be symmetric positive definite, but its factorisation fails at row 2: check its symmetry and its sign in this row",
         ),
         (
             Error::Undetermined {
@@ -361,7 +366,7 @@ fn every_error_has_its_text() {
                 end: 9,
                 count: 8,
             },
-            "the range 3..9 of rows is empty or extends beyond the 8 rows of the grid",
+            "the range 3..9 of rows is empty or extends beyond the 8 rows of the grid: give a first index below the end, and an end of at most 8",
         ),
         (
             Error::BeyondSamples {
@@ -563,7 +568,7 @@ fn every_rank_failure_has_its_text() {
         ),
         (
             RankFailure::InconsistentInput("normal load"),
-            "the normal load must be the same on all ranks",
+            "the normal load must be the same on all ranks: compute it on one rank, or from equal input",
         ),
         (
             RankFailure::RejectedByRank { rank: 1 },

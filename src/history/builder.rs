@@ -1,17 +1,20 @@
 //! Input of a history, checked when it is built.
 
+use std::iter;
 use std::sync::Arc;
 
 use crate::bodies::coupling::Coupling;
 use crate::cgm::{Settings, settings_methods};
 use crate::error::{Error, Result};
 use crate::grid::field::Field;
+use crate::grid::per_cell::PerCell;
 use crate::half_space::HalfSpace;
 use crate::history::History;
 use crate::history::state::State;
 use crate::history::state::relative_displacement::RelativeDisplacementState;
 use crate::memory::fallible::TryClone;
 use crate::normal::Hardness;
+use crate::support::checksum;
 use crate::tangential::EntryRule;
 use crate::tangential::{Axis, Friction, RelativeDisplacement, TangentialModel};
 
@@ -197,17 +200,36 @@ impl HistoryBuilder<'_> {
                 ("settings", &self.settings.common()),
             ],
         )?;
+        let origin = self.digest();
         let gap = Arc::try_unwrap(self.gap).or_else(|shared| shared.try_clone())?;
         let surface = (bodies.boundary(), bodies.cell_value());
         let (pair, settings) = (bodies.pair(), self.settings);
         let rule = self.entry_rule;
         let mut state = State::new(gap, surface, pair, self.friction, axes, settings, rule)?;
+        state.origin = Some(origin);
         if self.is_set_permanent {
             state.yielded = Some(Field::try_zeros(bodies.grid())?);
         }
         let relative = self.relative.map(RelativeDisplacementState::new);
         (state.hardness, state.relative) = (self.hardness, relative.transpose()?);
         History::from_state(bodies, state.coupled(self.coupling)?)
+    }
+
+    /// Returns a digest of the input, which distinguishes histories whose states have equal forces and motions.
+    fn digest(&self) -> u64 {
+        let numbers = |values: PerCell<&[f64]>| match values {
+            PerCell::Uniform(value) => checksum::of_numbers(iter::once(value)),
+            PerCell::Cells(cells) => checksum::of_numbers(cells.iter().copied()),
+        };
+        let hardness = self.hardness.as_ref().map(Hardness::limits);
+        checksum::of_shown(&(
+            checksum::of_numbers(self.gap.as_slice().iter().copied()),
+            numbers(self.friction.coefficients()),
+            self.friction.common(),
+            (hardness.map(numbers), self.is_set_permanent),
+            (self.model, self.axis, self.coupling, self.entry_rule),
+            self.bodies.cell_value(),
+        ))
     }
 
     /// Checks the input and returns the axes of the tractions.

@@ -2,6 +2,9 @@
 
 use std::fmt::{Debug, Result, Write};
 
+/// Factor of each step of FNV-1a with 64 bits.
+const PRIME: u64 = 0x0100_0000_01b3;
+
 /// Checksum of a sequence of bytes.
 #[derive(Debug, Clone, Copy)]
 struct Digest(u64);
@@ -10,7 +13,7 @@ impl Digest {
     const START: Self = Self(0xcbf2_9ce4_8422_2325);
 
     fn with(self, bytes: &[u8]) -> Self {
-        let step = |sum: u64, &byte: &u8| (sum ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+        let step = |sum: u64, &byte: &u8| (sum ^ u64::from(byte)).wrapping_mul(PRIME);
         Self(bytes.iter().fold(self.0, step))
     }
 }
@@ -25,6 +28,12 @@ impl Write for Digest {
 /// Returns the checksum of bytes.
 pub(crate) fn of_bytes(bytes: &[u8]) -> u64 {
     Digest::START.with(bytes).0
+}
+
+/// Returns a checksum of the bits of numbers, which takes eight bytes per operation.
+pub(crate) fn of_numbers(numbers: impl Iterator<Item = f64>) -> u64 {
+    let step = |sum: u64, number: f64| (sum ^ number.to_bits()).wrapping_mul(PRIME);
+    numbers.fold(Digest::START.0, step)
 }
 
 /// Returns the checksum of the `Debug` output of a value, which contains every bit of its numbers except the bits of

@@ -2,7 +2,9 @@
 
 use std::borrow::Cow;
 
-use crate::error::{Result, SLIDE, SLIDE_UNDER_CAP, all_non_negative, non_negative, positive};
+use crate::error::{
+    ROLL, ROLL_UNDER_CAP, Result, SLIDE, SLIDE_UNDER_CAP, all_non_negative, non_negative, positive,
+};
 use crate::grid::Grid;
 use crate::grid::field::{Field, clone_in_place};
 use crate::grid::per_cell::PerCell;
@@ -180,6 +182,15 @@ impl Friction {
             SLIDE_UNDER_CAP
         } else {
             SLIDE
+        }
+    }
+
+    /// Returns the remedy for a force of rolling bodies beyond the sum of the limits.
+    pub(crate) fn rolling_remedy(&self) -> &'static str {
+        if self.max_shear_stress.is_some() {
+            ROLL_UNDER_CAP
+        } else {
+            ROLL
         }
     }
 

@@ -19,7 +19,7 @@ use crate::report::Report;
 use crate::support::debug::shown;
 use crate::tangential::over_ranks::{ShearSums, TractionSums};
 use crate::tangential::rigid_motion::centre;
-use crate::tangential::{Axis, StepSolution, Zone, displacement};
+use crate::tangential::{Axis, Friction, StepSolution, Zone, displacement};
 use crate::warning::{Resolution, Warning};
 
 record! {
@@ -45,6 +45,9 @@ record! {
             /// Whether a contact of dissimilar bodies with friction was pressed to its size in one step.
             #[cfg_attr(feature = "serde", serde(default))]
             is_pressed_at_once: bool,
+            /// Largest coefficient of friction that is not common, in tenths.
+            #[cfg_attr(feature = "serde", serde(default))]
+            friction_tenths: Option<usize>,
         }
         ignored {
             /// Sums that identify the pressure of the problem.
@@ -88,6 +91,7 @@ impl TangentialSolution {
             twist: 0.0,
             coupled: None,
             is_pressed_at_once: false,
+            friction_tenths: None,
             pressed: PressureFingerprint::default(),
             report: Report::with_room(),
             whole: None,
@@ -97,7 +101,7 @@ impl TangentialSolution {
     pub(crate) fn fill(
         &mut self,
         bodies: &HalfSpace,
-        axis: Option<Axis>,
+        (axis, friction): (Option<Axis>, &Friction),
         answer: &StepSolution<'_>,
         report: &Report,
     ) {
@@ -107,6 +111,7 @@ impl TangentialSolution {
         }
         (self.axis, self.cell_value) = (axis, bodies.cell_value());
         self.pair = *bodies.pair();
+        self.friction_tenths = Warning::friction_beyond(friction.largest_coefficient(bodies));
         (self.shift, self.twist) = (answer.motion.shift, answer.motion.twist);
         self.report.clone_from(report);
         answer.with_held(|answer| {
@@ -346,7 +351,7 @@ impl TangentialSolution {
         let mut warnings = self.contact_map().warnings()?;
         warnings.extend(Warning::of_status(self.report.status));
         warnings.extend(self.zone_warnings().chain(self.pressing_warning()));
-        warnings.extend(self.motion_warnings());
+        warnings.extend(self.load_warnings());
         let contact = || self.contact_map().mean_spot();
         let estimate = self.discretisation_estimate();
         warnings.extend(Warning::of_discretisation(estimate, contact)?);
@@ -361,13 +366,15 @@ impl TangentialSolution {
         zones.zone_warnings()
     }
 
-    /// Returns the warnings about a shift that is larger than the grid, and about a large twist.
-    pub(crate) fn motion_warnings(&self) -> impl Iterator<Item = Warning> {
+    /// Returns the warnings about a shift that is larger than the grid, a large twist and a large coefficient of friction.
+    pub(crate) fn load_warnings(&self) -> impl Iterator<Item = Warning> {
         let shift = Warning::shift_beyond(self.grid(), self.shift());
         let twist = Warning::twist_beyond(self.twist());
         let shift = shift.map(|tenths| Warning::ShiftBeyondGrid { tenths });
         let twist = twist.map(|tenths| Warning::LargeTwist { tenths });
-        shift.into_iter().chain(twist)
+        let friction = self.friction_tenths;
+        let friction = friction.map(|tenths| Warning::LargeFriction { tenths });
+        shift.into_iter().chain(twist).chain(friction)
     }
 
     fn contact_map(&self) -> ContactMap<'_, impl Fn(usize) -> bool + '_> {

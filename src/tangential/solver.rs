@@ -261,7 +261,8 @@ impl Model<TangentialSolution> for TangentialProblem {
         engine.report.time = conditions.start.elapsed();
         let axis = Axis::only(engine.increment.axes());
         let answer = engine.increment.answer();
-        solution.fill(bodies, axis, &answer, &engine.report);
+        let input = (axis, &problem.friction);
+        solution.fill(bodies, input, &answer, &engine.report);
         let is_drawn = problem.coupling.is_one_way(bodies.pair());
         solution.set_pressed_at_once(is_drawn && engine.increment.pressed.limits.sum > 0.0);
         engine.increment.rest();

@@ -7,10 +7,10 @@ use crate::warning::Warning;
 pub(crate) const RESOLVED: usize = 5;
 
 /// Minimum numbers of cells in a resolved contact and in a resolved stick zone.
-const RESOLVED_AREA: [usize; 2] = [100, 50];
+pub(super) const RESOLVED_AREA: [usize; 2] = [100, 50];
 /// Minimum numbers of cells in a resolved contact and in a resolved stick zone on a line. One cell is a tenth of this
 /// stick zone.
-const RESOLVED_LINE: [usize; 2] = [20, 10];
+pub(super) const RESOLVED_LINE: [usize; 2] = [20, 10];
 
 /// Least width of a resolved slip zone, in tenths of a cell.
 const RESOLVED_WIDTH: usize = 20;

@@ -6,8 +6,8 @@ use crate::warning::Warning;
 variants! { Warning:
     NoContact ContactAtEdge UnresolvedSpots SingleRowOfCells ContactSpansGrid BeyondHardness StalePressure StressAtEdge
     UnderresolvedContact UnderresolvedStickZone UnderresolvedSlipZone DiscretisationError SingleLoadStep
-    ApproachBeyondGrid ShiftBeyondGrid LargeTwist LargeCreepage LargeContactRadius PressureBeyondModulus NotConverged SteepSurface
-    HeldShiftLostForce
+    ApproachBeyondGrid ShiftBeyondGrid LargeTwist LargeCreepage LargeFriction LargeGapChange LargeContactRadius PressureBeyondModulus
+    NotConverged SteepSurface HeldShiftLostForce
     UnusedRelativeDisplacement RepeatedLoop NeglectedLift CoatingBeyondGrid
     CoatingBelowCell AccuracyNotReached
 }
@@ -81,11 +81,11 @@ fn every_warning_has_its_text() {
         ),
         (
             Warning::UnderresolvedContact { cells: 80 },
-            "the contact has only 80 cells, so that its area and its stick ratio are inaccurate: refine the grid",
+            "the contact has only 80 cells, so that its area and its stick ratio are inaccurate: refine the grid until it has 100 (a line of cells: 20)",
         ),
         (
             Warning::UnderresolvedStickZone { cells: 30 },
-            "the stick zone has only 30 cells, so that its size is inaccurate: refine the grid",
+            "the stick zone has only 30 cells, so that its size is inaccurate: refine the grid until it has 50 (a line of cells: 10)",
         ),
         (
             Warning::UnderresolvedSlipZone { tenths: 14 },
@@ -128,6 +128,18 @@ fn every_warning_has_its_text() {
             "creepage and spin move the surfaces by 50 % of the length rolled, expected at most 10 %: give a creepage of 1 % as 0.01, and check the unit of the spin; the model assumes small creepages",
         ),
         (
+            Warning::LargeFriction { tenths: 300 },
+            "the largest coefficient of friction is 30, expected at most 5: give 30 % as 0.3, or ignore this warning if the bodies must stick everywhere",
+        ),
+        (
+            Warning::LargeFriction { tenths: 63 },
+            "the largest coefficient of friction is 6.3, expected at most 5: give 30 % as 0.3, or ignore this warning if the bodies must stick everywhere",
+        ),
+        (
+            Warning::LargeGapChange { tenths: 125 },
+            "the gap of contact cells changed by 12.5 times the largest normal displacement of the last contact, expected at most 1: check the unit of the wear coefficient (1 mm3/(N m) is 1e-9 1/Pa), or change the gap in more updates",
+        ),
+        (
             Warning::LargeContactRadius { per_mille: 350 },
             "the contact radius is about 0.35 of the radius of curvature, expected at most 0.3: check the units of gap and grid, or lower the load; half-spaces assume small slopes",
         ),
@@ -167,7 +179,7 @@ fn every_warning_has_its_text() {
         ),
         (
             Warning::CoatingBelowCell { parts: 1_000_000 },
-            "a cell is 1000000 times as long as a layer is thick, so that the layer has no effect on the contact: check the units of thickness and grid",
+            "a cell is 1000000 times as long as a layer is thick, so that the layer has almost no effect on the contact: check the units of thickness and grid",
         ),
         (
             Warning::AccuracyNotReached { tenths: 35 },

@@ -441,3 +441,55 @@ fn cycle_rejects_step_of_another_history_with_the_next_number() {
         Err(Error::StepOutOfOrder { step: 2, last: 1 })
     );
 }
+
+/// Before the first step, the forces and motions of all histories are equal. A press does not depend on the friction.
+#[test]
+fn cycle_rejects_step_of_history_with_other_input() {
+    let gap = kit::sphere(kit::square(16, 12.0), 20.0);
+    let bodies = unit_bodies(gap.grid(), 0.3);
+    let build = |gap: &Field, friction: f64| {
+        let builder = History::builder(&bodies, gap, kit::coulomb(friction));
+        builder.tolerance(1e-6).build().unwrap()
+    };
+    let press = LoadStep::hold().normal(NormalLoad::Force(LOAD));
+    let vector = History::builder(&bodies, &gap, kit::coulomb(FRICTION))
+        .tolerance(1e-6)
+        .model(TangentialModel::Vector);
+    let others = [
+        build(&gap, 0.3),
+        build(&kit::sphere(gap.grid(), 21.0), FRICTION),
+        vector.build().unwrap(),
+    ];
+    for mut other in others {
+        let mut history = build(&gap, FRICTION);
+        let mut cycle = Cycle::new(&history);
+        other.step(&press).unwrap();
+        let not_next = |step| {
+            Err(Error::StepOutOfOrder {
+                step,
+                last: step - 1,
+            })
+        };
+        assert_eq!(cycle.add(&other), not_next(1));
+        history.step(&press).unwrap();
+        cycle.add(&history).unwrap();
+        other.step(&press).unwrap();
+        assert_eq!(cycle.add(&other), not_next(2));
+        // A change of friction and gap belongs to the same history, and so does a copy of its state.
+        history.set_friction(&kit::coulomb(0.3)).unwrap();
+        history.set_gap(&gap).unwrap();
+        history.step(&press).unwrap();
+        cycle.add(&history).unwrap();
+        let mut copy = History::from_state(&bodies, history.state().clone()).unwrap();
+        copy.step(&press).unwrap();
+        cycle.add(&copy).unwrap();
+        let mut restarted = History::from_bytes(&bodies, &copy.to_bytes()).unwrap();
+        restarted.step(&press).unwrap();
+        cycle.add(&restarted).unwrap();
+        // An equal history counts as the same.
+        let mut cycle = Cycle::new(&build(&gap, FRICTION));
+        let mut equal = build(&gap, FRICTION);
+        equal.step(&press).unwrap();
+        cycle.add(&equal).unwrap();
+    }
+}

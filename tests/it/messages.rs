@@ -9,7 +9,7 @@ use stickslip::influence::Direction::Z;
 use stickslip::kernel::Operators;
 use stickslip::normal::Hardness;
 use stickslip::ranks::Threads;
-use stickslip::rolling::{RollingControl, RollingProblem, SpinControl};
+use stickslip::rolling::{CoupledRollingProblem, RollingControl, RollingProblem, SpinControl};
 use stickslip::subsurface::Planes;
 use stickslip::surface::SelfAffine;
 use stickslip::{
@@ -935,4 +935,108 @@ fn warnings_of_yielded_history_survive_saving() {
     assert!(stated_radius(&history.normal().warnings()).is_some());
     let restored = History::from_bytes(&bodies, &history.to_bytes()).unwrap();
     assert_eq!(restored.normal().warnings(), history.normal().warnings());
+}
+
+#[test]
+fn friction_above_five_gives_warning_in_every_solution() {
+    let bodies = bodies(16);
+    let (grid, ball) = (bodies.grid(), ball(&bodies));
+    let normal = pressed(&bodies, &ball, load());
+    let stated = |warnings: Vec<Warning>| {
+        let mut warnings = warnings.into_iter();
+        warnings.find(|warning| matches!(warning, Warning::LargeFriction { .. }))
+    };
+    let mut rough = Field::constant(grid, 0.3);
+    rough.as_mut_slice()[3] = 8.0;
+    let frictions = [
+        (Friction::coulomb(0.3).unwrap(), None),
+        (Friction::coulomb(5.0).unwrap(), None),
+        (Friction::coulomb(30.0).unwrap(), Some(300)),
+        (Friction::per_cell(rough).unwrap(), Some(80)),
+    ];
+    for (friction, tenths) in frictions {
+        let expected = tenths.map(|tenths| Warning::LargeFriction { tenths });
+        let force = TangentialLoad::force([0.01 * load(), 0.0]);
+        let tangential = TangentialProblem::builder(&bodies, &normal, friction.clone(), force);
+        let tangential = tangential.build().unwrap().solve().unwrap();
+        assert_eq!(stated(tangential.warnings()), expected);
+        let coupled = CoupledProblem::builder(
+            &bodies,
+            &ball,
+            friction.clone(),
+            NormalLoad::Force(load()),
+            force,
+        );
+        let coupled = coupled.build().unwrap().solve().unwrap();
+        assert_eq!(stated(coupled.warnings()), expected);
+        let rolling = RollingProblem::builder(&bodies, &normal, friction.clone());
+        let rolling = rolling.creepage([1e-3, 0.0]).build().unwrap();
+        assert_eq!(stated(rolling.solve().unwrap().warnings()), expected);
+        let rolling = CoupledRollingProblem::builder(
+            &bodies,
+            &ball,
+            friction.clone(),
+            NormalLoad::Force(load()),
+        );
+        let rolling = rolling.creepage([1e-3, 0.0]).build().unwrap();
+        assert_eq!(stated(rolling.solve().unwrap().warnings()), expected);
+
+        let mut history = History::builder(&bodies, &ball, friction).build().unwrap();
+        let mut cycle = Cycle::new(&history);
+        let press = LoadStep::hold().normal(NormalLoad::Force(load()));
+        assert_eq!(stated(history.step(&press).unwrap().warnings()), expected);
+        cycle.add(&history).unwrap();
+        // The cycle keeps the warning after the friction has changed.
+        history.set_friction(&self::friction()).unwrap();
+        assert_eq!(stated(history.step(&press).unwrap().warnings()), None);
+        cycle.add(&history).unwrap();
+        assert_eq!(stated(cycle.warnings()), expected);
+    }
+}
+
+#[test]
+fn gap_change_beyond_displacement_gives_warning() {
+    let bodies = bodies(16);
+    let ball = ball(&bodies);
+    let stated = |warnings: Vec<Warning>| {
+        let mut warnings = warnings.into_iter();
+        warnings.find(|warning| matches!(warning, Warning::LargeGapChange { .. }))
+    };
+    let press = LoadStep::hold().normal(NormalLoad::Force(load()));
+    let wear = |part: f64| {
+        let mut history = History::builder(&bodies, &ball, friction())
+            .build()
+            .unwrap();
+        history.step(&press).unwrap();
+        // The largest displacement is the approach minus the gap of 0.01 of the four innermost cells.
+        let displacement = history.approach() - ball.min();
+        let cells = history.pressure().as_slice().iter().zip(ball.as_slice());
+        let worn = cells.map(|(p, gap)| gap + if *p > 0.0 { part * displacement } else { 0.0 });
+        let worn = Field::from_vec(ball.grid(), worn.collect()).unwrap();
+        history.set_gap(&worn).unwrap();
+        history
+    };
+    for (part, tenths) in [(0.9, None), (2.5, Some(25)), (1e9, Some(10_000_000_000))] {
+        let expected = tenths.map(|tenths| Warning::LargeGapChange { tenths });
+        let mut history = wear(part);
+        // A step that holds the pressure keeps the old contact.
+        let held = history.step(&LoadStep::hold()).unwrap();
+        assert_eq!(stated(held.warnings()), None);
+        // The change survives a restart.
+        let mut restarted = History::from_bytes(&bodies, &history.to_bytes()).unwrap();
+        for history in [&mut history, &mut restarted] {
+            assert_eq!(stated(history.step(&press).unwrap().warnings()), expected);
+            assert_eq!(stated(history.step(&press).unwrap().warnings()), None);
+        }
+    }
+    // A moving texture changes the gap of contact cells in the same way.
+    let mut history = wear(2.5);
+    let rolled = history.step(&press.roll(Rolling::new(1))).unwrap();
+    assert_eq!(stated(rolled.warnings()), None);
+    // Cells without contact do not count.
+    let mut history = wear(0.0);
+    let mut raised = ball.clone();
+    raised.as_mut_slice()[0] += 1e3;
+    history.set_gap(&raised).unwrap();
+    assert_eq!(stated(history.step(&press).unwrap().warnings()), None);
 }

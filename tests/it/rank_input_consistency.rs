@@ -44,7 +44,9 @@ fn assert_reported<T: Debug + Send>(
         );
         assert_eq!(
             error.to_string(),
-            format!("the {name} must be the same on all ranks")
+            format!(
+                "the {name} must be the same on all ranks: compute it on one rank, or from equal input"
+            )
         );
     }
 }

@@ -3,7 +3,10 @@
 
 use rayon::prelude::*;
 use stickslip::analytical::{HertzSphere, NoSlipSphere};
-use stickslip::{HalfSpace, History, LoadStep, NormalLoad};
+use stickslip::history::Cycle;
+use stickslip::{
+    ElasticPair, Error, Grid, HalfSpace, History, LoadStep, Material, NormalLoad, Warning,
+};
 
 const RADIUS: f64 = 10.0;
 
@@ -88,4 +91,50 @@ fn sphere_without_slip_is_stiffer() {
                 "{poisson_ratio}: {found} for {exact}"
             );
         });
+}
+
+/// The observer receives only the accepted steps, and its errors undo all of them.
+#[test]
+fn observer_of_pressing_receives_accepted_steps() {
+    let grid = Grid::square(16, 0.30e-3).unwrap();
+    let metal = |modulus: f64, ratio: f64| Material::new(modulus, ratio).unwrap();
+    let pair = ElasticPair::new(metal(70e9, 0.33), metal(210e9, 0.3)).unwrap();
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let build = || {
+        let builder = History::builder(&bodies, kit::sphere(grid, 3.5e-3), kit::coulomb(0.1));
+        builder.build().unwrap()
+    };
+    let load = LoadStep::hold().normal(NormalLoad::Force(60.0));
+    let (mut history, mut plain) = (build(), build());
+    let mut cycle = Cycle::new(&history);
+    let mut forces = vec![];
+    let count = history.press_steps_observed(&load, 0.05, |history| {
+        forces.push(history.normal().force());
+        cycle.add(history)
+    });
+    assert_eq!(plain.press(&load, 0.05), count);
+    assert_eq!(history.state(), plain.state());
+    let [last, other] = [&history, &plain].map(|history| history.last_step().unwrap());
+    assert!(last.energy() == other.energy() && last.slip() == other.slip());
+    let count = count.unwrap();
+    assert!(count > 2 && forces.len() == count && cycle.steps() == count);
+    assert!(forces.is_sorted() && (forces[count - 1] / 60.0 - 1.0).abs() < 1e-9);
+    assert!(!cycle.warnings().contains(&Warning::SingleLoadStep));
+    // The sum over the steps is the energy of the whole load.
+    let total: f64 = plain.accumulated_dissipation().as_slice().iter().sum();
+    assert!((cycle.energy().dissipated_energy / total - 1.0).abs() < 1e-12);
+    assert!(last.energy().dissipated_energy < 0.9 * total);
+
+    let mut failed = build();
+    let mut seen = 0;
+    let outcome = failed.press_steps_observed(&load, 0.05, |_| {
+        seen += 1;
+        if seen == 2 {
+            Err(Error::EmptyPath)
+        } else {
+            Ok(())
+        }
+    });
+    assert_eq!(outcome, Err(Error::EmptyPath));
+    assert_eq!(failed.state(), build().state());
 }

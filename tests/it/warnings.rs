@@ -368,7 +368,7 @@ fn layer_far_from_the_scale_of_the_grid_has_a_warning() {
     let (none, substrate) = found(steel);
     let (_, coating) = found(Material::new(0.5, 0.3).unwrap());
     assert!(none.is_empty());
-    for thickness in [2e-4, 0.01, 1.0, 290.0] {
+    for thickness in [3e-4, 0.01, 1.0, 290.0] {
         assert!(coated(steel, 0.5, thickness).0.is_empty(), "{thickness}");
     }
     let (thick, approach) = coated(steel, 0.5, 3e3);
@@ -378,6 +378,12 @@ fn layer_far_from_the_scale_of_the_grid_has_a_warning() {
     let (thin, approach) = coated(steel, 0.5, 1e-6 * cell);
     assert_eq!(thin, [Warning::CoatingBelowCell { parts: 1_000_000 }]);
     assert!((approach / substrate - 1.0).abs() < 1e-4);
+    // The contrast of the shear moduli is four.
+    for (part, is_warned) in [(0.24e-2, true), (0.26e-2, false)] {
+        let (thin, approach) = coated(steel, 0.5, part * cell);
+        assert_eq!(thin.len(), usize::from(is_warned));
+        assert!((approach / substrate - 1.0).abs() < 3e-3, "{approach}");
+    }
     // A thin layer that is much stiffer than the body can have an effect, and so has a layer on a rigid base.
     assert!(coated(steel, 2e3, 1e-6 * cell * 101.0).0.is_empty());
     assert!(coated(Material::rigid(), 0.5, 1e-6).0.is_empty());

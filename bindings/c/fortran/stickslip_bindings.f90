@@ -10,6 +10,7 @@ module stickslip_bindings
     public :: stickslip_adaptive_steps_new
     public :: stickslip_adaptive_steps_free
     public :: stickslip_adaptive_steps_step
+    public :: stickslip_adaptive_steps_stepwise
     public :: stickslip_adaptive_steps_error
     public :: stickslip_hertz_sphere
     public :: stickslip_cattaneo_mindlin_sphere
@@ -84,6 +85,7 @@ module stickslip_bindings
     public :: stickslip_history_free
     public :: stickslip_history_step
     public :: stickslip_history_press
+    public :: stickslip_history_press_stepwise
     public :: stickslip_history_set_gap
     public :: stickslip_history_set_friction
     public :: stickslip_history_set_settings
@@ -400,6 +402,10 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_PRESSURE_BEYOND_MODULUS = 25
     ! Warning: the solve ended before it converged.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_NOT_CONVERGED = 26
+    ! Warning: the largest coefficient of friction exceeds 5, as a coefficient in per cent.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LARGE_FRICTION = 27
+    ! Warning: the gap of contact cells changed by more than the largest normal displacement of the last contact.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LARGE_GAP_CHANGE = 28
     ! Any other warning, described by its message.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_OTHER = 127
     ! Size of the message of a warning in bytes.
@@ -726,6 +732,74 @@ module stickslip_bindings
         ! Reserved for future members: zero.
         integer(c_int64_t) :: reserved(4) = 0
     end type stickslip_load_step
+
+    ! Work, elastic energy and dissipation of a step or a cycle.
+    type, bind(c), public :: stickslip_energy
+        ! Work of the tangential load: mean force times change of the shift, plus mean moment times change of the twist.
+        ! Cells that come into contact contribute only the part of the motion that they follow. The work of a changing
+        ! relative displacement is included, and so is the work of the normal load if pressure and traction are coupled.
+        real(c_double) :: work = 0
+        ! Elastic energy of shear before the step or the cycle; energy of pressure and traction if both are coupled.
+        real(c_double) :: elastic_before = 0
+        ! Elastic energy of shear after the step or the cycle; energy of pressure and traction if both are coupled.
+        real(c_double) :: elastic_after = 0
+        ! Dissipated energy, computed from the tractions at the ends of steps; not negative. If pressure and friction do not
+        ! change and the load does not turn within a step, this value is exact for any length of the step.
+        real(c_double) :: dissipated_energy = 0
+        ! Dissipated energy, computed from the mean of the tractions before and after each step. This value closes the
+        ! energy balance. It is not negative if pressure and friction do not change.
+        real(c_double) :: dissipated_energy_midpoint = 0
+        ! Energy released by the tractions of cells that leave the contact.
+        real(c_double) :: released = 0
+        ! Work on the residual motion that the tolerance permits in stick cells.
+        real(c_double) :: residual = 0
+        ! Imbalance of the energies, which is due to round-off.
+        real(c_double) :: imbalance = 0
+        ! Reserved for future members: zero.
+        integer(c_int64_t) :: reserved(8) = 0
+    end type stickslip_energy
+
+    ! Scalar results of a history. The members that describe the last step are NaN if the history has none, that is, if
+    ! has_last_step is zero.
+    type, bind(c), public :: stickslip_step_result
+        ! Normal force.
+        real(c_double) :: normal_force = 0
+        ! Approach of the bodies (a length).
+        real(c_double) :: approach = 0
+        ! Tangential force that body 2 exerts on body 1.
+        real(c_double) :: force(2) = 0
+        ! Shift since the start (lengths): the rigid motion of body 2 relative to body 1.
+        real(c_double) :: shift(2) = 0
+        ! Moment about z at the origin of the grid that the tractions exert on body 1 (a force times a length, positive from
+        ! x to y).
+        real(c_double) :: moment = 0
+        ! Rotation of body 2 relative to body 1 since the start (radians).
+        real(c_double) :: twist = 0
+        ! Ratio of stick cells to contact cells after the last step; zero without contact, NaN without a last step.
+        real(c_double) :: stick_ratio = 0
+        ! Nonzero if the whole contact is at its friction limit after the last step; zero without a last step.
+        integer(c_int32_t) :: is_gross_slip = 0
+        ! Nonzero if a step led to the present state. Zero before the first step, and after stickslip_history_set_state and
+        ! stickslip_history_from_bytes.
+        integer(c_int32_t) :: has_last_step = 0
+        ! Number of steps since the start.
+        integer(c_int64_t) :: steps = 0
+        ! Energies of the last step; NaN without a last step.
+        type(stickslip_energy) :: energy
+        ! Creepages along x and y of the last step, prescribed or caused by the force (dimensionless); zero if the bodies did
+        ! not roll, NaN without a last step.
+        real(c_double) :: creepage(2) = 0
+        ! Reserved for future members: zero.
+        integer(c_int64_t) :: reserved(6) = 0
+    end type stickslip_step_result
+
+    ! Observer of the accepted steps of a load: a function with data of the caller.
+    type, bind(c), public :: stickslip_step_observer
+        ! Function; NULL for no observer.
+        type(c_funptr) :: observe = c_null_funptr
+        ! Data passed unchanged to the function.
+        type(c_ptr) :: user = c_null_ptr
+    end type stickslip_step_observer
 
     ! Error of one load step: the difference between its result and the result of the same load in two half steps.
     type, bind(c), public :: stickslip_step_error
@@ -1183,32 +1257,6 @@ module stickslip_bindings
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_coupled_rolling_report
 
-    ! Work, elastic energy and dissipation of a step or a cycle.
-    type, bind(c), public :: stickslip_energy
-        ! Work of the tangential load: mean force times change of the shift, plus mean moment times change of the twist.
-        ! Cells that come into contact contribute only the part of the motion that they follow. The work of a changing
-        ! relative displacement is included, and so is the work of the normal load if pressure and traction are coupled.
-        real(c_double) :: work = 0
-        ! Elastic energy of shear before the step or the cycle; energy of pressure and traction if both are coupled.
-        real(c_double) :: elastic_before = 0
-        ! Elastic energy of shear after the step or the cycle; energy of pressure and traction if both are coupled.
-        real(c_double) :: elastic_after = 0
-        ! Dissipated energy, computed from the tractions at the ends of steps; not negative. If pressure and friction do not
-        ! change and the load does not turn within a step, this value is exact for any length of the step.
-        real(c_double) :: dissipated_energy = 0
-        ! Dissipated energy, computed from the mean of the tractions before and after each step. This value closes the
-        ! energy balance. It is not negative if pressure and friction do not change.
-        real(c_double) :: dissipated_energy_midpoint = 0
-        ! Energy released by the tractions of cells that leave the contact.
-        real(c_double) :: released = 0
-        ! Work on the residual motion that the tolerance permits in stick cells.
-        real(c_double) :: residual = 0
-        ! Imbalance of the energies, which is due to round-off.
-        real(c_double) :: imbalance = 0
-        ! Reserved for future members: zero.
-        integer(c_int64_t) :: reserved(8) = 0
-    end type stickslip_energy
-
     ! Scalar results of a cycle.
     type, bind(c), public :: stickslip_cycle_result
         ! Number of steps since the start of the cycle.
@@ -1369,40 +1417,6 @@ module stickslip_bindings
         ! Reserved for future members: zero.
         integer(c_int64_t) :: reserved(8) = 0
     end type stickslip_history_options
-
-    ! Scalar results of a history. The members that describe the last step are NaN if the history has none, that is, if
-    ! has_last_step is zero.
-    type, bind(c), public :: stickslip_step_result
-        ! Normal force.
-        real(c_double) :: normal_force = 0
-        ! Approach of the bodies (a length).
-        real(c_double) :: approach = 0
-        ! Tangential force that body 2 exerts on body 1.
-        real(c_double) :: force(2) = 0
-        ! Shift since the start (lengths): the rigid motion of body 2 relative to body 1.
-        real(c_double) :: shift(2) = 0
-        ! Moment about z at the origin of the grid that the tractions exert on body 1 (a force times a length, positive from
-        ! x to y).
-        real(c_double) :: moment = 0
-        ! Rotation of body 2 relative to body 1 since the start (radians).
-        real(c_double) :: twist = 0
-        ! Ratio of stick cells to contact cells after the last step; zero without contact, NaN without a last step.
-        real(c_double) :: stick_ratio = 0
-        ! Nonzero if the whole contact is at its friction limit after the last step; zero without a last step.
-        integer(c_int32_t) :: is_gross_slip = 0
-        ! Nonzero if a step led to the present state. Zero before the first step, and after stickslip_history_set_state and
-        ! stickslip_history_from_bytes.
-        integer(c_int32_t) :: has_last_step = 0
-        ! Number of steps since the start.
-        integer(c_int64_t) :: steps = 0
-        ! Energies of the last step; NaN without a last step.
-        type(stickslip_energy) :: energy
-        ! Creepages along x and y of the last step, prescribed or caused by the force (dimensionless); zero if the bodies did
-        ! not roll, NaN without a last step.
-        real(c_double) :: creepage(2) = 0
-        ! Reserved for future members: zero.
-        integer(c_int64_t) :: reserved(6) = 0
-    end type stickslip_step_result
 
     ! Limits of a jump in addition to the stability limit of the pressure. Start from stickslip_jump_limits_default(), which
     ! returns the defaults: a struct of zeros permits no depth, no cycles and no residual.
@@ -1612,6 +1626,21 @@ module stickslip_bindings
             integer(c_size_t), intent(out), optional :: taken
             integer(c_int32_t) :: answer
         end function stickslip_adaptive_steps_step
+
+        ! Applies a load like stickslip_adaptive_steps_step. Every accepted step is added to cycle (may be NULL), and observer (may be
+        ! NULL) receives its results. Sums over all steps, such as energies and the slip for wear, are then results of the cycle. The
+        ! cycle must start or end at the current state. After a failure the state of the history is unchanged, but the cycle may
+        ! contain undone steps: begin it again. Returns STICKSLIP_NOT_CONVERGED if the observer ends the call.
+        function stickslip_adaptive_steps_stepwise(steps, history, load, cycle, observer, taken) result(answer) bind(c)
+            import
+            type(stickslip_adaptive_steps), value :: steps
+            type(stickslip_history), value :: history
+            type(stickslip_load_step), intent(in), optional :: load
+            type(stickslip_cycle), value :: cycle
+            type(stickslip_step_observer), intent(in), optional :: observer
+            integer(c_size_t), intent(out), optional :: taken
+            integer(c_int32_t) :: answer
+        end function stickslip_adaptive_steps_stepwise
 
         ! Computes the error that stickslip_history_step would make with a load. The state of the history is unchanged. The history
         ! then has no last step until its next step.
@@ -2369,6 +2398,22 @@ module stickslip_bindings
             integer(c_size_t), intent(out), optional :: taken
             integer(c_int32_t) :: answer
         end function stickslip_history_press
+
+        ! Applies a load like stickslip_history_press. Every accepted step is added to cycle (may be NULL), and observer (may be NULL)
+        ! receives its results. For this purpose the accepted steps are taken a second time, with identical results. The cycle must
+        ! start or end at the current state. After a failure the state of the history is unchanged, but the cycle may contain undone
+        ! steps: begin it again. Returns STICKSLIP_NOT_CONVERGED if the observer ends the call.
+        function stickslip_history_press_stepwise(history, load, tolerance, cycle, observer, &
+            taken) result(answer) bind(c)
+            import
+            type(stickslip_history), value :: history
+            type(stickslip_load_step), intent(in), optional :: load
+            real(c_double), value :: tolerance
+            type(stickslip_cycle), value :: cycle
+            type(stickslip_step_observer), intent(in), optional :: observer
+            integer(c_size_t), intent(out), optional :: taken
+            integer(c_int32_t) :: answer
+        end function stickslip_history_press_stepwise
 
         ! Sets the gap before loading (lengths, count entries, copied), for example after wear. The pressure does not change until
         ! a step prescribes a normal load.

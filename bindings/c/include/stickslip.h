@@ -334,6 +334,12 @@
 // Warning: the solve ended before it converged.
 #define STICKSLIP_WARNING_NOT_CONVERGED 26
 
+// Warning: the largest coefficient of friction exceeds 5, as a coefficient in per cent.
+#define STICKSLIP_WARNING_LARGE_FRICTION 27
+
+// Warning: the gap of contact cells changed by more than the largest normal displacement of the last contact.
+#define STICKSLIP_WARNING_LARGE_GAP_CHANGE 28
+
 // Any other warning, described by its message.
 #define STICKSLIP_WARNING_OTHER 127
 
@@ -694,6 +700,80 @@ typedef struct {
     // Reserved for future members: zero.
     uint64_t reserved[4];
 } stickslip_load_step;
+
+// Work, elastic energy and dissipation of a step or a cycle.
+typedef struct {
+    // Work of the tangential load: mean force times change of the shift, plus mean moment times change of the twist.
+    // Cells that come into contact contribute only the part of the motion that they follow. The work of a changing
+    // relative displacement is included, and so is the work of the normal load if pressure and traction are coupled.
+    double work;
+    // Elastic energy of shear before the step or the cycle; energy of pressure and traction if both are coupled.
+    double elastic_before;
+    // Elastic energy of shear after the step or the cycle; energy of pressure and traction if both are coupled.
+    double elastic_after;
+    // Dissipated energy, computed from the tractions at the ends of steps; not negative. If pressure and friction do not
+    // change and the load does not turn within a step, this value is exact for any length of the step.
+    double dissipated_energy;
+    // Dissipated energy, computed from the mean of the tractions before and after each step. This value closes the
+    // energy balance. It is not negative if pressure and friction do not change.
+    double dissipated_energy_midpoint;
+    // Energy released by the tractions of cells that leave the contact.
+    double released;
+    // Work on the residual motion that the tolerance permits in stick cells.
+    double residual;
+    // Imbalance of the energies, which is due to round-off.
+    double imbalance;
+    // Reserved for future members: zero.
+    uint64_t reserved[8];
+} stickslip_energy;
+
+// Scalar results of a history. The members that describe the last step are NaN if the history has none, that is, if
+// has_last_step is zero.
+typedef struct {
+    // Normal force.
+    double normal_force;
+    // Approach of the bodies (a length).
+    double approach;
+    // Tangential force that body 2 exerts on body 1.
+    double force[2];
+    // Shift since the start (lengths): the rigid motion of body 2 relative to body 1.
+    double shift[2];
+    // Moment about z at the origin of the grid that the tractions exert on body 1 (a force times a length, positive from
+    // x to y).
+    double moment;
+    // Rotation of body 2 relative to body 1 since the start (radians).
+    double twist;
+    // Ratio of stick cells to contact cells after the last step; zero without contact, NaN without a last step.
+    double stick_ratio;
+    // Nonzero if the whole contact is at its friction limit after the last step; zero without a last step.
+    int32_t is_gross_slip;
+    // Nonzero if a step led to the present state. Zero before the first step, and after stickslip_history_set_state and
+    // stickslip_history_from_bytes.
+    int32_t has_last_step;
+    // Number of steps since the start.
+    uint64_t steps;
+    // Energies of the last step; NaN without a last step.
+    stickslip_energy energy;
+    // Creepages along x and y of the last step, prescribed or caused by the force (dimensionless); zero if the bodies did
+    // not roll, NaN without a last step.
+    double creepage[2];
+    // Reserved for future members: zero.
+    uint64_t reserved[6];
+} stickslip_step_result;
+
+// Function that is called after every accepted step of a load that is taken in several steps, in their order. It receives
+// the results of the step. It returns 0 to end the call, which then undoes all steps, and any non-zero value to continue. The
+// function must not unwind or jump out, and must not call functions with the history or the cycle of the call
+// (STICKSLIP_BUSY). It may run on a different thread than the call.
+typedef int32_t (*stickslip_observe_step)(const stickslip_step_result *step, void *user);
+
+// Observer of the accepted steps of a load: a function with data of the caller.
+typedef struct {
+    // Function; NULL for no observer.
+    stickslip_observe_step observe;
+    // Data passed unchanged to the function.
+    void *user;
+} stickslip_step_observer;
 
 // Error of one load step: the difference between its result and the result of the same load in two half steps.
 typedef struct {
@@ -1157,32 +1237,6 @@ typedef struct {
     uint64_t reserved[8];
 } stickslip_coupled_rolling_report;
 
-// Work, elastic energy and dissipation of a step or a cycle.
-typedef struct {
-    // Work of the tangential load: mean force times change of the shift, plus mean moment times change of the twist.
-    // Cells that come into contact contribute only the part of the motion that they follow. The work of a changing
-    // relative displacement is included, and so is the work of the normal load if pressure and traction are coupled.
-    double work;
-    // Elastic energy of shear before the step or the cycle; energy of pressure and traction if both are coupled.
-    double elastic_before;
-    // Elastic energy of shear after the step or the cycle; energy of pressure and traction if both are coupled.
-    double elastic_after;
-    // Dissipated energy, computed from the tractions at the ends of steps; not negative. If pressure and friction do not
-    // change and the load does not turn within a step, this value is exact for any length of the step.
-    double dissipated_energy;
-    // Dissipated energy, computed from the mean of the tractions before and after each step. This value closes the
-    // energy balance. It is not negative if pressure and friction do not change.
-    double dissipated_energy_midpoint;
-    // Energy released by the tractions of cells that leave the contact.
-    double released;
-    // Work on the residual motion that the tolerance permits in stick cells.
-    double residual;
-    // Imbalance of the energies, which is due to round-off.
-    double imbalance;
-    // Reserved for future members: zero.
-    uint64_t reserved[8];
-} stickslip_energy;
-
 // Scalar results of a cycle.
 typedef struct {
     // Number of steps since the start of the cycle.
@@ -1356,40 +1410,6 @@ typedef struct {
     // Reserved for future members: zero.
     uint64_t reserved[8];
 } stickslip_history_options;
-
-// Scalar results of a history. The members that describe the last step are NaN if the history has none, that is, if
-// has_last_step is zero.
-typedef struct {
-    // Normal force.
-    double normal_force;
-    // Approach of the bodies (a length).
-    double approach;
-    // Tangential force that body 2 exerts on body 1.
-    double force[2];
-    // Shift since the start (lengths): the rigid motion of body 2 relative to body 1.
-    double shift[2];
-    // Moment about z at the origin of the grid that the tractions exert on body 1 (a force times a length, positive from
-    // x to y).
-    double moment;
-    // Rotation of body 2 relative to body 1 since the start (radians).
-    double twist;
-    // Ratio of stick cells to contact cells after the last step; zero without contact, NaN without a last step.
-    double stick_ratio;
-    // Nonzero if the whole contact is at its friction limit after the last step; zero without a last step.
-    int32_t is_gross_slip;
-    // Nonzero if a step led to the present state. Zero before the first step, and after stickslip_history_set_state and
-    // stickslip_history_from_bytes.
-    int32_t has_last_step;
-    // Number of steps since the start.
-    uint64_t steps;
-    // Energies of the last step; NaN without a last step.
-    stickslip_energy energy;
-    // Creepages along x and y of the last step, prescribed or caused by the force (dimensionless); zero if the bodies did
-    // not roll, NaN without a last step.
-    double creepage[2];
-    // Reserved for future members: zero.
-    uint64_t reserved[6];
-} stickslip_step_result;
 
 // Limits of a jump in addition to the stability limit of the pressure. Start from stickslip_jump_limits_default(), which
 // returns the defaults: a struct of zeros permits no depth, no cycles and no residual.
@@ -1590,6 +1610,17 @@ stickslip_status stickslip_adaptive_steps_step(stickslip_adaptive_steps *steps,
                                                stickslip_history *history,
                                                const stickslip_load_step *load,
                                                size_t *taken);
+
+// Applies a load like stickslip_adaptive_steps_step. Every accepted step is added to cycle (may be NULL), and observer (may be
+// NULL) receives its results. Sums over all steps, such as energies and the slip for wear, are then results of the cycle. The
+// cycle must start or end at the current state. After a failure the state of the history is unchanged, but the cycle may
+// contain undone steps: begin it again. Returns STICKSLIP_NOT_CONVERGED if the observer ends the call.
+stickslip_status stickslip_adaptive_steps_stepwise(stickslip_adaptive_steps *steps,
+                                                   stickslip_history *history,
+                                                   const stickslip_load_step *load,
+                                                   stickslip_cycle *cycle,
+                                                   const stickslip_step_observer *observer,
+                                                   size_t *taken);
 
 // Computes the error that stickslip_history_step would make with a load. The state of the history is unchanged. The history
 // then has no last step until its next step.
@@ -2027,6 +2058,17 @@ stickslip_status stickslip_history_press(stickslip_history *history,
                                          double tolerance,
                                          const stickslip_observer *observer,
                                          size_t *taken);
+
+// Applies a load like stickslip_history_press. Every accepted step is added to cycle (may be NULL), and observer (may be NULL)
+// receives its results. For this purpose the accepted steps are taken a second time, with identical results. The cycle must
+// start or end at the current state. After a failure the state of the history is unchanged, but the cycle may contain undone
+// steps: begin it again. Returns STICKSLIP_NOT_CONVERGED if the observer ends the call.
+stickslip_status stickslip_history_press_stepwise(stickslip_history *history,
+                                                  const stickslip_load_step *load,
+                                                  double tolerance,
+                                                  stickslip_cycle *cycle,
+                                                  const stickslip_step_observer *observer,
+                                                  size_t *taken);
 
 // Sets the gap before loading (lengths, count entries, copied), for example after wear. The pressure does not change until
 // a step prescribes a normal load.

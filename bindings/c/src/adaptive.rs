@@ -3,10 +3,12 @@
 use stickslip_rs::history::AdaptiveSteps;
 
 use crate::call::{call, call_on};
+use crate::cycle::stickslip_cycle;
 use crate::handle::{Handle, changing, free, give, opaque, reading};
 use crate::history::stickslip_history;
 use crate::loads::stickslip_load_step;
-use crate::pointer::{Place, answer, input};
+use crate::observer::{StepWatch, stickslip_step_observer};
+use crate::pointer::{Place, answer, input, optional};
 use crate::status::stickslip_status;
 
 /// Adaptive load stepper, which applies loads in steps that are short enough for a tolerance on the tractions. The
@@ -74,6 +76,36 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_step(
         let load = input("load", load)?.checked()?;
         let (mut steps, mut history) = (changing(steps)?, changing(history)?);
         let count = steps.step(&mut history, &load)?;
+        if let Some(place) = place {
+            place.put(count);
+        }
+        Ok(())
+    })
+}
+
+/// Applies a load like stickslip_adaptive_steps_step. Every accepted step is added to cycle (may be NULL), and observer (may be
+/// NULL) receives its results. Sums over all steps, such as energies and the slip for wear, are then results of the cycle. The
+/// cycle must start or end at the current state. After a failure the state of the history is unchanged, but the cycle may
+/// contain undone steps: begin it again. Returns STICKSLIP_NOT_CONVERGED if the observer ends the call.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_adaptive_steps_stepwise(
+    steps: *mut stickslip_adaptive_steps,
+    history: *mut stickslip_history,
+    load: *const stickslip_load_step,
+    cycle: *mut stickslip_cycle,
+    observer: *const stickslip_step_observer,
+    taken: *mut usize,
+) -> stickslip_status {
+    // SAFETY: the caller follows the rule for pointers.
+    call_on(steps, || unsafe {
+        let place = Place::if_asked("taken", taken)?;
+        let load = input("load", load)?.checked()?;
+        let observer = optional("observer", observer)?;
+        let (mut steps, mut history) = (changing(steps)?, changing(history)?);
+        let cycle = (!cycle.is_null()).then(|| changing(cycle)).transpose()?;
+        let mut watch = StepWatch::new(observer, cycle);
+        let outcome = steps.step_observed(&mut history, &load, |history| watch.receive(history));
+        let count = watch.outcome(outcome)?;
         if let Some(place) = place {
             place.put(count);
         }

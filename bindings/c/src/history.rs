@@ -5,6 +5,7 @@ use stickslip_rs::stiffness::StiffnessWorkspace;
 use stickslip_rs::{Axis, History, TryClone};
 
 use crate::call::{Outcome, call, call_on};
+use crate::cycle::stickslip_cycle;
 use crate::error::Failure;
 use crate::half_space::stickslip_half_space;
 use crate::handle::{Changing, Handle, changing, free, give, opaque, reading};
@@ -14,7 +15,7 @@ use crate::inputs::{
 };
 use crate::loads::stickslip_load_step;
 use crate::model::{STICKSLIP_FULL, STICKSLIP_SCALAR, coupling, model};
-use crate::observer::{stickslip_observer, watch};
+use crate::observer::{StepWatch, stickslip_observer, stickslip_step_observer, watch};
 use crate::pointer::{Place, cells, field, input, optional};
 use crate::reserved::known;
 use crate::status::stickslip_status;
@@ -217,6 +218,36 @@ pub unsafe extern "C" fn stickslip_history_press(
         let (load, observer) = (input("load", load)?, optional("observer", observer)?);
         let (mut history, load, observer) = (changing(history)?, load.checked()?, watch(observer));
         let count = history.press_observed(&load, tolerance, observer)?;
+        if let Some(place) = place {
+            place.put(count);
+        }
+        Ok(())
+    })
+}
+
+/// Applies a load like stickslip_history_press. Every accepted step is added to cycle (may be NULL), and observer (may be NULL)
+/// receives its results. For this purpose the accepted steps are taken a second time, with identical results. The cycle must
+/// start or end at the current state. After a failure the state of the history is unchanged, but the cycle may contain undone
+/// steps: begin it again. Returns STICKSLIP_NOT_CONVERGED if the observer ends the call.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn stickslip_history_press_stepwise(
+    history: *mut stickslip_history,
+    load: *const stickslip_load_step,
+    tolerance: f64,
+    cycle: *mut stickslip_cycle,
+    observer: *const stickslip_step_observer,
+    taken: *mut usize,
+) -> stickslip_status {
+    // SAFETY: the caller follows the rule for pointers.
+    call_on(history, || unsafe {
+        let place = Place::if_asked("taken", taken)?;
+        let (load, observer) = (input("load", load)?, optional("observer", observer)?);
+        let (mut history, load) = (changing(history)?, load.checked()?);
+        let cycle = (!cycle.is_null()).then(|| changing(cycle)).transpose()?;
+        let mut watch = StepWatch::new(observer, cycle);
+        let outcome =
+            history.press_steps_observed(&load, tolerance, |history| watch.receive(history));
+        let count = watch.outcome(outcome)?;
         if let Some(place) = place {
             place.put(count);
         }

@@ -3,7 +3,14 @@
 use std::ffi::c_void;
 use std::ops::ControlFlow;
 
-use stickslip_rs::Iteration;
+use stickslip_rs::history::Cycle;
+use stickslip_rs::{Error, History, Iteration, Result};
+
+use crate::call::Outcome;
+use crate::error::Failure;
+use crate::handle::Changing;
+use crate::history_reading::stickslip_step_result;
+use crate::status::STICKSLIP_NOT_CONVERGED;
 
 /// Progress of an iteration.
 #[repr(C)]
@@ -66,5 +73,74 @@ pub(crate) fn watch(
             0 => ControlFlow::Break(()),
             _ => ControlFlow::Continue(()),
         }
+    }
+}
+
+/// Function that is called after every accepted step of a load that is taken in several steps, in their order. It receives
+/// the results of the step. It returns 0 to end the call, which then undoes all steps, and any non-zero value to continue. The
+/// function must not unwind or jump out, and must not call functions with the history or the cycle of the call
+/// (STICKSLIP_BUSY). It may run on a different thread than the call.
+pub type stickslip_observe_step =
+    Option<unsafe extern "C" fn(step: *const stickslip_step_result, user: *mut c_void) -> i32>;
+
+/// Observer of the accepted steps of a load: a function with data of the caller.
+#[repr(C)]
+#[derive(Debug, Clone, Copy)]
+pub struct stickslip_step_observer {
+    /// Function; NULL for no observer.
+    pub observe: stickslip_observe_step,
+    /// Data passed unchanged to the function.
+    pub user: *mut c_void,
+}
+
+// SAFETY: the header states that another thread may call the function, and the caller accepts this.
+unsafe impl Send for stickslip_step_observer {}
+
+/// Receiver of the accepted steps of a load, with a cycle to which they are added.
+pub(crate) struct StepWatch<'a> {
+    observer: Option<stickslip_step_observer>,
+    cycle: Option<Changing<'a, Cycle>>,
+    has_ended: bool,
+}
+
+impl<'a> StepWatch<'a> {
+    pub(crate) fn new(
+        observer: Option<&stickslip_step_observer>,
+        cycle: Option<Changing<'a, Cycle>>,
+    ) -> Self {
+        Self {
+            observer: observer.copied(),
+            cycle,
+            has_ended: false,
+        }
+    }
+
+    /// Adds a step to the cycle and calls the observer.
+    pub(crate) fn receive(&mut self, history: &History) -> Result<()> {
+        if let Some(cycle) = &mut self.cycle {
+            cycle.add(history)?;
+        }
+        let observer = self.observer.as_ref();
+        let Some((observe, user)) = observer.and_then(|it| Some((it.observe?, it.user))) else {
+            return Ok(());
+        };
+        let step = stickslip_step_result::from(history);
+        // SAFETY: the function of the caller is called according to its type.
+        self.has_ended = unsafe { observe(&raw const step, user) } == 0;
+        // Any error ends the call. `outcome` replaces it.
+        if self.has_ended {
+            Err(Error::EmptyPath)
+        } else {
+            Ok(())
+        }
+    }
+
+    /// Returns the number of steps, or the failure of a call that the observer ended.
+    pub(crate) fn outcome(&self, steps: Result<usize>) -> Outcome<usize> {
+        if self.has_ended {
+            let message = "the observer ended the call: all its steps were undone".to_owned();
+            return Err(Failure::new(STICKSLIP_NOT_CONVERGED, message));
+        }
+        Ok(steps?)
     }
 }

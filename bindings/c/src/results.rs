@@ -163,6 +163,10 @@ pub const STICKSLIP_WARNING_REPEATED_LOOP: i32 = 24;
 pub const STICKSLIP_WARNING_PRESSURE_BEYOND_MODULUS: i32 = 25;
 /// Warning: the solve ended before it converged.
 pub const STICKSLIP_WARNING_NOT_CONVERGED: i32 = 26;
+/// Warning: the largest coefficient of friction exceeds 5, as a coefficient in per cent.
+pub const STICKSLIP_WARNING_LARGE_FRICTION: i32 = 27;
+/// Warning: the gap of contact cells changed by more than the largest normal displacement of the last contact.
+pub const STICKSLIP_WARNING_LARGE_GAP_CHANGE: i32 = 28;
 /// Any other warning, described by its message.
 pub const STICKSLIP_WARNING_OTHER: i32 = 127;
 
@@ -227,6 +231,8 @@ impl From<&Warning> for stickslip_warning {
             Warning::PressureBeyondModulus { .. } => {
                 (STICKSLIP_WARNING_PRESSURE_BEYOND_MODULUS, 0, 0)
             }
+            Warning::LargeFriction { .. } => (STICKSLIP_WARNING_LARGE_FRICTION, 0, 0),
+            Warning::LargeGapChange { .. } => (STICKSLIP_WARNING_LARGE_GAP_CHANGE, 0, 0),
             Warning::NotConverged => (STICKSLIP_WARNING_NOT_CONVERGED, 0, 0),
             _ => (STICKSLIP_WARNING_OTHER, 0, 0),
         };

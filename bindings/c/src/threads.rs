@@ -110,7 +110,9 @@ pub(crate) fn enter_always<T: Send>(work: impl FnOnce(bool) -> T + Send) -> T {
 pub extern "C" fn stickslip_set_num_threads(count: usize) -> stickslip_status {
     call(|| {
         if count > rayon::max_num_threads() {
-            return Err(none(count, &"the number exceeds the maximum"));
+            let most = rayon::max_num_threads();
+            let problem = format!("give at most {most}, or 0 for the default");
+            return Err(none(count, &problem));
         }
         Pools::of_this_process().pool(threads(count))?;
         ASKED.store(count, Ordering::Relaxed);

@@ -472,6 +472,53 @@ static void dissimilar_bodies_are_coupled(void) {
     OK(stickslip_half_space_free(bodies));
 }
 
+/* Number of received steps, their dissipated energy, and the number after which the observer ends the call. */
+typedef struct {
+    size_t seen, allowed;
+    double energy;
+} step_log;
+
+static int32_t log_step(const stickslip_step_result *step, void *user) {
+    step_log *log = user;
+    log->seen++;
+    log->energy += step->energy.dissipated_energy;
+    return step->has_last_step && log->seen < log->allowed;
+}
+
+/* The observer and the cycle receive every accepted step. An observer that returns 0 ends the call, which undoes its steps. */
+static void steps_reach_observer_and_cycle(stickslip_history *history, stickslip_adaptive_steps *steps,
+                                           stickslip_load_step load) {
+    stickslip_cycle *cycle = NULL;
+    stickslip_cycle_result sums;
+    stickslip_step_result before, after;
+    size_t taken = 0;
+    for (int pressing = 0; pressing < 2; pressing++) {
+        step_log log = {0, 1, 0.0};
+        stickslip_step_observer observer = {log_step, &log};
+        OK(stickslip_history_result(history, &before));
+        stickslip_status ended =
+            pressing ? stickslip_history_press_stepwise(history, &load, 0.01, NULL, &observer, &taken)
+                     : stickslip_adaptive_steps_stepwise(steps, history, &load, NULL, &observer, &taken);
+        CHECK(ended == STICKSLIP_NOT_CONVERGED && log.seen == 1 && taken == 0);
+        CHECK(strstr(stickslip_last_error_message(), "the observer ended the call") != NULL);
+        OK(stickslip_history_result(history, &after));
+        CHECK(after.steps == before.steps && after.force[1] == before.force[1]);
+
+        log = (step_log){0, SIZE_MAX, 0.0};
+        OK(stickslip_cycle_new(history, &cycle));
+        if (pressing) {
+            OK(stickslip_history_press_stepwise(history, &load, 0.01, cycle, &observer, &taken));
+        } else {
+            OK(stickslip_adaptive_steps_stepwise(steps, history, &load, cycle, &observer, &taken));
+        }
+        OK(stickslip_cycle_result_of(cycle, &sums));
+        CHECK(taken >= 2 && log.seen == taken && sums.steps == taken);
+        CHECK(log.energy > 0.0 && fabs(log.energy / sums.energy.dissipated_energy - 1.0) < 1e-9);
+        OK(stickslip_cycle_free(cycle));
+        load.y.value = -load.y.value, taken = 0;
+    }
+}
+
 static void loads_are_cut_into_steps(void) {
     stickslip_half_space *bodies = make_bodies();
     stickslip_friction friction = stickslip_coulomb(0.5);
@@ -498,6 +545,9 @@ static void loads_are_cut_into_steps(void) {
     CHECK(fabs(result.force[1] - 20.0) < 1e-6 && fabs(result.normal_force - 100.0) < 1e-6);
     OK(stickslip_history_result(copy, &result));
     CHECK(fabs(result.normal_force - 50.0) < 1e-6);
+    stickslip_load_step back = load;
+    back.y.value = -20.0;
+    steps_reach_observer_and_cycle(history, steps, back);
     OK(stickslip_adaptive_steps_free(steps));
     load = press(100.0);
     CHECK(stickslip_history_press(copy, &load, 2.0, NULL, NULL) == STICKSLIP_TOLERANCE);

@@ -152,7 +152,8 @@ FILES = [
         cpp_only("hertz_sphere"), cpp_only("cattaneo_mindlin_sphere")]),
 ]
 
-# Functions without a method: errors, versions, defaults, and the functions that are called by hand-written code.
+# Functions without a method: errors, versions, defaults, the functions that are called by hand-written code, and the steps of a
+# load with an observer, whose cycle is declared after the history.
 OTHERS = """last_error last_error_message last_error_copy last_error_report version abi_version set_num_threads block_room
-    coulomb history_step_all surface_sphere surface_ellipsoid surface_cylinder surface_self_affine
+    coulomb history_step_all history_press_stepwise adaptive_steps_stepwise surface_sphere surface_ellipsoid surface_cylinder surface_self_affine
     surface_self_affine_observed surface_statistics""".split()

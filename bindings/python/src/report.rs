@@ -153,6 +153,8 @@ impl Warning {
             W::ShiftBeyondGrid { .. } => "shift_beyond_grid",
             W::LargeTwist { .. } => "large_twist",
             W::LargeCreepage { .. } => "large_creepage",
+            W::LargeFriction { .. } => "large_friction",
+            W::LargeGapChange { .. } => "large_gap_change",
             W::LargeContactRadius { .. } => "large_contact_radius",
             W::PressureBeyondModulus { .. } => "pressure_beyond_modulus",
             W::NotConverged => "not_converged",

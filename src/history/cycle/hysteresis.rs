@@ -1,5 +1,6 @@
 //! Loop of force and shift in a cycle, and tables of cycles.
 
+use std::collections::HashMap;
 use std::fmt::Write;
 
 use crate::error::Result;
@@ -190,14 +191,79 @@ const LEAST_EXTENT: f64 = 0.5;
 /// Smallest part of shift or twist in the product of half ranges of loads and motions. A smaller part may be round-off.
 const LEAST_PART: f64 = 1e-6;
 
+/// Largest distance of two starts of which the later one is omitted if both steps have the same direction.
+const SAME_START: f64 = EQUAL / 2.0;
+
+/// Number of components by which starts are sorted into cells.
+const SORTED: usize = 3;
+
+/// Forces, shifts, moment and twist of a point, each scaled by half its range.
+type Scaled = [f64; 6];
+
 /// Returns whether the points contain a closed loop and a further step in the direction of its first step. A path that returns
 /// through a point in another direction does not repeat a loop.
+///
+/// The starts are sorted into cells of side [`EQUAL`], so that a point is compared only with the starts near it. The cost is thus
+/// proportional to the number of points.
 pub(in crate::history) fn repeats_loop(points: &[LoopPoint]) -> bool {
+    let (scaled, axes) = scaled_points(points);
+    let change = |from: usize, to: usize| -> Scaled {
+        std::array::from_fn(|i| scaled[to][i] - scaled[from][i])
+    };
+    let distance = |from: usize, to: usize| {
+        let parts = change(from, to).into_iter();
+        parts.fold(0.0, |size: f64, part| size.max(part.abs()))
+    };
+    let is_along = |one: usize, other: usize| {
+        let products = change(one, one + 1)
+            .into_iter()
+            .zip(change(other, other + 1));
+        products.fold(0.0, |sum, (a, b)| sum + a * b) > 0.0
+    };
+    let mut starts = HashMap::<[i64; SORTED], Vec<usize>>::new();
+    // Starts whose loop has not yet reached its least extent.
+    let mut waiting = Vec::new();
+    let mut has_left = vec![false; points.len()];
+    let before_last = points.len().saturating_sub(1);
+    for (end, at) in scaled.iter().enumerate().take(before_last) {
+        waiting.retain(|start| {
+            has_left[*start] = distance(*start, end) >= LEAST_EXTENT;
+            !has_left[*start]
+        });
+        let closes = |start: &usize| {
+            let reached = distance(*start, end);
+            has_left[*start]
+                && reached <= EQUAL
+                // Fine steps may be this close to the start before the loop closes.
+                && distance(*start, end + 1) > reached
+                && is_along(*start, end)
+        };
+        let place = axes.map(|axis| cell_of(axis.map_or(0.0, |axis| at[axis])));
+        let mut near = neighbours(place, axes).filter_map(|cell| starts.get(&cell));
+        if near.any(|starts| starts.iter().any(closes)) {
+            return true;
+        }
+        let own = starts.entry(place).or_default();
+        // A step without motion has no direction, so that it starts no loop.
+        let is_new = is_along(end, end)
+            && !own
+                .iter()
+                .any(|start| distance(*start, end) <= SAME_START && is_along(*start, end));
+        if is_new {
+            own.push(end);
+            waiting.push(end);
+        }
+    }
+    false
+}
+
+/// Scales the points, and returns the components by which they are sorted into cells.
+fn scaled_points(points: &[LoopPoint]) -> (Vec<Scaled>, [Option<usize>; SORTED]) {
     let values = |point: &LoopPoint| {
         let ([fx, fy], [x, y]) = (point.force, point.shift);
         [fx, fy, x, y, point.moment, point.twist]
     };
-    let ranges: [f64; 6] = std::array::from_fn(|i| half_range(points, |point| values(point)[i]));
+    let ranges: Scaled = std::array::from_fn(|i| half_range(points, |point| values(point)[i]));
     let [force, shift] = [ranges[0].max(ranges[1]), ranges[2].max(ranges[3])];
     let [of_shift, of_twist] = [force * shift, ranges[4] * ranges[5]];
     let is_large = |part: f64| part > LEAST_PART * (of_shift + of_twist);
@@ -205,32 +271,34 @@ pub(in crate::history) fn repeats_loop(points: &[LoopPoint]) -> bool {
     let [force, shift] = [force, shift].map(|scale| weight(of_shift, scale));
     let [moment, twist] = [ranges[4], ranges[5]].map(|scale| weight(of_twist, scale));
     let weights = [force, force, shift, shift, moment, twist];
-    let change = |from: usize, to: usize| -> [f64; 6] {
-        let (from, to) = (values(&points[from]), values(&points[to]));
-        std::array::from_fn(|i| weights[i] * (to[i] - from[i]))
-    };
-    let size = |change: [f64; 6]| {
-        change
-            .into_iter()
-            .fold(0.0, |size: f64, part| size.max(part.abs()))
-    };
-    let product = |a: [f64; 6], b: [f64; 6]| {
-        let products = a.into_iter().zip(b);
-        products.fold(0.0, |sum, (a, b)| sum + a * b)
-    };
-    let last = points.len().saturating_sub(1);
-    (0..last).any(|start| {
-        let first_step = change(start, start + 1);
-        let mut has_left = false;
-        (start + 1..last).any(|end| {
-            let distance = size(change(start, end));
-            has_left |= distance >= LEAST_EXTENT;
-            has_left
-                && distance <= EQUAL
-                // Fine steps may be this close to the start before the loop closes.
-                && size(change(start, end + 1)) > distance
-                && product(first_step, change(end, end + 1)) > 0.0
-        })
+    let origin = points.first().map_or([0.0; 6], values);
+    let scaled = points.iter().map(|point| {
+        let values = values(point);
+        std::array::from_fn(|i| weights[i] * (values[i] - origin[i]))
+    });
+    let mut varying = (0..6).filter(|i| weights[*i] * ranges[*i] > EQUAL);
+    (scaled.collect(), std::array::from_fn(|_| varying.next()))
+}
+
+/// Returns the index of the cell of a coordinate.
+#[expect(
+    clippy::cast_possible_truncation,
+    reason = "coordinates are at most two, except those that saturate"
+)]
+fn cell_of(coordinate: f64) -> i64 {
+    (coordinate / EQUAL).floor() as i64
+}
+
+/// Returns a cell and its neighbours along the sorted components.
+fn neighbours(
+    place: [i64; SORTED],
+    axes: [Option<usize>; SORTED],
+) -> impl Iterator<Item = [i64; SORTED]> {
+    (0..27).filter_map(move |code: i64| {
+        let offsets = [code % 3 - 1, code / 3 % 3 - 1, code / 9 - 1];
+        let is_used = |i: usize| offsets[i] == 0 || axes[i].is_some();
+        let cell = std::array::from_fn(|i| place[i].saturating_add(offsets[i]));
+        (0..SORTED).all(is_used).then_some(cell)
     })
 }
 
@@ -268,4 +336,89 @@ fn longest_chord(points: &[LoopPoint]) -> [f64; 2] {
 /// zero.
 pub(in crate::history) fn part_of(part: f64, whole: f64) -> f64 {
     if part > 0.0 { part / whole } else { 0.0 }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use super::*;
+
+    fn point(force: [f64; 2], shift: [f64; 2]) -> LoopPoint {
+        LoopPoint {
+            force,
+            shift,
+            moment: 0.0,
+            twist: 0.0,
+        }
+    }
+
+    /// Compares each point with all starts, as the definition of a repeated loop states.
+    fn repeats_by_definition(points: &[LoopPoint]) -> bool {
+        let (scaled, _) = scaled_points(points);
+        let change =
+            |a: usize, b: usize| -> Scaled { std::array::from_fn(|i| scaled[b][i] - scaled[a][i]) };
+        let distance = |a, b| {
+            change(a, b)
+                .into_iter()
+                .fold(0.0, |m: f64, x| m.max(x.abs()))
+        };
+        let product = |a: Scaled, b: Scaled| (0..6).map(|i| a[i] * b[i]).sum::<f64>();
+        let last = points.len() - 1;
+        (0..last).any(|start| {
+            let mut has_left = false;
+            (start + 1..last).any(|end| {
+                has_left |= distance(start, end) >= LEAST_EXTENT;
+                has_left
+                    && distance(start, end) <= EQUAL
+                    && distance(start, end + 1) > distance(start, end)
+                    && product(change(start, start + 1), change(end, end + 1)) > 0.0
+            })
+        })
+    }
+
+    #[test]
+    fn repeated_loop_is_found_like_by_comparison_of_all_points() {
+        for steps in [8, 40, 200] {
+            // Angle over one loop in steps, ratio of the axes, and growth of the loop per step.
+            for (lag, growth) in [(0.3, 0.0), (0.3, 2e-3), (1.5, 0.0), (0.0, 0.0)] {
+                for per_cent in [90, 100, 105, 130, 210] {
+                    let angle = |step: usize| TAU * step as f64 / steps as f64;
+                    let count = per_cent * steps / 100;
+                    let path: Vec<_> = (0..=count)
+                        .map(|step| {
+                            let size = 3.0 + growth * step as f64;
+                            let (x, y) = (angle(step), angle(step) - lag);
+                            point(
+                                [size * x.sin(), 0.1 * y.cos()],
+                                [1e-3 * size * y.sin(), 0.0],
+                            )
+                        })
+                        .collect();
+                    let expected = repeats_by_definition(&path);
+                    assert_eq!(
+                        repeats_loop(&path),
+                        expected,
+                        "{steps} {lag} {growth} {per_cent}"
+                    );
+                    assert!(
+                        growth > 0.0 || expected == (count > steps),
+                        "{steps} {lag} {per_cent}"
+                    );
+                }
+            }
+        }
+    }
+
+    /// A comparison of all pairs of points would take a hundred times as long.
+    #[test]
+    fn cost_of_long_loop_is_proportional_to_its_points() {
+        let steps = 10_000;
+        let angle = |step: usize| TAU * step as f64 / steps as f64;
+        let at = |step: usize| point([angle(step).sin(), 0.0], [(angle(step) - 0.3).sin(), 0.0]);
+        let mut path: Vec<_> = (0..steps).map(at).collect();
+        assert!(!repeats_loop(&path));
+        path.extend((0..steps / 100).map(at));
+        assert!(repeats_loop(&path));
+    }
 }

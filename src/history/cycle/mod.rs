@@ -211,13 +211,15 @@ impl Cycle {
     /// - [`Error::StepOutOfOrder`] if the last step of the history is not the step after the last added one, or after the start of
     ///   the cycle. A call that takes several steps, such as [`History::press`], adds none of them: use its observer.
     ///   The step must start from the state of that step: the number of steps, approach, shift, twist, forces and moment must
-    ///   be equal. A step of a different history therefore has this error, unless both histories had these values before the step.
+    ///   be equal, and both must belong to histories with the same gap, friction and model when they were built. After
+    ///   [`History::from_bytes`], only the former numbers are compared.
     /// - [`Error::Ranks`] if ranks fail.
     ///
     /// The cycle is unchanged after an error.
     pub fn add(&mut self, history: &History) -> Result<()> {
         let (bodies, step) = (&history.bodies, &history.step);
-        let is_next = if step.start == Some(self.last) {
+        let continues = |start: StateMark| start.is_same(&self.last);
+        let is_next = if step.start.is_some_and(continues) {
             Ok(())
         } else {
             Err(Error::StepOutOfOrder {

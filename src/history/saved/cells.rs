@@ -300,6 +300,7 @@ impl State {
             entry_rule: self.entry_rule,
             coupling: self.coupling,
             capacity: self.capacity,
+            origin: self.origin,
         })
     }
 

@@ -41,6 +41,7 @@ impl PartialEq for State {
             coupling,
             capacity: _,
             zone_cells: _,
+            origin: _,
         } = self;
         *axes == other.axes
             && *settings == other.settings

@@ -127,6 +127,8 @@ pub struct State {
     pub(crate) coupling: Coupling,
     /// Friction capacity of the whole contact if the grid is distributed.
     pub(super) capacity: Option<f64>,
+    /// Digest of the input from which the history was built, or `None` for a state that was read from bytes.
+    pub(super) origin: Option<u64>,
 }
 
 shown!(State: grid(), steps(), approach(), tangential_force(), shift(), twist());
@@ -135,7 +137,7 @@ clones!(State {
     friction, gap, hardness, yielded, relative, normal, pressed_gap, trend, contact, traction, slip, accumulated_slip,
     dissipated_energy, zones,
 } {
-    axes, settings, is_pressure_stale, is_friction_new, pressed_by, press_window, motion, force, held_force, moment, steps, zone_cells, entry_rule, coupling, capacity,
+    axes, settings, is_pressure_stale, is_friction_new, pressed_by, press_window, motion, force, held_force, moment, steps, zone_cells, entry_rule, coupling, capacity, origin,
 });
 
 const QUANTITY: &str = "state of a history";
@@ -184,6 +186,7 @@ impl State {
             entry_rule,
             coupling: Coupling::default(),
             capacity: None,
+            origin: None,
         })
     }
 

@@ -1,6 +1,7 @@
 //! Counts and sums of a state over all ranks, stored with the slab of each rank.
 
 use crate::cgm::reduce;
+use crate::grid::field::Field;
 use crate::half_space::HalfSpace;
 use crate::history::state::State;
 use crate::parallel::layout::Layout;
@@ -60,5 +61,23 @@ impl State {
         let pressure = self.pressure().as_slice();
         let sum = reduce::sum(&bodies.grid_layout(), |i| friction.limit(i, pressure[i]));
         sum * self.grid().cell_area()
+    }
+
+    /// Returns the largest change of the gap of a contact cell since the last pressure was computed, divided by the largest normal
+    /// displacement due to this pressure. The ratio is zero without contact.
+    pub(in crate::history) fn gap_change(&self, bodies: &HalfSpace) -> f64 {
+        let (layout, approach) = (bodies.grid_layout(), self.normal.approach());
+        let pressure = self.pressure().as_slice();
+        let [before, now] = [&self.pressed_gap, &self.gap].map(Field::as_slice);
+        let largest = |of: &(dyn Fn(usize) -> f64 + Sync)| {
+            reduce::max(&layout, |i| if pressure[i] > 0.0 { of(i) } else { 0.0 })
+        };
+        let displacement = largest(&|i| (approach - before[i]).max(0.0));
+        let change = largest(&|i| (now[i] - before[i]).abs());
+        if displacement > 0.0 {
+            change / displacement
+        } else {
+            0.0
+        }
     }
 }

@@ -35,6 +35,8 @@ impl History {
         let (load, control, travel) = (input.load, input.load.normal_control(), &input.travel);
         let (mut pressing, press_window) = (EnergyBalance::default(), state.press_window);
         let is_pressed = candidate.held().is_some();
+        let is_worn = is_pressed && state.is_pressure_stale && travel.is_none();
+        let gap_change = is_worn.then(|| state.gap_change(bodies));
         match candidate.held_mut() {
             None if control == NormalControl::Hold => {
                 step.normal_report.clone_from(&Report::unsolved());
@@ -62,6 +64,8 @@ impl History {
             is_apart: state.normal.force() <= 0.0,
             overloaded_cells: state.normal.overloaded_cells(),
             neglected_lift: scheme.neglected_lift(),
+            friction_tenths: Warning::friction_beyond(state.friction.largest_coefficient(bodies)),
+            gap_change_tenths: gap_change.and_then(Warning::gap_change_beyond),
             ..StepDiagnostics::default()
         };
         state.is_friction_new = false;

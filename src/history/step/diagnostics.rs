@@ -43,6 +43,10 @@ pub(in crate::history) struct StepDiagnostics {
     /// Largest prescribed creepage of a rolled step that is not small, in per cent. Saved histories do not contain it.
     #[cfg_attr(feature = "serde", serde(skip))]
     pub(in crate::history) creepage_per_cent: Option<usize>,
+    /// Largest coefficient of friction of a step that is not common, in tenths.
+    pub(in crate::history) friction_tenths: Option<usize>,
+    /// Largest change of the gap since the last pressure that is not small, in tenths of the largest normal displacement.
+    pub(in crate::history) gap_change_tenths: Option<usize>,
     /// Largest lift due to the tractions of a rolled step that the pressure ignores, in millionths of the normal
     /// displacement.
     pub(in crate::history) neglected_lift: Option<usize>,
@@ -68,6 +72,8 @@ impl StepDiagnostics {
             shift_tenths: self.shift_tenths.max(other.shift_tenths),
             twist_tenths: self.twist_tenths.max(other.twist_tenths),
             creepage_per_cent: self.creepage_per_cent.max(other.creepage_per_cent),
+            friction_tenths: self.friction_tenths.max(other.friction_tenths),
+            gap_change_tenths: self.gap_change_tenths.max(other.gap_change_tenths),
             neglected_lift: self.neglected_lift.max(other.neglected_lift),
             resolution: self.resolution.and(other.resolution),
         }
@@ -97,6 +103,10 @@ impl StepDiagnostics {
         let twist = twist.map(|tenths| Warning::LargeTwist { tenths });
         let creepage = self.creepage_per_cent;
         let creepage = creepage.map(|per_cent| Warning::LargeCreepage { per_cent });
+        let friction = self.friction_tenths;
+        let friction = friction.map(|tenths| Warning::LargeFriction { tenths });
+        let gap_change = self.gap_change_tenths;
+        let gap_change = gap_change.map(|tenths| Warning::LargeGapChange { tenths });
         let lift = self.neglected_lift;
         let lift = lift.map(|per_million| Warning::NeglectedLift { per_million });
         all.chain(beyond)
@@ -106,6 +116,8 @@ impl StepDiagnostics {
             .chain(shift)
             .chain(twist)
             .chain(creepage)
+            .chain(friction)
+            .chain(gap_change)
             .chain(lost)
             .chain(unused)
             .chain(at_once)

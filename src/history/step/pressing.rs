@@ -77,8 +77,9 @@ impl History {
     ///
     /// # Slip and energy
     /// The [last step](History::last_step) is the last of the steps taken, with the slip and energy of this step alone.
-    /// [`History::accumulated_slip`] and [`History::accumulated_dissipation`] include all steps: subtract their values
-    /// before the call for the wear of the load.
+    /// [`History::press_steps_observed`] calls an observer after each step taken. [`History::accumulated_slip`] and [`History::accumulated_dissipation`] include all steps: subtract their values
+    /// before the call for the wear of the load. The error of the energy can be many times the tolerance
+    /// ([measured](crate::guide::accuracy#energies-of-adaptive-steps)).
     pub fn press(&mut self, load: &LoadStep, tolerance: f64) -> Result<usize> {
         self.press_observed(load, tolerance, |_| ControlFlow::Continue(()))
     }
@@ -96,6 +97,54 @@ impl History {
         tolerance: f64,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<usize> {
+        self.press_with(load, tolerance, &mut observer, |_, _, _| Ok(()))
+    }
+
+    /// Takes a load as [`History::press`] does, and calls an observer with the history after each step of the accepted attempt.
+    /// The observer can, for example, [add](crate::history::Cycle::add) the step to a cycle. If the call returns an error, all
+    /// observed steps have been undone.
+    ///
+    /// The number of steps is known only after they have been taken. The history therefore takes the accepted steps a second time
+    /// for the observer, with bitwise identical results. For a load of n steps it solves 3n - 1 steps.
+    ///
+    /// ```
+    /// use stickslip::{history::Cycle, *};
+    /// # let grid = Grid::square(16, 0.30e-3)?;
+    /// # let (aluminium, steel) = (Material::new(70e9, 0.33)?, Material::new(210e9, 0.3)?);
+    /// # let bodies = HalfSpace::new(grid, ElasticPair::new(aluminium, steel)?)?;
+    /// # let ball = surface::sphere(grid, 3.5e-3)?;
+    /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.1)?).build()?;
+    /// let load = LoadStep::hold().normal(NormalLoad::Force(60.0));
+    /// let mut cycle = Cycle::new(&history);
+    /// let steps = history.press_steps_observed(&load, 0.05, |history| cycle.add(history))?;
+    /// assert_eq!(cycle.steps(), steps);
+    /// assert!(cycle.energy().dissipated_energy > history.last_step()?.energy().dissipated_energy);
+    /// # Ok::<(), Error>(())
+    /// ```
+    ///
+    /// # Errors
+    /// - Errors of [`History::press`].
+    /// - Errors of the observer.
+    pub fn press_steps_observed(
+        &mut self,
+        load: &LoadStep,
+        tolerance: f64,
+        mut observer: impl FnMut(&History) -> Result<()>,
+    ) -> Result<usize> {
+        let mut unobserved = |_: &Iteration| ControlFlow::Continue(());
+        self.press_with(load, tolerance, &mut unobserved, |ramp, history, steps| {
+            ramp.show(history, steps, &mut observer)
+        })
+    }
+
+    /// Takes a load as [`History::press`] does, then calls `show` with the accepted number of steps.
+    fn press_with(
+        &mut self,
+        load: &LoadStep,
+        tolerance: f64,
+        observer: &mut (impl FnMut(&Iteration) -> ControlFlow<()> + Send),
+        show: impl FnOnce(&LoadRamp<'_>, &mut Self, usize) -> Result<()>,
+    ) -> Result<usize> {
         let checked = load.check_still().and_then(|()| {
             let is_valid = tolerance > 0.0 && tolerance < 1.0;
             is_valid.then_some(()).ok_or(Error::Tolerance(tolerance))
@@ -110,7 +159,8 @@ impl History {
             start: self.state().try_clone()?,
             coarse: try_each(|axis| self.traction()[axis].try_clone())?,
         };
-        let outcome = pressing.refine(self, tolerance, &mut observer);
+        let outcome = pressing.refine(self, tolerance, observer);
+        let outcome = outcome.and_then(|steps| show(&pressing, self, steps).map(|()| steps));
         if outcome.is_err() {
             self.go_back(&mut pressing.start)?;
         }
@@ -158,6 +208,23 @@ impl LoadRamp<'_> {
                 });
             }
         }
+    }
+
+    /// Takes the load in `steps` steps again, with an observer after each step.
+    fn show(
+        &self,
+        history: &mut History,
+        steps: usize,
+        observer: &mut impl FnMut(&History) -> Result<()>,
+    ) -> Result<()> {
+        history.set_state(&self.start)?;
+        for step in 1..=steps {
+            let part = self.course.part(step as f64 / steps as f64);
+            history.step(&self.load.part(&self.start, part))?;
+            history.step.remarks.is_pressed_at_once = false;
+            history.bodies.run_collectively(|| observer(history))?;
+        }
+        Ok(())
     }
 
     /// Takes the load in `steps` steps.

@@ -226,7 +226,8 @@ impl StepResult {
     ///   changed the gap,
     /// - [`Warning::ContactAtEdge`],
     /// - the warnings about contacts and zones of too few cells, such as [`Warning::UnderresolvedSlipZone`],
-    /// - the warnings about large approaches and slopes,
+    /// - the warnings about large approaches, slopes, shifts, twists, creepages and coefficients of friction,
+    /// - [`Warning::LargeGapChange`],
     /// - [`Warning::HeldShiftLostForce`],
     /// - [`Warning::UnusedRelativeDisplacement`],
     /// - [`Warning::NeglectedLift`] for a rolled step with one-way coupling.

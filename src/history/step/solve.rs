@@ -1,7 +1,7 @@
 //! Solution of a step before it is committed to the state.
 
 use crate::contact::Cancellation;
-use crate::error::{Result, of_rolling};
+use crate::error::{Result, with_remedy};
 use crate::grid::window::Window;
 use crate::half_space::{HalfSpace, Region};
 use crate::history::step::scheme::Scheme;
@@ -76,7 +76,8 @@ impl History {
         } = self;
         let found = self.scheme.solve(bodies, step, state, candidate, observer);
         if step.travel.is_some() {
-            return found.map_err(of_rolling);
+            let remedy = self.state.friction.rolling_remedy();
+            return found.map_err(|error| with_remedy(error, remedy));
         }
         found
     }

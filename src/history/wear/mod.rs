@@ -3,7 +3,9 @@
 //! The laws add to a field of the caller. The field may be the depth of one body or the depth of a cycle. It may also
 //! be the gap itself, because removal from either body opens the gap. The [`Coefficient`] of a law is a number or a
 //! field. A user-defined law needs only slip, pressure or energy of a [step](crate::history::StepResult) or a
-//! [cycle](crate::history::Cycle). [`CycleJump`] computes the number of cycles whose wear may be applied at once.
+//! [cycle](crate::history::Cycle). The depth of a user-defined law may extend a few cells beyond the contact, as in models of
+//! debris. [`History::set_gap`](crate::History::set_gap) accepts any depth, also in cells without contact. Such cells have no
+//! effect until the bodies touch there. [`CycleJump`] computes the number of cycles whose wear may be applied at once.
 //!
 //! In this example wear is applied to the gap after every step:
 //!

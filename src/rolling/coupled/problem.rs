@@ -128,7 +128,7 @@ impl CoupledRollingProblem {
         match normal {
             NormalLoad::Force(force) if force > 0.0 => {
                 let coefficient = friction.largest_coefficient(&self.bodies);
-                check_forces(controls, coefficient * force)
+                check_forces(controls, coefficient * force, friction.rolling_remedy())
             }
             _ => Ok(()),
         }

@@ -1,6 +1,6 @@
 //! The problem of steady rolling and the checks of its input.
 
-use crate::error::{Error, RankFailure, Result, SLIDE, finite, of_rolling};
+use crate::error::{Error, RankFailure, Result, finite, with_remedy};
 use crate::half_space::HalfSpace;
 use crate::memory::fallible::{filled, try_clone, try_each, zeros};
 use crate::normal::NormalSolution;
@@ -95,8 +95,10 @@ impl RollingProblem {
             RollingControl::Creepage(_) => 0.0,
         });
         let area = self.bodies.grid().cell_area();
-        self.pressed.limits.check(force, area).map_err(of_rolling)?;
-        check_forces(controls, self.pressed.limits.sum * area)?;
+        let remedy = self.friction.rolling_remedy();
+        let checked = self.pressed.limits.check(force, area);
+        checked.map_err(|error| with_remedy(error, remedy))?;
+        check_forces(controls, self.pressed.limits.sum * area, remedy)?;
         if let SpinControl::Moment(moment) = spin {
             self.check_moment(controls, moment)?;
         }
@@ -200,7 +202,11 @@ impl RollingProblemBuilder<'_> {
 
 /// Returns an error if prescribed forces reach the largest force that friction can carry. The creepage would be undetermined
 /// because the whole contact slides.
-pub(in crate::rolling) fn check_forces(controls: [RollingControl; 2], limit: f64) -> Result<()> {
+pub(in crate::rolling) fn check_forces(
+    controls: [RollingControl; 2],
+    limit: f64,
+    remedy: &'static str,
+) -> Result<()> {
     let force = controls.map(|control| match control {
         RollingControl::Force(force) => force,
         RollingControl::Creepage(_) => 0.0,
@@ -208,11 +214,11 @@ pub(in crate::rolling) fn check_forces(controls: [RollingControl; 2], limit: f64
     let size = force[0].hypot(force[1]);
     let is_force = |control: &RollingControl| matches!(control, RollingControl::Force(_));
     if controls.iter().any(is_force) && is_at_limit(size, limit) {
-        return Err(of_rolling(Error::BeyondFrictionCapacity {
+        return Err(Error::BeyondFrictionCapacity {
             force: size,
             limit,
-            remedy: SLIDE,
-        }));
+            remedy,
+        });
     }
     Ok(())
 }

@@ -32,6 +32,9 @@ record! {
             /// needs no warning.
             #[cfg_attr(feature = "serde", serde(default))]
             neglected_lift: Option<usize>,
+            /// Largest coefficient of friction that is not common, in tenths.
+            #[cfg_attr(feature = "serde", serde(default))]
+            friction_tenths: Option<usize>,
             #[cfg_attr(feature = "serde", serde(default))]
             boundary: Boundary,
             /// Vector from the position of a particle after a step to the middle of its path.
@@ -49,7 +52,7 @@ record! {
             read.traction[axis].check("traction", grid)?;
             read.slip[axis].check("slip", grid)?;
         }
-        length("zones", grid.cells(), read.zones.len())?;
+        length("list of zones", grid.cells(), read.zones.len())?;
         all_finite("creepage", &read.creepage)?;
         all_finite("half of a path", &read.halfway)?;
         finite("spin", read.spin).map(|_| ())
@@ -67,6 +70,7 @@ impl RollingSolution {
             creepage: [0.0; 2],
             spin: 0.0,
             neglected_lift: None,
+            friction_tenths: None,
             boundary: Boundary::default(),
             halfway: [0.0; 2],
             report: Report::with_room(),
@@ -86,6 +90,8 @@ impl RollingSolution {
         self.zones.fill(Zone::Separated);
         self.boundary = problem.bodies.boundary();
         self.halfway = problem.halfway();
+        let coefficient = problem.friction.largest_coefficient(&problem.bodies);
+        self.friction_tenths = Warning::friction_beyond(coefficient);
         let pressed = &problem.pressed;
         for (cell, index) in pressed.window().indices().enumerate() {
             if pressed.pressure[cell] <= 0.0 {
@@ -233,7 +239,7 @@ impl RollingSolution {
     }
 
     /// Returns the warnings about the solution (see [`Warning`]). They include [`Warning::NeglectedLift`] if tractions of
-    /// dissimilar bodies change the pressure by more than the tolerance, and [`Warning::LargeCreepage`].
+    /// dissimilar bodies change the pressure by more than the tolerance, [`Warning::LargeCreepage`] and [`Warning::LargeFriction`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let contains = |cell: usize| self.zones[cell] != Zone::Separated;
@@ -242,12 +248,18 @@ impl RollingSolution {
         let lift = self.neglected_lift;
         warnings.extend(lift.map(|per_million| Warning::NeglectedLift { per_million }));
         warnings.extend(Warning::of_status(self.report.status));
-        warnings.extend(self.creepage_warning());
+        warnings.extend(self.load_warnings());
         warnings
     }
 
-    /// Returns the warning about a large creepage or spin.
-    pub(in crate::rolling) fn creepage_warning(&self) -> Option<Warning> {
+    /// Returns the warnings about a large creepage or spin and a large coefficient of friction.
+    pub(in crate::rolling) fn load_warnings(&self) -> impl Iterator<Item = Warning> {
+        let friction = self.friction_tenths;
+        let friction = friction.map(|tenths| Warning::LargeFriction { tenths });
+        self.creepage_warning().into_iter().chain(friction)
+    }
+
+    fn creepage_warning(&self) -> Option<Warning> {
         let columns = self.grid().nx();
         let contact = (0..self.zones.len()).filter(|cell| self.zones[*cell] != Zone::Separated);
         let distance = contact.map(|cell| {

@@ -329,7 +329,8 @@ impl CycleJump {
             numbers.set_item("cycles", cycles)?;
             let message = format!(
                 "a cycle removes more than the limit, which is {} cycles: \
-                 reduce the wear coefficient, or wear the gap after each step of the cycle",
+                 reduce the wear coefficient, or wear the gap after each step of the cycle; \
+                 check the unit of the coefficient (1 mm3/(N m) is 1e-9 1/Pa)",
                 short(cycles)
             );
             return Err(named(py, "NoWholeCycle", &message, &numbers)?);
