@@ -5,7 +5,7 @@
 use std::error::Error;
 use std::hint::black_box;
 
-use kit::benchmark::{BenchmarkCase, FRICTION, LOADING, ball};
+use kit::benchmark::{BenchmarkCase, FRICTION, LOADING, ball, rough};
 use stickslip::cgm::Method;
 use stickslip::influence::Component;
 use stickslip::{Field, Friction, History, LoadStep, NormalLoad, Operator, TangentialModel};
@@ -14,12 +14,16 @@ const TOLERANCE: f64 = 1e-8;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args().skip(1);
-    let usage = "counts SCENE TIMES, of the scenes product, sphere, step and plane";
+    let usage = "counts SCENE TIMES, of the scenes product, sphere, rough, step and plane";
     let (scene, times) = arguments.next().zip(arguments.next()).ok_or(usage)?;
     let times = times.parse()?;
     match scene.as_str() {
         "product" => product(times)?,
-        "sphere" => sphere(times)?,
+        "sphere" => press_and_shear(&ball(128)?, times)?,
+        "rough" => {
+            let [_, at_ten_per_cent, _] = rough(256)?;
+            press_and_shear(&at_ten_per_cent, times)?;
+        }
         "step" => steps(TangentialModel::Scalar, [1.0, 0.0], times)?,
         "plane" => steps(TangentialModel::Vector, [0.8, 0.6], times)?,
         _ => return Err(usage.into()),
@@ -43,9 +47,8 @@ fn product(times: usize) -> stickslip::Result<()> {
     Ok(())
 }
 
-/// Presses and shears the sphere on 128 x 128 cells.
-fn sphere(times: usize) -> stickslip::Result<()> {
-    let scene = ball(128)?;
+/// Presses and shears the bodies from the undeformed state.
+fn press_and_shear(scene: &BenchmarkCase, times: usize) -> stickslip::Result<()> {
     for _ in 0..times {
         let normal = scene.normal(Method::ActiveSet, TOLERANCE)?.solve()?;
         let shear = scene.tangential(&normal, Method::ActiveSet, TOLERANCE)?;
