@@ -342,9 +342,10 @@ impl<const N: usize> CertificateMeasures<N> {
         }
         let pushing = set.forbidden(x, g);
         let forbidden = norm(pushing);
-        self.displacement = larger_size(self.displacement, norm(u));
+        // NaN in the displacement is also in the gradient, and NaN in the unknown is also in the energy.
+        self.displacement = larger_number(self.displacement, norm(u));
         self.forbidden = larger_size(self.forbidden, forbidden);
-        self.largest = larger_size(self.largest, norm(x));
+        self.largest = larger_number(self.largest, norm(x));
         if N > 1 {
             for (size, of) in self.sizes.iter_mut().zip([x, u, pushing]) {
                 *size = of
@@ -391,6 +392,12 @@ fn larger_size(a: f64, b: f64) -> f64 {
     f64::from_bits(a.to_bits().max(b.to_bits()))
 }
 
+/// Returns the larger of two numbers, or `a` if `b` is NaN. The selection is one instruction.
+#[inline]
+fn larger_number(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
+}
+
 /// Returns `a / b`, zero if `a` is zero, or infinity if `b` is not positive. Returns NaN if `a` or `b` is NaN, so that an invalid
 /// product is detected.
 fn ratio(a: f64, b: f64) -> f64 {
@@ -406,6 +413,36 @@ fn ratio(a: f64, b: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn merit_with_nan_in_any_vector_is_nan() {
+        use crate::cgm::AbsBound;
+        use crate::report::EigenvalueBound;
+        let layout = Layout::flat(3);
+        let values = [0.5, 0.25, 0.125];
+        let with_nan = [0.5, f64::NAN, 0.125];
+        for place in 0..4 {
+            let vector = |k: usize| if k == place { &with_nan } else { &values };
+            let iterate = Iterate {
+                layout: &layout,
+                x: [vector(0)],
+                product: [vector(1)],
+                linear: [vector(2)],
+                datum: [0.0],
+                totals: [Total::Free],
+                multiplier: [0.0],
+            };
+            for value in [0.0, 1.0] {
+                let lower_bound = LowerBound {
+                    value,
+                    known: EigenvalueBound::Stated,
+                    mean: MeanBound::Operator,
+                };
+                let found = examine(&iterate, &AbsBound(&[1.0; 3]), lower_bound);
+                assert_eq!(found.merit(value).is_nan(), place < 3, "{place} {value}");
+            }
+        }
+    }
 
     /// Uniform gradients behind a spring of compliance c have the exact value `B^2 = 1 / c`. A computed value below the exact
     /// value would not bound the error, and a negative value has no square root.

@@ -1,6 +1,7 @@
 //! List of the moving cells. For intervals the list is the complement of the active set. The cost of vector operations is
 //! proportional to the length of this list, not to the size of the grid.
 
+use std::array::from_fn;
 use std::ops::Range;
 
 use crate::cgm::law::state::Row;
@@ -9,6 +10,7 @@ use crate::error::Result;
 use crate::memory::fallible;
 use crate::numerics::cell_vector::{chunks, put};
 use crate::parallel::layout::Layout;
+use crate::parallel::ranks::WireFormat;
 use crate::parallel::{Blocks, Split, UnevenChunks};
 
 /// List of the moving cells, chunk by chunk of the grid.
@@ -35,6 +37,18 @@ pub(in crate::cgm) struct ChunkCells<'a> {
     /// Range of the chunk in a full vector.
     pub(in crate::cgm) chunk: Range<usize>,
     offsets: &'a [u16],
+}
+
+/// Number of cells that a sweep over runs processes together, and number of its lanes.
+const LANES: usize = 4;
+
+/// Work of a sweep on cells that are adjacent in their chunk.
+pub(in crate::cgm) trait RunWork {
+    type Sum: Reduction;
+
+    /// Processes `W` adjacent cells and returns the term of each. `k` is the position of the first cell in the compressed part,
+    /// and `place` is its position in the chunk.
+    fn run<const W: usize>(&mut self, k: usize, place: usize) -> [Self::Sum; W];
 }
 
 impl ChunkCells<'_> {
@@ -74,8 +88,8 @@ impl ChunkCells<'_> {
     /// additions.
     #[inline]
     pub(in crate::cgm) fn sums<T: Reduction>(&self, mut f: impl FnMut(usize, usize) -> T) -> T {
-        let mut lanes = [T::ZERO; 4];
-        let groups = self.offsets.chunks_exact(lanes.len());
+        let mut lanes = [T::ZERO; LANES];
+        let groups = self.offsets.chunks_exact(LANES);
         let rest = groups.remainder();
         let mut k = 0;
         for group in groups {
@@ -89,6 +103,52 @@ impl ChunkCells<'_> {
             k += 1;
         }
         lanes.into_iter().fold(T::ZERO, T::plus)
+    }
+
+    /// Sums the terms of the cells in the order of [`sums`](Self::sums). Adjacent cells of a group are processed together, so that
+    /// the compiler uses vector instructions.
+    #[inline]
+    pub(in crate::cgm) fn sums_of_runs<W: RunWork>(&self, work: &mut W) -> W::Sum {
+        let mut lanes = [W::Sum::ZERO; LANES];
+        let groups = self.offsets.chunks_exact(LANES);
+        let rest = groups.remainder();
+        let mut k = 0;
+        for group in groups {
+            let place = |lane: usize| usize::from(group[lane]);
+            // The offsets ascend, so the first and the last offset show whether the cells are adjacent.
+            let terms = if place(LANES - 1) - place(0) == LANES - 1 {
+                work.run::<LANES>(k, place(0))
+            } else {
+                from_fn(|lane| {
+                    let [term] = work.run(k + lane, place(lane));
+                    term
+                })
+            };
+            lanes = from_fn(|lane| lanes[lane].plus(terms[lane]));
+            k += LANES;
+        }
+        for (number, &offset) in rest.iter().enumerate() {
+            let [term] = work.run(k + number, usize::from(offset));
+            lanes = from_fn(|lane| {
+                if lane == number {
+                    lanes[lane].plus(term)
+                } else {
+                    lanes[lane]
+                }
+            });
+        }
+        lanes.into_iter().fold(W::Sum::ZERO, W::Sum::plus)
+    }
+
+    /// Returns the rows of `W` adjacent cells, as [`row`](Self::row).
+    #[inline]
+    pub(in crate::cgm) fn rows<R: Row<N>, const N: usize, const W: usize>(
+        &self,
+        rows: &[R],
+        k: usize,
+        place: usize,
+    ) -> [R; W] {
+        from_fn(|lane| self.row(rows, k + lane, place + lane))
     }
 
     /// Sums `f(item, position in the compressed part, position in the chunk)` like [`sums`](Self::sums), where `items` are the
@@ -273,5 +333,56 @@ impl FreeCells {
             work(entries, data)
         };
         self.layout.sweep(data, work, T::plus)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Values of the listed cells, and the number of cells processed together.
+    struct Values<'a> {
+        values: &'a [f64],
+        entries: Vec<[usize; 3]>,
+    }
+
+    impl RunWork for Values<'_> {
+        type Sum = f64;
+
+        fn run<const W: usize>(&mut self, k: usize, place: usize) -> [f64; W] {
+            let cells = (0..W).map(|lane| [k + lane, place + lane, W]);
+            self.entries.extend(cells);
+            from_fn(|lane| self.values[place + lane])
+        }
+    }
+
+    /// The list has runs shorter than a group, runs across groups, and a last group with fewer cells.
+    #[test]
+    fn sums_of_runs_visit_each_cell_once_in_the_order_of_sums() {
+        let values: Vec<f64> = (0..40_u32).map(|i| f64::from(i).sin()).collect();
+        let offsets = [
+            0, 1, 2, 3, 5, 6, 7, 9, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 39,
+        ];
+        let entries = ChunkCells {
+            range: 0..offsets.len(),
+            chunk: 0..values.len(),
+            offsets: &offsets,
+        };
+        let mut work = Values {
+            values: &values,
+            entries: Vec::new(),
+        };
+        let sum = entries.sums_of_runs(&mut work);
+        let expected = entries.sums(|_, place| values[place]);
+        assert_eq!(sum.to_bits(), expected.to_bits());
+        let visited: Vec<_> = work
+            .entries
+            .iter()
+            .map(|&[k, place, _]| (k, place))
+            .collect();
+        let listed: Vec<_> = entries.places().enumerate().collect();
+        assert_eq!(visited, listed);
+        let together = work.entries.iter().filter(|entry| entry[2] == LANES);
+        assert_eq!(together.count(), 12);
     }
 }

@@ -61,6 +61,41 @@ pub(crate) fn held<const N: usize>(parts: &[Blocks<'_, f64>; N], place: usize) -
     std::array::from_fn(|c| parts[c].items[place])
 }
 
+/// Returns the values of `W` adjacent items. A constant number of items is processed with one bounds check.
+#[inline]
+pub(crate) fn run<T: Copy, const W: usize>(items: &[T], first: usize) -> [T; W] {
+    let items = &items[first..first + W];
+    std::array::from_fn(|k| items[k])
+}
+
+/// Returns the components of `W` adjacent cells.
+#[inline]
+pub(crate) fn run_at<V: Deref<Target = [f64]>, const N: usize, const W: usize>(
+    vector: &[V; N],
+    first: usize,
+) -> [[f64; N]; W] {
+    let parts: [[f64; W]; N] = std::array::from_fn(|c| run(&vector[c], first));
+    std::array::from_fn(|k| std::array::from_fn(|c| parts[c][k]))
+}
+
+/// Writes the values of `W` adjacent items.
+#[inline]
+pub(crate) fn put_run<T: Copy, const W: usize>(items: &mut [T], first: usize, values: [T; W]) {
+    items[first..first + W].copy_from_slice(&values);
+}
+
+/// Writes the components of `W` adjacent cells into the chunk of a vector that a task owns.
+#[inline]
+pub(crate) fn put_run_at<const N: usize, const W: usize>(
+    parts: &mut [&mut [f64]; N],
+    first: usize,
+    values: [[f64; N]; W],
+) {
+    for (c, part) in parts.iter_mut().enumerate() {
+        put_run(part, first, values.map(|value| value[c]));
+    }
+}
+
 /// Returns the components as slices for reading.
 #[inline]
 pub(crate) fn slices<V: Deref<Target = [f64]>, const N: usize>(vector: &[V; N]) -> [&[f64]; N] {

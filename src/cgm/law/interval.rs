@@ -54,7 +54,13 @@ impl Row<1> for IntervalMotion {
 impl ConstraintSet<1> for Interval {
     #[inline]
     fn project(self, [x]: [f64; 1]) -> [f64; 1] {
-        [x.max(self.lower).min(self.upper)]
+        // Unlike `max` and `min`, each selection is one instruction. NaN becomes the lower bound.
+        let raised = if x > self.lower { x } else { self.lower };
+        [if raised < self.upper {
+            raised
+        } else {
+            self.upper
+        }]
     }
 }
 
@@ -85,18 +91,9 @@ impl LinearisedSet<1> for Interval {
 
     #[inline]
     fn forbidden(self, [x]: [f64; 1], [g]: [f64; 1]) -> [f64; 1] {
-        // `min` and `max` of NaN and a number return the number, so NaN is returned explicitly.
-        [if g.is_nan() {
-            g
-        } else if self.lower >= self.upper {
-            0.0
-        } else if x <= self.lower {
-            g.min(0.0)
-        } else if x >= self.upper {
-            g.max(0.0)
-        } else {
-            g
-        }]
+        // Points of equal bounds satisfy one of these conditions for every number, and no comparison with NaN is true.
+        let is_allowed = (x <= self.lower && g >= 0.0) || (x >= self.upper && g <= 0.0);
+        [if is_allowed { 0.0 } else { g }]
     }
 
     #[inline]

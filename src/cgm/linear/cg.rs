@@ -1,12 +1,21 @@
 //! Preconditioned conjugate gradients on the moving cells, without clipping: the inner solver of the semismooth Newton method.
 
+#![expect(
+    clippy::inline_always,
+    reason = "a call per run of cells takes as many instructions as the run"
+)]
+
+use std::array::from_fn;
 use std::ops::ControlFlow;
 
 use crate::cgm::active_set_solve::{ActiveSetSolve, Precision};
+use crate::cgm::free_cells::{ChunkCells, RunWork};
 use crate::cgm::law::state::Row;
 use crate::cgm::totals::TotalsSystem;
 use crate::cgm::{Constraint, MotionOf};
-use crate::numerics::cell_vector::{at, chunks, dot, held, minus, norm, plus, put, slices, within};
+use crate::numerics::cell_vector::{
+    chunks, dot, minus, norm, plus, put_run, put_run_at, run, run_at, slices, within,
+};
 use crate::report::Status;
 
 /// Maximum number of steps before the sets are updated again.
@@ -14,7 +23,7 @@ const INNER_LIMIT: usize = 60;
 
 /// Returns the values of the components selected by `kind`, and zero for the other components.
 fn only<const N: usize>(kind: [bool; N], values: [f64; N]) -> [f64; N] {
-    std::array::from_fn(|c| if kind[c] { values[c] } else { 0.0 })
+    from_fn(|c| if kind[c] { values[c] } else { 0.0 })
 }
 
 /// A step along the direction, and the change of the multipliers after the last residual.
@@ -143,38 +152,21 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
                         }
                     }
                 }
-                let directions = directions[entries.range.clone()].iter();
-                let (spread, last) = (&spread[entries.range.clone()], &last[entries.range.clone()]);
-                let items = directions.zip(spread).zip(last).zip(residual.items);
-                entries.sums_of(
-                    items,
-                    |(((direction, spread), last), residual), k, place| {
-                        let (motion, u) = (entries.row(motions, k, place), at(&images, place));
-                        if let Some(&DirectionStep { length, .. }) = step {
-                            let moved = plus(held(&x, place), length, *direction);
-                            put(&mut x, place, moved);
-                            if MotionOf::<K, N>::IS_STEADY {
-                                let g = plus(held(&gradient, place), length, u);
-                                put(&mut gradient, place, g);
-                            }
-                        }
-                        let r = match step {
-                            // With a curved bound the residual is not the negative gradient. Therefore each step updates the
-                            // residual.
-                            Some(&DirectionStep { length, change })
-                                if MotionOf::<K, N>::IS_CURVED =>
-                            {
-                                let moved = motion.restrict(plus(change, -length, u));
-                                let bend = motion.bend(*direction);
-                                std::array::from_fn(|c| last[c] + moved[c] - length * bend[c])
-                            }
-                            _ => motion.restrict(minus(multiplier, held(&gradient, place))),
-                        };
-                        *residual = r;
-                        put(&mut full, place, motion.weighted(r));
-                        (r, dot(r, r), spread.map(|w| dot(w, r)))
-                    },
-                )
+                let range = entries.range.clone();
+                entries.sums_of_runs(&mut StepWork {
+                    entries: &entries,
+                    motions,
+                    step,
+                    multiplier,
+                    images,
+                    directions: &directions[range.clone()],
+                    spread: &spread[range.clone()],
+                    last: &last[range],
+                    x: x.each_mut().map(|part| &mut *part.items),
+                    gradient: gradient.each_mut().map(|part| &mut *part.items),
+                    full: full.each_mut().map(|part| &mut *part.items),
+                    residual: residual.items,
+                })
             },
         );
         let change = totals.remove_mean(products);
@@ -199,15 +191,12 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         let (sum, product, overlap): ([f64; N], f64, f64) =
             w.linear.moving.sweep((), |entries, ()| {
                 let image = within(&image, &entries.chunk);
-                let (residual, last) = (
-                    &residual[entries.range.clone()],
-                    &last[entries.range.clone()],
-                );
-                let items = residual.iter().zip(last);
-                entries.sums_of(items, |(residual, last), k, place| {
-                    let motion = entries.row(motions, k, place);
-                    let z = motion.preconditioned(at(&image, place), *residual);
-                    (z, dot(z, *residual), dot(z, *last))
+                entries.sums_of_runs(&mut CorrectionWork {
+                    entries: &entries,
+                    motions,
+                    image,
+                    residual: &residual[entries.range.clone()],
+                    last: &last[entries.range.clone()],
                 })
             });
         let change = totals.balance(sum);
@@ -235,24 +224,17 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         w.linear
             .moving
             .sweep(data, |entries, (mut full, compressed)| {
-                let residual = &residual[entries.range.clone()];
-                let image = within(&image, &entries.chunk);
-                let spread = &spread[entries.range.clone()];
-                let items = residual.iter().zip(spread).zip(compressed.items);
-                entries.sums_of(items, |((residual, spread), compressed), k, place| {
-                    let motion = entries.row(motions, k, place);
-                    let mut d = motion.preconditioned(at(&image, place), *residual);
-                    if has_change {
-                        for (change, w) in change.iter().zip(*spread) {
-                            d = plus(d, *change, w);
-                        }
-                    }
-                    if let Some(conjugation) = conjugation {
-                        d = plus(d, conjugation, *compressed);
-                    }
-                    *compressed = d;
-                    put(&mut full, place, d);
-                    dot(d, plus(*residual, 1.0, at_once))
+                entries.sums_of_runs(&mut DirectionWork {
+                    entries: &entries,
+                    motions,
+                    change: has_change.then_some(change),
+                    at_once,
+                    conjugation,
+                    image: within(&image, &entries.chunk),
+                    residual: &residual[entries.range.clone()],
+                    spread: &spread[entries.range.clone()],
+                    direction: compressed.items,
+                    full: full.each_mut().map(|part| &mut *part.items),
                 })
             })
     }
@@ -266,12 +248,156 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             slices(&w.linear.image),
         );
         w.linear.moving.sweep((), |entries, ()| {
-            let directions = &direction[entries.range.clone()];
-            let image = within(&image, &entries.chunk);
-            entries.sums_of(directions.iter(), |&d, k, place| {
-                let bend = entries.row(motions, k, place).bend(d);
-                (dot(d, plus(at(&image, place), 1.0, bend)), dot(d, d))
+            entries.sums_of_runs(&mut CurvatureWork {
+                entries: &entries,
+                motions,
+                image: within(&image, &entries.chunk),
+                direction: &direction[entries.range.clone()],
             })
+        })
+    }
+}
+
+/// Step along the direction, and the residual after the step.
+struct StepWork<'a, R, const N: usize> {
+    entries: &'a ChunkCells<'a>,
+    motions: &'a [R],
+    step: Option<&'a DirectionStep<N>>,
+    multiplier: [f64; N],
+    images: [&'a [f64]; N],
+    directions: &'a [[f64; N]],
+    spread: &'a [[[f64; N]; N]],
+    last: &'a [[f64; N]],
+    x: [&'a mut [f64]; N],
+    gradient: [&'a mut [f64]; N],
+    full: [&'a mut [f64]; N],
+    residual: &'a mut [[f64; N]],
+}
+
+impl<R: Row<N>, const N: usize> RunWork for StepWork<'_, R, N> {
+    /// `r`, `r' r` and `w_a' r`.
+    type Sum = ([f64; N], f64, [f64; N]);
+
+    #[inline(always)]
+    fn run<const W: usize>(&mut self, k: usize, place: usize) -> [Self::Sum; W] {
+        let motions: [R; W] = self.entries.rows(self.motions, k, place);
+        let u: [[f64; N]; W] = run_at(&self.images, place);
+        let directions: [[f64; N]; W] = run(self.directions, k);
+        let mut g: [[f64; N]; W] = run_at(&self.gradient, place);
+        if let Some(&DirectionStep { length, .. }) = self.step {
+            let held: [[f64; N]; W] = run_at(&self.x, place);
+            let moved: [_; W] = from_fn(|k| plus(held[k], length, directions[k]));
+            put_run_at(&mut self.x, place, moved);
+            if R::IS_STEADY {
+                g = from_fn(|k| plus(g[k], length, u[k]));
+                put_run_at(&mut self.gradient, place, g);
+            }
+        }
+        let r: [[f64; N]; W] = match self.step {
+            // With a curved bound the residual is not the negative gradient. Therefore each step updates the residual.
+            Some(&DirectionStep { length, change }) if R::IS_CURVED => {
+                let last: [[f64; N]; W] = run(self.last, k);
+                from_fn(|k| {
+                    let moved = motions[k].restrict(plus(change, -length, u[k]));
+                    let bend = motions[k].bend(directions[k]);
+                    from_fn(|c| last[k][c] + moved[c] - length * bend[c])
+                })
+            }
+            _ => from_fn(|k| motions[k].restrict(minus(self.multiplier, g[k]))),
+        };
+        put_run(self.residual, k, r);
+        let weighted: [_; W] = from_fn(|k| motions[k].weighted(r[k]));
+        put_run_at(&mut self.full, place, weighted);
+        let spread: [_; W] = run(self.spread, k);
+        from_fn(|k| (r[k], dot(r[k], r[k]), spread[k].map(|w| dot(w, r[k]))))
+    }
+}
+
+/// Sums of the preconditioned residual.
+struct CorrectionWork<'a, R, const N: usize> {
+    entries: &'a ChunkCells<'a>,
+    motions: &'a [R],
+    image: [&'a [f64]; N],
+    residual: &'a [[f64; N]],
+    last: &'a [[f64; N]],
+}
+
+impl<R: Row<N>, const N: usize> RunWork for CorrectionWork<'_, R, N> {
+    /// `z`, `z' r` and `z' r_last`.
+    type Sum = ([f64; N], f64, f64);
+
+    #[inline(always)]
+    fn run<const W: usize>(&mut self, k: usize, place: usize) -> [Self::Sum; W] {
+        let motions: [R; W] = self.entries.rows(self.motions, k, place);
+        let images: [[f64; N]; W] = run_at(&self.image, place);
+        let [residual, last]: [[_; W]; 2] = [self.residual, self.last].map(|part| run(part, k));
+        from_fn(|k| {
+            let z = motions[k].preconditioned(images[k], residual[k]);
+            (z, dot(z, residual[k]), dot(z, last[k]))
+        })
+    }
+}
+
+/// Next direction, as a compressed and as a full vector.
+struct DirectionWork<'a, R, const N: usize> {
+    entries: &'a ChunkCells<'a>,
+    motions: &'a [R],
+    change: Option<[f64; N]>,
+    at_once: [f64; N],
+    conjugation: Option<f64>,
+    image: [&'a [f64]; N],
+    residual: &'a [[f64; N]],
+    spread: &'a [[[f64; N]; N]],
+    direction: &'a mut [[f64; N]],
+    full: [&'a mut [f64]; N],
+}
+
+impl<R: Row<N>, const N: usize> RunWork for DirectionWork<'_, R, N> {
+    /// `d' (r + at_once)`.
+    type Sum = f64;
+
+    #[inline(always)]
+    fn run<const W: usize>(&mut self, k: usize, place: usize) -> [f64; W] {
+        let motions: [R; W] = self.entries.rows(self.motions, k, place);
+        let images: [[f64; N]; W] = run_at(&self.image, place);
+        let residual: [[f64; N]; W] = run(self.residual, k);
+        let mut d: [[f64; N]; W] = from_fn(|k| motions[k].preconditioned(images[k], residual[k]));
+        if let Some(change) = self.change {
+            let spread: [_; W] = run(self.spread, k);
+            for (a, change) in change.into_iter().enumerate() {
+                d = from_fn(|k| plus(d[k], change, spread[k][a]));
+            }
+        }
+        if let Some(conjugation) = self.conjugation {
+            let previous: [_; W] = run(self.direction, k);
+            d = from_fn(|k| plus(d[k], conjugation, previous[k]));
+        }
+        put_run(self.direction, k, d);
+        put_run_at(&mut self.full, place, d);
+        from_fn(|k| dot(d[k], plus(residual[k], 1.0, self.at_once)))
+    }
+}
+
+/// Curvature along the direction.
+struct CurvatureWork<'a, R, const N: usize> {
+    entries: &'a ChunkCells<'a>,
+    motions: &'a [R],
+    image: [&'a [f64]; N],
+    direction: &'a [[f64; N]],
+}
+
+impl<R: Row<N>, const N: usize> RunWork for CurvatureWork<'_, R, N> {
+    /// `d' (C + K) d` and `d' d`.
+    type Sum = (f64, f64);
+
+    #[inline(always)]
+    fn run<const W: usize>(&mut self, k: usize, place: usize) -> [Self::Sum; W] {
+        let motions: [R; W] = self.entries.rows(self.motions, k, place);
+        let images: [[f64; N]; W] = run_at(&self.image, place);
+        let directions: [[f64; N]; W] = run(self.direction, k);
+        from_fn(|k| {
+            let (d, u) = (directions[k], images[k]);
+            (dot(d, plus(u, 1.0, motions[k].bend(d))), dot(d, d))
         })
     }
 }
