@@ -3456,8 +3456,8 @@ class History:
         for half the number of steps by no more than the tolerance. A call that fails, or that is interrupted by Ctrl-C,
         leaves the state unchanged. The history then has no last step until its next step.
 
-        :attr:`last_step` is the last of these steps, with its slip and energy alone. For the wear of the load, give ``cycle``, or take
-        the increase of :attr:`accumulated_dissipation`.
+        :attr:`last_step` is the last of these steps, with its slip and energy alone. For the wear of the load, give
+        ``cycle``, or take the increase of :attr:`accumulated_dissipation`.
 
         Parameters
         ----------

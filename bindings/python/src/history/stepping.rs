@@ -106,8 +106,8 @@ impl History {
     /// for half the number of steps by no more than the tolerance. A call that fails, or that is interrupted by Ctrl-C,
     /// leaves the state unchanged. The history then has no last step until its next step.
     ///
-    /// :attr:`last_step` is the last of these steps, with its slip and energy alone. For the wear of the load, give ``cycle``, or take
-    /// the increase of :attr:`accumulated_dissipation`.
+    /// :attr:`last_step` is the last of these steps, with its slip and energy alone. For the wear of the load, give
+    /// ``cycle``, or take the increase of :attr:`accumulated_dissipation`.
     ///
     /// Parameters
     /// ----------
@@ -172,8 +172,8 @@ impl History {
         let own = slf.get();
         let mut work = lock(&own.work, NAME)?;
         let tried = &mut *work;
-        let mut cycle = cycle.as_deref().map(Cycle::lock).transpose()?;
-        let mut cycle = cycle.as_deref_mut();
+        let mut locked = cycle.as_deref().map(Cycle::lock).transpose()?;
+        let mut cycle = locked.as_deref_mut();
         let outcome = solve(py, own.cells(), progress, |observer| {
             tried.tried(|history| match &mut cycle {
                 Some(cycle) => history.press_steps_observed(&load, tolerance.0, |history| {
@@ -188,7 +188,7 @@ impl History {
         })?;
         let steps = outcome.or_raise(py)?;
         let warnings = work.history.last_step().or_raise(py)?.warnings();
-        drop(work);
+        drop((work, locked));
         self::warn(py, warn, || warnings)?;
         Ok(steps)
     }
