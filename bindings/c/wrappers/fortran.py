@@ -85,7 +85,8 @@ class Procedure:
     def expression(self, one):
         if one.kind in RANK and one.kind != "filled_array":
             return f"{one.name}, size({one.name}, kind=c_size_t)"
-        return {"self": "this%handle", "object": f"{one.name}{'_' if one.is_optional else '%'}handle", "made": "made", "flag": f"{one.name}_number",
+        mark = "_" if one.is_optional else "%"
+        return {"self": "this%handle", "object": f"{one.name}{mark}handle", "made": "made", "flag": f"{one.name}_number",
                 "index": f"int({one.name} - 1, c_size_t)", "tractions": "tractions_of(pressure, x, y)",
                 "displacement": "stickslip_relative_displacement(c_loc(x), c_loc(y), size(x, kind=c_size_t))",
                 "per_cell": f"stickslip_per_cell({one.name})"}.get(one.kind, one.name)
