@@ -163,7 +163,7 @@ impl History {
         };
         let is_followed = progress
             .as_ref()
-            .map_or(Ok(false), |progress| progress.is_truthy())?;
+            .map_or(Ok(false), PyAnyMethods::is_truthy)?;
         if cycle.is_some() && is_followed {
             return Err(PyTypeError::new_err("give cycle= or progress=, not both"));
         }
@@ -175,15 +175,15 @@ impl History {
         let mut locked = cycle.as_deref().map(Cycle::lock).transpose()?;
         let mut cycle = locked.as_deref_mut();
         let outcome = solve(py, own.cells(), progress, |observer| {
-            tried.tried(|history| match &mut cycle {
-                Some(cycle) => history.press_steps_observed(&load, tolerance.0, |history| {
+            tried.tried(|history| {
+                let Some(cycle) = &mut cycle else {
+                    let seen = |iteration: &_| observer(Some(iteration));
+                    return history.press_observed(&load, tolerance.0, seen);
+                };
+                history.press_steps_observed(&load, tolerance.0, |history| {
                     cycle.add(history)?;
                     unless_broken_off(observer)
-                }),
-                None => {
-                    let seen = |iteration: &_| observer(Some(iteration));
-                    history.press_observed(&load, tolerance.0, seen)
-                }
+                })
             })
         })?;
         let steps = outcome.or_raise(py)?;
