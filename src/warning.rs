@@ -139,8 +139,8 @@ pub enum Warning {
         /// The magnitude of the creepage including the spin, in per cent.
         per_cent: usize,
     },
-    /// The largest coefficient of friction exceeds 5. A common cause is a coefficient in per cent. A larger coefficient is also used
-    /// for bodies that stick everywhere.
+    /// The largest coefficient of friction exceeds 5. A common cause is a coefficient in per cent. A larger coefficient is also
+    /// used for bodies that stick everywhere.
     LargeFriction {
         /// The largest coefficient of all cells, in tenths.
         tenths: usize,
@@ -167,9 +167,10 @@ pub enum Warning {
         /// The larger of a/R along x and a/R along y, in thousandths.
         per_mille: usize,
     },
-    /// The largest pressure exceeds half of the contact modulus ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus),
-    /// for coated bodies the modulus of the outermost layers). Half-space theory assumes that strains are small. Common causes are
-    /// an inconsistent unit of the modulus or the load, and a mean pressure given as a force on a periodic grid.
+    /// The largest pressure exceeds half of the contact modulus
+    /// ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus), for coated bodies the modulus of the outermost
+    /// layers). Half-space theory assumes that strains are small. Common causes are an inconsistent unit of the modulus or the
+    /// load, and a mean pressure given as a force on a periodic grid.
     PressureBeyondModulus {
         /// The largest pressure divided by the contact modulus, in thousandths.
         per_mille: usize,
@@ -215,10 +216,10 @@ pub enum Warning {
         /// The thickness divided by the longest side of the grid.
         sides: usize,
     },
-    /// A layer of a [coated](crate::Material::coated) body is so thin that its effect is smaller than the discretisation error. The
-    /// thickness times the ratio of the shear moduli of layer and body (or its reciprocal, if larger) is less than a hundredth of a
-    /// cell side. The solution then differs by a few thousandths at most from a contact without this layer. A common cause is an
-    /// inconsistent unit of the thickness.
+    /// A layer of a [coated](crate::Material::coated) body is so thin that its effect is smaller than the discretisation error.
+    /// The thickness times the ratio of the shear moduli of layer and body (or its reciprocal, if larger) is less than a
+    /// hundredth of a cell side. The solution then differs by a few thousandths at most from a contact without this layer. A
+    /// common cause is an inconsistent unit of the thickness.
     CoatingBelowCell {
         /// The shorter side of a cell divided by the thickness.
         parts: usize,

@@ -10,8 +10,8 @@ use crate::parallel::ranks::partition::RowPartition;
 use crate::warning::{THICKEST_LAYER, Warning};
 
 /// Smallest effective layer: the thickness over the side of a cell, times the contrast of the shear moduli. A layer changes the
-/// response to the shortest waves by a few times this relative amount, and a contact radius of five cells by less than a fifth. Such
-/// an effect is smaller than the discretisation error.
+/// response to the shortest waves by a few times this relative amount, and a contact radius of five cells by less than a fifth.
+/// Such an effect is smaller than the discretisation error.
 const THINNEST_LAYER: f64 = 1e-2;
 
 impl NormalSolution {

@@ -1627,10 +1627,11 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_adaptive_steps_step
 
-        ! Applies a load like stickslip_adaptive_steps_step. Every accepted step is added to cycle (may be NULL), and observer (may be
-        ! NULL) receives its results. Sums over all steps, such as energies and the slip for wear, are then results of the cycle. The
-        ! cycle must start or end at the current state. After a failure the state of the history is unchanged, but the cycle may
-        ! contain undone steps: begin it again. Returns STICKSLIP_NOT_CONVERGED if the observer ends the call.
+        ! Applies a load in steps like stickslip_adaptive_steps_step, and writes their number to taken (may be NULL). Every accepted
+        ! step is added to cycle (may be NULL), and observer (may be NULL) receives its results. Sums over all steps, such as energies
+        ! and the slip for wear, are then results of the cycle. The cycle must start or end at the current state. After a failure the
+        ! state of the history is unchanged, but the cycle may contain undone steps: begin it again. Returns STICKSLIP_NOT_CONVERGED if
+        ! the observer ends the call.
         function stickslip_adaptive_steps_stepwise(steps, history, load, cycle, observer, taken) result(answer) bind(c)
             import
             type(stickslip_adaptive_steps), value :: steps
@@ -2399,10 +2400,11 @@ module stickslip_bindings
             integer(c_int32_t) :: answer
         end function stickslip_history_press
 
-        ! Applies a load like stickslip_history_press. Every accepted step is added to cycle (may be NULL), and observer (may be NULL)
-        ! receives its results. For this purpose the accepted steps are taken a second time, with identical results. The cycle must
-        ! start or end at the current state. After a failure the state of the history is unchanged, but the cycle may contain undone
-        ! steps: begin it again. Returns STICKSLIP_NOT_CONVERGED if the observer ends the call.
+        ! Applies a load in steps like stickslip_history_press, and writes their number to taken (may be NULL). Every accepted step is
+        ! added to cycle (may be NULL), and observer (may be NULL) receives its results. For this purpose the accepted steps are taken a
+        ! second time, with identical results. The cycle must start or end at the current state. After a failure the state of the
+        ! history is unchanged, but the cycle may contain undone steps: begin it again. Returns STICKSLIP_NOT_CONVERGED if the observer
+        ! ends the call.
         function stickslip_history_press_stepwise(history, load, tolerance, cycle, observer, &
             taken) result(answer) bind(c)
             import

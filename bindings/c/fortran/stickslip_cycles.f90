@@ -8,7 +8,7 @@ module stickslip_cycles
     implicit none
     private
 
-    public :: adaptive_steps, contact_cycle
+    public :: adaptive_steps, contact_cycle, press_stepwise
 
     ! Adaptive load stepper, which applies loads in steps that are short enough for a tolerance on the tractions. The
     ! error of a step is the difference between its result and the result of two half steps. The object can be used for
@@ -18,6 +18,7 @@ module stickslip_cycles
     contains
         procedure :: new => adaptive_steps_new
         procedure :: step => adaptive_steps_step
+        procedure :: stepwise => adaptive_steps_stepwise
         procedure :: error => adaptive_steps_error
         procedure :: address => adaptive_steps_address
         procedure :: free => adaptive_steps_free
@@ -66,6 +67,25 @@ contains
         integer(c_int32_t), intent(out), optional :: status
         call report_status(stickslip_adaptive_steps_step(this%handle, history%handle, load, taken), status)
     end subroutine adaptive_steps_step
+
+    ! Applies a load in steps like adaptive_steps%step, and writes their number to taken. Every accepted step is added
+    ! to cycle, and observer receives its results. Sums over all steps, such as energies and the slip for wear, are then
+    ! results of the cycle. The cycle must start or end at the current state. After a failure the state of the history
+    ! is unchanged, but the cycle may contain undone steps: begin it again. Returns STICKSLIP_NOT_CONVERGED if the
+    ! observer ends the call.
+    subroutine adaptive_steps_stepwise(this, history, load, cycle, taken, observer, status)
+        class(adaptive_steps), intent(in) :: this
+        class(contact_history), intent(in) :: history
+        type(stickslip_load_step), intent(in) :: load
+        class(contact_cycle), intent(in), optional :: cycle
+        integer(c_size_t), intent(out), optional :: taken
+        type(stickslip_step_observer), intent(in), optional :: observer
+        integer(c_int32_t), intent(out), optional :: status
+        type(stickslip_cycle) :: cycle_handle
+        if (present(cycle)) cycle_handle = cycle%handle
+        call report_status(stickslip_adaptive_steps_stepwise(this%handle, history%handle, load, cycle_handle, &
+            observer, taken), status)
+    end subroutine adaptive_steps_stepwise
 
     ! Computes the error that contact_history%step would make with a load. The state of the history is unchanged. The
     ! history then has no last step until its next step.
@@ -197,4 +217,23 @@ contains
         type(contact_cycle), intent(inout) :: this
         call this%free()
     end subroutine cycle_final
+
+    ! Applies a load in steps like contact_history%press, and writes their number to taken. Every accepted step is added
+    ! to cycle, and observer receives its results. For this purpose the accepted steps are taken a second time, with
+    ! identical results. The cycle must start or end at the current state. After a failure the state of the history is
+    ! unchanged, but the cycle may contain undone steps: begin it again. Returns STICKSLIP_NOT_CONVERGED if the observer
+    ! ends the call.
+    subroutine press_stepwise(history, load, tolerance, cycle, taken, observer, status)
+        class(contact_history), intent(in) :: history
+        type(stickslip_load_step), intent(in) :: load
+        real(c_double), intent(in) :: tolerance
+        class(contact_cycle), intent(in), optional :: cycle
+        integer(c_size_t), intent(out), optional :: taken
+        type(stickslip_step_observer), intent(in), optional :: observer
+        integer(c_int32_t), intent(out), optional :: status
+        type(stickslip_cycle) :: cycle_handle
+        if (present(cycle)) cycle_handle = cycle%handle
+        call report_status(stickslip_history_press_stepwise(history%handle, load, tolerance, cycle_handle, observer, &
+            taken), status)
+    end subroutine press_stepwise
 end module stickslip_cycles

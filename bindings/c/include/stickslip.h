@@ -1611,10 +1611,11 @@ stickslip_status stickslip_adaptive_steps_step(stickslip_adaptive_steps *steps,
                                                const stickslip_load_step *load,
                                                size_t *taken);
 
-// Applies a load like stickslip_adaptive_steps_step. Every accepted step is added to cycle (may be NULL), and observer (may be
-// NULL) receives its results. Sums over all steps, such as energies and the slip for wear, are then results of the cycle. The
-// cycle must start or end at the current state. After a failure the state of the history is unchanged, but the cycle may
-// contain undone steps: begin it again. Returns STICKSLIP_NOT_CONVERGED if the observer ends the call.
+// Applies a load in steps like stickslip_adaptive_steps_step, and writes their number to taken (may be NULL). Every accepted
+// step is added to cycle (may be NULL), and observer (may be NULL) receives its results. Sums over all steps, such as energies
+// and the slip for wear, are then results of the cycle. The cycle must start or end at the current state. After a failure the
+// state of the history is unchanged, but the cycle may contain undone steps: begin it again. Returns STICKSLIP_NOT_CONVERGED if
+// the observer ends the call.
 stickslip_status stickslip_adaptive_steps_stepwise(stickslip_adaptive_steps *steps,
                                                    stickslip_history *history,
                                                    const stickslip_load_step *load,
@@ -2059,10 +2060,11 @@ stickslip_status stickslip_history_press(stickslip_history *history,
                                          const stickslip_observer *observer,
                                          size_t *taken);
 
-// Applies a load like stickslip_history_press. Every accepted step is added to cycle (may be NULL), and observer (may be NULL)
-// receives its results. For this purpose the accepted steps are taken a second time, with identical results. The cycle must
-// start or end at the current state. After a failure the state of the history is unchanged, but the cycle may contain undone
-// steps: begin it again. Returns STICKSLIP_NOT_CONVERGED if the observer ends the call.
+// Applies a load in steps like stickslip_history_press, and writes their number to taken (may be NULL). Every accepted step is
+// added to cycle (may be NULL), and observer (may be NULL) receives its results. For this purpose the accepted steps are taken a
+// second time, with identical results. The cycle must start or end at the current state. After a failure the state of the
+// history is unchanged, but the cycle may contain undone steps: begin it again. Returns STICKSLIP_NOT_CONVERGED if the observer
+// ends the call.
 stickslip_status stickslip_history_press_stepwise(stickslip_history *history,
                                                   const stickslip_load_step *load,
                                                   double tolerance,

@@ -83,10 +83,11 @@ pub unsafe extern "C" fn stickslip_adaptive_steps_step(
     })
 }
 
-/// Applies a load like stickslip_adaptive_steps_step. Every accepted step is added to cycle (may be NULL), and observer (may be
-/// NULL) receives its results. Sums over all steps, such as energies and the slip for wear, are then results of the cycle. The
-/// cycle must start or end at the current state. After a failure the state of the history is unchanged, but the cycle may
-/// contain undone steps: begin it again. Returns STICKSLIP_NOT_CONVERGED if the observer ends the call.
+/// Applies a load in steps like stickslip_adaptive_steps_step, and writes their number to taken (may be NULL). Every accepted
+/// step is added to cycle (may be NULL), and observer (may be NULL) receives its results. Sums over all steps, such as energies
+/// and the slip for wear, are then results of the cycle. The cycle must start or end at the current state. After a failure the
+/// state of the history is unchanged, but the cycle may contain undone steps: begin it again. Returns STICKSLIP_NOT_CONVERGED if
+/// the observer ends the call.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_adaptive_steps_stepwise(
     steps: *mut stickslip_adaptive_steps,

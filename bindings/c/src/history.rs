@@ -225,10 +225,11 @@ pub unsafe extern "C" fn stickslip_history_press(
     })
 }
 
-/// Applies a load like stickslip_history_press. Every accepted step is added to cycle (may be NULL), and observer (may be NULL)
-/// receives its results. For this purpose the accepted steps are taken a second time, with identical results. The cycle must
-/// start or end at the current state. After a failure the state of the history is unchanged, but the cycle may contain undone
-/// steps: begin it again. Returns STICKSLIP_NOT_CONVERGED if the observer ends the call.
+/// Applies a load in steps like stickslip_history_press, and writes their number to taken (may be NULL). Every accepted step is
+/// added to cycle (may be NULL), and observer (may be NULL) receives its results. For this purpose the accepted steps are taken a
+/// second time, with identical results. The cycle must start or end at the current state. After a failure the state of the
+/// history is unchanged, but the cycle may contain undone steps: begin it again. Returns STICKSLIP_NOT_CONVERGED if the observer
+/// ends the call.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn stickslip_history_press_stepwise(
     history: *mut stickslip_history,

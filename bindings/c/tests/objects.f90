@@ -45,6 +45,17 @@ contains
         bodies%handle = stickslip_half_space()
         go_on = merge(1_c_int32_t, 0_c_int32_t, iteration%iteration >= 0)
     end function make_anew
+
+    ! Counts the steps of a load. Ends the call when the count reaches zero.
+    function count_steps(step, user) result(go_on) bind(c)
+        type(stickslip_step_result), intent(in) :: step
+        type(c_ptr), value :: user
+        integer(c_int32_t) :: go_on
+        integer(c_size_t), pointer :: seen
+        call c_f_pointer(user, seen)
+        seen = seen + merge(1, 0, step%has_last_step /= 0)
+        go_on = merge(0_c_int32_t, 1_c_int32_t, seen == 0)
+    end function count_steps
 end module within_a_step
 
 program objects
@@ -182,5 +193,48 @@ contains
         call planes%solve(1, STICKSLIP_BODY_1, ball)
         both = history%stiffness()
         call check(both%normal%value > 0, 'stiffness without an observer')
+        call observed_steps(history)
     end subroutine run
+
+    ! An observer and a cycle receive every step of a load.
+    subroutine observed_steps(history)
+        type(contact_history), intent(in) :: history
+        type(adaptive_steps) :: steps
+        type(contact_cycle) :: sums
+        type(stickslip_cycle_result) :: loop
+        type(stickslip_step_result) :: result
+        type(stickslip_load_step) :: load
+        type(stickslip_step_observer) :: observer
+        ! The observer changes this variable through a pointer, which the compiler may not detect.
+        integer(c_size_t), target, volatile :: seen
+        integer(c_size_t) :: taken
+        integer(c_int32_t) :: status
+        integer :: turn
+
+        call steps%new(history, 0.05d0)
+        observer = stickslip_step_observer(c_funloc(count_steps), c_loc(seen))
+        do turn = 1, 2
+            call sums%begin(history)
+            seen = 0
+            load = stickslip_load_step(x=stickslip_control(STICKSLIP_FORCE, 30))
+            if (turn == 1) call steps%stepwise(history, load, sums, taken, observer)
+            load = stickslip_load_step(normal=stickslip_normal_load(STICKSLIP_FORCE, 200))
+            if (turn == 2) call press_stepwise(history, load, 0.05d0, sums, taken, observer)
+            loop = sums%result()
+            call check(taken >= 2 .and. seen == taken .and. loop%steps == taken, 'observed steps of a load')
+        end do
+
+        ! Without a cycle and a number of steps. The observer ends the calls at their first step.
+        load = stickslip_load_step(normal=stickslip_normal_load(STICKSLIP_FORCE, 250))
+        seen = -1
+        call steps%stepwise(history, load, observer=observer, status=status)
+        call check(status == STICKSLIP_NOT_CONVERGED, 'stopped adaptive steps')
+        seen = -1
+        call press_stepwise(history, load, 0.05d0, observer=observer, status=status)
+        result = history%result()
+        call check(status == STICKSLIP_NOT_CONVERGED .and. abs(result%normal_force / 200 - 1) < 1d-9, 'stopped pressing')
+        call press_stepwise(history, load, 0.05d0)
+        result = history%result()
+        call check(abs(result%normal_force / 250 - 1) < 1d-9, 'steps without an observer')
+    end subroutine observed_steps
 end program objects

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
@@ -166,6 +167,33 @@ int main() {
         history.wear_archard({1e-6, nullptr, 0}, worn);
     }
     check(history.spots().spots[0].stick_ratio == history.result().stick_ratio, "stick ratio of the spot");
+    // An observer and a cycle receive every step of a load. An exception of the observer undoes the steps.
+    ss::History parted = history.clone();
+    ss::AdaptiveSteps steps(parted, 0.05);
+    const ss::LoadStep further = ss::step(ss::held_pressure(), ss::shift(2.0 * amplitude));
+    const ss::LoadStep deeper = ss::step(ss::press_by_force(200.0));
+    for (const bool is_pressed : {false, true}) {
+        ss::Cycle sums(parted);
+        const stickslip_step_result start = parted.result();
+        std::size_t seen = 0;
+        const auto take = [&](ss::Cycle *to, const ss::ObserveStep &observe) {
+            return is_pressed ? ss::press_stepwise(parted, deeper, 0.05, to, observe)
+                              : steps.stepwise(parted, further, to, observe);
+        };
+        fails(STICKSLIP_NOT_CONVERGED, [&] { take(nullptr, [](const stickslip_step_result &) { return false; }); });
+        bool is_thrown = false;
+        try {
+            take(nullptr, [](const stickslip_step_result &) -> bool { throw std::runtime_error("stop"); });
+        } catch (const std::runtime_error &) {
+            is_thrown = true;
+        }
+        check(is_thrown && parted.result().steps == start.steps && parted.result().force[0] == start.force[0], "undone steps");
+        const std::size_t taken = take(&sums, [&](const stickslip_step_result &step) {
+            seen++;
+            return step.has_last_step != 0;
+        });
+        check(taken >= 2 && seen == taken && sums.result().steps == taken, "observed steps");
+    }
     // A restored state has no last step.
     ss::State kept(history);
     history.set_state(kept);

@@ -11,7 +11,10 @@ DEFAULTS = {f"stickslip_{name}" for name in ("history_options", "jump_limits", "
 VIEWS = {"field": ("Field", "double"), "zones": ("Zones", "std::uint8_t")}
 CHANGES = [(r"\bReturns (STICKSLIP_\w+) (if|for|unless|before|without)\b", r"Throws \1 \2"),
            (r"\breturns (STICKSLIP_\w+)", r"throws \1"),
-           (r"stickslip_last_error_report writes", "Error::report returns")]
+           (r"stickslip_last_error_report writes", "Error::report returns"),
+           (r"observer receives its results", "observe receives its results")]
+# Types of observers in C++, by their types in C.
+OBSERVERS = {"stickslip_observer": "Observe", "stickslip_step_observer": "ObserveStep"}
 OBSERVED = "[&](const stickslip_observer *observer)"
 
 
@@ -37,7 +40,7 @@ class Wrapper:
         self.function = header.function(owner, method)
         results = self.function.of("result")
         self.results = [one for one in results if not method.part or one.name == method.part]
-        self.is_observed = bool(self.function.of("observer"))
+        self.observers = [one.type for one in self.function.of("observer")]
 
     def type(self, argument):
         return NUMBERS.get(argument.type, argument.type)
@@ -53,9 +56,10 @@ class Wrapper:
         if one.name in coated:
             return f"const Coated &{one.name}"
         if one.kind == "object":
-            return f"{'const ' if one.is_const else ''}{OBJECTS[short(one.type)].cpp} &{one.name}"
+            of = f"{'const ' if one.is_const else ''}{OBJECTS[short(one.type)].cpp}"
+            return f"{of} *{one.name} = nullptr" if one.is_optional else f"{of} &{one.name}"
         if one.kind == "observer":
-            return "const Observe &observe = nullptr"
+            return f"const {OBSERVERS[one.type]} &observe = nullptr"
         plain = {"cells": f"const FieldArgument &{one.name}", "changed_cells": f"std::vector<double> &{one.name}",
                  "array": f"const std::vector<{self.type(one)}> &{one.name}", "flag": f"bool {one.name} = false",
                  "number": f"{self.type(one)} {one.name}", "index": f"{self.type(one)} {one.name}"}
@@ -80,6 +84,8 @@ class Wrapper:
             if one not in self.results:
                 return "nullptr"
             return "&found" if len(self.results) == 1 else ["&found.first", "&found.second"][self.results.index(one)]
+        if one.kind == "object" and one.is_optional:
+            return f"{one.name} == nullptr ? nullptr : {one.name}->get()"
         plain = {"self": "get()", "object": f"{one.name}.get()", "flag": f"{one.name} ? 1 : 0", "made": "out",
                  "number": one.name, "index": one.name, "observer": "observer", "filled_array": f"{one.name}.data()"}
         if one.kind in ("cells", "changed_cells", "filled_cells", "array"):
@@ -121,8 +127,10 @@ class Wrapper:
                       "spots": "spotted(cells(), ", "edges": "edged(cells(), "}[group]
             return types[group], [f"return detail::{helper}[&](auto... to) {{ return {self.call('to...')}; }});"]
         of, declared = self.result()
-        made = f"detail::Watch(observe).run({OBSERVED} {{ return {self.call()}; }});" if self.is_observed else \
-            f"check({self.call()});"
+        made = f"check({self.call()});"
+        for kind in self.observers:
+            observed = OBSERVED.replace("stickslip_observer", kind)
+            made = f"detail::Watch(observe).run({observed} {{ return {self.call()}; }});"
         if self.method.then:
             return self.then_type(), [made, f"return {self.method.then}();"]
         name = next((one.name for one in self.function.of("filled_cells", "filled_array")), "found")

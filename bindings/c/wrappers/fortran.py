@@ -5,7 +5,7 @@ import re
 from model import NUMBERS, OBJECTS, WIDTH, comment, documentation, ordered, short
 
 STATUS = "integer(c_int32_t), intent(out), optional :: status"
-OBSERVER = "type(stickslip_observer), intent(in), optional :: observer"
+OBSERVER = "type({}), intent(in), optional :: observer"
 CHANGES = [(r"and returns their number", "and writes their number to taken"),
            (r"number index, counted from zero", "number index, counted from one"),
            (r"index is not less than the number of depths", "no depth has this number")]
@@ -52,9 +52,10 @@ class Procedure:
         """Returns the names and the declarations of an argument, and notes its checks."""
         name, optional = one.name, ", optional" if one.is_optional else ""
         if one.kind == "object":
-            return [name], [f"class({OBJECTS[short(one.type)].f}), intent(in) :: {name}"]
-        if one.kind == "observer":
-            return [name], [OBSERVER]
+            if one.is_optional:
+                self.locals.append(f"type({one.type}) :: {name}_handle")
+                self.before.append(f"if (present({name})) {name}_handle = {name}%handle")
+            return [name], [f"class({OBJECTS[short(one.type)].f}), intent(in){optional} :: {name}"]
         if one.kind in ("displacement", "tractions"):
             declared = "real(c_double), intent(in), target, contiguous"
             if one.kind == "tractions":
@@ -84,7 +85,8 @@ class Procedure:
     def expression(self, one):
         if one.kind in RANK and one.kind != "filled_array":
             return f"{one.name}, size({one.name}, kind=c_size_t)"
-        return {"self": "this%handle", "object": f"{one.name}%handle", "made": "made", "flag": f"{one.name}_number",
+        mark = "_" if one.is_optional else "%"
+        return {"self": "this%handle", "object": f"{one.name}{mark}handle", "made": "made", "flag": f"{one.name}_number",
                 "index": f"int({one.name} - 1, c_size_t)", "tractions": "tractions_of(pressure, x, y)",
                 "displacement": "stickslip_relative_displacement(c_loc(x), c_loc(y), size(x, kind=c_size_t))",
                 "per_cell": f"stickslip_per_cell({one.name})"}.get(one.kind, one.name)
@@ -114,7 +116,7 @@ class Procedure:
             names.append("copy")
             declared.append(f"class({self.owner.f}), intent(inout) :: copy")
         names += ["observer"] * len(observers)
-        declared += [OBSERVER] * len(observers) + [STATUS]
+        declared += [OBSERVER.format(one.type) for one in observers] + [STATUS]
         body, locals_ = self.body(group, is_function, results)
         is_changed = (self.is_created and not function.of("self")) or self.method.creates
         this = [f"class({self.owner.f}), intent({'inout' if is_changed else 'in'}) :: this"] if self.owner else []
@@ -218,7 +220,7 @@ def solve(owner, solution):
     subroutine {c}_solve(this, solution, observer, status)
         class({owner.f}), intent(in) :: this
         class({solution.f}), intent(inout) :: solution
-        {OBSERVER}
+        {OBSERVER.format("stickslip_observer")}
         {STATUS}
         integer(c_int32_t) :: code
         code = STICKSLIP_OK

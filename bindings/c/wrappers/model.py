@@ -82,7 +82,7 @@ class Function:
                 is_self_found = True
                 yield argument("self")
             elif short(kind) in OBJECTS:
-                yield argument("object")
+                yield argument("object", is_optional=f"{name} (may be NULL)" in self.notes)
             elif name in counts and is_const and name in CELLS:
                 yield argument("cells")
             elif name in counts and is_const:
@@ -90,7 +90,7 @@ class Function:
                 yield argument("array")
             elif name in counts:
                 yield argument("filled_cells" if name == "values" else "changed_cells")
-            elif kind == "stickslip_observer":
+            elif kind in ("stickslip_observer", "stickslip_step_observer"):
                 yield argument("observer")
             elif stars and is_const:
                 special = {"stickslip_tractions": "tractions"}

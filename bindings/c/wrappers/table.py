@@ -138,11 +138,11 @@ FILES = [
         Object("state", "State", "contact_state", [cpp_only("new"), Method("keep", creates=True)], has_grid=False),
     ]),
     File("paths", "cycles", "Adaptive load steps, and cycles of histories.", "history batch", "objects histories", [
-        Object("adaptive_steps", "AdaptiveSteps", "adaptive_steps", ["new step error"], has_grid=False),
+        Object("adaptive_steps", "AdaptiveSteps", "adaptive_steps", ["new step stepwise error"], has_grid=False),
         Object("cycle", "Cycle", "contact_cycle", [
             cpp_only("new"), Method("begin", creates=True), "add", Method("result", c="result_of"), "field",
             "jump"]),
-    ], [cpp_only("max_stable_cycles")]),
+    ], [Method("history_press_stepwise", cpp="press_stepwise", f="press_stepwise"), cpp_only("max_stable_cycles")]),
     File("stress", "stresses", "Stress and displacement below the surface, and closed-form solutions.", "bodies loads",
          "objects", [
         Object("planes", "Planes", "stress_planes", ["new", Method("solve", renamed=BODY), "field measure"],
@@ -152,8 +152,7 @@ FILES = [
         cpp_only("hertz_sphere"), cpp_only("cattaneo_mindlin_sphere")]),
 ]
 
-# Functions without a method: errors, versions, defaults, the functions that are called by hand-written code, and the steps of a
-# load with an observer, whose cycle is declared after the history.
+# Functions without a method: errors, versions, defaults, and the functions that are called by hand-written code.
 OTHERS = """last_error last_error_message last_error_copy last_error_report version abi_version set_num_threads block_room
-    coulomb history_step_all history_press_stepwise adaptive_steps_stepwise surface_sphere surface_ellipsoid surface_cylinder surface_self_affine
+    coulomb history_step_all surface_sphere surface_ellipsoid surface_cylinder surface_self_affine
     surface_self_affine_observed surface_statistics""".split()

@@ -116,9 +116,10 @@ record!(Report: status, iterations, double_precision_products, single_precision_
 /// The attribute ``kind`` is the name of the warning: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``,
 /// ``single_row_of_cells``, ``contact_spans_grid``, ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``,
 /// ``underresolved_stick_zone``, ``underresolved_slip_zone``, ``single_load_step``, ``stress_at_edge``,
-/// ``discretisation_error``, ``approach_beyond_grid``, ``shift_beyond_grid``, ``large_contact_radius``, ``steep_surface``,
-/// ``held_shift_lost_force``, ``unused_relative_displacement``, ``neglected_lift``, ``coating_beyond_grid``,
-/// ``coating_below_cell`` or ``accuracy_not_reached``.
+/// ``discretisation_error``, ``approach_beyond_grid``, ``shift_beyond_grid``, ``large_twist``, ``large_creepage``,
+/// ``large_friction``, ``large_gap_change``, ``large_contact_radius``, ``pressure_beyond_modulus``, ``not_converged``,
+/// ``steep_surface``, ``held_shift_lost_force``, ``unused_relative_displacement``, ``repeated_loop``,
+/// ``neglected_lift``, ``coating_beyond_grid``, ``coating_below_cell`` or ``accuracy_not_reached``.
 #[pyclass(frozen, eq, hash, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) struct Warning(pub(crate) stickslip::Warning);

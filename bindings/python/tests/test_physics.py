@@ -254,7 +254,13 @@ def test_press_with_tolerance_matches_spence():
     with pytest.warns(ss.errors.ContactWarning, match="too few steps"):
         assert history.step(normal_force=60.0).stick_ratio == 1.0
     history = ss.History.from_bytes(bodies, before)
-    steps = history.press(normal_force=60.0, tolerance=0.03)
+    cycle = ss.history.Cycle(history)
+    with pytest.raises(TypeError, match="cycle= or progress="):
+        history.press(normal_force=60.0, tolerance=0.03, cycle=cycle, progress=True)
+    steps = history.press(normal_force=60.0, tolerance=0.03, cycle=cycle)
+    assert cycle.steps == steps and cycle.energy.dissipated_energy > history.last_step.energy.dissipated_energy
+    pressed = ss.History.from_bytes(bodies, before)
+    assert pressed.press(normal_force=60.0, tolerance=0.03) == steps and pressed.to_bytes() == history.to_bytes()
     exact = ss.analytical.SpencePressing.round(bodies.pair, 0.1).stick_radius
     assert steps == 16 and history.last_step.stick_ratio**0.5 == pytest.approx(exact, abs=0.04)
     assert not [remark for remark in history.last_step.warnings if remark.kind == "single_load_step"]

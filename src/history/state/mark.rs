@@ -3,8 +3,8 @@
 use crate::history::LoopPoint;
 use crate::history::state::State;
 
-/// Forces and motion of a state, and a digest of the input of its history. Two states of different contacts differ in one of these
-/// numbers. Equality ignores the digest, because saved marks do not contain it.
+/// Forces and motion of a state, and a digest of the input of its history. Two states of different contacts differ in one of
+/// these numbers. Equality ignores the digest, because saved marks do not contain it.
 #[derive(Debug, Clone, Copy)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub(in crate::history) struct StateMark {

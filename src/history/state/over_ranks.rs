@@ -63,8 +63,8 @@ impl State {
         sum * self.grid().cell_area()
     }
 
-    /// Returns the largest change of the gap of a contact cell since the last pressure was computed, divided by the largest normal
-    /// displacement due to this pressure. The ratio is zero without contact.
+    /// Returns the largest change of the gap of a contact cell since the last pressure was computed, divided by the largest
+    /// normal displacement due to this pressure. The ratio is zero without contact.
     pub(in crate::history) fn gap_change(&self, bodies: &HalfSpace) -> f64 {
         let (layout, approach) = (bodies.grid_layout(), self.normal.approach());
         let pressure = self.pressure().as_slice();

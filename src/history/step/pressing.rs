@@ -77,9 +77,9 @@ impl History {
     ///
     /// # Slip and energy
     /// The [last step](History::last_step) is the last of the steps taken, with the slip and energy of this step alone.
-    /// [`History::press_steps_observed`] calls an observer after each step taken. [`History::accumulated_slip`] and [`History::accumulated_dissipation`] include all steps: subtract their values
-    /// before the call for the wear of the load. The error of the energy can be many times the tolerance
-    /// ([measured](crate::guide::accuracy#energies-of-adaptive-steps)).
+    /// [`History::press_steps_observed`] calls an observer after each step taken. [`History::accumulated_slip`] and
+    /// [`History::accumulated_dissipation`] include all steps: subtract their values before the call for the wear of the load.
+    /// The error of the energy can be many times the tolerance ([measured](crate::guide::accuracy#energies-of-adaptive-steps)).
     pub fn press(&mut self, load: &LoadStep, tolerance: f64) -> Result<usize> {
         self.press_observed(load, tolerance, |_| ControlFlow::Continue(()))
     }

@@ -174,8 +174,8 @@ impl CycleJump {
 
     /// Returns the number of cycles without rounding. It is the smallest of the limits, or infinity without a limit.
     ///
-    /// A number below one means that the wear of a single cycle is too large for one update. A number far below one usually results
-    /// from a wear coefficient in an inconsistent unit (1 mm3/(N m) is 1e-9 1/Pa).
+    /// A number below one means that the wear of a single cycle is too large for one update. A number far below one usually
+    /// results from a wear coefficient in an inconsistent unit (1 mm3/(N m) is 1e-9 1/Pa).
     ///
     /// An infinite number is not a factor for a depth: [`Field::add_scaled`](crate::Field::add_scaled) rejects it. It results if
     /// no cell slips and no other limit is set. Set [`Self::cycles_left`] or [`Self::largest_depth`] before using the number.

@@ -239,7 +239,8 @@ impl RollingSolution {
     }
 
     /// Returns the warnings about the solution (see [`Warning`]). They include [`Warning::NeglectedLift`] if tractions of
-    /// dissimilar bodies change the pressure by more than the tolerance, [`Warning::LargeCreepage`] and [`Warning::LargeFriction`].
+    /// dissimilar bodies change the pressure by more than the tolerance, [`Warning::LargeCreepage`] and
+    /// [`Warning::LargeFriction`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let contains = |cell: usize| self.zones[cell] != Zone::Separated;

@@ -10,6 +10,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -120,6 +121,10 @@ inline void check(stickslip_status status) {
 /// solve and propagates to the caller.
 using Observe = std::function<bool(const Iteration &)>;
 
+/// Observer that receives the results of every accepted step of a load and returns false to end the call, which then undoes
+/// all steps. An exception of the observer does the same and propagates to the caller.
+using ObserveStep = std::function<bool(const stickslip_step_result &)>;
+
 /// Contact spots and, for every cell, the number of its spot: counted from one, zero outside the contact.
 struct Spots {
     std::vector<stickslip_spot> spots;
@@ -186,12 +191,13 @@ template <class Ask> Edges edged(std::size_t cells, Ask ask) {
 }
 
 /// Observer for C. An exception must not pass through C: it ends the solve and is rethrown afterwards.
-class Watch {
+template <class Seen> class Watch {
   public:
-    explicit Watch(const Observe &observe) : observe_(observe) {}
+    explicit Watch(const std::function<bool(const Seen &)> &observe) : observe_(observe) {}
 
     template <class Solve> void run(Solve solve) {
-        stickslip_observer observer = {&Watch::call, this};
+        using OfSteps = std::is_same<Seen, stickslip_step_result>;
+        std::conditional_t<OfSteps::value, stickslip_step_observer, stickslip_observer> observer = {&Watch::call, this};
         stickslip_status status = solve(observe_ ? &observer : nullptr);
         if (thrown_) {
             std::rethrow_exception(thrown_);
@@ -200,17 +206,17 @@ class Watch {
     }
 
   private:
-    static std::int32_t call(const Iteration *iteration, void *user) noexcept {
+    static std::int32_t call(const Seen *seen, void *user) noexcept {
         auto *self = static_cast<Watch *>(user);
         try {
-            return self->observe_(*iteration) ? 1 : 0;
+            return self->observe_(*seen) ? 1 : 0;
         } catch (...) {
             self->thrown_ = std::current_exception();
             return 0;
         }
     }
 
-    const Observe &observe_;
+    const std::function<bool(const Seen &)> &observe_;
     std::exception_ptr thrown_;
 };
 

@@ -37,6 +37,13 @@ class AdaptiveSteps {
         check(stickslip_adaptive_steps_step(get(), history.get(), &load, &found));
         return found;
     }
+    /// Applies a load in steps like AdaptiveSteps::step, and returns their number. Every accepted step is added to
+    /// cycle, and observe receives its results. Sums over all steps, such as energies and the slip for wear, are then
+    /// results of the cycle. The cycle must start or end at the current state. After a failure the state of the history
+    /// is unchanged, but the cycle may contain undone steps: begin it again. Throws STICKSLIP_NOT_CONVERGED if the
+    /// observer ends the call.
+    std::size_t stepwise(History &history, const stickslip_load_step &load, Cycle *cycle = nullptr,
+        const ObserveStep &observe = nullptr);
     /// Computes the error that History::step would make with a load. The state of the history is unchanged. The history
     /// then has no last step until its next step.
     stickslip_step_error error(History &history, const stickslip_load_step &load) {
@@ -96,6 +103,20 @@ class Cycle {
     Own own_;
 };
 
+/// Applies a load in steps like History::press, and returns their number. Every accepted step is added to cycle, and
+/// observe receives its results. For this purpose the accepted steps are taken a second time, with identical results.
+/// The cycle must start or end at the current state. After a failure the state of the history is unchanged, but the
+/// cycle may contain undone steps: begin it again. Throws STICKSLIP_NOT_CONVERGED if the observer ends the call.
+inline std::size_t press_stepwise(History &history, const stickslip_load_step &load, double tolerance,
+    Cycle *cycle = nullptr, const ObserveStep &observe = nullptr) {
+    std::size_t found{};
+    detail::Watch(observe).run([&](const stickslip_step_observer *observer) {
+        return stickslip_history_press_stepwise(history.get(), &load, tolerance,
+            cycle == nullptr ? nullptr : cycle->get(), observer, &found);
+    });
+    return found;
+}
+
 /// Returns the number of cycles whose wear may be removed in one step without growing oscillations of the pressure.
 /// Explicit integration of Archard's law is stable below this number. coefficient (one over a pressure) is the sum of
 /// the wear coefficients of both bodies, and slip_distance (lengths) is the slip distance of one cycle. For the energy
@@ -104,6 +125,16 @@ inline double max_stable_cycles(const HalfSpace &bodies, const stickslip_per_cel
     const FieldArgument &slip_distance) {
     double found{};
     check(stickslip_max_stable_cycles(bodies.get(), &coefficient, slip_distance.data(), slip_distance.size(), &found));
+    return found;
+}
+
+inline std::size_t AdaptiveSteps::stepwise(History &history, const stickslip_load_step &load, Cycle *cycle,
+    const ObserveStep &observe) {
+    std::size_t found{};
+    detail::Watch(observe).run([&](const stickslip_step_observer *observer) {
+        return stickslip_adaptive_steps_stepwise(get(), history.get(), &load,
+            cycle == nullptr ? nullptr : cycle->get(), observer, &found);
+    });
     return found;
 }
 

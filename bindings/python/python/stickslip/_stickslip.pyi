@@ -3445,7 +3445,7 @@ class History:
         """
         The normal solution, a copy.
         """
-    def press(self, /, load: LoadStep | None = None, *, tolerance: float, normal_force: float | None = None, approach: float | None = None, progress: Any | None = None, warn: bool = True) -> int:
+    def press(self, /, load: LoadStep | None = None, *, tolerance: float, normal_force: float | None = None, approach: float | None = None, cycle: Cycle | None = None, progress: Any | None = None, warn: bool = True) -> int:
         """
         Applies a load in steps with equal growth of the contact, as many as a tolerance requires. Press a contact of
         dissimilar bodies in this way or in several steps, because the stick and slip zones depend on the growth of the
@@ -3456,8 +3456,8 @@ class History:
         for half the number of steps by no more than the tolerance. A call that fails, or that is interrupted by Ctrl-C,
         leaves the state unchanged. The history then has no last step until its next step.
 
-        :attr:`last_step` is the last of these steps, with its slip and energy alone. For the wear of the load, take the increase of
-        :attr:`accumulated_dissipation`.
+        :attr:`last_step` is the last of these steps, with its slip and energy alone. For the wear of the load, give
+        ``cycle``, or take the increase of :attr:`accumulated_dissipation`.
 
         Parameters
         ----------
@@ -3470,8 +3470,12 @@ class History:
             settings.
         normal_force, approach : optional
             See :class:`LoadStep`.
+        cycle : Cycle, optional
+            A cycle to which each of these steps is added. It must start or end in the present state. The steps are taken a
+            second time for this purpose, with identical results, and Ctrl-C takes effect only then. After an exception, restart
+            the cycle by :meth:`Cycle.begin`.
         progress : callable or bool, optional
-            See :meth:`NormalProblem.solve`.
+            See :meth:`NormalProblem.solve`. Not available with ``cycle``.
         warn : bool, default True
             Whether the warnings of the last step are also issued through ``warnings``.
 
@@ -3484,6 +3488,8 @@ class History:
         ------
         Tolerance, StepTooLong
             In addition to the exceptions of :meth:`step`.
+        StepOutOfOrder
+            If the cycle does not start or end in the present state of this history.
         """
     @property
     def pressure(self, /) -> NDArray[float64]:
@@ -7873,9 +7879,10 @@ class Warning:
     The attribute ``kind`` is the name of the warning: ``no_contact``, ``contact_at_edge``, ``unresolved_spots``,
     ``single_row_of_cells``, ``contact_spans_grid``, ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``,
     ``underresolved_stick_zone``, ``underresolved_slip_zone``, ``single_load_step``, ``stress_at_edge``,
-    ``discretisation_error``, ``approach_beyond_grid``, ``shift_beyond_grid``, ``large_contact_radius``, ``steep_surface``,
-    ``held_shift_lost_force``, ``unused_relative_displacement``, ``neglected_lift``, ``coating_beyond_grid``,
-    ``coating_below_cell`` or ``accuracy_not_reached``.
+    ``discretisation_error``, ``approach_beyond_grid``, ``shift_beyond_grid``, ``large_twist``, ``large_creepage``,
+    ``large_friction``, ``large_gap_change``, ``large_contact_radius``, ``pressure_beyond_modulus``, ``not_converged``,
+    ``steep_surface``, ``held_shift_lost_force``, ``unused_relative_displacement``, ``repeated_loop``,
+    ``neglected_lift``, ``coating_beyond_grid``, ``coating_below_cell`` or ``accuracy_not_reached``.
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __hash__(self, /) -> int: ...

@@ -169,7 +169,8 @@ class JumpWear:
         if allowed(1) < 1.0:
             error = NoWholeCycle(
                 f"a cycle removes more than the limit, which is {allowed(1):g} cycles: "
-                "reduce the wear coefficient, or wear the gap after each step of the cycle"
+                "reduce the wear coefficient, or wear the gap after each step of the cycle; "
+                "check the unit of the coefficient (1 mm3/(N m) is 1e-9 1/Pa)"
             )
             error.cycles = allowed(1)
             raise error

@@ -8,17 +8,17 @@ use pyo3::prelude::*;
 use rayon::prelude::*;
 use stickslip::Error;
 
-use crate::argument::Listed;
+use crate::argument::{Listed, Object};
 use crate::conversion;
 use crate::error::{OrRaise, raised};
 use crate::history::builder::{NAME, Work};
-use crate::history::{History, Rolling, StepResult};
+use crate::history::{Cycle, History, Rolling, StepResult};
 use crate::load::{self, Keywords, LoadStep, StepArgument, keywords};
 use crate::progress::Progress;
 use crate::real::Real;
 use crate::report::warn;
 use crate::solution_pool::lock;
-use crate::work::solve;
+use crate::work::{solve, unless_broken_off};
 
 #[pymethods]
 impl History {
@@ -106,8 +106,8 @@ impl History {
     /// for half the number of steps by no more than the tolerance. A call that fails, or that is interrupted by Ctrl-C,
     /// leaves the state unchanged. The history then has no last step until its next step.
     ///
-    /// :attr:`last_step` is the last of these steps, with its slip and energy alone. For the wear of the load, take the increase of
-    /// :attr:`accumulated_dissipation`.
+    /// :attr:`last_step` is the last of these steps, with its slip and energy alone. For the wear of the load, give
+    /// ``cycle``, or take the increase of :attr:`accumulated_dissipation`.
     ///
     /// Parameters
     /// ----------
@@ -120,8 +120,12 @@ impl History {
     ///     settings.
     /// normal_force, approach : optional
     ///     See :class:`LoadStep`.
+    /// cycle : Cycle, optional
+    ///     A cycle to which each of these steps is added. It must start or end in the present state. The steps are taken a
+    ///     second time for this purpose, with identical results, and Ctrl-C takes effect only then. After an exception, restart
+    ///     the cycle by :meth:`Cycle.begin`.
     /// progress : callable or bool, optional
-    ///     See :meth:`NormalProblem.solve`.
+    ///     See :meth:`NormalProblem.solve`. Not available with ``cycle``.
     /// warn : bool, default True
     ///     Whether the warnings of the last step are also issued through ``warnings``.
     ///
@@ -134,14 +138,17 @@ impl History {
     /// ------
     /// Tolerance, StepTooLong
     ///     In addition to the exceptions of :meth:`step`.
-    #[pyo3(signature = (load=None, *, tolerance=None, normal_force=None, approach=None, progress=None, warn=true),
-        text_signature = "($self, load=None, *, tolerance, normal_force=None, approach=None, progress=None, warn=True)")]
+    /// StepOutOfOrder
+    ///     If the cycle does not start or end in the present state of this history.
+    #[pyo3(signature = (load=None, *, tolerance=None, normal_force=None, approach=None, cycle=None, progress=None, warn=true),
+        text_signature = "($self, load=None, *, tolerance, normal_force=None, approach=None, cycle=None, progress=None, warn=True)")]
     fn press<'py>(
         slf: &Bound<'py, Self>,
         load: Option<StepArgument>,
         tolerance: Option<Real>,
         normal_force: Option<Real>,
         approach: Option<Real>,
+        cycle: Option<Object<Cycle>>,
         progress: Option<Bound<'py, PyAny>>,
         warn: bool,
     ) -> PyResult<usize> {
@@ -154,18 +161,34 @@ impl History {
             None => Some(load::needed_as("normal_force", normal_force, approach)?),
             Some(_) => load::normal(normal_force, approach)?,
         };
+        let is_followed = progress
+            .as_ref()
+            .map_or(Ok(false), PyAnyMethods::is_truthy)?;
+        if cycle.is_some() && is_followed {
+            return Err(PyTypeError::new_err("give cycle= or progress=, not both"));
+        }
         let load = Keywords::default().step_or(load, normal, None, None)?;
         let progress = Progress::of(progress.as_ref())?;
         let own = slf.get();
         let mut work = lock(&own.work, NAME)?;
         let tried = &mut *work;
+        let mut locked = cycle.as_deref().map(Cycle::lock).transpose()?;
+        let mut cycle = locked.as_deref_mut();
         let outcome = solve(py, own.cells(), progress, |observer| {
-            let seen = |iteration: &_| observer(Some(iteration));
-            tried.tried(|history| history.press_observed(&load, tolerance.0, seen))
+            tried.tried(|history| {
+                let Some(cycle) = &mut cycle else {
+                    let seen = |iteration: &_| observer(Some(iteration));
+                    return history.press_observed(&load, tolerance.0, seen);
+                };
+                history.press_steps_observed(&load, tolerance.0, |history| {
+                    cycle.add(history)?;
+                    unless_broken_off(observer)
+                })
+            })
         })?;
         let steps = outcome.or_raise(py)?;
         let warnings = work.history.last_step().or_raise(py)?.warnings();
-        drop(work);
+        drop((work, locked));
         self::warn(py, warn, || warnings)?;
         Ok(steps)
     }
