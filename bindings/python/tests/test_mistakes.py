@@ -374,7 +374,32 @@ def test_loop_whose_load_ignores_the_path_is_rejected(scene):
         loop.run(history, 2)
     with pytest.raises(ValueError, match="equal steps for all values of the path"):
         ss.wear.run(history, loop, ss.wear.EnergyLaw(1e-13), 100)
+    # The sine contains the values 0.0 and -0.0 along y.
+    beside = ss.history.FrettingLoop(
+        ss.history.LoadPath.sine((2e-6, 0.0), 20), lambda shift: ss.LoadStep(normal_force=FORCE, shift_x=shift[1])
+    )
+    with pytest.raises(ValueError, match="equal steps for all values of the path"):
+        beside.run(history, 2)
     assert history.steps == 1
+
+
+def test_loop_without_slip_warns_unless_friction_is_large(scene):
+    path = ss.history.LoadPath.sine((2e-6, 0.0), 20)  # lengths, given as forces
+    loop = ss.history.FrettingLoop(path, lambda force: ss.LoadStep(normal_force=FORCE, force=force))
+
+    def pressed(friction):
+        history = ss.History(scene.bodies, scene.ball, friction)
+        history.step(normal_force=FORCE)
+        return history
+
+    with pytest.warns(ss.ContactWarning, match="no cell slips in the cycle, .* a length given as a force"):
+        assert loop.run(pressed(0.5), 2).last.energy.dissipated_energy == 0.0
+    with pytest.warns(ss.ContactWarning, match="no cell slips in the cycle"):
+        assert ss.wear.run(pressed(0.5), loop, ss.wear.EnergyLaw(1e-13), 100).depth.max() == 0.0
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        loop.run(pressed(1e6), 1)
+    assert not any("no cell slips" in str(warning.message) for warning in caught)
 
 
 def test_unstated_marks_of_missing_points_are_rejected():
