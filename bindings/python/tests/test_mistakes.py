@@ -402,6 +402,19 @@ def test_loop_without_slip_warns_unless_friction_is_large(scene):
     assert not any("no cell slips" in str(warning.message) for warning in caught)
 
 
+def test_comparison_of_choices_with_unknown_names_raises(scene):
+    report = scene.normal().report
+    assert report.status == "converged" and report.status != "stalled" and "converged" == report.status
+    assert report.status in ("stalled", "converged") and report.status != 1 and report.status is not None
+    assert {report.status: 1}["converged"] == 1 and ss.Axis.X == ss.influence.Direction.X and ss.Status.STALLED != ss.Axis.X
+    for compare in (lambda: report.status == "ok", lambda: "ok" != report.status, lambda: report.status in ("ok",)):
+        with pytest.raises(ValueError, match="'ok' is not a name of Status: use 'unsolved', 'converged', 'iteration_limit', "):
+            compare()
+    with pytest.raises(ValueError, match="'partial slip' is not a name of Regime: use 'full_stick', 'partial_slip', 'gross_slip'"):
+        assert ss.history.Regime.PARTIAL_SLIP == "partial slip"
+    assert np.array_equal(np.array([report.status]) == "converged", [True])
+
+
 def test_unstated_marks_of_missing_points_are_rejected():
     text = b"1.5,2.5\n-9999,4\n"
     with pytest.raises(ss.errors.Format, match=r"1 number with the value -9999\.0 may mark missing points: set the option missing"):

@@ -275,6 +275,16 @@ def test_digest_of_loop_contains_exact_loads():
         ss.wear.run(worn, heavier, LAW, 200, resume=snapshot)
 
 
+def test_axes_of_the_depth_of_a_law_are_recognised_by_name():
+    xarray = pytest.importorskip("xarray")
+
+    def turned(history, cycle):
+        return xarray.DataArray(LAW(history, cycle), dims=("y", "x")).transpose("x", "y")
+
+    by_name, depth = (ss.wear.run(history(), loop(), law, 100).depth for law in (turned, LAW))
+    assert np.array_equal(by_name, depth) and not np.array_equal(depth, depth.T)
+
+
 def test_arguments_of_wrong_type_are_named():
     worn = history()
     before = worn.to_bytes()
