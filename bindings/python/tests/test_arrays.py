@@ -352,6 +352,22 @@ def test_axes_of_other_names_are_rejected(scene):
     assert ss.io.from_xarray(bare.assign_coords(along)) == ss.Field(grid, values)
 
 
+def test_operands_and_operators_recognise_axes_by_name(scene):
+    xarray = pytest.importorskip("xarray")
+    field = ss.surface.ellipsoid(scene.grid, 3e-3, 6e-3)
+    values = field.array
+    turned = xarray.DataArray(values.T, dims=("x", "y"))
+    for function in (np.add, np.subtract, np.maximum, np.hypot):
+        assert np.array_equal(function(field, turned), function(values, values)), function.__name__
+    assert np.array_equal(np.where(values > 1e-6, field, 2.0 * turned), np.where(values > 1e-6, values, 2.0 * values))
+    product = scene.bodies.operator("zz")
+    assert np.array_equal(product(turned), product(values)) and not np.array_equal(product(values.T), product(values))
+    reversed_ = xarray.DataArray(values, dims=("y", "x"), coords={"y": scene.grid.y[::-1]})
+    for call in (lambda: np.maximum(field, reversed_), lambda: np.where(values > 0.0, field, reversed_), lambda: product(reversed_)):
+        with pytest.raises(ValueError, match="has decreasing coordinates along y"):
+            call()
+
+
 def test_axes_of_tables_are_recognised_by_name(scene):
     pandas = pytest.importorskip("pandas")
     grid, values = scene.grid, ss.surface.ellipsoid(scene.grid, 3e-3, 6e-3).array

@@ -1,5 +1,5 @@
-"""Enumerations. Each member is a string, and every argument that accepts a member also accepts its name. A comparison with a string
-that is no name of a member raises a ``ValueError``."""
+"""Enumerations. Each member is a string, and every argument that accepts a member also accepts its name. A comparison with an unknown
+string raises a ``ValueError``."""
 
 from __future__ import annotations
 

@@ -219,7 +219,7 @@ def check_coordinates(array: Any, quantity: str, sides: tuple[float, float] | No
     an array of xarray with the dimensions x and y were brought into the order (y, x).
 
     Labels of a table that are whole numbers, or numbers as text, may also rise in steps of one: they are then numbers of rows or
-    columns. Labels that are no numbers are ignored. Without cell sides, for example for an operand of NumPy, coordinates must only rise.
+    columns. Labels that are no numbers are ignored. Without cell sides, as for an operand of NumPy, coordinates must only rise.
     """
     if array.ndim != 2:
         return
@@ -229,7 +229,9 @@ def check_coordinates(array: Any, quantity: str, sides: tuple[float, float] | No
         labels = {axis: part for axis, part in (("x", array.columns), ("y", array.index)) if part.dtype.kind in "fiuO"}
         remedy = "sort it by .sort_index(axis={})"
         if names["x"] == "y" or names["y"] == "x":
-            raise ValueError(f"{quantity} is a table with rows named x or columns named y, expected rows y and columns x: give table.T")
+            raise ValueError(
+                f"{quantity} is a table with rows named x or columns named y, expected rows y and columns x: give table.T"
+            )
     else:
         _check_dimensions(array, quantity)
         names = {axis: axis for axis in "xy"}
@@ -268,7 +270,7 @@ def check_coordinates(array: Any, quantity: str, sides: tuple[float, float] | No
 
 
 def _check_dimensions(array: Any, quantity: str) -> None:
-    """Raises an error if an array of xarray has other dimensions than x and y, unless they have no coordinates and resemble neither."""
+    """Raises an error if an array of xarray has other dimensions than x and y that have coordinates or start with x or y."""
     with_coordinates = {name for along in array.coords.values() for name in along.dims}
     others = [name for name in array.dims if name in with_coordinates or str(name).lower().startswith(("x", "y"))]
     if set(array.dims) != {"x", "y"} and others:
