@@ -221,7 +221,7 @@ def check_coordinates(array: Any, quantity: str, sides: tuple[float, float] | No
     Labels of a table that are whole numbers, or numbers as text, may also rise in steps of one: they are then numbers of rows or
     columns. Labels that are no numbers are ignored. Without cell sides, as for an operand of NumPy, coordinates must only rise.
     """
-    if array.ndim != 2:
+    if getattr(array, "ndim", None) != 2:  # datasets have no number of dimensions
         return
     is_table = hasattr(array, "columns")
     if is_table:
