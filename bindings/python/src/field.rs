@@ -17,8 +17,8 @@ use crate::error::OrRaise;
 use crate::grid::{Grid, size};
 use crate::pickle::{Reduced, Stored, reduced};
 use crate::real::{
-    Count, by_axis, check_coordinates, is_no_mask, is_no_truth_value, is_real, misshapen, plane,
-    shape_error, wrong_type,
+    Count, by_axis, check_coordinates, in_axes, is_no_mask, is_no_truth_value, is_real, misshapen,
+    plane, shape_error, wrong_type,
 };
 use crate::unit::{Unit, factor, is_same, known, one_of};
 
@@ -30,9 +30,10 @@ use crate::unit::{Unit, factor, is_same, known, one_of};
 /// either order, is computed cell by cell and is a field. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of
 /// booleans. Two fields are compared as a whole by ``==``. Other NumPy functions, such as ``numpy.maximum``, treat a field as
 /// its array: their result has no unit, and fields of different units raise an error. The axes of an array of xarray with the
-/// dimensions x and y are recognised by their names. Its coordinates x and y, if any, must rise in steps of the cell sides. The
-/// labels of a DataFrame of pandas are either such coordinates, whole numbers that rise in steps of one, or names. Other labels,
-/// such as those of a reversed or shuffled table, raise an error. Masked cells are missing points (NaN). They are rejected in a gap
+/// dimensions x and y are recognised by their names, also by NumPy functions of a field. Its coordinates x and y, if any, must rise in
+/// steps of the cell sides. Dimensions of other names raise an error if they have coordinates. The labels of a DataFrame of pandas are
+/// either such coordinates, whole numbers that rise in steps of one, or names. Its rows are y and its columns x. Other labels, such as
+/// those of a reversed, shuffled or transposed table, raise an error. Masked cells are missing points (NaN). They are rejected in a gap
 /// or a pressure, and :func:`surface.fill_missing <stickslip.surface.fill_missing>` fills them.
 ///
 /// Parameters
@@ -109,8 +110,7 @@ impl Field {
     ) -> PyResult<Self> {
         is_no_truth_value(&samples.0, "samples")?;
         let unit = one_of([unit.map(known).transpose()?, samples.unit()?])?;
-        let field = samples.on(py, "samples", grid.0)?;
-        same_grid(grid.0, &field, "samples").or_raise(py)?;
+        let field = samples.only_on(py, "samples", grid.0)?;
         Ok(Self(field, unit))
     }
 
@@ -292,11 +292,12 @@ impl Field {
             };
             one_of(inputs.iter().map(unit))?;
         }
+        let grid = slf.get().0.grid();
         let arrays = inputs.into_iter().map(|input| match input.cast::<Self>() {
-            Ok(field) => Self::array(field).0,
-            Err(_) => input,
+            Ok(field) => Ok(Self::array(field).0),
+            Err(_) => in_axes(&input, "operand", Some([grid.dx(), grid.dy()])),
         });
-        let arrays = PyTuple::new(slf.py(), arrays.collect::<Vec<_>>())?;
+        let arrays = PyTuple::new(slf.py(), arrays.collect::<PyResult<Vec<_>>>()?)?;
         ufunc.getattr(method)?.call(arrays, kwargs.as_ref())
     }
 
@@ -511,24 +512,21 @@ impl Field {
 
     /// Returns the second field of an operation, or an error if its grid differs.
     fn beside(&self, py: Python<'_>, other: &Samples<'_>) -> PyResult<Arc<stickslip::Field>> {
-        let grid = self.0.grid();
-        let other = other.on(py, "other field", grid)?;
-        same_grid(grid, &other, "other field").or_raise(py)?;
-        Ok(other)
+        other.only_on(py, "other field", self.0.grid())
     }
 }
 
 /// Returns an error unless a field is on the given grid.
-fn same_grid(
+pub(crate) fn same_grid(
     grid: stickslip::Grid,
-    field: &stickslip::Field,
+    found: stickslip::Grid,
     name: &'static str,
 ) -> stickslip::Result<()> {
-    if field.grid() == grid {
+    if found == grid {
         return Ok(());
     }
     // The crate accepts grids whose sides differ by round-off. It compares the grids when it computes a difference.
-    let difference = stickslip::Field::zeros(grid).minus(field);
+    let difference = stickslip::Field::zeros(grid).minus(&stickslip::Field::zeros(found));
     difference.map(|_| ()).map_err(|mut error| {
         if let Error::GridMismatch { quantity, .. } = &mut error {
             *quantity = name;
@@ -605,7 +603,7 @@ pub(crate) fn apply_to_arrays<'py>(
     function.call(arguments.cast::<PyTuple>()?, Some(&plain))
 }
 
-/// Replaces fields and surfaces by their arrays, and collects their units.
+/// Replaces fields and surfaces by their arrays, and collects their units. The axes of arrays of xarray are recognised by name.
 fn as_arrays<'py>(
     value: &Bound<'py, PyAny>,
     units: &mut Vec<Option<Unit>>,
@@ -616,7 +614,7 @@ fn as_arrays<'py>(
         return Ok(Field::array(field).0);
     }
     let Some(parts) = entries(value) else {
-        return Ok(value.clone());
+        return in_axes(value, "operand", None);
     };
     let parts: PyResult<Vec<_>> = parts.iter().map(|part| as_arrays(&part, units)).collect();
     let parts = PyTuple::new(value.py(), parts?)?;
@@ -690,7 +688,7 @@ impl Samples<'_> {
             let (rows, columns) = samples.dim();
             return Err(misshapen(py, quantity, grid, &[rows, columns]));
         }
-        check_coordinates(&self.0, quantity, grid)?;
+        check_coordinates(&self.0, quantity, Some([grid.dx(), grid.dy()]))?;
         let samples = match samples.as_slice() {
             Some(samples) => samples.to_vec(),
             None => samples.iter().copied().collect(),
@@ -699,6 +697,18 @@ impl Samples<'_> {
         let grid = self.own_grid().unwrap_or(grid);
         let field = stickslip::Field::from_vec(grid, samples).or_raise(py)?;
         Ok(Arc::new(field))
+    }
+
+    /// Returns the samples as a field on this grid, as [`on`](Self::on), but rejects a field on a different grid.
+    pub(crate) fn only_on(
+        &self,
+        py: Python<'_>,
+        quantity: &'static str,
+        grid: stickslip::Grid,
+    ) -> PyResult<Arc<stickslip::Field>> {
+        let field = self.on(py, quantity, grid)?;
+        same_grid(grid, field.grid(), quantity).or_raise(py)?;
+        Ok(field)
     }
 
     /// Returns the samples as a field on this grid, as [`on`](Self::on), but rejects a single number. For a gap or a pressure, a
@@ -792,11 +802,12 @@ impl Samples<'_> {
         by_axis(&self.0).ok()?.getattr("shape").ok()?.extract().ok()
     }
 
-    /// Returns one number or a field on this grid; without a grid, on the field's own grid.
+    /// Returns one number or a field on this grid; without a grid, on the field's own grid. A field on a different grid is
+    /// rejected.
     pub(crate) fn spread(
         &self,
         py: Python<'_>,
-        quantity: &str,
+        quantity: &'static str,
         grid: Option<&Grid>,
     ) -> PyResult<Spread> {
         is_real(&self.0, quantity)?;
@@ -804,7 +815,7 @@ impl Samples<'_> {
         match self.number() {
             Some(value) => Ok(Spread::Uniform(value)),
             None => self
-                .on(py, quantity, grid_of(grid, &[self])?)
+                .only_on(py, quantity, grid_of(grid, &[self])?)
                 .map(Spread::PerCell),
         }
     }

@@ -28,7 +28,7 @@ use crate::real::Real;
 ///
 /// Raises
 /// ------
-/// NegativeOrNotFinite, Sample, Shape, NotPositive
+/// NegativeOrNotFinite, Sample, Shape, GridMismatch, NotPositive
 #[pyclass(frozen, eq, module = "stickslip")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct Friction(pub(crate) stickslip::Friction);

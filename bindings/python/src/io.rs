@@ -12,7 +12,7 @@ use crate::argument::Object;
 use crate::conversion::{self, entries};
 use crate::digits::counted;
 use crate::error::OrRaise;
-use crate::field::{Field, Samples};
+use crate::field::{Field, Samples, same_grid};
 use crate::grid::Grid;
 use crate::real::{Count, Real, is_plane};
 use crate::solution_pool::lock;
@@ -461,8 +461,11 @@ impl Arrays {
         }
         let module = py.import("stickslip.io._datasets")?;
         let found = module.call_method1("fields_of", (given,))?;
-        let (fields, grid): (Bound<'_, PyDict>, Bound<'_, Grid>) = found.extract()?;
-        Self::by_name(py, &fields, Some(grid.get()))
+        let (fields, own): (Bound<'_, PyDict>, Bound<'_, Grid>) = found.extract()?;
+        if let Some(grid) = grid {
+            same_grid(grid.0, own.get().0, "solution").or_raise(py)?;
+        }
+        Self::by_name(py, &fields, Some(own.get()))
     }
 
     fn by_name(py: Python<'_>, fields: &Bound<'_, PyDict>, grid: Option<&Grid>) -> PyResult<Self> {
@@ -470,7 +473,7 @@ impl Arrays {
         let one = |object: &Bound<'_, PyAny>| {
             let samples: Samples<'_> = object.extract()?;
             match grid {
-                Some(grid) => samples.on(py, "field", grid.0),
+                Some(grid) => samples.only_on(py, "field", grid.0),
                 None => samples.alone("field"),
             }
         };

@@ -18,7 +18,7 @@ use crate::function::raising;
 use crate::grid::Grid;
 use crate::material::ElasticPair;
 use crate::operator::{LinearOperator, Product, Shared, product_of};
-use crate::real::{Real, is_real, named_by, wrong_type};
+use crate::real::{Real, in_axes, is_real, named_by, wrong_type};
 
 /// Two bodies with a user-defined response, in place of the material pair of a :class:`HalfSpace`. A kernel is created by
 /// :meth:`isotropic`, :meth:`tabulated` or :meth:`operators`. Kernels cannot be pickled, nor can bodies that use them.
@@ -141,7 +141,8 @@ impl Kernel {
             let component: Choice<Component> = name
                 .extract()
                 .map_err(|error: PyErr| named_by(py, error, "a key of coefficients"))?;
-            let values: PyArrayLike2<'_, f64, AllowTypeChange> = values.extract()?;
+            let values: PyArrayLike2<'_, f64, AllowTypeChange> =
+                in_axes(&values, "the array of coefficients", Some(sides))?.extract()?;
             let values = values.as_array();
             let (ny, nx) = values.dim();
             let so_far = match table {

@@ -305,20 +305,30 @@ pub(crate) fn by_axis<'py>(object: &Bound<'py, PyAny>) -> PyResult<Bound<'py, Py
 }
 
 /// Returns an error if an array of xarray or a table of pandas has coordinates that do not rise in steps of the cell sides. Its
-/// values would otherwise be mirrored or scaled without notice.
+/// values would otherwise be mirrored or scaled without notice. Without cell sides, coordinates must only rise.
 pub(crate) fn check_coordinates(
     object: &Bound<'_, PyAny>,
     quantity: &str,
-    grid: stickslip::Grid,
+    sides: Option<[f64; 2]>,
 ) -> PyResult<()> {
     let is_array = object.hasattr("dims")? && object.hasattr("coords")?;
     if !(is_array || object.hasattr("columns")? && object.hasattr("index")?) {
         return Ok(());
     }
     let module = object.py().import("stickslip.io._datasets")?;
-    let sides = (grid.dx(), grid.dy());
     module.call_method1("check_coordinates", (object, quantity, sides))?;
     Ok(())
+}
+
+/// Returns an array with its axes in the order (y, x), after the check of its coordinates. Objects without named axes are
+/// returned unchanged.
+pub(crate) fn in_axes<'py>(
+    object: &Bound<'py, PyAny>,
+    quantity: &str,
+    sides: Option<[f64; 2]>,
+) -> PyResult<Bound<'py, PyAny>> {
+    check_coordinates(object, quantity, sides)?;
+    by_axis(object)
 }
 
 /// Returns the remedy for an object of the package instead of an array. In the calls with both, the gap or the normal contact

@@ -1,8 +1,11 @@
 //! Reports, iterations and warnings as objects with a readable `repr`.
 
+use std::hash::{DefaultHasher, Hash, Hasher};
 use std::time::Duration;
 
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
+use pyo3::types::PyString;
 
 use crate::choice::Choice;
 use crate::digits::{counted, in_python, rough};
@@ -119,9 +122,10 @@ record!(Report: status, iterations, double_precision_products, single_precision_
 /// ``discretisation_error``, ``approach_beyond_grid``, ``shift_beyond_grid``, ``large_twist``, ``large_creepage``,
 /// ``large_friction``, ``large_gap_change``, ``large_contact_radius``, ``pressure_beyond_modulus``, ``not_converged``,
 /// ``steep_surface``, ``held_shift_lost_force``, ``unused_relative_displacement``, ``repeated_loop``,
-/// ``neglected_lift``, ``coating_beyond_grid``, ``coating_below_cell`` or ``accuracy_not_reached``.
-#[pyclass(frozen, eq, hash, module = "stickslip")]
-#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+/// ``neglected_lift``, ``coating_beyond_grid``, ``coating_below_cell`` or ``accuracy_not_reached``. The names of the warnings of a
+/// solution are ``[warning.kind for warning in solution.warnings]``. A comparison of a warning with a string raises a ``ValueError``.
+#[pyclass(frozen, module = "stickslip")]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Warning(pub(crate) stickslip::Warning);
 
 impl Warning {
@@ -188,6 +192,23 @@ impl Warning {
     #[getter]
     fn message(&self) -> String {
         self.0.to_string()
+    }
+
+    fn __eq__(&self, other: &Bound<'_, PyAny>) -> PyResult<bool> {
+        if other.is_instance_of::<PyString>() {
+            return Err(PyValueError::new_err(
+                "a warning is not a string: compare its name, as in \
+                 'contact_at_edge' in [warning.kind for warning in solution.warnings]",
+            ));
+        }
+        Ok(other.cast::<Self>().is_ok_and(|other| self == other.get()))
+    }
+
+    /// Equal warnings have equal hashes.
+    fn __hash__(&self) -> u64 {
+        let mut hasher = DefaultHasher::new();
+        self.0.hash(&mut hasher);
+        hasher.finish()
     }
 
     fn __str__(&self) -> String {

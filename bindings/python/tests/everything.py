@@ -390,7 +390,7 @@ def calls(scene):
         ),
         ss.wear.ThresholdEnergyLaw(1e-15, 1.0),
         20,
-        max_residual=1.0,
+        max_residual=0.99,
     )
 
 

@@ -330,6 +330,61 @@ def test_axes_of_xarray_arrays_are_recognised_by_name():
     assert np.allclose(depth, 1e-14 * narrow.values.T**2, rtol=1e-12)
 
 
+def test_axes_of_other_names_are_rejected(scene):
+    xarray = pytest.importorskip("xarray")
+    grid, values = scene.grid, ss.surface.ellipsoid(scene.grid, 3e-3, 6e-3).array
+    along = {"x": grid.x, "y": grid.y}
+    other = [
+        xarray.DataArray(values.T, dims=("X", "Y"), coords={"X": grid.x, "Y": grid.y}),
+        xarray.DataArray(values.T, dims=("lon", "lat"), coords={"lon": grid.x, "lat": grid.y}),
+        xarray.DataArray(values.T, dims=("x_um", "y_um")),
+        xarray.DataArray(values, dims=("row", "column"), coords={"row": grid.y[::-1]}),
+        xarray.DataArray(values, dims=("row", "column"), coords={"y": ("row", grid.y[::-1])}),
+        xarray.DataArray(values.T, dims=("x", "row")),
+    ]
+    for array in other:
+        with pytest.raises(ValueError, match=r"gap has the dimensions \(.*\), expected y and x: rename them by \.rename"):
+            ss.NormalProblem(scene.bodies, array, force=60.0)
+    assert ss.Field(grid, other[0].rename(X="x", Y="y")) == ss.Field(grid, values)
+    bare = xarray.DataArray(values, dims=("y", "x"))
+    with pytest.raises(ValueError, match=r"the array has no coordinates along x, .* array\.assign_coords\(x=grid\.x, y=grid\.y\)"):
+        ss.io.from_xarray(bare)
+    assert ss.io.from_xarray(bare.assign_coords(along)) == ss.Field(grid, values)
+
+
+def test_operands_and_operators_recognise_axes_by_name(scene):
+    xarray = pytest.importorskip("xarray")
+    field = ss.surface.ellipsoid(scene.grid, 3e-3, 6e-3)
+    values = field.array
+    turned = xarray.DataArray(values.T, dims=("x", "y"))
+    for function in (np.add, np.subtract, np.maximum, np.hypot):
+        assert np.array_equal(function(field, turned), function(values, values)), function.__name__
+    assert np.array_equal(np.where(values > 1e-6, field, 2.0 * turned), np.where(values > 1e-6, values, 2.0 * values))
+    product = scene.bodies.operator("zz")
+    assert np.array_equal(product(turned), product(values)) and not np.array_equal(product(values.T), product(values))
+    reversed_ = xarray.DataArray(values, dims=("y", "x"), coords={"y": scene.grid.y[::-1]})
+    for call in (lambda: np.maximum(field, reversed_), lambda: np.where(values > 0.0, field, reversed_), lambda: product(reversed_)):
+        with pytest.raises(ValueError, match="has decreasing coordinates along y"):
+            call()
+
+
+def test_axes_of_tables_are_recognised_by_name(scene):
+    pandas = pytest.importorskip("pandas")
+    grid, values = scene.grid, ss.surface.ellipsoid(scene.grid, 3e-3, 6e-3).array
+    x, y = np.meshgrid(grid.x, grid.y)
+    points = pandas.DataFrame({"x": x.ravel(), "y": y.ravel(), "gap": values.ravel()})
+    table = points.pivot(index="y", columns="x", values="gap")
+    turned = points.pivot(index="x", columns="y", values="gap")
+    assert ss.Field(grid, table) == ss.Field(grid, turned.T) == ss.Field(grid, values)
+    with pytest.raises(ValueError, match=r"gap is a table with rows named x .* expected rows y and columns x: give table\.T"):
+        ss.NormalProblem(scene.bodies, turned, force=60.0)
+    for axis in ("index", "columns"):
+        renamed = table.rename_axis(**{axis: "lat"})
+        with pytest.raises(ValueError, match=r"gap is a table with an axis named 'lat', .* \.rename_axis"):
+            ss.NormalProblem(scene.bodies, renamed, force=60.0)
+        assert ss.Field(grid, table.rename_axis(**{axis: None})) == ss.Field(grid, values)
+
+
 def test_topography_is_transposed_and_holes_become_nan(scene):
     class Topography:
         physical_sizes = (4.0, 1.0)

@@ -61,6 +61,28 @@ def test_callable_and_table_of_coating_match_coating():
     assert bodies[1].pair != COATED
 
 
+def test_axes_of_tabulated_coefficients_are_recognised_by_name():
+    xarray = pytest.importorskip("xarray")
+    grid = ss.Grid(16, 12, 0.1, 0.2)
+    of = ss.influence.Table(grid, OUTERMOST, "zz")
+    values = np.array([[of.get(i, j) for i in range(16)] for j in range(12)])
+    turned = xarray.DataArray(values, dims=("y", "x")).transpose("x", "y")
+    kernels = (ss.Kernel.tabulated(OUTERMOST, (0.1, 0.2), {"zz": table}) for table in (values, turned))
+    by_position, by_name = (ss.HalfSpace(grid, kernel).operator("zz")(np.eye(12, 16)) for kernel in kernels)
+    assert np.array_equal(by_position, by_name)
+
+
+def test_matrices_as_operators_name_the_remedy():
+    matrix = np.eye(GRID.nx * GRID.ny)
+    message = r"operator must be a LinearOperator or a callable, got ndarray: convert a matrix by dense\.DenseOperator\(matrix\)"
+    with pytest.raises(TypeError, match=message):
+        ss.Kernel.operators(OUTERMOST, GRID, {"z": matrix})
+    random = np.random.default_rng(1)
+    with pytest.raises(ss.errors.UnsupportedByModel, match="a product that changes if it is repeated") as caught:
+        ss.Kernel.operators(OUTERMOST, GRID, {"z": lambda p: p * (1.0 + 1e-3 * random.random())})
+    assert "`out`" not in str(caught.value)
+
+
 def test_response_on_large_grid_is_called_from_all_threads(request):
     """No thread waits for the GIL that this thread holds."""
     before = ss.num_threads()

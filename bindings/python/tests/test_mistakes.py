@@ -374,7 +374,91 @@ def test_loop_whose_load_ignores_the_path_is_rejected(scene):
         loop.run(history, 2)
     with pytest.raises(ValueError, match="equal steps for all values of the path"):
         ss.wear.run(history, loop, ss.wear.EnergyLaw(1e-13), 100)
+    # The sine contains the values 0.0 and -0.0 along y.
+    beside = ss.history.FrettingLoop(
+        ss.history.LoadPath.sine((2e-6, 0.0), 20), lambda shift: ss.LoadStep(normal_force=FORCE, shift_x=shift[1])
+    )
+    with pytest.raises(ValueError, match="equal steps for all values of the path"):
+        beside.run(history, 2)
     assert history.steps == 1
+
+
+def test_loop_without_slip_warns_unless_friction_is_large(scene):
+    path = ss.history.LoadPath.sine((2e-6, 0.0), 20)  # lengths, given as forces
+    loop = ss.history.FrettingLoop(path, lambda force: ss.LoadStep(normal_force=FORCE, force=force))
+
+    def pressed(friction):
+        history = ss.History(scene.bodies, scene.ball, friction)
+        history.step(normal_force=FORCE)
+        return history
+
+    with pytest.warns(ss.ContactWarning, match="no cell slips in the cycle, .* a length given as a force"):
+        assert loop.run(pressed(0.5), 2).last.energy.dissipated_energy == 0.0
+    with pytest.warns(ss.ContactWarning, match="no cell slips in the cycle"):
+        assert ss.wear.run(pressed(0.5), loop, ss.wear.EnergyLaw(1e-13), 100).depth.max() == 0.0
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        loop.run(pressed(1e6), 1)
+    assert not any("no cell slips" in str(warning.message) for warning in caught)
+
+
+def test_comparison_of_choices_with_unknown_names_raises(scene):
+    report = scene.normal().report
+    assert report.status == "converged" and report.status != "stalled" and "converged" == report.status
+    assert report.status in ("stalled", "converged") and report.status != 1 and report.status is not None
+    assert {report.status: 1}["converged"] == 1 and ss.Axis.X == ss.influence.Direction.X and ss.Status.STALLED != ss.Axis.X
+    for compare in (lambda: report.status == "ok", lambda: "ok" != report.status, lambda: report.status in ("ok",)):
+        with pytest.raises(ValueError, match="'ok' is not a name of Status: use 'unsolved', 'converged', 'iteration_limit', "):
+            compare()
+    with pytest.raises(ValueError, match="'partial slip' is not a name of Regime: use 'full_stick', 'partial_slip', 'gross_slip'"):
+        assert ss.history.Regime.PARTIAL_SLIP == "partial slip"
+    assert np.array_equal(np.array([report.status]) == "converged", [True])
+
+
+def test_comparison_of_warnings_with_strings_raises(scene):
+    found = ss.NormalProblem(scene.bodies, scene.ball, force=2e3).solve(warn=False).warnings
+    assert "contact_at_edge" in [warning.kind for warning in found]
+    assert found[0] in found and found[0] != 1 and len({found[0], pickle.loads(pickle.dumps(found[0]))}) == 1
+    for compare in (lambda: "contact_at_edge" in found, lambda: found[0] == "contact_at_edge", lambda: found[0] != "contact_at_edge"):
+        with pytest.raises(ValueError, match=r"a warning is not a string: .* \[warning\.kind for warning in solution\.warnings\]"):
+            compare()
+
+
+def test_grid_that_differs_from_that_of_a_field_is_rejected(scene, tmp_path):
+    other, ones = ss.Grid.square(64, 1.0), ss.Field(scene.grid, 1.0)
+    calls = {
+        "coefficient of friction": lambda grid: ss.Friction(ones, grid=grid),
+        "hardness": lambda grid: ss.normal.Hardness(ones, grid=grid),
+        "along_x": lambda grid: ss.tangential.RelativeDisplacement(ones, ones, grid=grid),
+        "field": lambda grid: ss.io.vti.write(tmp_path / "field.vti", {"ones": ones}, grid=grid),
+        "solution": lambda grid: ss.io.vti.to_bytes(ones, grid=grid),
+    }
+    for name, call in calls.items():
+        call(scene.grid)
+        with pytest.raises(ss.errors.GridMismatch, match=f"^{name} is on a grid of"):
+            call(other)
+
+
+def test_number_as_relative_displacement_is_rejected(scene):
+    with pytest.raises(ss.errors.ArgumentType, match=r"along_x must be .*, got the number 0\.001: for a uniform along_x give Field"):
+        ss.tangential.RelativeDisplacement(1e-3, 0.0, grid=scene.grid)
+
+
+def test_columns_of_tables_of_points_are_recognised_by_name(scene):
+    pandas = pytest.importorskip("pandas")
+    contact = scene.normal()
+    solver = ss.rolling.RollingProblem(scene.bodies, contact, 0.3, creepage_x=1e-5).solver()
+    table = pandas.DataFrame({"spin": [0.0], "creepage_x": [0.002], "creepage_y": [0.0]})
+    assert solver.creep_forces(table).force[0][0] == pytest.approx(solver.creep_forces([(0.002, 0.0, 0.0)]).force[0][0], rel=1e-6)
+    points = pandas.DataFrame({"depth": [5e-5], "x": [1e-5], "y": [0.0]})
+    by_name, by_position = (ss.subsurface.at_points(scene.bodies, "one", contact, given) for given in (points, [(1e-5, 0.0, 5e-5)]))
+    assert np.array_equal(by_name.von_mises, by_position.von_mises)
+    pairs = [(1.0, 2.0), (3.0, 4.0)]
+    path = ss.history.LoadPath(pairs)
+    assert ss.history.LoadPath(pandas.DataFrame(pairs)) == ss.history.LoadPath(pandas.DataFrame(pairs, columns=["x", "y"])) == path
+    assert ss.history.LoadPath(pandas.DataFrame(pairs, columns=["x", "y"])[["y", "x"]]) == path
+    with pytest.raises(ss.errors.ArgumentType, match=r"steps must have the columns x, y, got u, v: rename them, or give \.to_numpy"):
+        ss.history.LoadPath(pandas.DataFrame(pairs, columns=["u", "v"]))
 
 
 def test_unstated_marks_of_missing_points_are_rejected():

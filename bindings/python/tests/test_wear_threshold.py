@@ -11,7 +11,7 @@ THRESHOLD = 1e5
 THRESHOLD_LAW = ss.wear.ThresholdEnergyLaw(COEFFICIENT, THRESHOLD)
 # A law with so little wear that the gap, and with it the cycle, does not change.
 UNCHANGED = 1e-30
-ONE_CYCLE = {"settling": 1, "max_residual": 1.0}
+ONE_CYCLE = {"settling": 1, "max_residual": 0.99}
 
 
 def closed_cycle():

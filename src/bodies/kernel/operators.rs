@@ -197,9 +197,9 @@ fn check_overwrites(given: &UserOperator, x: &[f64], u: &[f64]) -> Result<()> {
     if change > ROUNDED {
         return Err(Error::UnsupportedByModel {
             model: MODEL,
-            quantity: "a product that depends on the earlier content of `out` (change relative to the product)",
+            quantity: "a product that changes if it is repeated (change relative to the product)",
             value: change,
-            remedy: "write the product to `out` instead of adding it",
+            remedy: "overwrite the output by a product that depends on the tractions only",
         });
     }
     Ok(())

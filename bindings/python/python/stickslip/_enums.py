@@ -1,4 +1,5 @@
-"""Enumerations. Each member is a string, and every argument that accepts a member also accepts its name."""
+"""Enumerations. Each member is a string, and every argument that accepts a member also accepts its name. A comparison with an unknown
+string raises a ``ValueError``."""
 
 from __future__ import annotations
 
@@ -11,6 +12,17 @@ import numpy as np
 class _Name(str, Enum):
     def __str__(self) -> str:
         return str(self.value)
+
+    def __eq__(self, other: object) -> bool:
+        names = [str(member) for member in type(self)]
+        if isinstance(other, str) and not isinstance(other, Enum) and other not in names:
+            raise ValueError(f"{str(other)!r} is not a name of {type(self).__name__}: use {', '.join(map(repr, names))}")
+        return str.__eq__(self, other)
+
+    def __ne__(self, other: object) -> bool:
+        return not self == other
+
+    __hash__ = str.__hash__
 
 
 class Axis(_Name):

@@ -2334,9 +2334,10 @@ class Field:
     either order, is computed cell by cell and is a field. A comparison by ``<``, ``<=``, ``>`` or ``>=`` is an array of
     booleans. Two fields are compared as a whole by ``==``. Other NumPy functions, such as ``numpy.maximum``, treat a field as
     its array: their result has no unit, and fields of different units raise an error. The axes of an array of xarray with the
-    dimensions x and y are recognised by their names. Its coordinates x and y, if any, must rise in steps of the cell sides. The
-    labels of a DataFrame of pandas are either such coordinates, whole numbers that rise in steps of one, or names. Other labels,
-    such as those of a reversed or shuffled table, raise an error. Masked cells are missing points (NaN). They are rejected in a gap
+    dimensions x and y are recognised by their names, also by NumPy functions of a field. Its coordinates x and y, if any, must rise in
+    steps of the cell sides. Dimensions of other names raise an error if they have coordinates. The labels of a DataFrame of pandas are
+    either such coordinates, whole numbers that rise in steps of one, or names. Its rows are y and its columns x. Other labels, such as
+    those of a reversed, shuffled or transposed table, raise an error. Masked cells are missing points (NaN). They are rejected in a gap
     or a pressure, and :func:`surface.fill_missing <stickslip.surface.fill_missing>` fills them.
 
     Parameters
@@ -2641,7 +2642,7 @@ class Friction:
 
     Raises
     ------
-    NegativeOrNotFinite, Sample, Shape, NotPositive
+    NegativeOrNotFinite, Sample, Shape, GridMismatch, NotPositive
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -3035,7 +3036,7 @@ class Hardness:
 
     Raises
     ------
-    NotPositive, Sample, Shape
+    NotPositive, Sample, Shape, GridMismatch
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -4097,7 +4098,7 @@ class LinearOperator:
         Parameters
         ----------
         x : array_like
-            Tractions (pressures), one number per cell.
+            Tractions (pressures), one number per cell. The axes of an array of xarray are brought into the order (y, x).
         out : ndarray, optional
             Output array, C-contiguous, of type float64, not overlapping ``x``.
 
@@ -4132,7 +4133,8 @@ class LoadPath:
     Parameters
     ----------
     steps : sequence of pairs of float, or array_like of shape (n, 2)
-        The values (x, y) at the ends of the steps (forces or lengths).
+        The values (x, y) at the ends of the steps (forces or lengths). The columns of a table of pandas are recognised by the
+        names x and y.
 
     Raises
     ------
@@ -5724,13 +5726,14 @@ class RelativeDisplacement:
     Parameters
     ----------
     along_x, along_y : Field or array_like of shape (ny, nx)
-        Displacements of body 1 relative to body 2 along x and y (lengths, of either sign).
+        Displacements of body 1 relative to body 2 along x and y (lengths, of either sign). A single number is rejected; for a
+        strain use :meth:`bulk_strain`.
     grid : Grid, optional
         Grid of the arrays; required for arrays, because only Fields have their own grid.
 
     Raises
     ------
-    GridMismatch, Sample
+    GridMismatch, Sample, ArgumentType
     """
     def __eq__(self, value: object, /) -> bool: ...
     def __ne__(self, value: object, /) -> bool: ...
@@ -6139,7 +6142,7 @@ class RollingSolver:
         ----------
         points : array_like of shape (n, 3)
             Points ``(creepage_x, creepage_y, spin)`` (dimensionless, dimensionless, one over a length). Consecutive
-            points should be close to each other.
+            points should be close to each other. The columns of a table of pandas are recognised by these names.
         progress : callable or bool, optional
             A function that is called with the :class:`CreepForce` of each solved point. It ends the call by returning
             ``False``, as in :meth:`NormalProblem.solve`. ``True`` shows a progress bar of the points.
@@ -7882,11 +7885,14 @@ class Warning:
     ``discretisation_error``, ``approach_beyond_grid``, ``shift_beyond_grid``, ``large_twist``, ``large_creepage``,
     ``large_friction``, ``large_gap_change``, ``large_contact_radius``, ``pressure_beyond_modulus``, ``not_converged``,
     ``steep_surface``, ``held_shift_lost_force``, ``unused_relative_displacement``, ``repeated_loop``,
-    ``neglected_lift``, ``coating_beyond_grid``, ``coating_below_cell`` or ``accuracy_not_reached``.
+    ``neglected_lift``, ``coating_beyond_grid``, ``coating_below_cell`` or ``accuracy_not_reached``. The names of the warnings of a
+    solution are ``[warning.kind for warning in solution.warnings]``. A comparison of a warning with a string raises a ``ValueError``.
     """
-    def __eq__(self, value: object, /) -> bool: ...
-    def __hash__(self, /) -> int: ...
-    def __ne__(self, value: object, /) -> bool: ...
+    def __eq__(self, other: object, /) -> bool: ...
+    def __hash__(self, /) -> int:
+        """
+        Equal warnings have equal hashes.
+        """
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     def __str__(self, /) -> str: ...
@@ -8194,7 +8200,8 @@ def at_points(bodies: HalfSpace, body: Body | str, tractions: Any, points: Array
         The tractions of a solution of any kind or of a pair of a normal and a tangential solution, or fields: a pressure,
         or a pressure and the tractions along x and y.
     points : array_like of shape (n, 3)
-        Points ``(x, y, depth)`` (lengths), with the depth below the surface of the body.
+        Points ``(x, y, depth)`` (lengths), with the depth below the surface of the body. The columns of a table of pandas are
+        recognised by these names.
     uniform_stress : Stress, optional
         A uniform stress of the body, such as a bulk stress, which is added to the stress of the tractions everywhere;
         none by default. Displacements are due to the tractions only.

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from ._checks import refuse_type
 
 # Components of tuples that are not vectors.
 PARTS = {
@@ -54,3 +55,14 @@ def to_frame(columns: Mapping[str, Any]) -> Any:
 def to_series(values: Mapping[str, Any], name: str) -> Any:
     """Returns a :class:`pandas.Series` of values by name."""
     return _pandas().Series(dict(values), name=name, dtype=object)
+
+
+def in_columns(table: Any, quantity: str, names: list[str]) -> Any:
+    """Returns an array of the columns with these names, in this order. Columns that are only numbered keep their positions."""
+    labels = list(table.columns)
+    if labels == list(range(len(labels))):
+        return table.to_numpy()
+    if not set(names) <= set(labels):
+        remedy = "rename them, or give .to_numpy() for columns in this order"
+        refuse_type(quantity, f"must have the columns {', '.join(names)}, got {', '.join(map(str, labels))}: {remedy}")
+    return table[names].to_numpy()

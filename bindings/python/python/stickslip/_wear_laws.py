@@ -10,7 +10,7 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._stickslip import Cycle, CycleJump, History, archard, energy, max_stable_cycles, threshold_energy
+from ._stickslip import Cycle, CycleJump, Field, History, archard, energy, max_stable_cycles, threshold_energy
 from .errors import NoWholeCycle, Shape
 
 
@@ -195,7 +195,9 @@ def _last(is_valid: Callable[[int], bool], first: int, end: int) -> int:
 
 def _checked(given: ArrayLike, history: History) -> NDArray[Any]:
     """Returns the depth that a wear law returned, an array of the shape of the grid."""
-    depth = np.asarray(given, dtype=float)
+    # A field reads the axes of labelled arrays.
+    is_labelled = hasattr(given, "dims") or hasattr(given, "columns")
+    depth = np.asarray(Field(history.grid, given) if is_labelled else given, dtype=float)
     shape = history.grid.shape
     if depth.shape != shape:
         found = f"an array of shape {depth.shape}"

@@ -240,7 +240,8 @@ def run(
     On every gap, cycles are computed until one closes; it represents the following cycles. :class:`CycleJump` returns their
     number, limited by the stability of the worn gap and by the arguments. The depth of these cycles is removed from both
     bodies together, that is, it is added to the gap. Without slip, as in full stick, the depth is zero, and the remaining
-    cycles are jumped over at once. The result then has the regime ``result.last.regime == "full_stick"`` and a depth of zero.
+    cycles are jumped over at once. The result then has the regime ``result.last.regime == "full_stick"`` and a depth of zero, and
+    a warning is issued unless the coefficient of friction exceeds 5.
 
     Cycles, depth and energy are counted from the start of the run. A second run on the same history counts from zero, but its
     gap contains the wear of the first run; to continue the counts, pass ``resume=result.snapshot``.
@@ -269,7 +270,7 @@ def run(
     largest_jump : int, optional
         The largest number of cycles of a jump.
     max_residual : float, default 0.05
-        The largest :attr:`Cycle.cyclic_residual` of a cycle that represents the following cycles.
+        The largest :attr:`Cycle.cyclic_residual` of a cycle that represents the following cycles, at least 0 and less than 1.
     settling : int, default 10
         The largest number of cycles that are computed on a gap until one closes.
     snapshot_every : int, optional
@@ -296,7 +297,7 @@ def run(
         If an argument has a wrong type, for example if ``loop`` and ``law`` are swapped, or if the law is a function with a wrong
         number of parameters.
     ArgumentRange
-        If the number of cycles, ``settling``, ``largest_jump`` or ``snapshot_every`` is out of range, or if the snapshot
+        If ``cycles``, ``max_residual``, ``settling``, ``largest_jump`` or ``snapshot_every`` is out of range, or if the snapshot
         contains more cycles.
     EmptyContact
         If the history is not in contact, for example because it has not been pressed.
@@ -352,6 +353,12 @@ def run(
     if max_depth is not None and not max_depth >= 0.0:
         error = ArgumentRange(f"max_depth must not be negative, got {max_depth}")
         error.argument = "max_depth"
+        raise error
+    if not 0.0 <= max_residual < 1.0:
+        error = ArgumentRange(
+            f"max_residual must be at least 0 and less than 1, got {max_residual}: five per cent are max_residual=0.05"
+        )
+        error.argument = "max_residual"
         raise error
     loop._check_loads()
     given = {"law": law_in_words(law), "loop": _loop_in_words(loop)}

@@ -49,8 +49,8 @@ class FrettingResult:
 class FrettingLoop:
     """Repeats a cycle of tangential load.
 
-    After each cycle, its :attr:`Cycle.warnings` are issued through ``warnings``, each kind once per location. Warnings of
-    single steps are not issued.
+    After each cycle, its :attr:`Cycle.warnings` are issued through ``warnings``, each kind once per location, and a warning if no
+    cell slips, unless the coefficient of friction exceeds 5. Warnings of single steps are not issued.
 
     Parameters
     ----------
@@ -215,8 +215,8 @@ class FrettingLoop:
     def _check_loads(self) -> None:
         """Rejects a load function that ignores the values of the path."""
         values = self._path.cycles(1)
-        steps = {self._step(value).__reduce__()[1][-1] for value in values}
-        if len(steps) == 1 and len(set(values)) > 1:
+        first, *others = (self._step(value) for value in values)
+        if len(set(values)) > 1 and all(step == first for step in others):
             raise ValueError(
                 "the load function returned equal steps for all values of the path: compute the load from its argument, "
                 "for example return LoadStep(shift=value)"
@@ -249,11 +249,21 @@ class FrettingLoop:
             if observer is not None and is_stop(observer(history, cycle)):
                 return False
         # Only warnings of the whole cycle are issued: after a reversal, the first slip ring is narrow but unimportant.
-        warn([(remark.kind, remark.message) for remark in cycle.warnings])
+        remarks = {remark.kind: remark.message for remark in cycle.warnings}
+        # The warning of large friction already states that the bodies stick everywhere.
+        if cycle.regime == Regime.FULL_STICK and history.contact.any() and "large_friction" not in remarks:
+            remarks["no_slip"] = _NO_SLIP
+        warn(list(remarks.items()))
         return True
 
     def __repr__(self) -> str:
         return f"FrettingLoop({self._path!r}, until_steady={self._until_steady})"
+
+
+_NO_SLIP = (
+    "no cell slips in the cycle, so its energy and its wear are zero: the loads may be in another unit, such as a length given "
+    "as a force, or the cells may be too large for the slip zone"
+)
 
 
 def _check_history(history: object, order: str) -> None:

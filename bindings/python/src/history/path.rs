@@ -18,7 +18,8 @@ use crate::sequence::{entry, pair};
 /// Parameters
 /// ----------
 /// steps : sequence of pairs of float, or array_like of shape (n, 2)
-///     The values (x, y) at the ends of the steps (forces or lengths).
+///     The values (x, y) at the ends of the steps (forces or lengths). The columns of a table of pandas are recognised by the
+///     names x and y.
 ///
 /// Raises
 /// ------

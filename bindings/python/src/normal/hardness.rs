@@ -25,7 +25,7 @@ use crate::pickle::picklable;
 ///
 /// Raises
 /// ------
-/// NotPositive, Sample, Shape
+/// NotPositive, Sample, Shape, GridMismatch
 #[pyclass(frozen, eq, module = "stickslip.normal")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct Hardness(pub(crate) Limit);

@@ -12,7 +12,7 @@ use crate::choice::Choice;
 use crate::digits::{counted, short};
 use crate::error::OrRaise;
 use crate::half_space::HalfSpace;
-use crate::operator::{LinearOperator, numbers};
+use crate::operator::{LinearOperator, contiguous, numbers};
 use crate::real::Real;
 use crate::work::{unobserved, unobserved_on};
 
@@ -34,7 +34,7 @@ impl DenseOperator {
     #[new]
     fn new(py: Python<'_>, rows: Bound<'_, PyAny>) -> PyResult<PyClassInitializer<Self>> {
         let len = rows.len()?;
-        let entries = numbers(&rows, len.saturating_mul(len))?;
+        let entries = contiguous(&rows, len.saturating_mul(len))?;
         let matrix = stickslip::dense::DenseOperator::from_rows(len, entries.as_slice()?.to_vec());
         Ok(Self::of(matrix.or_raise(py)?))
     }

@@ -15,10 +15,10 @@ use stickslip::{EigenvalueBound, Operator, Scratch};
 
 use crate::array::Array;
 use crate::choice::Choice;
+use crate::conversion::kind_of;
 use crate::digits::counted;
 use crate::function::Function;
-use crate::real::Count;
-use crate::real::is_real;
+use crate::real::{Count, in_axes, is_real};
 use crate::work::unobserved;
 
 /// Operator with one component per cell, of any kind.
@@ -115,9 +115,10 @@ pub(crate) fn product_of(
     } else if operator.is_callable() {
         Ok(Kept::new(Function::new(operator, shape, lower_bound)))
     } else {
-        Err(PyTypeError::new_err(
-            "operator must be a LinearOperator or a callable",
-        ))
+        Err(PyTypeError::new_err(format!(
+            "operator must be a LinearOperator or a callable, got {}: convert a matrix by dense.DenseOperator(matrix)",
+            kind_of(operator)
+        )))
     }
 }
 
@@ -181,8 +182,17 @@ impl<const N: usize> Operator<N> for Shared {
     }
 }
 
-/// Returns the given count of numbers as a contiguous array; an array of a different layout is copied.
+/// Returns one number per cell as a contiguous array; an array of a different layout is copied. Named axes are brought into the
+/// order (y, x).
 pub(crate) fn numbers<'py>(
+    object: &Bound<'py, PyAny>,
+    cells: usize,
+) -> PyResult<PyReadonlyArrayDyn<'py, f64>> {
+    contiguous(&in_axes(object, "the array", None)?, cells)
+}
+
+/// Returns the given count of numbers as a contiguous array; an array of a different layout is copied.
+pub(crate) fn contiguous<'py>(
     object: &Bound<'py, PyAny>,
     cells: usize,
 ) -> PyResult<PyReadonlyArrayDyn<'py, f64>> {
@@ -248,7 +258,7 @@ impl LinearOperator {
     /// Parameters
     /// ----------
     /// x : array_like
-    ///     Tractions (pressures), one number per cell.
+    ///     Tractions (pressures), one number per cell. The axes of an array of xarray are brought into the order (y, x).
     /// out : ndarray, optional
     ///     Output array, C-contiguous, of type float64, not overlapping ``x``.
     ///

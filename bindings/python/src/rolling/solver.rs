@@ -201,7 +201,7 @@ impl RollingSolver {
     /// ----------
     /// points : array_like of shape (n, 3)
     ///     Points ``(creepage_x, creepage_y, spin)`` (dimensionless, dimensionless, one over a length). Consecutive
-    ///     points should be close to each other.
+    ///     points should be close to each other. The columns of a table of pandas are recognised by these names.
     /// progress : callable or bool, optional
     ///     A function that is called with the :class:`CreepForce` of each solved point. It ends the call by returning
     ///     ``False``, as in :meth:`NormalProblem.solve`. ``True`` shows a progress bar of the points.

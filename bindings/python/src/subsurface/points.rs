@@ -154,7 +154,8 @@ frame!(PointResults, record: displacement, normal_stress, shear_stress, von_mise
 ///     The tractions of a solution of any kind or of a pair of a normal and a tangential solution, or fields: a pressure,
 ///     or a pressure and the tractions along x and y.
 /// points : array_like of shape (n, 3)
-///     Points ``(x, y, depth)`` (lengths), with the depth below the surface of the body.
+///     Points ``(x, y, depth)`` (lengths), with the depth below the surface of the body. The columns of a table of pandas are
+///     recognised by these names.
 /// uniform_stress : Stress, optional
 ///     A uniform stress of the body, such as a bulk stress, which is added to the stress of the tractions everywhere;
 ///     none by default. Displacements are due to the tractions only.

@@ -9,7 +9,7 @@ use crate::argument::{Object, by_value};
 use crate::array::{Array, view};
 use crate::conversion;
 use crate::error::OrRaise;
-use crate::field::{Samples, grid_of};
+use crate::field::{Samples, grid_of, same_grid};
 use crate::grid::{Grid, size};
 use crate::pickle::picklable;
 
@@ -19,13 +19,14 @@ use crate::pickle::picklable;
 /// Parameters
 /// ----------
 /// along_x, along_y : Field or array_like of shape (ny, nx)
-///     Displacements of body 1 relative to body 2 along x and y (lengths, of either sign).
+///     Displacements of body 1 relative to body 2 along x and y (lengths, of either sign). A single number is rejected; for a
+///     strain use :meth:`bulk_strain`.
 /// grid : Grid, optional
 ///     Grid of the arrays; required for arrays, because only Fields have their own grid.
 ///
 /// Raises
 /// ------
-/// GridMismatch, Sample
+/// GridMismatch, Sample, ArgumentType
 #[pyclass(frozen, eq, module = "stickslip.tangential")]
 #[derive(Clone, PartialEq)]
 pub(crate) struct RelativeDisplacement(pub(crate) Relative);
@@ -44,12 +45,14 @@ impl RelativeDisplacement {
     ) -> PyResult<Self> {
         let grid = grid_of(grid.as_deref(), &[&along_x, &along_y])?;
         let fields = [
-            along_x.on(py, "along_x", grid)?,
-            along_y.on(py, "along_y", grid)?,
+            along_x.per_cell(py, "along_x", grid)?,
+            along_y.per_cell(py, "along_y", grid)?,
         ];
-        let own_grid = fields[1].grid();
+        for (field, name) in fields.iter().zip(["along_x", "along_y"]) {
+            same_grid(grid, field.grid(), name).or_raise(py)?;
+        }
         let relative = Relative::new(fields.map(Arc::unwrap_or_clone));
-        relative.or_raise_on(py, own_grid).map(Self)
+        relative.or_raise_on(py, grid).map(Self)
     }
 
     /// Returns the displacement due to a uniform strain ``[[xx, xy], [yx, yy]]``, the strain of body 1 minus the strain

@@ -175,8 +175,8 @@ def from_xarray(array: xarray.DataArray) -> Field:
     ArgumentType
         If the argument is not a DataArray, for example a Dataset: give one of its variables, ``dataset["heights"]``.
     ValueError
-        If the array has different dimensions, if its coordinates are not evenly spaced and increasing, if a unit is not a
-        unit of length, or if the coordinates have units and the heights have none.
+        If the array has different dimensions, if its coordinates are missing or not evenly spaced and increasing, if a unit is not
+        a unit of length, or if the coordinates have units and the heights have none.
     """
     if not all(hasattr(array, name) for name in ("dims", "attrs", "transpose")) or hasattr(array, "data_vars"):
         variables = [str(name) for name in getattr(array, "data_vars", ())]
@@ -186,6 +186,12 @@ def from_xarray(array: xarray.DataArray) -> Field:
         raise error
     if set(array.dims) != {"x", "y"}:
         raise ValueError(f"the array has the dimensions {tuple(array.dims)}, expected y and x")
+    for axis in ("x", "y"):
+        if axis not in array.coords:
+            raise ValueError(
+                f"the array has no coordinates along {axis}, which determine the side of the cells: give them by "
+                "array.assign_coords(x=grid.x, y=grid.y), or create a Field by Field(grid, array)"
+            )
     own, along = array.attrs.get("units"), [array[axis].attrs.get("units") for axis in ("x", "y")]
     if own is None and along != [None, None]:
         raise ValueError(
@@ -207,43 +213,71 @@ def from_xarray(array: xarray.DataArray) -> Field:
     return Field(grid, samples, own)
 
 
-def check_coordinates(array: Any, quantity: str, sides: tuple[float, float]) -> None:
-    """Raises an error if the coordinates x or y of an array of xarray, or the labels of a table of pandas, do not rise in steps of
-    the cell sides. Called before the values are read by their position.
+def check_coordinates(array: Any, quantity: str, sides: tuple[float, float] | None) -> None:
+    """Raises an error if the axes of an array of xarray, or of a table of pandas, have other names than y and x, or if their
+    coordinates do not rise in steps of the cell sides. Called before the values are read by their position, after the axes of
+    an array of xarray with the dimensions x and y were brought into the order (y, x).
 
-    Labels that are whole numbers, or numbers as text, may also rise in steps of one: they are then numbers of rows or columns.
-    Names are ignored.
+    Labels of a table that are whole numbers, or numbers as text, may also rise in steps of one: they are then numbers of rows or
+    columns. Labels that are no numbers are ignored. Without cell sides, as for an operand of NumPy, coordinates must only rise.
     """
-    if hasattr(array, "columns"):
+    if getattr(array, "ndim", None) != 2:  # datasets have no number of dimensions
+        return
+    is_table = hasattr(array, "columns")
+    if is_table:
+        names = {"x": array.columns.name, "y": array.index.name}
         labels = {axis: part for axis, part in (("x", array.columns), ("y", array.index)) if part.dtype.kind in "fiuO"}
         remedy = "sort it by .sort_index(axis={})"
+        if names["x"] == "y" or names["y"] == "x":
+            raise ValueError(
+                f"{quantity} is a table with rows named x or columns named y, expected rows y and columns x: give table.T"
+            )
     else:
+        _check_dimensions(array, quantity)
+        names = {axis: axis for axis in "xy"}
         labels = {axis: array.coords[axis] for axis in ("x", "y") if axis in array.dims and axis in array.coords}
         remedy = 'sort it by .sortby("{}")'
         _check_units(array, quantity, labels)
-    for axis, side in zip("xy", sides):
-        if axis not in labels:
-            continue
+    for axis, part in labels.items():
         try:
-            along = np.asarray(labels[axis], dtype=float)
+            along = np.asarray(part, dtype=float)
         except (TypeError, ValueError):  # names
             continue
         steps = np.diff(along)
-        is_number = hasattr(array, "columns") and labels[axis].dtype.kind != "f"
+        is_number = is_table and part.dtype.kind != "f"
         if is_number and (steps == 1.0).all():
             continue
-        rising = remedy.format(axis if "sortby" in remedy else "yx".index(axis))
+        if names[axis] not in (None, axis):
+            raise ValueError(
+                f"{quantity} is a table with an axis named {names[axis]!r}, expected rows y and columns x: rename it by "
+                '.rename_axis(index="y", columns="x"), or give .values to ignore the labels'
+            )
+        rising = remedy.format("yx".index(axis) if is_table else axis)
         if (steps < 0.0).all() and steps.size:
             raise ValueError(f"{quantity} has decreasing coordinates along {axis}: {rising}")
         if (steps < 0.0).any() or is_number and not steps.all():
             raise ValueError(
                 f"{quantity} has coordinates along {axis} that do not rise: {rising}, or give .values to ignore the coordinates"
             )
+        if sides is None:
+            continue
+        side = sides["xy".index(axis)]
         if not (np.abs(steps - side) <= 1e-3 * side).all():
             raise ValueError(
                 f"{quantity} has coordinates from {along[0]} to {along[-1]} along {axis}, which do not agree with {along.size} cells "
                 f"of the side {side}: convert their unit, or give .values to ignore the coordinates"
             )
+
+
+def _check_dimensions(array: Any, quantity: str) -> None:
+    """Raises an error if an array of xarray has other dimensions than x and y that have coordinates or start with x or y."""
+    with_coordinates = {name for along in array.coords.values() for name in along.dims}
+    others = [name for name in array.dims if name in with_coordinates or str(name).lower().startswith(("x", "y"))]
+    if set(array.dims) != {"x", "y"} and others:
+        raise ValueError(
+            f"{quantity} has the dimensions {tuple(array.dims)}, expected y and x: rename them by .rename(...), "
+            "or give .values to ignore the names"
+        )
 
 
 def _check_units(array: Any, quantity: str, labels: dict[str, Any]) -> None:
