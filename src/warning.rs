@@ -145,6 +145,23 @@ pub enum Warning {
         /// The largest coefficient of all cells, in tenths.
         tenths: usize,
     },
+    /// Nine tenths of the contact cells or more are at their [`Hardness`](crate::normal::Hardness), and the largest pressure is less
+    /// than 1/10000 of the contact modulus
+    /// ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus)). The hardness of a metal is about 1/100 of
+    /// this modulus. A common cause is a hardness in an inconsistent unit. Under a prescribed approach the force is then too small by
+    /// the same factor.
+    LowHardness {
+        /// The contact modulus divided by the largest pressure.
+        parts: usize,
+    },
+    /// The [largest shear stress](crate::Friction::max_shear_stress) lowers the friction capacity to less than 1 % of the capacity
+    /// without it. A common cause is a stress in an inconsistent unit. Under a prescribed shift the force is then too small
+    /// by the same factor. A coefficient of friction above 5 has the warning [`LargeFriction`](Self::LargeFriction) instead, because
+    /// such a coefficient with a largest shear stress also models a constant friction limit.
+    LowShearStress {
+        /// The friction capacity without the largest shear stress divided by the capacity.
+        parts: usize,
+    },
     /// The gap of contact cells changed between two pressures by more than the largest normal displacement due to the first
     /// pressure. The contact after the change is then unrelated to the contact before it. A common cause is a wear coefficient in
     /// an inconsistent unit (1 mm3/(N m) is 1e-9 1/Pa). Too many cycles of wear in one update are another.
@@ -199,6 +216,13 @@ pub enum Warning {
     /// A cycle contains a closed loop of force and shift, and further steps that repeat it. Energies and slip distances of the
     /// cycle are then sums over several loops. [`Cycle::begin`](crate::history::Cycle::begin) starts a new cycle.
     RepeatedLoop,
+    /// The loads of a cycle return to their start, but its
+    /// [residual](crate::history::Cycle::cyclic_residual) exceeds 0.1. Its energies and slip distances then differ from those of a
+    /// steady cycle. The first cycle from rest usually has such a residual.
+    OpenCycle {
+        /// The residual, in per cent.
+        per_cent: usize,
+    },
     /// The rolling of bodies that couple pressure and traction neglects the effect of tractions on the pressure, and the neglected lift exceeds
     /// the tolerance. [`CoupledRollingProblem`](crate::rolling::CoupledRollingProblem) and a [`History`](crate::History)
     /// with [full coupling](crate::Coupling::Full) include this effect.
@@ -349,6 +373,14 @@ impl std::fmt::Display for Warning {
                 "the largest coefficient of friction is {}, expected at most 5: give 30 % as 0.3, or ignore this warning if the bodies must stick everywhere",
                 *tenths as f64 / 10.0
             ),
+            Self::LowHardness { parts } => write!(
+                formatter,
+                "almost all contact cells are at the hardness, and the largest pressure is 1/{parts} of the contact modulus, expected at least 1/{LOWEST_HARDNESS}: check the units of hardness and modulus, or prescribe the normal force"
+            ),
+            Self::LowShearStress { parts } => write!(
+                formatter,
+                "max_shear_stress lowers the friction capacity to 1/{parts}, expected at least 1/{LOWEST_CAP}: check the units of max_shear_stress and pressure, or prescribe the tangential force"
+            ),
             Self::LargeGapChange { tenths } => write!(
                 formatter,
                 "the gap of contact cells changed by {}.{} times the largest normal displacement of the last contact, expected at most 1: check the unit of the wear coefficient (1 mm3/(N m) is 1e-9 1/Pa), or change the gap in more updates",
@@ -382,6 +414,10 @@ impl std::fmt::Display for Warning {
             ),
             Self::RepeatedLoop => formatter.write_str(
                 "the cycle repeats a closed loop, so that energies and slip distances are sums over several loops: begin the cycle anew before each loop"
+            ),
+            Self::OpenCycle { per_cent } => write!(
+                formatter,
+                "the cycle deviates by {per_cent} % from a closed loop, expected at most {LARGEST_RESIDUAL} %, so that energies and slip distances are not those of a steady cycle: begin the cycle anew and repeat the loop until it closes"
             ),
             Self::NeglectedLift { per_million } => write_lift(formatter, *per_million),
             Self::CoatingBeyondGrid { sides } => write!(
@@ -445,6 +481,15 @@ const LARGEST_FRICTION: usize = 50;
 
 /// Largest change of the gap without a warning, in tenths of the largest normal displacement.
 const LARGEST_GAP_CHANGE: usize = 10;
+
+/// Largest contact modulus without a warning, in largest pressures of a contact at its hardness.
+pub(crate) const LOWEST_HARDNESS: usize = 10_000;
+
+/// Largest friction capacity without a cap for which no warning is given, in capacities with the cap.
+const LOWEST_CAP: usize = 100;
+
+/// Largest residual of a cycle without a warning, in per cent.
+const LARGEST_RESIDUAL: usize = 10;
 
 /// Number of spots above which a contact counts as rough. The radius of the spots then cannot be chosen.
 const MANY_SPOTS: usize = 10;
@@ -517,6 +562,35 @@ impl Warning {
     /// Returns a coefficient of friction in tenths, or `None` if the coefficient is common.
     pub(crate) fn friction_beyond(coefficient: f64) -> Option<usize> {
         tenths_beyond(coefficient, LARGEST_FRICTION)
+    }
+
+    /// Returns the ratio of the friction capacity without a cap to the capacity, or `None` if the ratio is small or the capacity is
+    /// zero.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the ratio is not negative, and a large one saturates"
+    )]
+    pub(crate) fn cap_below(ratio: f64) -> Option<usize> {
+        (ratio > LOWEST_CAP as f64).then(|| ratio.round() as usize)
+    }
+
+    /// Returns the warning about a large coefficient of friction, or about a low cap of the friction.
+    pub(crate) fn of_friction(tenths: Option<usize>, cap_parts: Option<usize>) -> Option<Self> {
+        let large = tenths.map(|tenths| Self::LargeFriction { tenths });
+        large.or_else(|| cap_parts.map(|parts| Self::LowShearStress { parts }))
+    }
+
+    /// Returns the warning for a residual of a cycle, or `None` if the residual is small.
+    #[cfg(feature = "history")]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the residual is not negative, and a large one saturates"
+    )]
+    pub(crate) fn open_beyond(residual: f64) -> Option<Self> {
+        let per_cent = (100.0 * residual).round() as usize;
+        (per_cent > LARGEST_RESIDUAL).then_some(Self::OpenCycle { per_cent })
     }
 
     /// Returns a change of the gap over the largest normal displacement, in tenths, or `None` if the change is small.
