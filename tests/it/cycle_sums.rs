@@ -130,7 +130,7 @@ fn cycle_that_does_not_close_gives_warning() {
         }
         assert_eq!(stated(&cycle), None);
     }
-    // Steps that only press bodies of different materials with friction change their tractions, but are no loop.
+    // Steps that only press bodies of different materials with friction change their tractions, but do not form a loop.
     let grid = kit::square(24, 12.0);
     let rubber = Material::new(2.0, 0.1).unwrap();
     let pair = ElasticPair::new(rubber, Material::rigid()).unwrap();
