@@ -1074,7 +1074,7 @@ fn hardness_far_below_modulus_gives_warning() {
         let mut history = builder.build().unwrap();
         let mut cycle = Cycle::new(&history);
         for (step, expected) in [
-            (LoadStep::hold().normal(press), expected.clone()),
+            (LoadStep::hold().normal(press), expected),
             (LoadStep::hold().normal(NormalLoad::Force(0.0)), None),
         ] {
             assert_eq!(stated(history.step(&step).unwrap().warnings()), expected);
