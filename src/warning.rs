@@ -1,13 +1,14 @@
 //! Warnings about a converged solution.
 
+mod limits;
 mod resolution;
 #[cfg(test)]
 mod tests;
 
-use crate::error::{Result, counted};
-use crate::grid::Grid;
-use crate::report::Status;
+use crate::error::counted;
 
+use limits::{LARGEST_RESIDUAL, LOWEST_CAP, MANY_SPOTS, refinement};
+pub(crate) use limits::{LOWEST_HARDNESS, THICKEST_LAYER};
 pub(crate) use resolution::{RESOLVED, Resolution};
 use resolution::{RESOLVED_AREA, RESOLVED_LINE};
 
@@ -145,6 +146,23 @@ pub enum Warning {
         /// The largest coefficient of all cells, in tenths.
         tenths: usize,
     },
+    /// Nine tenths of the contact cells or more are at their [`Hardness`](crate::normal::Hardness), and the largest pressure is less
+    /// than 1/10000 of the contact modulus
+    /// ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus)). The hardness of a metal is about 1/100 of
+    /// this modulus. A common cause is a hardness in an inconsistent unit. Under a prescribed approach the force is then too small by
+    /// the same factor.
+    LowHardness {
+        /// The contact modulus divided by the largest pressure.
+        parts: usize,
+    },
+    /// The [largest shear stress](crate::Friction::max_shear_stress) lowers the friction capacity to less than 1 % of the capacity
+    /// without it. A common cause is a stress in an inconsistent unit. Under a prescribed shift the force is then too small
+    /// by the same factor. A coefficient of friction above 5 has the warning [`LargeFriction`](Self::LargeFriction) instead, because
+    /// such a coefficient with a largest shear stress also models a constant friction limit.
+    LowShearStress {
+        /// The friction capacity without the largest shear stress divided by the capacity.
+        parts: usize,
+    },
     /// The gap of contact cells changed between two pressures by more than the largest normal displacement due to the first
     /// pressure. The contact after the change is then unrelated to the contact before it. A common cause is a wear coefficient in
     /// an inconsistent unit (1 mm3/(N m) is 1e-9 1/Pa). Too many cycles of wear in one update are another.
@@ -199,6 +217,13 @@ pub enum Warning {
     /// A cycle contains a closed loop of force and shift, and further steps that repeat it. Energies and slip distances of the
     /// cycle are then sums over several loops. [`Cycle::begin`](crate::history::Cycle::begin) starts a new cycle.
     RepeatedLoop,
+    /// The loads of a cycle return to their start, but its
+    /// [residual](crate::history::Cycle::cyclic_residual) exceeds 0.1. Its energies and slip distances then differ from those of a
+    /// steady cycle. The first cycle from rest usually has such a residual.
+    OpenCycle {
+        /// The residual, in per cent.
+        per_cent: usize,
+    },
     /// The rolling of bodies that couple pressure and traction neglects the effect of tractions on the pressure, and the neglected lift exceeds
     /// the tolerance. [`CoupledRollingProblem`](crate::rolling::CoupledRollingProblem) and a [`History`](crate::History)
     /// with [full coupling](crate::Coupling::Full) include this effect.
@@ -349,6 +374,14 @@ impl std::fmt::Display for Warning {
                 "the largest coefficient of friction is {}, expected at most 5: give 30 % as 0.3, or ignore this warning if the bodies must stick everywhere",
                 *tenths as f64 / 10.0
             ),
+            Self::LowHardness { parts } => write!(
+                formatter,
+                "almost all contact cells are at the hardness, and the largest pressure is 1/{parts} of the contact modulus, expected at least 1/{LOWEST_HARDNESS}: check the units of hardness and modulus, or prescribe the normal force"
+            ),
+            Self::LowShearStress { parts } => write!(
+                formatter,
+                "max_shear_stress lowers the friction capacity to 1/{parts}, expected at least 1/{LOWEST_CAP}: check the units of max_shear_stress and pressure, or prescribe the tangential force"
+            ),
             Self::LargeGapChange { tenths } => write!(
                 formatter,
                 "the gap of contact cells changed by {}.{} times the largest normal displacement of the last contact, expected at most 1: check the unit of the wear coefficient (1 mm3/(N m) is 1e-9 1/Pa), or change the gap in more updates",
@@ -382,6 +415,10 @@ impl std::fmt::Display for Warning {
             ),
             Self::RepeatedLoop => formatter.write_str(
                 "the cycle repeats a closed loop, so that energies and slip distances are sums over several loops: begin the cycle anew before each loop"
+            ),
+            Self::OpenCycle { per_cent } => write!(
+                formatter,
+                "the cycle deviates by {per_cent} % from a closed loop, expected at most {LARGEST_RESIDUAL} %, so that energies and slip distances are not those of a steady cycle: begin the cycle anew and repeat the loop until it closes"
             ),
             Self::NeglectedLift { per_million } => write_lift(formatter, *per_million),
             Self::CoatingBeyondGrid { sides } => write!(
@@ -420,134 +457,4 @@ fn write_accuracy(formatter: &mut std::fmt::Formatter<'_>, tenths: usize) -> std
         tenths / 10,
         tenths % 10
     )
-}
-
-/// Discretisation error above which a warning is given.
-const LARGEST_ERROR: f64 = 0.05;
-/// Discretisation error after the suggested refinement.
-const SMALL_ERROR: f64 = 0.01;
-
-/// Largest thickness of a layer without a warning, over the longest side of the grid. The error of the approach without the material
-/// below the layer is of the order of the contact radius over the thickness.
-pub(crate) const THICKEST_LAYER: usize = 100;
-
-/// Largest shift of a step without a warning, in tenths of the longest side of the grid.
-const LARGEST_SHIFT: usize = 10;
-
-/// Largest twist of a step without a warning, in tenths of a radian.
-const LARGEST_TWIST: usize = 5;
-
-/// Largest creepage without a warning, in per cent.
-const LARGEST_CREEPAGE: usize = 10;
-
-/// Largest coefficient of friction without a warning, in tenths.
-const LARGEST_FRICTION: usize = 50;
-
-/// Largest change of the gap without a warning, in tenths of the largest normal displacement.
-const LARGEST_GAP_CHANGE: usize = 10;
-
-/// Number of spots above which a contact counts as rough. The radius of the spots then cannot be chosen.
-const MANY_SPOTS: usize = 10;
-
-/// Returns the factor by which the cell size must be divided for a small discretisation error.
-fn refinement(estimate: f64) -> f64 {
-    (estimate / SMALL_ERROR).cbrt().powi(2)
-}
-
-impl Warning {
-    /// Returns the warning for an estimated discretisation error. `contact` contains the number of cells on the radius
-    /// of a contact spot and the number of spots.
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "both are positive, and what is no number of cells saturates"
-    )]
-    pub(crate) fn of_discretisation(
-        estimate: Option<f64>,
-        contact: impl FnOnce() -> Result<(f64, usize)>,
-    ) -> Result<Option<Self>> {
-        let Some(estimate) = estimate.filter(|estimate| *estimate > LARGEST_ERROR) else {
-            return Ok(None);
-        };
-        let (radius, spots) = contact()?;
-        Ok(Some(Self::DiscretisationError {
-            per_mille: (1e3 * estimate).round() as usize,
-            cells_per_radius: (radius * refinement(estimate)).ceil() as usize,
-            spots,
-        }))
-    }
-}
-
-impl Warning {
-    /// Returns the warning for a ratio of an estimated error to its target.
-    #[cfg(feature = "adaptive")]
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "the ratio is not negative, and a large one saturates"
-    )]
-    pub(crate) fn accuracy_not_reached(ratio: f64) -> Self {
-        Self::AccuracyNotReached {
-            tenths: (10.0 * ratio).ceil() as usize,
-        }
-    }
-
-    /// Returns a shift over the longest side of the whole grid, in tenths, or `None` if the shift is small.
-    pub(crate) fn shift_beyond(grid: Grid, [x, y]: [f64; 2]) -> Option<usize> {
-        tenths_beyond(x.hypot(y) / grid.whole().longest_side(), LARGEST_SHIFT)
-    }
-
-    /// Returns a twist in tenths of a radian, or `None` if the twist is small.
-    pub(crate) fn twist_beyond(twist: f64) -> Option<usize> {
-        tenths_beyond(twist.abs(), LARGEST_TWIST)
-    }
-
-    /// Returns the magnitude of a creepage, with the motion of the farthest contact cell by the spin, in per cent. Returns `None`
-    /// if this creepage is small.
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "the magnitude is not negative, and a large one saturates"
-    )]
-    pub(crate) fn creepage_beyond([x, y]: [f64; 2], by_spin: f64) -> Option<usize> {
-        let per_cent = (100.0 * (x.hypot(y) + by_spin.abs())).round() as usize;
-        (per_cent > LARGEST_CREEPAGE).then_some(per_cent)
-    }
-
-    /// Returns a coefficient of friction in tenths, or `None` if the coefficient is common.
-    pub(crate) fn friction_beyond(coefficient: f64) -> Option<usize> {
-        tenths_beyond(coefficient, LARGEST_FRICTION)
-    }
-
-    /// Returns a change of the gap over the largest normal displacement, in tenths, or `None` if the change is small.
-    pub(crate) fn gap_change_beyond(ratio: f64) -> Option<usize> {
-        tenths_beyond(ratio, LARGEST_GAP_CHANGE)
-    }
-
-    /// Returns the warning about a solve that ended before it converged.
-    pub(crate) fn of_status(status: Status) -> Option<Self> {
-        let is_final = matches!(status, Status::Converged | Status::Unsolved);
-        (!is_final).then_some(Self::NotConverged)
-    }
-
-    /// Returns a neglected lift due to tractions, in millionths, or `None` if the lift is within the tolerance.
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "the lift is not negative, and a large one saturates"
-    )]
-    pub(crate) fn lift_beyond(lift: f64, tolerance: f64) -> Option<usize> {
-        (lift > tolerance).then(|| (1e6 * lift).ceil() as usize)
-    }
-}
-
-/// Returns a non-negative value in tenths, or `None` if it is at most the limit.
-#[expect(
-    clippy::cast_possible_truncation,
-    clippy::cast_sign_loss,
-    reason = "the value is not negative, and a large one saturates"
-)]
-fn tenths_beyond(value: f64, limit: usize) -> Option<usize> {
-    let tenths = (10.0 * value).round() as usize;
-    (tenths > limit).then_some(tenths)
 }

@@ -7,7 +7,7 @@ use crate::error::Result;
 use crate::memory::fallible::unwrap_or_abort;
 use crate::normal::NormalSolution;
 use crate::parallel::ranks::partition::RowPartition;
-use crate::warning::{THICKEST_LAYER, Warning};
+use crate::warning::{LOWEST_HARDNESS, THICKEST_LAYER, Warning};
 
 /// Smallest effective layer: the thickness over the side of a cell, times the contrast of the shear moduli. A layer changes the
 /// response to the shortest waves by a few times this relative amount, and a contact radius of five cells by less than a fifth.
@@ -86,6 +86,8 @@ impl NormalSolution {
         let mut warnings = self.contact_map().warnings()?;
         warnings.extend(Warning::of_status(self.report().status));
         warnings.extend(beyond);
+        let parts = self.low_hardness();
+        warnings.extend(parts.map(|parts| Warning::LowHardness { parts }));
         warnings.extend(self.discretisation_warning()?);
         warnings.extend(self.scale().warnings());
         warnings.extend(self.coating_warnings().into_iter().flatten());
@@ -138,6 +140,15 @@ impl NormalSolution {
         } else {
             0
         }
+    }
+
+    /// Returns the contact modulus divided by the largest pressure if almost all contact cells are at a hardness far below
+    /// this modulus.
+    pub(crate) fn low_hardness(&self) -> Option<usize> {
+        let parts = self.scale().modulus_parts();
+        // The edge of the contact may contain a few elastic cells.
+        let is_yielded = || 10 * self.yielded_cells() >= 9 * self.contact_cells();
+        (parts > LOWEST_HARDNESS && is_yielded()).then_some(parts)
     }
 
     /// Returns the number of contact cells on the edges across which the grid is not periodic.

@@ -18,6 +18,9 @@ pub(crate) struct Scale {
     /// Largest pressure divided by the contact modulus, in thousandths.
     #[cfg_attr(feature = "serde", serde(default))]
     pressure_per_mille: usize,
+    /// Contact modulus divided by the largest pressure.
+    #[cfg_attr(feature = "serde", serde(default))]
+    modulus_parts: usize,
 }
 
 /// Largest value of each quantity for which no warning is given.
@@ -95,6 +98,7 @@ impl Scale {
             radius_per_mille: whole(1e3 * radius[0].max(radius[1])),
             slope_per_mille: whole(1e3 * (squared[0] + squared[1]).sqrt()),
             pressure_per_mille: whole(1e3 * most / bodies.pair().contact_modulus()),
+            modulus_parts: whole(bodies.pair().contact_modulus() / most),
         }
     }
 
@@ -105,7 +109,13 @@ impl Scale {
             radius_per_mille: self.radius_per_mille.max(other.radius_per_mille),
             slope_per_mille: self.slope_per_mille.max(other.slope_per_mille),
             pressure_per_mille: self.pressure_per_mille.max(other.pressure_per_mille),
+            modulus_parts: self.modulus_parts.max(other.modulus_parts),
         }
+    }
+
+    /// Returns the contact modulus divided by the largest pressure, or zero without contact.
+    pub(super) fn modulus_parts(self) -> usize {
+        self.modulus_parts
     }
 
     /// Returns a warning for each value that is too large.
@@ -115,6 +125,7 @@ impl Scale {
             radius_per_mille,
             slope_per_mille,
             pressure_per_mille,
+            ..
         } = self;
         let approach = Warning::ApproachBeyondGrid {
             tenths: approach_tenths,

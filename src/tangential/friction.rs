@@ -2,6 +2,7 @@
 
 use std::borrow::Cow;
 
+use crate::cgm::reduce;
 use crate::error::{
     ROLL, ROLL_UNDER_CAP, Result, SLIDE, SLIDE_UNDER_CAP, all_non_negative, non_negative, positive,
 };
@@ -11,6 +12,8 @@ use crate::grid::per_cell::PerCell;
 use crate::grid::window::Window;
 use crate::half_space::{HalfSpace, Region};
 use crate::memory::fallible::try_clone;
+use crate::parallel::layout::Layout;
+use crate::warning::Warning;
 
 /// Coulomb friction with a uniform coefficient or a coefficient per cell, and an optional cap.
 ///
@@ -281,6 +284,18 @@ impl FrictionWithin<'_> {
                 0.0
             };
         }
+    }
+
+    /// Returns the friction capacity without the cap divided by the capacity, or `None` if the cap does not lower the capacity
+    /// much.
+    pub(crate) fn low_cap(&self, layout: &Layout, pressure: &[f64]) -> Option<usize> {
+        let cap = self.friction.max_shear_stress?;
+        let coefficients = self.friction.coefficients();
+        let [without, capacity] = reduce::sum(layout, |cell| {
+            let limit = coefficients.of(self.place(cell)) * pressure[cell];
+            [limit, limited(limit, cap)]
+        });
+        Warning::cap_below(without / capacity)
     }
 
     /// Returns the limit of a cell under a pressure.

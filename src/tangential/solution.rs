@@ -48,6 +48,9 @@ record! {
             /// Largest coefficient of friction that is not common, in tenths.
             #[cfg_attr(feature = "serde", serde(default))]
             friction_tenths: Option<usize>,
+            /// Friction capacity without the cap divided by the capacity, if the cap is low.
+            #[cfg_attr(feature = "serde", serde(default))]
+            cap_parts: Option<usize>,
         }
         ignored {
             /// Sums that identify the pressure of the problem.
@@ -92,6 +95,7 @@ impl TangentialSolution {
             coupled: None,
             is_pressed_at_once: false,
             friction_tenths: None,
+            cap_parts: None,
             pressed: PressureFingerprint::default(),
             report: Report::with_room(),
             whole: None,
@@ -112,6 +116,7 @@ impl TangentialSolution {
         (self.axis, self.cell_value) = (axis, bodies.cell_value());
         self.pair = *bodies.pair();
         self.friction_tenths = Warning::friction_beyond(friction.largest_coefficient(bodies));
+        self.cap_parts = answer.low_cap(friction);
         (self.shift, self.twist) = (answer.motion.shift, answer.motion.twist);
         self.report.clone_from(report);
         answer.with_held(|answer| {
@@ -366,14 +371,14 @@ impl TangentialSolution {
         zones.zone_warnings()
     }
 
-    /// Returns the warnings about a shift that is larger than the grid, a large twist and a large coefficient of friction.
+    /// Returns the warnings about a shift that is larger than the grid, a large twist, a large coefficient of friction and a low cap
+    /// of the friction.
     pub(crate) fn load_warnings(&self) -> impl Iterator<Item = Warning> {
         let shift = Warning::shift_beyond(self.grid(), self.shift());
         let twist = Warning::twist_beyond(self.twist());
         let shift = shift.map(|tenths| Warning::ShiftBeyondGrid { tenths });
         let twist = twist.map(|tenths| Warning::LargeTwist { tenths });
-        let friction = self.friction_tenths;
-        let friction = friction.map(|tenths| Warning::LargeFriction { tenths });
+        let friction = Warning::of_friction(self.friction_tenths, self.cap_parts);
         shift.into_iter().chain(twist).chain(friction)
     }
 

@@ -6,7 +6,7 @@ use crate::half_space::Region;
 use crate::numerics::cell_vector::{dot, length, minus, slices};
 use crate::tangential::friction_limits::is_at_limit;
 use crate::tangential::traction_solver::at;
-use crate::tangential::{Axis, Offsets, PressureOnWindow, RigidMotion, Zone};
+use crate::tangential::{Axis, Friction, Offsets, PressureOnWindow, RigidMotion, Zone};
 
 /// Pressure, limits, tractions and displacements at the end of a step, on the window of a contact. A component that the
 /// model omits is an empty slice.
@@ -98,6 +98,14 @@ impl<'a> StepSolution<'a> {
         PressureFingerprint::of(grid, &self.region.held_layout(), |k| {
             (held.index(k), self.pressure[k])
         })
+    }
+
+    /// Returns the friction capacity without the cap of this friction divided by the capacity, or `None` if the cap does not lower
+    /// the capacity much.
+    pub(crate) fn low_cap(&self, friction: &Friction) -> Option<usize> {
+        friction
+            .within(self.region)
+            .low_cap(self.region.layout(), self.pressure)
     }
 
     /// Returns the traction of a cell.

@@ -6,9 +6,10 @@ use crate::warning::Warning;
 variants! { Warning:
     NoContact ContactAtEdge UnresolvedSpots SingleRowOfCells ContactSpansGrid BeyondHardness StalePressure StressAtEdge
     UnderresolvedContact UnderresolvedStickZone UnderresolvedSlipZone DiscretisationError SingleLoadStep
-    ApproachBeyondGrid ShiftBeyondGrid LargeTwist LargeCreepage LargeFriction LargeGapChange LargeContactRadius PressureBeyondModulus
+    ApproachBeyondGrid ShiftBeyondGrid LargeTwist LargeCreepage LargeFriction LowHardness LowShearStress LargeGapChange
+    LargeContactRadius PressureBeyondModulus
     NotConverged SteepSurface HeldShiftLostForce
-    UnusedRelativeDisplacement RepeatedLoop NeglectedLift CoatingBeyondGrid
+    UnusedRelativeDisplacement RepeatedLoop OpenCycle NeglectedLift CoatingBeyondGrid
     CoatingBelowCell AccuracyNotReached
 }
 
@@ -134,6 +135,18 @@ fn every_warning_has_its_text() {
         (
             Warning::LargeFriction { tenths: 63 },
             "the largest coefficient of friction is 6.3, expected at most 5: give 30 % as 0.3, or ignore this warning if the bodies must stick everywhere",
+        ),
+        (
+            Warning::LowHardness { parts: 115_000_000 },
+            "almost all contact cells are at the hardness, and the largest pressure is 1/115000000 of the contact modulus, expected at least 1/10000: check the units of hardness and modulus, or prescribe the normal force",
+        ),
+        (
+            Warning::LowShearStress { parts: 650_000 },
+            "max_shear_stress lowers the friction capacity to 1/650000, expected at least 1/100: check the units of max_shear_stress and pressure, or prescribe the tangential force",
+        ),
+        (
+            Warning::OpenCycle { per_cent: 71 },
+            "the cycle deviates by 71 % from a closed loop, expected at most 10 %, so that energies and slip distances are not those of a steady cycle: begin the cycle anew and repeat the loop until it closes",
         ),
         (
             Warning::LargeGapChange { tenths: 125 },

@@ -4,8 +4,8 @@ use kit::{max_abs, max_difference, rough, unit_bodies, unit_pair};
 use stickslip::analytical::{HertzSphere, MindlinDeresiewicz};
 use stickslip::history::{Cycle, FrettingLoop, LoadPath, Regime, wear};
 use stickslip::{
-    Axis, Boundary, Error, Field, HalfSpace, History, LoadStep, NormalLoad, TangentialControl,
-    TangentialModel, Warning,
+    Axis, Boundary, Coupling, ElasticPair, Error, Field, HalfSpace, History, LoadStep, Material,
+    NormalLoad, TangentialControl, TangentialModel, Warning,
 };
 
 const FRICTION: f64 = 0.4;
@@ -92,6 +92,62 @@ fn cycle_of_several_loops_gives_warning() {
     // The first loop starts without tractions and thus from a different point.
     add(&mut history, &mut cycle, &ellipse, 12);
     assert!(is_warned(&cycle));
+}
+
+#[test]
+fn cycle_that_does_not_close_gives_warning() {
+    let stated = |cycle: &Cycle| {
+        let mut warnings = cycle.warnings().into_iter();
+        warnings.find(|warning| matches!(warning, Warning::OpenCycle { .. }))
+    };
+    let as_warning = |cycle: &Cycle| {
+        let per_cent = (100.0 * cycle.cyclic_residual().unwrap()).round() as usize;
+        Some(Warning::OpenCycle { per_cent })
+    };
+    // Partial slip under a force, gross slip under a shift, and torsion.
+    let force: fn([f64; 2]) -> LoadStep = LoadStep::force;
+    let shift: fn([f64; 2]) -> LoadStep = LoadStep::shift;
+    let twist = |[angle, _]: [f64; 2]| LoadStep::hold().twist(angle);
+    for (amplitude, step) in [(0.8 * LIMIT, force), (0.5, shift), (0.1, twist)] {
+        let gap = kit::sphere(kit::square(24, 12.0), 20.0);
+        let mut history = new_history(&gap, LOAD, TangentialModel::Vector, 1e-7);
+        let path = LoadPath::sine([amplitude, 0.0], 8).unwrap();
+        let mut cycle = Cycle::new(&history);
+        for repeat in 0..2 {
+            cycle.begin(&history).unwrap();
+            for (count, load) in path.steps().iter().enumerate() {
+                history.step(&step(*load)).unwrap();
+                cycle.add(&history).unwrap();
+                // A part of a loop does not return to its start.
+                let is_open = repeat == 0 && count == 7;
+                let is_back = count == 3 || count == 7;
+                assert!(is_back || stated(&cycle).is_none());
+                if is_open {
+                    assert!(cycle.cyclic_residual().unwrap() > 0.3);
+                    assert_eq!(stated(&cycle), as_warning(&cycle));
+                }
+            }
+        }
+        assert_eq!(stated(&cycle), None);
+    }
+    // Steps that only press bodies of different materials with friction change their tractions, but do not form a loop.
+    let grid = kit::square(24, 12.0);
+    let rubber = Material::new(2.0, 0.1).unwrap();
+    let pair = ElasticPair::new(rubber, Material::rigid()).unwrap();
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let gap = kit::sphere(grid, 20.0);
+    let builder = History::builder(&bodies, &gap, kit::coulomb(FRICTION));
+    let mut history = builder.coupling(Coupling::Full).build().unwrap();
+    let mut cycle = Cycle::new(&history);
+    for part in 1..=4 {
+        let load = NormalLoad::Force(0.25 * f64::from(part) * LOAD);
+        history
+            .step(&LoadStep::force([0.0; 2]).normal(load))
+            .unwrap();
+        cycle.add(&history).unwrap();
+        assert!(cycle.cyclic_residual().unwrap() > 0.5);
+        assert_eq!(stated(&cycle), None);
+    }
 }
 
 /// Covers loads along an axis and in the plane, with a pressure that changes from step to step.

@@ -1040,3 +1040,94 @@ fn gap_change_beyond_displacement_gives_warning() {
     history.set_gap(&raised).unwrap();
     assert_eq!(stated(history.step(&press).unwrap().warnings()), None);
 }
+
+#[test]
+fn hardness_far_below_modulus_gives_warning() {
+    let bodies = bodies(16);
+    let ball = ball(&bodies);
+    let stated = |warnings: Vec<Warning>| {
+        let mut warnings = warnings.into_iter();
+        warnings.find(|warning| matches!(warning, Warning::LowHardness { .. }))
+    };
+    let modulus = kit::unit_pair(0.3).contact_modulus();
+    let press = NormalLoad::Approach(1.0 / RADIUS);
+    for (parts, is_low) in [
+        (100, false),
+        (8_000, false),
+        (12_000, true),
+        (100_000_000, true),
+    ] {
+        let expected = is_low.then_some(Warning::LowHardness { parts });
+        let hardness = Hardness::uniform(modulus / parts as f64).unwrap();
+        let normal = NormalProblem::builder(&bodies, &ball, press).hardness(hardness.clone());
+        assert_eq!(stated(kit::solve(normal).warnings()), expected, "{parts}");
+        let coupled = CoupledProblem::builder(
+            &bodies,
+            &ball,
+            friction(),
+            press,
+            TangentialLoad::shift([0.0; 2]),
+        );
+        let coupled = kit::solve(coupled.hardness(hardness.clone()));
+        assert_eq!(stated(coupled.warnings()), expected, "{parts}");
+        let builder = History::builder(&bodies, &ball, friction()).hardness(hardness);
+        let mut history = builder.build().unwrap();
+        let mut cycle = Cycle::new(&history);
+        for (step, expected) in [
+            (LoadStep::hold().normal(press), expected),
+            (LoadStep::hold().normal(NormalLoad::Force(0.0)), None),
+        ] {
+            assert_eq!(stated(history.step(&step).unwrap().warnings()), expected);
+            assert_eq!(stated(history.normal().warnings()), expected);
+            cycle.add(&history).unwrap();
+        }
+        assert_eq!(stated(cycle.warnings()), expected);
+    }
+    // An elastic contact of a low pressure has no warning.
+    let light = pressed(&bodies, &ball, 1e-9 * load());
+    assert!(light.pressure().max() < modulus / 20_000.0);
+    assert_eq!(stated(light.warnings()), None);
+}
+
+#[test]
+fn low_cap_of_friction_gives_warning_in_every_solution() {
+    let bodies = bodies(16);
+    let ball = ball(&bodies);
+    let normal = pressed(&bodies, &ball, load());
+    let stated = |warnings: Vec<Warning>| {
+        let mut warnings = warnings.into_iter();
+        warnings.find(|warning| matches!(warning, Warning::LowShearStress { .. }))
+    };
+    // The whole contact is capped, so that the ratio is that of the limit of the mean pressure to the cap.
+    let mean = 0.5 * normal.mean_pressure();
+    for (parts, coefficient, is_low) in [
+        (10, 0.5, false),
+        (90, 0.5, false),
+        (110, 0.5, true),
+        (1_000_000, 0.5, true),
+        // A constant limit of the traction.
+        (1_000_000, 50.0, false),
+    ] {
+        let expected = is_low.then_some(Warning::LowShearStress { parts });
+        let friction = Friction::coulomb(coefficient).unwrap();
+        let friction = friction.max_shear_stress(mean / parts as f64).unwrap();
+        let shift = TangentialLoad::shift([1e-3, 0.0]);
+        let tangential = TangentialProblem::builder(&bodies, &normal, friction.clone(), shift);
+        assert_eq!(stated(kit::solve(tangential).warnings()), expected);
+        let press = NormalLoad::Force(load());
+        let coupled = CoupledProblem::builder(&bodies, &ball, friction.clone(), press, shift);
+        assert_eq!(stated(kit::solve(coupled).warnings()), expected);
+        let rolling = RollingProblem::builder(&bodies, &normal, friction.clone());
+        let rolling = rolling.creepage([1e-3, 0.0]).build().unwrap();
+        assert_eq!(stated(rolling.solve().unwrap().warnings()), expected);
+        let mut history = History::builder(&bodies, &ball, friction).build().unwrap();
+        let mut cycle = Cycle::new(&history);
+        let slide = LoadStep::shift([1e-3, 0.0]).normal(press);
+        assert_eq!(stated(history.step(&slide).unwrap().warnings()), expected);
+        cycle.add(&history).unwrap();
+        history.set_friction(&self::friction()).unwrap();
+        assert_eq!(stated(history.step(&slide).unwrap().warnings()), None);
+        cycle.add(&history).unwrap();
+        assert_eq!(stated(cycle.warnings()), expected);
+    }
+}

@@ -340,6 +340,15 @@
 // Warning: the gap of contact cells changed by more than the largest normal displacement of the last contact.
 #define STICKSLIP_WARNING_LARGE_GAP_CHANGE 28
 
+// Warning: almost all contact cells are at a hardness far below the contact modulus.
+#define STICKSLIP_WARNING_LOW_HARDNESS 29
+
+// Warning: the largest shear stress lowers the friction capacity to less than 1 %.
+#define STICKSLIP_WARNING_LOW_SHEAR_STRESS 30
+
+// Warning: the loads of a cycle return to their start, but the cycle does not close.
+#define STICKSLIP_WARNING_OPEN_CYCLE 31
+
 // Any other warning, described by its message.
 #define STICKSLIP_WARNING_OTHER 127
 

@@ -167,6 +167,12 @@ pub const STICKSLIP_WARNING_NOT_CONVERGED: i32 = 26;
 pub const STICKSLIP_WARNING_LARGE_FRICTION: i32 = 27;
 /// Warning: the gap of contact cells changed by more than the largest normal displacement of the last contact.
 pub const STICKSLIP_WARNING_LARGE_GAP_CHANGE: i32 = 28;
+/// Warning: almost all contact cells are at a hardness far below the contact modulus.
+pub const STICKSLIP_WARNING_LOW_HARDNESS: i32 = 29;
+/// Warning: the largest shear stress lowers the friction capacity to less than 1 %.
+pub const STICKSLIP_WARNING_LOW_SHEAR_STRESS: i32 = 30;
+/// Warning: the loads of a cycle return to their start, but the cycle does not close.
+pub const STICKSLIP_WARNING_OPEN_CYCLE: i32 = 31;
 /// Any other warning, described by its message.
 pub const STICKSLIP_WARNING_OTHER: i32 = 127;
 
@@ -233,6 +239,9 @@ impl From<&Warning> for stickslip_warning {
             }
             Warning::LargeFriction { .. } => (STICKSLIP_WARNING_LARGE_FRICTION, 0, 0),
             Warning::LargeGapChange { .. } => (STICKSLIP_WARNING_LARGE_GAP_CHANGE, 0, 0),
+            Warning::LowHardness { .. } => (STICKSLIP_WARNING_LOW_HARDNESS, 0, 0),
+            Warning::LowShearStress { .. } => (STICKSLIP_WARNING_LOW_SHEAR_STRESS, 0, 0),
+            Warning::OpenCycle { .. } => (STICKSLIP_WARNING_OPEN_CYCLE, 0, 0),
             Warning::NotConverged => (STICKSLIP_WARNING_NOT_CONVERGED, 0, 0),
             _ => (STICKSLIP_WARNING_OTHER, 0, 0),
         };

@@ -120,10 +120,11 @@ record!(Report: status, iterations, double_precision_products, single_precision_
 /// ``single_row_of_cells``, ``contact_spans_grid``, ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``,
 /// ``underresolved_stick_zone``, ``underresolved_slip_zone``, ``single_load_step``, ``stress_at_edge``,
 /// ``discretisation_error``, ``approach_beyond_grid``, ``shift_beyond_grid``, ``large_twist``, ``large_creepage``,
-/// ``large_friction``, ``large_gap_change``, ``large_contact_radius``, ``pressure_beyond_modulus``, ``not_converged``,
-/// ``steep_surface``, ``held_shift_lost_force``, ``unused_relative_displacement``, ``repeated_loop``,
-/// ``neglected_lift``, ``coating_beyond_grid``, ``coating_below_cell`` or ``accuracy_not_reached``. The names of the warnings of a
-/// solution are ``[warning.kind for warning in solution.warnings]``. A comparison of a warning with a string raises a ``ValueError``.
+/// ``large_friction``, ``low_hardness``, ``low_shear_stress``, ``large_gap_change``, ``large_contact_radius``,
+/// ``pressure_beyond_modulus``, ``not_converged``, ``steep_surface``, ``held_shift_lost_force``,
+/// ``unused_relative_displacement``, ``repeated_loop``, ``open_cycle``, ``neglected_lift``, ``coating_beyond_grid``,
+/// ``coating_below_cell`` or ``accuracy_not_reached``. The names of the warnings of a solution are
+/// ``[warning.kind for warning in solution.warnings]``. A comparison of a warning with a string raises a ``ValueError``.
 #[pyclass(frozen, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Warning(pub(crate) stickslip::Warning);
@@ -159,6 +160,8 @@ impl Warning {
             W::LargeTwist { .. } => "large_twist",
             W::LargeCreepage { .. } => "large_creepage",
             W::LargeFriction { .. } => "large_friction",
+            W::LowHardness { .. } => "low_hardness",
+            W::LowShearStress { .. } => "low_shear_stress",
             W::LargeGapChange { .. } => "large_gap_change",
             W::LargeContactRadius { .. } => "large_contact_radius",
             W::PressureBeyondModulus { .. } => "pressure_beyond_modulus",
@@ -167,6 +170,7 @@ impl Warning {
             W::HeldShiftLostForce { .. } => "held_shift_lost_force",
             W::UnusedRelativeDisplacement => "unused_relative_displacement",
             W::RepeatedLoop => "repeated_loop",
+            W::OpenCycle { .. } => "open_cycle",
             W::NeglectedLift { .. } => "neglected_lift",
             W::CoatingBeyondGrid { .. } => "coating_beyond_grid",
             W::CoatingBelowCell { .. } => "coating_below_cell",

@@ -320,12 +320,12 @@ def test_fretting_loop_warns_about_cycles_not_steps(scene):
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             observer = lambda history, cycle: remarks.update(remark.kind for remark in history.last_step.warnings)
-            cycle = ss.history.FrettingLoop(path, lambda force: ss.LoadStep(force=force)).run(history, 1, observer).last
+            cycle = ss.history.FrettingLoop(path, lambda force: ss.LoadStep(force=force)).run(history, 2, observer).last
         messages = [str(warning.message) for warning in caught]
         assert messages == [remark.message for remark in cycle.warnings]
         return remarks, [remark.kind for remark in cycle.warnings]
 
-    # After a reversal the slip ring is narrow, but not during the whole cycle.
+    # The first cycle does not close. After a reversal the slip ring is narrow, but not during the whole cycle.
     assert kinds(40.0, 24) == ({"underresolved_slip_zone"}, [])
     assert kinds(2.0, 8) == ({"underresolved_slip_zone"}, ["underresolved_slip_zone"])
 

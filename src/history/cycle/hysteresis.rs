@@ -5,6 +5,7 @@ use std::fmt::Write;
 
 use crate::error::Result;
 use crate::history::{Cycle, State};
+use crate::warning::Warning;
 
 /// Point of the loop of force and shift, at the start of a cycle or the end of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -126,6 +127,17 @@ impl Cycle {
         text
     }
 
+    /// Returns the warning about a cycle whose loads return to their start but that does not close.
+    pub(in crate::history) fn open_warning(&self) -> Option<Warning> {
+        let is_loop = || {
+            let ratio = self.energy_ratio().unwrap_or(f64::INFINITY);
+            // The loads of steps that only press are round-off, in contrast to the energy.
+            ratio < LARGEST_RATIO && returns_to_start(self.points())
+        };
+        let open = Warning::open_beyond(self.cyclic_residual().ok()?)?;
+        is_loop().then_some(open)
+    }
+
     /// Names of the columns of [`Cycle::summary_as_csv`], without a line ending.
     pub const SUMMARY_NAMES: &str = "steps,force_amplitude_x,force_amplitude_y,shift_amplitude_x,shift_amplitude_y,\
          dissipated_energy,energy_ratio,cyclic_residual,least_stick_ratio,largest_stick_ratio";
@@ -184,6 +196,9 @@ pub(in crate::history) fn half_range(
 
 /// Largest distance of two points that count as equal, in half the ranges of the loop.
 const EQUAL: f64 = 1e-2;
+
+/// Energy ratio above which force and shift of a loop are round-off.
+const LARGEST_RATIO: f64 = 100.0;
 
 /// Smallest distance from the start that a loop reaches, in half the ranges of the loop.
 const LEAST_EXTENT: f64 = 0.5;
@@ -255,6 +270,21 @@ pub(in crate::history) fn repeats_loop(points: &[LoopPoint]) -> bool {
         }
     }
     false
+}
+
+/// Returns whether forces and moment or shift and twist of the last point equal those of the first point, and have differed by half
+/// their range.
+fn returns_to_start(points: &[LoopPoint]) -> bool {
+    let (scaled, _) = scaled_points(points);
+    let [loads, motions] = [[0, 1, 4], [2, 3, 5]].map(|parts| {
+        let distance = |point: &Scaled| {
+            let parts = parts.iter().map(|part: &usize| point[*part].abs());
+            parts.fold(0.0, f64::max)
+        };
+        let has_left = scaled.iter().any(|point| distance(point) >= LEAST_EXTENT);
+        has_left && scaled.last().is_some_and(|last| distance(last) <= EQUAL)
+    });
+    loads || motions
 }
 
 /// Scales the points, and returns the components by which they are sorted into cells.

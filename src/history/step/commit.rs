@@ -75,6 +75,7 @@ impl History {
         let unsolved = Report::unsolved();
         let report = found.map_or(&unsolved, |_| scheme.report());
         step.tangential_report.clone_from(report);
+        step.remarks.cap_parts = found.and_then(|found| found.low_cap(&state.friction));
         let moved = motion.since(state.motion);
         let (moved, twisted) = (moved.shift, moved.twist);
         let before = candidate.held().map(NormalSolution::pressure);
@@ -111,6 +112,7 @@ impl History {
             state.normal.measure_scale(bodies, &state.pressed_gap);
         }
         step.remarks.scale = state.normal.scale();
+        step.remarks.hardness_parts = state.normal.low_hardness();
         if travel.is_none() && !step.remarks.is_apart {
             step.remarks.shift_tenths = Warning::shift_beyond(state.grid(), moved);
             step.remarks.twist_tenths = Warning::twist_beyond(twisted);

@@ -45,6 +45,10 @@ pub(in crate::history) struct StepDiagnostics {
     pub(in crate::history) creepage_per_cent: Option<usize>,
     /// Largest coefficient of friction of a step that is not common, in tenths.
     pub(in crate::history) friction_tenths: Option<usize>,
+    /// Friction capacity of a step without the cap divided by the capacity, if the cap is low.
+    pub(in crate::history) cap_parts: Option<usize>,
+    /// Contact modulus divided by the largest pressure of a step in which almost all contact cells are at a low hardness.
+    pub(in crate::history) hardness_parts: Option<usize>,
     /// Largest change of the gap since the last pressure that is not small, in tenths of the largest normal displacement.
     pub(in crate::history) gap_change_tenths: Option<usize>,
     /// Largest lift due to the tractions of a rolled step that the pressure ignores, in millionths of the normal
@@ -73,6 +77,8 @@ impl StepDiagnostics {
             twist_tenths: self.twist_tenths.max(other.twist_tenths),
             creepage_per_cent: self.creepage_per_cent.max(other.creepage_per_cent),
             friction_tenths: self.friction_tenths.max(other.friction_tenths),
+            cap_parts: self.cap_parts.max(other.cap_parts),
+            hardness_parts: self.hardness_parts.max(other.hardness_parts),
             gap_change_tenths: self.gap_change_tenths.max(other.gap_change_tenths),
             neglected_lift: self.neglected_lift.max(other.neglected_lift),
             resolution: self.resolution.and(other.resolution),
@@ -103,13 +109,15 @@ impl StepDiagnostics {
         let twist = twist.map(|tenths| Warning::LargeTwist { tenths });
         let creepage = self.creepage_per_cent;
         let creepage = creepage.map(|per_cent| Warning::LargeCreepage { per_cent });
-        let friction = self.friction_tenths;
-        let friction = friction.map(|tenths| Warning::LargeFriction { tenths });
+        let friction = Warning::of_friction(self.friction_tenths, self.cap_parts);
+        let hardness = self.hardness_parts;
+        let hardness = hardness.map(|parts| Warning::LowHardness { parts });
         let gap_change = self.gap_change_tenths;
         let gap_change = gap_change.map(|tenths| Warning::LargeGapChange { tenths });
         let lift = self.neglected_lift;
         let lift = lift.map(|per_million| Warning::NeglectedLift { per_million });
         all.chain(beyond)
+            .chain(hardness)
             .chain(lift)
             .chain(zones)
             .chain(self.scale.warnings())
@@ -128,12 +136,14 @@ impl StepDiagnostics {
 impl Cycle {
     /// Returns the [warnings](crate::history::StepResult::warnings) of all steps. Each warning appears once, with its
     /// largest count. The warning for a narrow slip zone appears only if the zone was too narrow in all steps. The cycle has the
-    /// warning [`RepeatedLoop`](Warning::RepeatedLoop) if it contains more than one loop.
+    /// warning [`RepeatedLoop`](Warning::RepeatedLoop) if it contains more than one loop, and [`OpenCycle`](Warning::OpenCycle) if
+    /// its loads return to their start but the cycle does not close.
     /// [`History::normal`](crate::History::normal) returns the warnings about the grid and the contact spots.
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let mut warnings = self.remarks.warnings();
         warnings.extend(repeats_loop(self.points()).then_some(Warning::RepeatedLoop));
+        warnings.extend(self.open_warning());
         warnings
     }
 }

@@ -227,6 +227,7 @@ impl StepResult {
     /// - [`Warning::ContactAtEdge`],
     /// - the warnings about contacts and zones of too few cells, such as [`Warning::UnderresolvedSlipZone`],
     /// - the warnings about large approaches, slopes, shifts, twists, creepages and coefficients of friction,
+    /// - [`Warning::LowHardness`] and [`Warning::LowShearStress`],
     /// - [`Warning::LargeGapChange`],
     /// - [`Warning::HeldShiftLostForce`],
     /// - [`Warning::UnusedRelativeDisplacement`],

@@ -35,6 +35,9 @@ record! {
             /// Largest coefficient of friction that is not common, in tenths.
             #[cfg_attr(feature = "serde", serde(default))]
             friction_tenths: Option<usize>,
+            /// Friction capacity without the cap divided by the capacity, if the cap is low.
+            #[cfg_attr(feature = "serde", serde(default))]
+            cap_parts: Option<usize>,
             #[cfg_attr(feature = "serde", serde(default))]
             boundary: Boundary,
             /// Vector from the position of a particle after a step to the middle of its path.
@@ -71,6 +74,7 @@ impl RollingSolution {
             spin: 0.0,
             neglected_lift: None,
             friction_tenths: None,
+            cap_parts: None,
             boundary: Boundary::default(),
             halfway: [0.0; 2],
             report: Report::with_room(),
@@ -93,6 +97,8 @@ impl RollingSolution {
         let coefficient = problem.friction.largest_coefficient(&problem.bodies);
         self.friction_tenths = Warning::friction_beyond(coefficient);
         let pressed = &problem.pressed;
+        let friction = problem.friction.within(&pressed.region);
+        self.cap_parts = friction.low_cap(pressed.region.layout(), &pressed.pressure);
         for (cell, index) in pressed.window().indices().enumerate() {
             if pressed.pressure[cell] <= 0.0 {
                 continue;
@@ -240,7 +246,7 @@ impl RollingSolution {
 
     /// Returns the warnings about the solution (see [`Warning`]). They include [`Warning::NeglectedLift`] if tractions of
     /// dissimilar bodies change the pressure by more than the tolerance, [`Warning::LargeCreepage`] and
-    /// [`Warning::LargeFriction`].
+    /// [`Warning::LargeFriction`] or [`Warning::LowShearStress`].
     #[must_use]
     pub fn warnings(&self) -> Vec<Warning> {
         let contains = |cell: usize| self.zones[cell] != Zone::Separated;
@@ -253,10 +259,9 @@ impl RollingSolution {
         warnings
     }
 
-    /// Returns the warnings about a large creepage or spin and a large coefficient of friction.
+    /// Returns the warnings about a large creepage or spin, a large coefficient of friction and a low cap of the friction.
     pub(in crate::rolling) fn load_warnings(&self) -> impl Iterator<Item = Warning> {
-        let friction = self.friction_tenths;
-        let friction = friction.map(|tenths| Warning::LargeFriction { tenths });
+        let friction = Warning::of_friction(self.friction_tenths, self.cap_parts);
         self.creepage_warning().into_iter().chain(friction)
     }
 
