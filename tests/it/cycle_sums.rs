@@ -98,11 +98,10 @@ fn cycle_of_several_loops_gives_warning() {
 fn cycle_that_does_not_close_gives_warning() {
     let stated = |cycle: &Cycle| {
         let mut warnings = cycle.warnings().into_iter();
-        warnings.find(|warning| matches!(warning, Warning::OpenCycle { .. }))
-    };
-    let as_warning = |cycle: &Cycle| {
-        let per_cent = (100.0 * cycle.cyclic_residual().unwrap()).round() as usize;
-        Some(Warning::OpenCycle { per_cent })
+        warnings.find_map(|warning| match warning {
+            Warning::OpenCycle { per_cent } => Some(per_cent),
+            _ => None,
+        })
     };
     // Partial slip under a force, gross slip under a shift, and torsion.
     let force: fn([f64; 2]) -> LoadStep = LoadStep::force;
@@ -123,8 +122,9 @@ fn cycle_that_does_not_close_gives_warning() {
                 let is_back = count == 3 || count == 7;
                 assert!(is_back || stated(&cycle).is_none());
                 if is_open {
-                    assert!(cycle.cyclic_residual().unwrap() > 0.3);
-                    assert_eq!(stated(&cycle), as_warning(&cycle));
+                    let residual = cycle.cyclic_residual().unwrap();
+                    let per_cent = stated(&cycle).unwrap();
+                    assert!(residual > 0.3 && (per_cent as f64 - 100.0 * residual).abs() <= 0.5);
                 }
             }
         }

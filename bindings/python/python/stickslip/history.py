@@ -50,7 +50,8 @@ class FrettingLoop:
     """Repeats a cycle of tangential load.
 
     After each cycle, its :attr:`Cycle.warnings` are issued through ``warnings``, each kind once per location, and a warning if no
-    cell slips, unless the coefficient of friction exceeds 5. Warnings of single steps are not issued.
+    cell slips, unless the coefficient of friction exceeds 5. Warnings of single steps are not issued. The warning of a cycle that
+    does not close is issued only for the last cycle of :meth:`run`, if the number of cycles ended the loop.
 
     Parameters
     ----------
@@ -210,6 +211,7 @@ class FrettingLoop:
                     return FrettingResult(done, StopReason.STEADY, last)
                 if is_stopped:
                     return FrettingResult(done, StopReason.STOPPED, last)
+        warn([(remark.kind, remark.message) for remark in last.warnings if remark.kind == "open_cycle"])
         return FrettingResult(cycles, StopReason.CYCLE_LIMIT, last)
 
     def _check_loads(self) -> None:
@@ -249,7 +251,8 @@ class FrettingLoop:
             if observer is not None and is_stop(observer(history, cycle)):
                 return False
         # Only warnings of the whole cycle are issued: after a reversal, the first slip ring is narrow but unimportant.
-        remarks = {remark.kind: remark.message for remark in cycle.warnings}
+        # The first cycles of a loop do not close.
+        remarks = {remark.kind: remark.message for remark in cycle.warnings if remark.kind != "open_cycle"}
         # The warning of large friction already states that the bodies stick everywhere.
         if cycle.regime == Regime.FULL_STICK and history.contact.any() and "large_friction" not in remarks:
             remarks["no_slip"] = _NO_SLIP
