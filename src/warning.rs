@@ -120,19 +120,19 @@ pub enum Warning {
         /// The approach divided by the longest side of the grid, in tenths.
         tenths: usize,
     },
-    /// The shift of a step exceeds the longest side of the grid. A common cause is an inconsistent unit of the shift. Steps
-    /// that roll do not have this warning.
+    /// The shift of a step exceeds the longest side of the grid, or the change of a
+    /// [relative displacement](crate::tangential::RelativeDisplacement) in a contact cell does. A common cause is an inconsistent
+    /// unit. Steps that roll do not have this warning.
     ShiftBeyondGrid {
-        /// The shift of the step divided by the longest side of the grid, in tenths.
+        /// The larger of shift and relative displacement of the step, divided by the longest side of the grid, in tenths.
         tenths: usize,
     },
-    /// The twist of a step exceeds half a radian, whereas the model assumes small rotations. A common cause is a twist in
-    /// degrees.
+    /// The twist of a step exceeds 0.2 rad, whereas the model assumes small rotations. A common cause is a twist in degrees.
     LargeTwist {
         /// The magnitude of the twist of the step, in tenths of a radian.
         tenths: usize,
     },
-    /// The creepage of rolling bodies exceeds 0.1, whereas the model assumes small creepages. Common causes are a creepage in per
+    /// The creepage of rolling bodies is 0.1 or more, whereas the model assumes small creepages. Common causes are a creepage in per
     /// cent and an inconsistent unit of the spin. The magnitude of the spin times the largest distance of a contact cell from the
     /// origin of the grid is added to the creepage. For a step of a history the prescribed creepage counts.
     LargeCreepage {
@@ -209,9 +209,9 @@ pub enum Warning {
         /// The measure of the neglected lift in millionths, rounded up.
         per_million: usize,
     },
-    /// A layer of a [coated](crate::Material::coated) body is more than 100 times as thick as the longest side of the grid.
-    /// The solution is then the limit of a contact without the material below this layer. A common cause is an inconsistent unit
-    /// of the thickness.
+    /// A layer of a [coated](crate::Material::coated) body is more than ten times as thick as the longest side of the grid.
+    /// The solution is then almost that of a contact without the material below this layer. A common cause is an inconsistent
+    /// unit of the thickness.
     CoatingBeyondGrid {
         /// The thickness divided by the longest side of the grid.
         sides: usize,
@@ -330,19 +330,19 @@ impl std::fmt::Display for Warning {
             ),
             Self::ShiftBeyondGrid { tenths } => write!(
                 formatter,
-                "the shift of the step is {}.{} times the longest side of the grid, expected less than 1: check the units of shift and grid",
+                "the shift or relative displacement of the step is {}.{} times the longest side of the grid, expected less than 1: check the units of displacements and grid",
                 tenths / 10,
                 tenths % 10
             ),
             Self::LargeTwist { tenths } => write!(
                 formatter,
-                "the twist of the step is {}.{} radians, expected at most 0.5: convert a twist in degrees; the model assumes small rotations",
+                "the twist of the step is {}.{} radians, expected at most 0.2: convert a twist in degrees; the model assumes small rotations",
                 tenths / 10,
                 tenths % 10
             ),
             Self::LargeCreepage { per_cent } => write!(
                 formatter,
-                "creepage and spin move the surfaces by {per_cent} % of the length rolled, expected at most 10 %: give a creepage of 1 % as 0.01, and check the unit of the spin; the model assumes small creepages"
+                "creepage and spin move the surfaces by {per_cent} % of the length rolled, expected less than 10 %: give a creepage of 1 % as 0.01, and check the unit of the spin; the model assumes small creepages"
             ),
             Self::LargeFriction { tenths } => write!(
                 formatter,
@@ -386,7 +386,7 @@ impl std::fmt::Display for Warning {
             Self::NeglectedLift { per_million } => write_lift(formatter, *per_million),
             Self::CoatingBeyondGrid { sides } => write!(
                 formatter,
-                "a layer is {sides} times as thick as the longest side of the grid, expected at most {THICKEST_LAYER}, so that the material below it has no effect on the contact: check the units of thickness and grid"
+                "a layer is {sides} times as thick as the longest side of the grid, expected at most {THICKEST_LAYER}, so that the material below it has almost no effect on the contact: check the units of thickness and grid"
             ),
             Self::CoatingBelowCell { parts } => write!(
                 formatter,
@@ -429,16 +429,16 @@ const SMALL_ERROR: f64 = 0.01;
 
 /// Largest thickness of a layer without a warning, over the longest side of the grid. The error of the approach without the material
 /// below the layer is of the order of the contact radius over the thickness.
-pub(crate) const THICKEST_LAYER: usize = 100;
+pub(crate) const THICKEST_LAYER: usize = 10;
 
 /// Largest shift of a step without a warning, in tenths of the longest side of the grid.
 const LARGEST_SHIFT: usize = 10;
 
 /// Largest twist of a step without a warning, in tenths of a radian.
-const LARGEST_TWIST: usize = 5;
+const LARGEST_TWIST: usize = 2;
 
-/// Largest creepage without a warning, in per cent.
-const LARGEST_CREEPAGE: usize = 10;
+/// Smallest creepage with a warning. The margin allows for round-off of a creepage of a tenth.
+const LARGE_CREEPAGE: f64 = 0.1 * (1.0 - 1e-12);
 
 /// Largest coefficient of friction without a warning, in tenths.
 const LARGEST_FRICTION: usize = 50;
@@ -510,8 +510,8 @@ impl Warning {
         reason = "the magnitude is not negative, and a large one saturates"
     )]
     pub(crate) fn creepage_beyond([x, y]: [f64; 2], by_spin: f64) -> Option<usize> {
-        let per_cent = (100.0 * (x.hypot(y) + by_spin.abs())).round() as usize;
-        (per_cent > LARGEST_CREEPAGE).then_some(per_cent)
+        let creepage = x.hypot(y) + by_spin.abs();
+        (creepage >= LARGE_CREEPAGE).then(|| (100.0 * creepage).round() as usize)
     }
 
     /// Returns a coefficient of friction in tenths, or `None` if the coefficient is common.
