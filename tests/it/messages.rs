@@ -707,6 +707,9 @@ fn creepage_of_a_tenth_gives_warning() {
         let problem = RollingProblem::builder(&bodies, &normal, friction());
         let problem = problem.creepage(creepage).spin(spin).build().unwrap();
         let rolling = problem.solve().unwrap();
+        let point = [creepage[0], creepage[1], spin];
+        let mut solver = problem.into_solver().unwrap();
+        let points = solver.creep_forces([point]).unwrap();
         let mut history = History::builder(&bodies, &ball, friction())
             .model(TangentialModel::Vector)
             .build()
@@ -714,7 +717,7 @@ fn creepage_of_a_tenth_gives_warning() {
         let press = LoadStep::hold().normal(NormalLoad::Force(load()));
         let rolled = press.roll(Rolling::new(1).creepage(creepage).spin(spin));
         let step = history.step(&rolled).unwrap();
-        for warnings in [rolling.warnings(), step.warnings()] {
+        for warnings in [rolling.warnings(), points[0].warnings(), step.warnings()] {
             match (stated(warnings), per_cent) {
                 (None, None) => {}
                 (Some(Warning::LargeCreepage { per_cent: found }), Some(expected)) => {

@@ -246,18 +246,22 @@ impl RollingSolution {
         let contains = |cell: usize| self.zones[cell] != Zone::Separated;
         let map = ContactMap::of(self.grid(), self.boundary, contains, None);
         let mut warnings = unwrap_or_abort(map.warnings());
-        let lift = self.neglected_lift;
-        warnings.extend(lift.map(|per_million| Warning::NeglectedLift { per_million }));
+        let [lift, creepage, friction] = self.load_warnings();
+        warnings.extend(lift);
         warnings.extend(Warning::of_status(self.report.status));
-        warnings.extend(self.load_warnings());
+        warnings.extend(creepage.into_iter().chain(friction));
         warnings
     }
 
-    /// Returns the warnings about a large creepage or spin and a large coefficient of friction.
-    pub(in crate::rolling) fn load_warnings(&self) -> impl Iterator<Item = Warning> {
+    /// Returns the warnings about a neglected lift, a large creepage or spin and a large coefficient of friction.
+    pub(in crate::rolling) fn load_warnings(&self) -> [Option<Warning>; 3] {
+        let lift = self.neglected_lift;
         let friction = self.friction_tenths;
-        let friction = friction.map(|tenths| Warning::LargeFriction { tenths });
-        self.creepage_warning().into_iter().chain(friction)
+        [
+            lift.map(|per_million| Warning::NeglectedLift { per_million }),
+            self.creepage_warning(),
+            friction.map(|tenths| Warning::LargeFriction { tenths }),
+        ]
     }
 
     fn creepage_warning(&self) -> Option<Warning> {
