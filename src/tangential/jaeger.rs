@@ -5,6 +5,7 @@ use crate::error::{Error, Result, check_converged, non_negative};
 use crate::grid::field::Field;
 use crate::memory::fallible;
 use crate::normal::NormalSolution;
+use crate::parallel::reduce;
 use crate::support::debug::shown;
 use crate::tangential::Zone;
 
@@ -98,10 +99,9 @@ impl JaegerSuperposition {
             .iter()
             .zip(stick.pressure().as_slice());
         // On the same gap, a larger load increases the pressure of every cell.
-        let excess = pressures
-            .clone()
-            .map(|(full, stick)| (stick - full).max(0.0));
-        if excess.sum::<f64>() * grid.cell_area() > LARGEST_EXCESS * full.force() {
+        let [heavy, light] = [full, stick].map(|contact| contact.pressure().as_slice());
+        let excess = reduce::sum(&grid.layout(), |cell| (light[cell] - heavy[cell]).max(0.0));
+        if excess * grid.cell_area() > LARGEST_EXCESS * full.force() {
             return Err(Error::OutdatedSolution {
                 quantity: "heavier contact",
                 changed: "the gap",

@@ -316,8 +316,11 @@ fn wrong_input_is_refused() {
 
 #[test]
 fn warnings_include_those_of_the_tangential_contact() {
-    let rubber = Material::new(213e9, 0.0).unwrap();
-    let unlike = ElasticPair::new(rubber, Material::rigid()).unwrap();
+    fn friction() -> Friction {
+        Friction::coulomb(30.0).unwrap()
+    }
+    let body = Material::new(213e9, 0.0).unwrap();
+    let unlike = ElasticPair::new(body, Material::rigid()).unwrap();
     let kinds = |shear: fn(AdaptiveProblemBuilder<'_>) -> AdaptiveProblemBuilder<'_>| {
         let builder = AdaptiveProblem::builder(unlike, &ball, NormalLoad::Force(FORCE), wide());
         let found = shear(builder).target(Quantity::Pressure, 0.1).build();
@@ -333,14 +336,18 @@ fn warnings_include_those_of_the_tangential_contact() {
             warnings.any(|w| *w == Warning::SingleLoadStep),
         ]
     };
-    let friction = || Friction::coulomb(30.0).unwrap();
     assert_eq!(kinds(|builder| builder), [false; 3]);
     let shear = kinds(|builder| {
         let load = TangentialLoad::shift([1.0, 0.0]);
         builder.shear(friction(), load).coupling(Coupling::OneWay)
     });
     assert_eq!(shear, [true; 3]);
-    let step = kinds(|builder| builder.first_step(friction(), LoadStep::shift([1.0, 0.0])));
+    let step = kinds(|builder| {
+        let load = LoadStep::shift([1.0, 0.0]);
+        builder
+            .first_step(friction(), load)
+            .coupling(Coupling::OneWay)
+    });
     assert_eq!(step, [true; 3]);
 }
 

@@ -6153,8 +6153,8 @@ class RollingSolver:
             A function that is called with the :class:`CreepForce` of each solved point. It ends the call by returning
             ``False``, as in :meth:`NormalProblem.solve`. ``True`` shows a progress bar of the points.
         warn : bool, default True
-            Whether the warnings of the points are also issued through ``warnings``. Of each kind, the warning of the last
-            point that has it is issued.
+            Whether the warnings of the points are also issued through ``warnings``. Each kind is issued once, for the last
+            point that has it.
 
         Returns
         -------
