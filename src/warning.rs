@@ -121,19 +121,19 @@ pub enum Warning {
         /// The approach divided by the longest side of the grid, in tenths.
         tenths: usize,
     },
-    /// The shift of a step exceeds the longest side of the grid. A common cause is an inconsistent unit of the shift. Steps
-    /// that roll do not have this warning.
+    /// The shift of a step exceeds the longest side of the grid, or the change of a
+    /// [relative displacement](crate::tangential::RelativeDisplacement) in a contact cell does. A common cause is an inconsistent
+    /// unit. Steps that roll do not have this warning.
     ShiftBeyondGrid {
-        /// The shift of the step divided by the longest side of the grid, in tenths.
+        /// The larger of shift and relative displacement of the step, divided by the longest side of the grid, in tenths.
         tenths: usize,
     },
-    /// The twist of a step exceeds half a radian, whereas the model assumes small rotations. A common cause is a twist in
-    /// degrees.
+    /// The twist of a step exceeds 0.2 rad, whereas the model assumes small rotations. A common cause is a twist in degrees.
     LargeTwist {
         /// The magnitude of the twist of the step, in tenths of a radian.
         tenths: usize,
     },
-    /// The creepage of rolling bodies exceeds 0.1, whereas the model assumes small creepages. Common causes are a creepage in per
+    /// The creepage of rolling bodies is 0.1 or more, whereas the model assumes small creepages. Common causes are a creepage in per
     /// cent and an inconsistent unit of the spin. The magnitude of the spin times the largest distance of a contact cell from the
     /// origin of the grid is added to the creepage. For a step of a history the prescribed creepage counts.
     LargeCreepage {
@@ -234,9 +234,9 @@ pub enum Warning {
         /// The measure of the neglected lift in millionths, rounded up.
         per_million: usize,
     },
-    /// A layer of a [coated](crate::Material::coated) body is more than 100 times as thick as the longest side of the grid.
-    /// The solution is then the limit of a contact without the material below this layer. A common cause is an inconsistent unit
-    /// of the thickness.
+    /// A layer of a [coated](crate::Material::coated) body is more than ten times as thick as the longest side of the grid.
+    /// The solution is then almost that of a contact without the material below this layer. A common cause is an inconsistent
+    /// unit of the thickness.
     CoatingBeyondGrid {
         /// The thickness divided by the longest side of the grid.
         sides: usize,
@@ -355,19 +355,19 @@ impl std::fmt::Display for Warning {
             ),
             Self::ShiftBeyondGrid { tenths } => write!(
                 formatter,
-                "the shift of the step is {}.{} times the longest side of the grid, expected less than 1: check the units of shift and grid",
+                "the shift or relative displacement of the step is {}.{} times the longest side of the grid, expected less than 1: check the units of displacements and grid",
                 tenths / 10,
                 tenths % 10
             ),
             Self::LargeTwist { tenths } => write!(
                 formatter,
-                "the twist of the step is {}.{} radians, expected at most 0.5: convert a twist in degrees; the model assumes small rotations",
+                "the twist of the step is {}.{} radians, expected at most 0.2: convert a twist in degrees; the model assumes small rotations",
                 tenths / 10,
                 tenths % 10
             ),
             Self::LargeCreepage { per_cent } => write!(
                 formatter,
-                "creepage and spin move the surfaces by {per_cent} % of the length rolled, expected at most 10 %: give a creepage of 1 % as 0.01, and check the unit of the spin; the model assumes small creepages"
+                "creepage and spin move the surfaces by {per_cent} % of the length rolled, expected less than 10 %: give a creepage of 1 % as 0.01, and check the unit of the spin; the model assumes small creepages"
             ),
             Self::LargeFriction { tenths } => write!(
                 formatter,
@@ -423,7 +423,7 @@ impl std::fmt::Display for Warning {
             Self::NeglectedLift { per_million } => write_lift(formatter, *per_million),
             Self::CoatingBeyondGrid { sides } => write!(
                 formatter,
-                "a layer is {sides} times as thick as the longest side of the grid, expected at most {THICKEST_LAYER}, so that the material below it has no effect on the contact: check the units of thickness and grid"
+                "a layer is {sides} times as thick as the longest side of the grid, expected at most {THICKEST_LAYER}, so that the material below it has almost no effect on the contact: check the units of thickness and grid"
             ),
             Self::CoatingBelowCell { parts } => write!(
                 formatter,

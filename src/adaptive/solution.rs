@@ -217,12 +217,28 @@ impl AdaptiveSolution {
         &self.grids
     }
 
-    /// Returns the warnings of the normal contact, and [`Warning::AccuracyNotReached`] if a limit ended the refinement.
+    /// Returns the warnings of the normal contact, of the tangential contact or of the first step, and
+    /// [`Warning::AccuracyNotReached`] if a limit ended the refinement. Each kind of warning occurs once.
     ///
     /// # Errors
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub fn warnings(&self) -> Result<Vec<Warning>> {
         let mut warnings = self.normal().try_warnings()?;
+        let of_shear = match &self.contact {
+            SolvedContact::Normal(_) => Vec::new(),
+            SolvedContact::Sheared(both) => both.1.try_warnings()?,
+            #[cfg(feature = "history")]
+            SolvedContact::Step(history) => history.last_step()?.warnings(),
+        };
+        for warning in of_shear {
+            let kind = std::mem::discriminant(&warning);
+            if warnings
+                .iter()
+                .all(|other| std::mem::discriminant(other) != kind)
+            {
+                warnings.push(warning);
+            }
+        }
         if self.status != AdaptiveStatus::Reached {
             let ratios = self.estimates.iter().filter_map(Estimate::ratio);
             warnings.push(Warning::accuracy_not_reached(ratios.fold(0.0, f64::max)));

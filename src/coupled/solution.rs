@@ -60,7 +60,7 @@ impl CoupledSolution {
         let (bodies, gap) = (&of.bodies, &of.gap);
         increment.write(gap, of.hardness.as_ref(), &mut self.normal);
         self.normal.measure_scale(bodies, gap);
-        let input = (None, &of.friction);
+        let input = (None, &of.friction, of.relative.as_ref());
         self.tangential
             .fill(bodies, input, &increment.answer(), increment.report());
         let pair = bodies.pair();

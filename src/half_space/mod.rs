@@ -114,7 +114,8 @@ impl HalfSpace {
     /// For a kernel, also:
     /// - [`Error::UnsupportedForCoatings`] if the kernel does not support the grid.
     /// - [`Error::BelowMinimum`] if an isotropic kernel does not agree with its half-space for short waves.
-    /// - [`Error::GridMismatch`] if a table has different cells or too few cells.
+    /// - [`Error::GridMismatch`] if a table has different cells or too few cells, or if operators belong to another
+    ///   [grid](kernel::Operators::on).
     /// - [`Error::Length`] if operators have a different number of cells.
     /// - [`Error::UnsupportedByModel`] on a grid that is periodic along both axes, if operators do not map constants to zero.
     /// - [`Error::NotPositive`] or [`Error::NotFinite`] if a response is not positive or not finite for a wave of a

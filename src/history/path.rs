@@ -83,15 +83,15 @@ impl LoadPath {
     ///
     /// # Errors
     /// - [`Error::NotFinite`] if the phase is not finite.
-    /// - [`Error::BelowMinimum`] if the phase exceeds a full turn, as a phase in degrees.
+    /// - [`Error::UnsupportedByModel`] if the magnitude of the phase exceeds a full turn, as a phase in degrees.
     /// - Errors of [`sine`](Self::sine).
     pub fn ellipse(amplitudes: [f64; 2], phase: f64, steps: usize) -> Result<Self> {
         if finite("phase", phase)?.abs() > std::f64::consts::TAU {
-            return Err(Error::BelowMinimum {
-                quantity: "full turn divided by the phase in radians",
-                value: std::f64::consts::TAU / phase.abs(),
-                least_is: "convert a phase in degrees to radians",
-                least: 1.0,
+            return Err(Error::UnsupportedByModel {
+                model: "an ellipse",
+                quantity: "a phase of more than 6.283 (2 pi)",
+                value: phase,
+                remedy: "give the phase in radians",
             });
         }
         let (ahead, along) = phase.sin_cos();

@@ -453,7 +453,7 @@ pub fn read(path: impl AsRef<Path>, sides: impl Into<Sides>) -> Result<Field> {
 ///   first line, if the first line or column may be labels, or if the lines may be points.
 /// - [`Error::Format`] if the text is in UTF-16, if the file contains no numbers, or if it is a file of
 ///   [`asc`](super::asc).
-/// - [`Error::Format`] if a number may mark missing points, as -9999, -32768 or 1e30, but neither a comment nor
+/// - [`Error::Format`] if a number may mark missing points, as -9999, -32768 or 1e20, but neither a comment nor
 ///   [`Options::missing`] states the mark. Such a number is farther from the other numbers than four fifths of them are apart.
 ///
 /// ```

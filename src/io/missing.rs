@@ -17,9 +17,25 @@ const NAMES: [&str; 8] = [
     "voidvalue",
 ];
 
-/// Magnitudes of numbers that programs write for a missing point.
-const MARKS: [f64; 8] = [
-    999.0, 9999.0, 99999.0, 999_999.0, 32767.0, 32768.0, 1e30, 1.70141e38,
+/// Magnitudes of numbers that programs write for a missing point. The last four are the largest number in single precision with
+/// different numbers of digits.
+const MARKS: [f64; 16] = [
+    999.0,
+    9999.0,
+    10_000.0,
+    99999.0,
+    999_999.0,
+    32767.0,
+    32768.0,
+    2_147_483_647.0,
+    2_147_483_648.0,
+    1e20,
+    1e30,
+    1.70141e38,
+    3.402_823e38,
+    3.402_823_5e38,
+    3.402_823_47e38,
+    3.402_823_466_385_288_6e38,
 ];
 
 /// Returns the number that marks the missing points of a file. It is the given number, or else the number that a comment

@@ -5,6 +5,7 @@ use crate::error::{Error, Result, check_converged, non_negative};
 use crate::grid::field::Field;
 use crate::memory::fallible;
 use crate::normal::NormalSolution;
+use crate::parallel::reduce;
 use crate::support::debug::shown;
 use crate::tangential::Zone;
 
@@ -35,6 +36,10 @@ pub struct JaegerSuperposition {
 
 shown!(JaegerSuperposition: traction, shift, force);
 
+/// Largest force by which the pressure under the smaller load exceeds the pressure under the larger load, relative to the larger
+/// load. Solves to a coarse tolerance differ at single cells of the edge.
+const LARGEST_EXCESS: f64 = 1e-3;
+
 impl JaegerSuperposition {
     /// Creates the superposition from two contacts, the pair and the coefficient of friction. The contact `full`
     /// carries the load W. The contact `stick` carries the load `W - F/mu` (a prescribed force, zero at sliding). The
@@ -48,6 +53,8 @@ impl JaegerSuperposition {
     /// - [`Error::MaterialMismatch`] if a contact belongs to a different pair.
     /// - [`Error::NotConverged`] with its report if a contact has not converged.
     /// - [`Error::EmptyContact`] if `full` carries no pressure.
+    /// - [`Error::OutdatedSolution`] if the contacts have different gaps. The pressure of `stick` then exceeds the pressure of
+    ///   `full` in some cells, by more than 1e-3 of the load of `full` in total.
     pub fn new(
         full: &NormalSolution,
         stick: &NormalSolution,
@@ -91,6 +98,16 @@ impl JaegerSuperposition {
             .as_slice()
             .iter()
             .zip(stick.pressure().as_slice());
+        // On the same gap, a larger load increases the pressure of every cell.
+        let [heavy, light] = [full, stick].map(|contact| contact.pressure().as_slice());
+        let excess = reduce::sum(&grid.layout(), |cell| (light[cell] - heavy[cell]).max(0.0));
+        if excess * grid.cell_area() > LARGEST_EXCESS * full.force() {
+            return Err(Error::OutdatedSolution {
+                quantity: "heavier contact",
+                changed: "the gap",
+                remedy: "compute both contacts with the same gap",
+            });
+        }
         let traction = pressures
             .clone()
             .map(|(full, stick)| friction * (full - stick));

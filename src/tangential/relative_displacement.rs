@@ -5,6 +5,7 @@ use crate::grid::Grid;
 use crate::grid::field::{Field, clone_in_place};
 use crate::half_space::HalfSpace;
 use crate::memory::fallible::try_clone;
+use crate::parallel::reduce;
 use crate::tangential::{Axis, TangentialModel};
 
 /// Tangential displacement w of body 1 relative to body 2 in each cell, which the contact does not cause (lengths,
@@ -120,6 +121,21 @@ impl RelativeDisplacement {
         let fields = self.fields.iter();
         let magnitudes = fields.map(|field| field.max().max(-field.min()));
         magnitudes.fold(0.0, f64::max)
+    }
+
+    /// Returns the largest magnitude of a displacement (`[x, y]` in a cell) among the cells of a contact.
+    pub(crate) fn largest_in(
+        bodies: &HalfSpace,
+        contains: impl Fn(usize) -> bool + Sync,
+        displacement: impl Fn(usize, usize) -> f64 + Sync,
+    ) -> f64 {
+        reduce::max(&bodies.grid_layout(), |cell| {
+            if contains(cell) {
+                displacement(0, cell).hypot(displacement(1, cell))
+            } else {
+                0.0
+            }
+        })
     }
 
     /// Returns the displacement along an axis in a cell of the grid.

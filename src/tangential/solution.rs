@@ -19,7 +19,7 @@ use crate::report::Report;
 use crate::support::debug::shown;
 use crate::tangential::over_ranks::{ShearSums, TractionSums};
 use crate::tangential::rigid_motion::centre;
-use crate::tangential::{Axis, Friction, StepSolution, Zone, displacement};
+use crate::tangential::{Axis, Friction, RelativeDisplacement, StepSolution, Zone, displacement};
 use crate::warning::{Resolution, Warning};
 
 record! {
@@ -51,6 +51,9 @@ record! {
             /// Friction capacity without the cap divided by the capacity, if the cap is low.
             #[cfg_attr(feature = "serde", serde(default))]
             cap_parts: Option<usize>,
+            /// Largest relative displacement in the contact over the longest side of the grid, in tenths, if it is large.
+            #[cfg_attr(feature = "serde", serde(default))]
+            displacement_tenths: Option<usize>,
         }
         ignored {
             /// Sums that identify the pressure of the problem.
@@ -96,6 +99,7 @@ impl TangentialSolution {
             is_pressed_at_once: false,
             friction_tenths: None,
             cap_parts: None,
+            displacement_tenths: None,
             pressed: PressureFingerprint::default(),
             report: Report::with_room(),
             whole: None,
@@ -105,7 +109,7 @@ impl TangentialSolution {
     pub(crate) fn fill(
         &mut self,
         bodies: &HalfSpace,
-        (axis, friction): (Option<Axis>, &Friction),
+        (axis, friction, relative): (Option<Axis>, &Friction, Option<&RelativeDisplacement>),
         answer: &StepSolution<'_>,
         report: &Report,
     ) {
@@ -122,6 +126,12 @@ impl TangentialSolution {
         answer.with_held(|answer| {
             self.enter(answer);
             self.pressed = answer.pressure_fingerprint(self.grid());
+        });
+        self.displacement_tenths = relative.and_then(|relative| {
+            let contains = |cell: usize| self.zones[cell] != Zone::Separated;
+            let displacement = |axis, cell| relative.at(axis, cell);
+            let largest = RelativeDisplacement::largest_in(bodies, contains, displacement);
+            Warning::shift_beyond(self.grid(), [largest, 0.0])
         });
         self.whole = ShearSums::of(bodies, &self.traction, &self.slip, &self.zones);
     }
@@ -371,10 +381,10 @@ impl TangentialSolution {
         zones.zone_warnings()
     }
 
-    /// Returns the warnings about a shift that is larger than the grid, a large twist, a large coefficient of friction and a low cap
-    /// of the friction.
+    /// Returns the warnings about a shift or relative displacement that is larger than the grid, a large twist, a large coefficient
+    /// of friction and a low cap of the friction.
     pub(crate) fn load_warnings(&self) -> impl Iterator<Item = Warning> {
-        let shift = Warning::shift_beyond(self.grid(), self.shift());
+        let shift = Warning::shift_beyond(self.grid(), self.shift()).max(self.displacement_tenths);
         let twist = Warning::twist_beyond(self.twist());
         let shift = shift.map(|tenths| Warning::ShiftBeyondGrid { tenths });
         let twist = twist.map(|tenths| Warning::LargeTwist { tenths });

@@ -261,7 +261,7 @@ impl Model<TangentialSolution> for TangentialProblem {
         engine.report.time = conditions.start.elapsed();
         let axis = Axis::only(engine.increment.axes());
         let answer = engine.increment.answer();
-        let input = (axis, &problem.friction);
+        let input = (axis, &problem.friction, problem.relative.as_ref());
         solution.fill(bodies, input, &answer, &engine.report);
         let is_drawn = problem.coupling.is_one_way(bodies.pair());
         solution.set_pressed_at_once(is_drawn && engine.increment.pressed.limits.sum > 0.0);

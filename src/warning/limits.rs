@@ -12,16 +12,16 @@ const SMALL_ERROR: f64 = 0.01;
 
 /// Largest thickness of a layer without a warning, over the longest side of the grid. The error of the approach without the material
 /// below the layer is of the order of the contact radius over the thickness.
-pub(crate) const THICKEST_LAYER: usize = 100;
+pub(crate) const THICKEST_LAYER: usize = 10;
 
 /// Largest shift of a step without a warning, in tenths of the longest side of the grid.
 const LARGEST_SHIFT: usize = 10;
 
 /// Largest twist of a step without a warning, in tenths of a radian.
-const LARGEST_TWIST: usize = 5;
+const LARGEST_TWIST: usize = 2;
 
-/// Largest creepage without a warning, in per cent.
-const LARGEST_CREEPAGE: usize = 10;
+/// Smallest creepage with a warning. The margin allows for round-off of a creepage of a tenth.
+const LARGE_CREEPAGE: f64 = 0.1 * (1.0 - 1e-12);
 
 /// Largest coefficient of friction without a warning, in tenths.
 const LARGEST_FRICTION: usize = 50;
@@ -102,8 +102,8 @@ impl Warning {
         reason = "the magnitude is not negative, and a large one saturates"
     )]
     pub(crate) fn creepage_beyond([x, y]: [f64; 2], by_spin: f64) -> Option<usize> {
-        let per_cent = (100.0 * (x.hypot(y) + by_spin.abs())).round() as usize;
-        (per_cent > LARGEST_CREEPAGE).then_some(per_cent)
+        let creepage = x.hypot(y) + by_spin.abs();
+        (creepage >= LARGE_CREEPAGE).then(|| (100.0 * creepage).round() as usize)
     }
 
     /// Returns a coefficient of friction in tenths, or `None` if the coefficient is common.

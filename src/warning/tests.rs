@@ -118,15 +118,15 @@ fn every_warning_has_its_text() {
         ),
         (
             Warning::ShiftBeyondGrid { tenths: 25 },
-            "the shift of the step is 2.5 times the longest side of the grid, expected less than 1: check the units of shift and grid",
+            "the shift or relative displacement of the step is 2.5 times the longest side of the grid, expected less than 1: check the units of displacements and grid",
         ),
         (
             Warning::LargeTwist { tenths: 20 },
-            "the twist of the step is 2.0 radians, expected at most 0.5: convert a twist in degrees; the model assumes small rotations",
+            "the twist of the step is 2.0 radians, expected at most 0.2: convert a twist in degrees; the model assumes small rotations",
         ),
         (
             Warning::LargeCreepage { per_cent: 50 },
-            "creepage and spin move the surfaces by 50 % of the length rolled, expected at most 10 %: give a creepage of 1 % as 0.01, and check the unit of the spin; the model assumes small creepages",
+            "creepage and spin move the surfaces by 50 % of the length rolled, expected less than 10 %: give a creepage of 1 % as 0.01, and check the unit of the spin; the model assumes small creepages",
         ),
         (
             Warning::LargeFriction { tenths: 300 },
@@ -188,7 +188,7 @@ fn every_warning_has_its_text() {
         ),
         (
             Warning::CoatingBeyondGrid { sides: 1000 },
-            "a layer is 1000 times as thick as the longest side of the grid, expected at most 100, so that the material below it has no effect on the contact: check the units of thickness and grid",
+            "a layer is 1000 times as thick as the longest side of the grid, expected at most 10, so that the material below it has almost no effect on the contact: check the units of thickness and grid",
         ),
         (
             Warning::CoatingBelowCell { parts: 1_000_000 },

@@ -314,6 +314,43 @@ fn wrong_input_is_refused() {
     ));
 }
 
+#[test]
+fn warnings_include_those_of_the_tangential_contact() {
+    fn friction() -> Friction {
+        Friction::coulomb(30.0).unwrap()
+    }
+    let body = Material::new(213e9, 0.0).unwrap();
+    let unlike = ElasticPair::new(body, Material::rigid()).unwrap();
+    let kinds = |shear: fn(AdaptiveProblemBuilder<'_>) -> AdaptiveProblemBuilder<'_>| {
+        let builder = AdaptiveProblem::builder(unlike, &ball, NormalLoad::Force(FORCE), wide());
+        let found = shear(builder).target(Quantity::Pressure, 0.1).build();
+        let warnings = found.unwrap().solve().unwrap().warnings().unwrap();
+        let friction = warnings.contains(&Warning::LargeFriction { tenths: 300 });
+        let mut warnings = warnings.iter();
+        let shift = warnings
+            .clone()
+            .any(|w| matches!(w, Warning::ShiftBeyondGrid { .. }));
+        [
+            friction,
+            shift,
+            warnings.any(|w| *w == Warning::SingleLoadStep),
+        ]
+    };
+    assert_eq!(kinds(|builder| builder), [false; 3]);
+    let shear = kinds(|builder| {
+        let load = TangentialLoad::shift([1.0, 0.0]);
+        builder.shear(friction(), load).coupling(Coupling::OneWay)
+    });
+    assert_eq!(shear, [true; 3]);
+    let step = kinds(|builder| {
+        let load = LoadStep::shift([1.0, 0.0]);
+        builder
+            .first_step(friction(), load)
+            .coupling(Coupling::OneWay)
+    });
+    assert_eq!(step, [true; 3]);
+}
+
 /// The campaign runs a thousand of these scenes and limits the share of errors above their target.
 #[test]
 fn random_contacts_reach_their_targets() {

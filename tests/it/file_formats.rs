@@ -278,6 +278,11 @@ fn unstated_marks_of_missing_points_are_rejected() {
         "-32768",
         "1.70141E+38",
         "-1e30",
+        "-3.4028235e38",
+        "-3.4028234663852886e+38",
+        "-2147483648",
+        "-10000",
+        "1e20",
     ] {
         let text = format!("1.5 2.5\n{mark} 4\n{mark} 5\n");
         let refused = csv(None, &text).unwrap_err().to_string();
@@ -303,6 +308,7 @@ fn unstated_marks_of_missing_points_are_rejected() {
     for text in [
         "-9999 -9100\n-8200.5 -7000\n",
         "1 2\n-9998 3\n",
+        "-10000 -9100\n-8200.5 -7000\n",
         "999 999\n",
     ] {
         assert!(csv(None, text).is_ok(), "{text}");

@@ -94,6 +94,13 @@ fn mismatched_contacts_are_rejected() {
     let none = JaegerSuperposition::new(&full, &full, bodies.pair(), FRICTION).unwrap();
     assert_eq!(none.force(), 0.0);
 
+    // The sphere of the lighter contact has another centre, or another radius.
+    let aside = Field::from_fn(grid, |x, y| ((x - 3.0).powi(2) + y * y) / 40.0);
+    let [aside, sharp] = [aside, kit::sphere(grid, 2.0)].map(|gap| press(&bodies, &gap, 1.0));
+    for light in [&aside, &sharp] {
+        kit::assert_refused! { refused(&full, light) => Error::OutdatedSolution { .. } }
+    }
+
     let repeated = HalfSpace::with_boundary(grid, *bodies.pair(), Boundary::Periodic).unwrap();
     let repeated = press(&repeated, &gap, 1.0);
     kit::assert_refused! { refused(&full, &repeated) => Error::BoundaryMismatch { .. } }

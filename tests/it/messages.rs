@@ -12,6 +12,7 @@ use stickslip::ranks::Threads;
 use stickslip::rolling::{CoupledRollingProblem, RollingControl, RollingProblem, SpinControl};
 use stickslip::subsurface::Planes;
 use stickslip::surface::SelfAffine;
+use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
     Axis, Boundary, CoupledProblem, ElasticPair, Error, Field, Friction, Grid, HalfSpace, History,
     Kernel, LoadStep, Material, NormalLoad, NormalProblem, NormalSolution, Operator, Result,
@@ -643,7 +644,47 @@ fn shift_larger_than_grid_gives_warning() {
 }
 
 #[test]
-fn creepage_above_a_tenth_gives_warning() {
+fn relative_displacement_larger_than_grid_gives_warning() {
+    let bodies = bodies(16);
+    let grid = bodies.grid();
+    let side = grid.dx() * grid.nx() as f64;
+    let ball = ball(&bodies);
+    let normal = pressed(&bodies, &ball, load());
+    let stated = |warnings: Vec<Warning>| {
+        let mut warnings = warnings.into_iter();
+        warnings.find(|warning| matches!(warning, Warning::ShiftBeyondGrid { .. }))
+    };
+    for (part, tenths) in [(0.9, None), (2.5, Some(25))] {
+        let expected = tenths.map(|tenths| Warning::ShiftBeyondGrid { tenths });
+        let along_x = Field::from_fn(grid, |_, _| part * side);
+        let moved = RelativeDisplacement::new([along_x, Field::zeros(grid)]).unwrap();
+        let held = TangentialLoad::shift([0.0; 2]);
+        let problem = TangentialProblem::builder(&bodies, &normal, friction(), held)
+            .relative_displacement(moved.clone())
+            .build();
+        assert_eq!(
+            stated(problem.unwrap().solve().unwrap().warnings()),
+            expected
+        );
+        let mut history = History::builder(&bodies, &ball, friction())
+            .relative_displacement(moved)
+            .build()
+            .unwrap();
+        let press = LoadStep::hold().normal(NormalLoad::Force(load()));
+        assert_eq!(stated(history.step(&press).unwrap().warnings()), None);
+        for step in 1..=2 {
+            let load = LoadStep::shift([0.0; 2]).relative_displacement(f64::from(step));
+            assert_eq!(stated(history.step(&load).unwrap().warnings()), expected);
+        }
+        assert_eq!(
+            stated(history.step(&LoadStep::hold()).unwrap().warnings()),
+            None
+        );
+    }
+}
+
+#[test]
+fn creepage_of_a_tenth_gives_warning() {
     let bodies = bodies(16);
     let ball = ball(&bodies);
     let normal = pressed(&bodies, &ball, load());
@@ -651,10 +692,12 @@ fn creepage_above_a_tenth_gives_warning() {
         let mut warnings = warnings.into_iter();
         warnings.find(|warning| matches!(warning, Warning::LargeCreepage { .. }))
     };
-    // 0.12 is the magnitude of 0.072 and 0.096. Creepages of 0.2 and 0.5 may be meant in per cent. The farthest contact cell has
+    // 0.12 is the magnitude of 0.072 and 0.096. Creepages of 0.1, 0.2 and 0.5 may be meant in per cent. The farthest contact cell has
     // a distance of about 1 from the origin.
     for (creepage, spin, per_cent) in [
-        ([0.06, 0.08], 0.0, None),
+        ([0.057, 0.076], 0.0, None),
+        ([0.06, 0.08], 0.0, Some(10)),
+        ([0.1, 0.0], 0.0, Some(10)),
         ([-0.072, 0.096], 0.0, Some(12)),
         ([0.2, 0.0], 0.0, Some(20)),
         ([0.0, 0.5], 0.0, Some(50)),
@@ -664,6 +707,9 @@ fn creepage_above_a_tenth_gives_warning() {
         let problem = RollingProblem::builder(&bodies, &normal, friction());
         let problem = problem.creepage(creepage).spin(spin).build().unwrap();
         let rolling = problem.solve().unwrap();
+        let point = [creepage[0], creepage[1], spin];
+        let mut solver = problem.into_solver().unwrap();
+        let points = solver.creep_forces([point]).unwrap();
         let mut history = History::builder(&bodies, &ball, friction())
             .model(TangentialModel::Vector)
             .build()
@@ -671,7 +717,7 @@ fn creepage_above_a_tenth_gives_warning() {
         let press = LoadStep::hold().normal(NormalLoad::Force(load()));
         let rolled = press.roll(Rolling::new(1).creepage(creepage).spin(spin));
         let step = history.step(&rolled).unwrap();
-        for warnings in [rolling.warnings(), step.warnings()] {
+        for warnings in [rolling.warnings(), points[0].warnings(), step.warnings()] {
             match (stated(warnings), per_cent) {
                 (None, None) => {}
                 (Some(Warning::LargeCreepage { per_cent: found }), Some(expected)) => {
@@ -740,7 +786,7 @@ fn solution_of_unconverged_solve_gives_warning() {
 }
 
 #[test]
-fn twist_above_half_a_radian_gives_warning() {
+fn twist_above_a_fifth_of_a_radian_gives_warning() {
     let bodies = bodies(16);
     let ball = ball(&bodies);
     let normal = pressed(&bodies, &ball, load());
@@ -748,7 +794,7 @@ fn twist_above_half_a_radian_gives_warning() {
         let mut warnings = warnings.into_iter();
         warnings.find(|warning| matches!(warning, Warning::LargeTwist { .. }))
     };
-    for (twist, tenths) in [(0.5, None), (-2.0, Some(20))] {
+    for (twist, tenths) in [(0.2, None), (0.3, Some(3)), (-2.0, Some(20))] {
         let expected = tenths.map(|tenths| Warning::LargeTwist { tenths });
         let turned = TangentialLoad::force([0.0; 2]).twist(twist);
         let problem = TangentialProblem::builder(&bodies, &normal, friction(), turned)

@@ -419,6 +419,11 @@ fn problems_requiring_half_spaces_are_rejected() {
         normal.edges() => Error::UnsupportedForCoatings { .. },
         HalfSpace::new(kit::square(21, 3.0), &kernel) => Error::Length { .. },
     }
+    // The operators of a grid are rejected on a grid of other cells.
+    let on_grid = Operators::on(grid).with([Z], of(&bodies, [Z], |_| 0.0));
+    let kernel = Kernel::operators(near, on_grid).unwrap();
+    assert!(HalfSpace::new(grid, &kernel).is_ok());
+    kit::assert_refused! { HalfSpace::new(kit::square(20, 4.0), &kernel) => Error::GridMismatch { .. } }
 }
 
 /// An operator that is not a compliance of bodies is rejected when the kernel is created.

@@ -368,12 +368,15 @@ fn layer_far_from_the_scale_of_the_grid_has_a_warning() {
     let (none, substrate) = found(steel);
     let (_, coating) = found(Material::new(0.5, 0.3).unwrap());
     assert!(none.is_empty());
-    for thickness in [3e-4, 0.01, 1.0, 290.0] {
+    for thickness in [3e-4, 0.01, 1.0, 29.0] {
         assert!(coated(steel, 0.5, thickness).0.is_empty(), "{thickness}");
     }
     let (thick, approach) = coated(steel, 0.5, 3e3);
     assert_eq!(thick, [Warning::CoatingBeyondGrid { sides: 1000 }]);
     assert!((approach / coating - 1.0).abs() < 2e-3);
+    let (thick, approach) = coated(steel, 0.5, 37.0);
+    assert_eq!(thick, [Warning::CoatingBeyondGrid { sides: 12 }]);
+    assert!((approach / coating - 1.0).abs() < 5e-2);
     let cell = 3.0 / 32.0;
     let (thin, approach) = coated(steel, 0.5, 1e-6 * cell);
     assert_eq!(thin, [Warning::CoatingBelowCell { parts: 1_000_000 }]);

@@ -384,15 +384,15 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_HELD_SHIFT_LOST_FORCE = 16
     ! Warning: tractions of dissimilar rolling bodies change the pressure, and this change is neglected.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_NEGLECTED_LIFT = 17
-    ! Warning: a layer is more than 100 times as thick as the longest side of the grid, so that the material below it has no effect.
+    ! Warning: a layer is more than ten times as thick as the longest side of the grid, so that the material below it has almost no effect.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_COATING_BEYOND_GRID = 18
     ! Warning: a layer is too thin to have an effect on the cells.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_COATING_BELOW_CELL = 19
-    ! Warning: the shift of a step exceeds the longest side of the grid.
+    ! Warning: the shift or relative displacement of a step exceeds the longest side of the grid.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_SHIFT_BEYOND_GRID = 20
-    ! Warning: the twist of a step exceeds half a radian.
+    ! Warning: the twist of a step exceeds 0.2 rad.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LARGE_TWIST = 21
-    ! Warning: the creepage of rolling bodies exceeds 0.1.
+    ! Warning: the creepage of rolling bodies is 0.1 or more.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LARGE_CREEPAGE = 22
     ! Warning: a relative displacement of the amount zero has no effect on a step with a tangential load.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_UNUSED_RELATIVE_DISPLACEMENT = 23

@@ -307,19 +307,19 @@
 // Warning: tractions of dissimilar rolling bodies change the pressure, and this change is neglected.
 #define STICKSLIP_WARNING_NEGLECTED_LIFT 17
 
-// Warning: a layer is more than 100 times as thick as the longest side of the grid, so that the material below it has no effect.
+// Warning: a layer is more than ten times as thick as the longest side of the grid, so that the material below it has almost no effect.
 #define STICKSLIP_WARNING_COATING_BEYOND_GRID 18
 
 // Warning: a layer is too thin to have an effect on the cells.
 #define STICKSLIP_WARNING_COATING_BELOW_CELL 19
 
-// Warning: the shift of a step exceeds the longest side of the grid.
+// Warning: the shift or relative displacement of a step exceeds the longest side of the grid.
 #define STICKSLIP_WARNING_SHIFT_BEYOND_GRID 20
 
-// Warning: the twist of a step exceeds half a radian.
+// Warning: the twist of a step exceeds 0.2 rad.
 #define STICKSLIP_WARNING_LARGE_TWIST 21
 
-// Warning: the creepage of rolling bodies exceeds 0.1.
+// Warning: the creepage of rolling bodies is 0.1 or more.
 #define STICKSLIP_WARNING_LARGE_CREEPAGE 22
 
 // Warning: a relative displacement of the amount zero has no effect on a step with a tangential load.

@@ -145,15 +145,15 @@ pub const STICKSLIP_WARNING_STEEP_SURFACE: i32 = 15;
 pub const STICKSLIP_WARNING_HELD_SHIFT_LOST_FORCE: i32 = 16;
 /// Warning: tractions of dissimilar rolling bodies change the pressure, and this change is neglected.
 pub const STICKSLIP_WARNING_NEGLECTED_LIFT: i32 = 17;
-/// Warning: a layer is more than 100 times as thick as the longest side of the grid, so that the material below it has no effect.
+/// Warning: a layer is more than ten times as thick as the longest side of the grid, so that the material below it has almost no effect.
 pub const STICKSLIP_WARNING_COATING_BEYOND_GRID: i32 = 18;
 /// Warning: a layer is too thin to have an effect on the cells.
 pub const STICKSLIP_WARNING_COATING_BELOW_CELL: i32 = 19;
-/// Warning: the shift of a step exceeds the longest side of the grid.
+/// Warning: the shift or relative displacement of a step exceeds the longest side of the grid.
 pub const STICKSLIP_WARNING_SHIFT_BEYOND_GRID: i32 = 20;
-/// Warning: the twist of a step exceeds half a radian.
+/// Warning: the twist of a step exceeds 0.2 rad.
 pub const STICKSLIP_WARNING_LARGE_TWIST: i32 = 21;
-/// Warning: the creepage of rolling bodies exceeds 0.1.
+/// Warning: the creepage of rolling bodies is 0.1 or more.
 pub const STICKSLIP_WARNING_LARGE_CREEPAGE: i32 = 22;
 /// Warning: a relative displacement of the amount zero has no effect on a step with a tangential load.
 pub const STICKSLIP_WARNING_UNUSED_RELATIVE_DISPLACEMENT: i32 = 23;

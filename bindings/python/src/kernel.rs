@@ -235,7 +235,7 @@ impl Kernel {
                 )));
             }
         }
-        let mut given = Operators::new();
+        let mut given = Operators::on(grid.0);
         for (name, operator) in operators {
             let directions = directions(&name)?;
             let shape = [directions.len(), grid.0.ny(), grid.0.nx()];

@@ -10,7 +10,7 @@
 //! | [`Kernel::isotropic`] | four functions of the wave number k: a [`Response`] | all grids that support coated bodies |
 //! | [`Kernel::orthotropic`] | a Hermitian 3 x 3 matrix as a function of $`(k_x, k_y)`$: a [`ResponseTensor`] | periodic along both axes |
 //! | [`Kernel::tabulated`] | a [`CoefficientTable`], measured or from a finite-element code | not periodic |
-//! | [`Kernel::operators`] | [`Operators`] that compute displacements | all grids with the same number of cells |
+//! | [`Kernel::operators`] | [`Operators`] that compute displacements | all grids with the same number of cells, or the grid of [`Operators::on`] |
 //!
 //! ```
 //! use stickslip::layers::Response;
@@ -515,7 +515,7 @@ impl Kernel {
                 remedy: REPEATING,
             }),
             Some(KernelSource::Operators(operators)) => {
-                operators.check_on(grid.cells(), boundary == Boundary::Periodic)
+                operators.check_on(grid, boundary == Boundary::Periodic)
             }
             Some(KernelSource::Table(table)) if boundary == Boundary::NonPeriodic => {
                 table.check_on(grid)

@@ -6,6 +6,7 @@ use crate::bodies::component::{Component, Direction};
 use crate::bodies::kernel::user_operator::{SubOperator, UserOperator};
 use crate::bodies::material::ElasticPair;
 use crate::error::{Error, Result, at_least, finite, length, positive};
+use crate::grid::Grid;
 use crate::memory::fallible::zeros;
 use crate::operator::Operator;
 
@@ -56,6 +57,7 @@ use crate::operator::Operator;
 #[derive(Clone, Default)]
 pub struct Operators {
     given: Vec<UserOperator>,
+    grid: Option<Grid>,
 }
 
 /// Largest asymmetry of two products, and largest coupling, that count as round-off.
@@ -66,6 +68,16 @@ impl Operators {
     #[must_use]
     pub fn new() -> Self {
         Self::default()
+    }
+
+    /// Creates an empty set of operators on the cells of a grid. Bodies with these operators then require this grid. Otherwise they
+    /// only require its number of cells.
+    #[must_use]
+    pub fn on(grid: Grid) -> Self {
+        Self {
+            given: Vec::new(),
+            grid: Some(grid),
+        }
     }
 
     /// Adds a symmetric operator for these directions. It maps the tractions (pressures) along these directions to the
@@ -111,9 +123,12 @@ impl Operators {
         Ok(shown)
     }
 
-    /// Checks the operators for a grid with this number of cells. The grid is periodic along both axes if `repeats` is
-    /// set.
-    pub(super) fn check_on(&self, cells: usize, repeats: bool) -> Result<()> {
+    /// Checks the operators for a grid. The grid is periodic along both axes if `repeats` is set.
+    pub(super) fn check_on(&self, grid: Grid, repeats: bool) -> Result<()> {
+        if let Some(own) = self.grid {
+            grid.check_equal("kernel of user-defined operators", own)?;
+        }
+        let cells = grid.cells();
         let mut given = self.given.iter();
         given.try_for_each(|given| {
             length("operator", cells, given.cells())?;

@@ -2,10 +2,12 @@
 
 use crate::error::{Error, Result, finite};
 use crate::grid::field::clone_in_place;
+use crate::half_space::HalfSpace;
 use crate::history::state::{State, clones};
 use crate::history::{History, LoadStep};
 use crate::memory::fallible::{TryClone, try_clone};
 use crate::tangential::RelativeDisplacement;
+use crate::warning::Warning;
 
 /// Pattern of relative displacement, its present amount, and the resulting displacement of each cell.
 #[derive(Debug)]
@@ -72,6 +74,20 @@ impl State {
         } = relative;
         let amount = relative.end(load);
         Some(move |axis, cell| amount * pattern.at(axis, cell) - reached.at(axis, cell))
+    }
+
+    /// Returns the largest displacement of a contact cell in a step over the longest side of the grid, in tenths, or `None` if
+    /// it is small.
+    pub(in crate::history) fn displacement_tenths(
+        &self,
+        bodies: &HalfSpace,
+        load: &LoadStep,
+    ) -> Option<usize> {
+        let displacement = self.displaced_by(load)?;
+        let pressure = self.normal.pressure().as_slice();
+        let contains = |cell: usize| pressure[cell] > 0.0;
+        let largest = RelativeDisplacement::largest_in(bodies, contains, displacement);
+        Warning::shift_beyond(bodies.grid(), [largest, 0.0])
     }
 
     /// Returns whether the pattern has changed since the last step, so that the next step changes the displacement. A

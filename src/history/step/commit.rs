@@ -105,6 +105,7 @@ impl History {
             step.remarks.is_pressed_at_once = state.has_grown_at_once(before, &layout);
         }
         step.remarks.is_displacement_unused = state.has_unused_displacement(load);
+        let displacement_tenths = state.displacement_tenths(bodies, load);
         state.reach(load);
         if is_pressed {
             update_permanent_set(state);
@@ -114,7 +115,8 @@ impl History {
         step.remarks.scale = state.normal.scale();
         step.remarks.hardness_parts = state.normal.low_hardness();
         if travel.is_none() && !step.remarks.is_apart {
-            step.remarks.shift_tenths = Warning::shift_beyond(state.grid(), moved);
+            step.remarks.shift_tenths =
+                Warning::shift_beyond(state.grid(), moved).max(displacement_tenths);
             step.remarks.twist_tenths = Warning::twist_beyond(twisted);
         }
         let contact = (&*bodies, state.normal.pressure());

@@ -65,7 +65,7 @@ impl CoupledRollingSolution {
     /// - [`Error::Memory`](crate::Error::Memory) if memory runs out.
     pub fn try_warnings(&self) -> Result<Vec<Warning>> {
         let mut warnings = self.normal.try_warnings()?;
-        warnings.extend(self.rolling.load_warnings());
+        warnings.extend(self.rolling.load_warnings().into_iter().flatten());
         Ok(warnings)
     }
 }

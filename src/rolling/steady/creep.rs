@@ -7,6 +7,7 @@ use crate::memory::fallible;
 use crate::observer::unwatched;
 use crate::report::Iteration;
 use crate::rolling::{RollingControl, RollingSolver, SpinControl};
+use crate::warning::Warning;
 
 /// Point of a creep curve or a creep surface: creepages and spin, and the loads that they cause.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,6 +24,18 @@ pub struct CreepForce {
     pub moment: f64,
     /// Ratio of sticking cells to cells in contact.
     pub stick_ratio: f64,
+    #[cfg_attr(feature = "serde", serde(default))]
+    remarks: [Option<Warning>; 3],
+}
+
+impl CreepForce {
+    /// Returns the warnings about the loads of the point: [`Warning::LargeCreepage`], [`Warning::LargeFriction`],
+    /// [`Warning::LowShearStress`] and [`Warning::NeglectedLift`]. [`RollingSolution::warnings`](crate::rolling::RollingSolution::warnings) also contains those
+    /// about the contact, which is the same at all points.
+    #[must_use]
+    pub fn warnings(&self) -> Vec<Warning> {
+        self.remarks.into_iter().flatten().collect()
+    }
 }
 
 impl RollingSolver {
@@ -125,6 +138,7 @@ impl RollingSolver {
                 force: solution.force(),
                 moment: solution.moment(),
                 stick_ratio: solution.stick_ratio(),
+                remarks: solution.load_warnings(),
             };
             fallible::push(found, force)?;
         }

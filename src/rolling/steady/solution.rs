@@ -252,17 +252,22 @@ impl RollingSolution {
         let contains = |cell: usize| self.zones[cell] != Zone::Separated;
         let map = ContactMap::of(self.grid(), self.boundary, contains, None);
         let mut warnings = unwrap_or_abort(map.warnings());
-        let lift = self.neglected_lift;
-        warnings.extend(lift.map(|per_million| Warning::NeglectedLift { per_million }));
+        let [lift, creepage, friction] = self.load_warnings();
+        warnings.extend(lift);
         warnings.extend(Warning::of_status(self.report.status));
-        warnings.extend(self.load_warnings());
+        warnings.extend(creepage.into_iter().chain(friction));
         warnings
     }
 
-    /// Returns the warnings about a large creepage or spin, a large coefficient of friction and a low cap of the friction.
-    pub(in crate::rolling) fn load_warnings(&self) -> impl Iterator<Item = Warning> {
-        let friction = Warning::of_friction(self.friction_tenths, self.cap_parts);
-        self.creepage_warning().into_iter().chain(friction)
+    /// Returns the warnings about a neglected lift, a large creepage or spin, and a large coefficient of friction or a low cap of the
+    /// friction.
+    pub(in crate::rolling) fn load_warnings(&self) -> [Option<Warning>; 3] {
+        let lift = self.neglected_lift;
+        [
+            lift.map(|per_million| Warning::NeglectedLift { per_million }),
+            self.creepage_warning(),
+            Warning::of_friction(self.friction_tenths, self.cap_parts),
+        ]
     }
 
     fn creepage_warning(&self) -> Option<Warning> {

@@ -408,7 +408,8 @@ class AdaptiveSolution:
     @property
     def warnings(self, /) -> list[Warning]:
         """
-        Warnings of the normal contact, and the warning ``accuracy_not_reached`` if a limit ended the refinement.
+        Warnings of the normal contact and of the tangential contact or first step, each kind once, and the warning
+        ``accuracy_not_reached`` if a limit ended the refinement.
         """
     @property
     def x(self, /) -> NDArray[float64]:
@@ -1752,6 +1753,12 @@ class CreepForce:
     def stick_ratio(self, /) -> float:
         """
         Ratio of stick cells to contact cells.
+        """
+    @property
+    def warnings(self, /) -> list[Warning]:
+        """
+        Warnings about a large creepage, a large coefficient of friction and a neglected lift. The warnings about the
+        contact are those of a :class:`RollingSolution`.
         """
 
 @final
@@ -3298,7 +3305,7 @@ class History:
     model : TangentialModel or str, default "scalar"
         "scalar" computes the traction along the axis; "vector" computes both components and supports loads of any
         direction and twist. Give "vector" with the coupling "one_way": "scalar" omits the tractions across the axis, and the
-        stick radius of a pressed ball is then about 10 % too large.
+        stick radius of a pressed ball is then too large, up to three times for a small friction coefficient.
     coupling : Coupling or str, default "full"
         Coupling for bodies of different materials: "full" solves pressure and traction simultaneously; "one_way" includes
         the tangential displacements due to pressure only; "neglected" omits both.
@@ -3451,7 +3458,8 @@ class History:
         Applies a load in steps with equal growth of the contact, as many as a tolerance requires. Press a contact of
         dissimilar bodies in this way or in several steps, because the stick and slip zones depend on the growth of the
         contact. A single step issues a warning. A history with the coupling "one_way" needs the model "vector", because the scalar
-        model omits the tractions across its axis.
+        model omits the tractions across its axis. Its stick radius is too large, up to three times for a small friction
+        coefficient.
 
         The load is applied in 1, 2, 4, 8, ... steps from the present state, until the tractions differ from the tractions
         for half the number of steps by no more than the tolerance. A call that fails, or that is interrupted by Ctrl-C,
@@ -3786,7 +3794,8 @@ class JaegerSuperposition:
 
     Raises
     ------
-    NegativeOrNotFinite, GridMismatch, BoundaryMismatch, MaterialMismatch, NotConverged, EmptyContact
+    NegativeOrNotFinite, GridMismatch, BoundaryMismatch, MaterialMismatch, NotConverged, EmptyContact,
+    OutdatedSolution
     """
     def __new__(cls, /, full: NormalSolution, stick: NormalSolution, pair: ElasticPair | tuple[Material, Material], friction: float) -> JaegerSuperposition: ...
     def __repr__(self, /) -> str: ...
@@ -6129,7 +6138,7 @@ class RollingSolver:
     """
     def __new__(cls, /, *_arguments: Any, **_options: Any) -> RollingSolver: ...
     def __repr__(self, /) -> str: ...
-    def creep_forces(self, /, points: ArrayLike, *, progress: Any | None = None) -> CreepForces:
+    def creep_forces(self, /, points: ArrayLike, *, progress: Any | None = None, warn: bool = True) -> CreepForces:
         """
         Computes the loads at all points of a creep curve, or of a creep surface row by row. Each solve starts from the
         solution of the previous point. The last point remains prescribed. All points are checked before the first solve.
@@ -6146,6 +6155,9 @@ class RollingSolver:
         progress : callable or bool, optional
             A function that is called with the :class:`CreepForce` of each solved point. It ends the call by returning
             ``False``, as in :meth:`NormalProblem.solve`. ``True`` shows a progress bar of the points.
+        warn : bool, default True
+            Whether the warnings of the points are also issued through ``warnings``. Each kind is issued once, for the last
+            point that has it.
 
         Returns
         -------

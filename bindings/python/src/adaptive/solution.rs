@@ -283,7 +283,8 @@ impl AdaptiveSolution {
         found.or_raise(py)
     }
 
-    /// Warnings of the normal contact, and the warning ``accuracy_not_reached`` if a limit ended the refinement.
+    /// Warnings of the normal contact and of the tangential contact or first step, each kind once, and the warning
+    /// ``accuracy_not_reached`` if a limit ended the refinement.
     #[getter]
     fn warnings(&self, py: Python<'_>) -> PyResult<Vec<Warning>> {
         self.solution.warnings().or_raise(py).map(Warning::all)

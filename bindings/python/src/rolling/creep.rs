@@ -7,6 +7,7 @@ use crate::array::Array;
 use crate::digits::{counted, short, tuple};
 use crate::pickle::picklable;
 use crate::readers::{frame, readers};
+use crate::report::Warning;
 use crate::sequence::{Entries, entry, pair};
 use crate::work::Stage;
 
@@ -30,6 +31,13 @@ readers! { CreepForce.0:
 
 #[pymethods]
 impl CreepForce {
+    /// Warnings about a large creepage, a large coefficient of friction and a neglected lift. The warnings about the
+    /// contact are those of a :class:`RollingSolution`.
+    #[getter]
+    fn warnings(&self) -> Vec<Warning> {
+        Warning::all(self.0.warnings())
+    }
+
     fn __repr__(&self) -> String {
         format!(
             "CreepForce(creepage={}, spin={}, force={})",

@@ -13,7 +13,7 @@ use crate::load;
 use crate::normal::NormalSolver;
 use crate::progress::Progress;
 use crate::real::Real;
-use crate::report::Report;
+use crate::report::{self, Report};
 use crate::rolling::control::{Controls, Keywords};
 use crate::rolling::{CreepForces, RollingSolution};
 use crate::solution_pool::lock;
@@ -205,6 +205,9 @@ impl RollingSolver {
     /// progress : callable or bool, optional
     ///     A function that is called with the :class:`CreepForce` of each solved point. It ends the call by returning
     ///     ``False``, as in :meth:`NormalProblem.solve`. ``True`` shows a progress bar of the points.
+    /// warn : bool, default True
+    ///     Whether the warnings of the points are also issued through ``warnings``. Each kind is issued once, for the last
+    ///     point that has it.
     ///
     /// Returns
     /// -------
@@ -217,12 +220,13 @@ impl RollingSolver {
     ///     If any of the points is invalid; the solver is then unchanged.
     /// NotConverged
     ///     At the first point that fails or is cancelled, which remains prescribed.
-    #[pyo3(signature = (points, *, progress=None))]
+    #[pyo3(signature = (points, *, progress=None, warn=true))]
     fn creep_forces<'py>(
         &self,
         py: Python<'py>,
         points: conversion::CreepPoints,
         progress: Option<Bound<'py, PyAny>>,
+        warn: bool,
     ) -> PyResult<CreepForces> {
         let progress = Progress::of_points(progress.as_ref(), points.0.len())?;
         let mut last = lock(&self.1, "solver")?;
@@ -249,7 +253,10 @@ impl RollingSolver {
             *last = Controls::creepage(point);
         }
         match outcome {
-            Ok(()) => Ok(found.into()),
+            Ok(()) => {
+                report::warn(py, warn, || last_of_each_kind(&found))?;
+                Ok(found.into())
+            }
             Err(exception) => {
                 let partial = Bound::new(py, CreepForces::from(found))?;
                 exception.value(py).setattr("partial", partial)?;
@@ -263,4 +270,19 @@ impl RollingSolver {
     fn report(&self) -> PyResult<Report> {
         self.0.with(|solver| Report::of(solver.report()))
     }
+}
+
+/// Returns the warnings of the points of a creep curve, for each kind the warning of the last point that has it.
+fn last_of_each_kind(points: &[rolling::CreepForce]) -> Vec<stickslip::Warning> {
+    let mut last: Vec<stickslip::Warning> = Vec::new();
+    for warning in points.iter().rev().flat_map(rolling::CreepForce::warnings) {
+        let kind = std::mem::discriminant(&warning);
+        if last
+            .iter()
+            .all(|other| std::mem::discriminant(other) != kind)
+        {
+            last.push(warning);
+        }
+    }
+    last
 }

@@ -25,7 +25,8 @@ use crate::real::Real;
 ///
 /// Raises
 /// ------
-/// NegativeOrNotFinite, GridMismatch, BoundaryMismatch, MaterialMismatch, NotConverged, EmptyContact
+/// NegativeOrNotFinite, GridMismatch, BoundaryMismatch, MaterialMismatch, NotConverged, EmptyContact,
+/// OutdatedSolution
 #[pyclass(frozen, module = "stickslip.tangential")]
 pub(crate) struct JaegerSuperposition(stickslip::tangential::JaegerSuperposition);
 
