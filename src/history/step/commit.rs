@@ -93,13 +93,7 @@ impl History {
         commit_tractions(found, motion, travel.as_ref(), state, step);
         let rolled = load.rolling().zip(*travel);
         step.creepage = rolled.map(|(rolling, travel)| rolling.reached(load, moved, travel.length));
-        let cells = step.stick_cells + step.slip_cells;
-        let zones = [step.stick_cells, step.slip_cells];
-        step.remarks.resolution = Resolution::of_contact(state.grid().whole(), cells)
-            .with_zones(zones, || state.normal.edge_sides());
-        if travel.is_some() {
-            step.remarks.resolution = step.remarks.resolution.of_rolling();
-        }
+        step.remarks.resolution = resolution_of_zones(state, step, travel.is_some());
         if let (Some(before), None) = (before, travel) {
             let layout = bodies.grid_layout();
             step.remarks.is_pressed_at_once = state.has_grown_at_once(before, &layout);
@@ -126,6 +120,18 @@ impl History {
         step.energy = step.energy.plus(pressing);
         let margins = travel.map_or([0; 2], |travel| travel.margins());
         narrow(bodies, state, before, press_window, margins);
+    }
+}
+
+/// Returns the resolution of the contact and of its stick and slip zones.
+fn resolution_of_zones(state: &State, step: &StepResult, is_rolling: bool) -> Resolution {
+    let zones = [step.stick_cells, step.slip_cells];
+    let resolution = Resolution::of_contact(state.grid().whole(), zones[0] + zones[1])
+        .with_zones(zones, || state.normal.edge_sides());
+    if is_rolling {
+        resolution.of_rolling()
+    } else {
+        resolution
     }
 }
 
