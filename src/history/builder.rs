@@ -95,7 +95,7 @@ impl HistoryBuilder<'_> {
     /// Sets the model of the coupling between pressure and traction for bodies of different materials. The default,
     /// [`Coupling::Full`], is a coupled solve with both components of the traction, in the scalar and in the vector
     /// model. In the scalar model, one-way coupling acts along the axis of the tractions, and the stick
-    /// radius of a pressed ball is too large ([`press`](crate::History::press#model)). Use the vector model.
+    /// radius of a pressed ball is too large ([`press`](crate::History::press)). Use the vector model.
     pub fn coupling(mut self, coupling: Coupling) -> Self {
         self.coupling = coupling;
         self

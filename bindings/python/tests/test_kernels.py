@@ -277,7 +277,7 @@ def test_invalid_operators_are_rejected():
     for name, operator in (("y", lambda x: x), ("z", ss.cgm.identity(256))):
         with pytest.raises(ValueError, match="contains no callable"):
             ss.Kernel.operators(NEAR, grid, {"z": operator}, lower_bounds={name: 1.0})
-    with pytest.raises(ss.errors.Length):
+    with pytest.raises(ss.errors.GridMismatch):
         ss.HalfSpace(ss.Grid.square(8, 1.0), ss.Kernel.operators(NEAR, grid, {"z": lambda x: x}))
     with pytest.raises(ss.errors.UnsupportedByModel, match="uniform traction"):
         ss.HalfSpace(grid, ss.Kernel.operators(NEAR, grid, {"z": lambda x: x}), boundary="periodic")
