@@ -110,7 +110,7 @@ METHODS = {
     "SystemError": {"code": "errno", "kind": "errno"},
     "kernel::CoefficientTable": dict.fromkeys(["get", "sides", "size", "with"], "arrays of NumPy"),
     "kernel::Kernel": {"orthotropic": "in Rust alone", "with_long_wave_limit": "in Rust alone"},
-    "kernel::Operators": {"with": "a dictionary"},
+    "kernel::Operators": {"with": "a dictionary", "on": "the argument grid"},
     "Field": {
         **dict.fromkeys(["from_fn", "from_indices", "from_vec", "constant", "zeros"], "Field(grid, samples)"),
         **dict.fromkeys(["add_scaled", "minus", "scaled", "map"], "arithmetic, and NumPy"),
