@@ -164,8 +164,8 @@ pub enum Warning {
         parts: usize,
     },
     /// The gap of contact cells changed between two pressures by more than the largest normal displacement due to the first
-    /// pressure. The contact after the change is then unrelated to the contact before it. A common cause is a wear coefficient in
-    /// an inconsistent unit (1 mm3/(N m) is 1e-9 1/Pa). Too many cycles of wear in one update are another.
+    /// pressure. The contact after the change is then unrelated to the contact before it. Common causes are a wear
+    /// coefficient in an inconsistent unit (1 mm3/(N m) is 1e-9 1/Pa) and too many cycles of wear in one update.
     ///
     /// A step of a history has the warning if it solves for the pressure after [`set_gap`](crate::History::set_gap). Steps that
     /// roll do not have it, because the texture of their gap moves.

@@ -459,6 +459,11 @@ fn step_warns(history: &History, is_meant: impl Fn(&Warning) -> bool) -> bool {
     history.last_step().unwrap().warnings().iter().any(is_meant)
 }
 
+/// Returns the first warning of a kind.
+fn first_of(warnings: Vec<Warning>, is_of_kind: impl Fn(&Warning) -> bool) -> Option<Warning> {
+    warnings.into_iter().find(is_of_kind)
+}
+
 /// Returns the ratio of contact radius to radius of curvature that a warning states.
 fn stated_radius(warnings: &[Warning]) -> Option<f64> {
     warnings.iter().find_map(|warning| match warning {
@@ -618,8 +623,7 @@ fn shift_larger_than_grid_gives_warning() {
     let ball = ball(&bodies);
     let normal = pressed(&bodies, &ball, load());
     let stated = |warnings: Vec<Warning>| {
-        let mut warnings = warnings.into_iter();
-        warnings.find(|warning| matches!(warning, Warning::ShiftBeyondGrid { .. }))
+        first_of(warnings, |w| matches!(w, Warning::ShiftBeyondGrid { .. }))
     };
     for (shift, tenths) in [(0.9 * side, None), (2.5 * side, Some(25))] {
         let expected = tenths.map(|tenths| Warning::ShiftBeyondGrid { tenths });
@@ -651,8 +655,7 @@ fn relative_displacement_larger_than_grid_gives_warning() {
     let ball = ball(&bodies);
     let normal = pressed(&bodies, &ball, load());
     let stated = |warnings: Vec<Warning>| {
-        let mut warnings = warnings.into_iter();
-        warnings.find(|warning| matches!(warning, Warning::ShiftBeyondGrid { .. }))
+        first_of(warnings, |w| matches!(w, Warning::ShiftBeyondGrid { .. }))
     };
     for (part, tenths) in [(0.9, None), (2.5, Some(25))] {
         let expected = tenths.map(|tenths| Warning::ShiftBeyondGrid { tenths });
@@ -688,10 +691,8 @@ fn creepage_of_a_tenth_gives_warning() {
     let bodies = bodies(16);
     let ball = ball(&bodies);
     let normal = pressed(&bodies, &ball, load());
-    let stated = |warnings: Vec<Warning>| {
-        let mut warnings = warnings.into_iter();
-        warnings.find(|warning| matches!(warning, Warning::LargeCreepage { .. }))
-    };
+    let stated =
+        |warnings: Vec<Warning>| first_of(warnings, |w| matches!(w, Warning::LargeCreepage { .. }));
     // 0.12 is the magnitude of 0.072 and 0.096. Creepages of 0.1, 0.2 and 0.5 may be meant in per cent. The farthest contact cell has
     // a distance of about 1 from the origin.
     for (creepage, spin, per_cent) in [
@@ -790,10 +791,8 @@ fn twist_above_a_fifth_of_a_radian_gives_warning() {
     let bodies = bodies(16);
     let ball = ball(&bodies);
     let normal = pressed(&bodies, &ball, load());
-    let stated = |warnings: Vec<Warning>| {
-        let mut warnings = warnings.into_iter();
-        warnings.find(|warning| matches!(warning, Warning::LargeTwist { .. }))
-    };
+    let stated =
+        |warnings: Vec<Warning>| first_of(warnings, |w| matches!(w, Warning::LargeTwist { .. }));
     for (twist, tenths) in [(0.2, None), (0.3, Some(3)), (-2.0, Some(20))] {
         let expected = tenths.map(|tenths| Warning::LargeTwist { tenths });
         let turned = TangentialLoad::force([0.0; 2]).twist(twist);
@@ -988,10 +987,8 @@ fn friction_above_five_gives_warning_in_every_solution() {
     let bodies = bodies(16);
     let (grid, ball) = (bodies.grid(), ball(&bodies));
     let normal = pressed(&bodies, &ball, load());
-    let stated = |warnings: Vec<Warning>| {
-        let mut warnings = warnings.into_iter();
-        warnings.find(|warning| matches!(warning, Warning::LargeFriction { .. }))
-    };
+    let stated =
+        |warnings: Vec<Warning>| first_of(warnings, |w| matches!(w, Warning::LargeFriction { .. }));
     let mut rough = Field::constant(grid, 0.3);
     rough.as_mut_slice()[3] = 8.0;
     let frictions = [
@@ -1045,8 +1042,7 @@ fn gap_change_beyond_displacement_gives_warning() {
     let bodies = bodies(16);
     let ball = ball(&bodies);
     let stated = |warnings: Vec<Warning>| {
-        let mut warnings = warnings.into_iter();
-        warnings.find(|warning| matches!(warning, Warning::LargeGapChange { .. }))
+        first_of(warnings, |w| matches!(w, Warning::LargeGapChange { .. }))
     };
     let press = LoadStep::hold().normal(NormalLoad::Force(load()));
     let wear = |part: f64| {
@@ -1091,10 +1087,8 @@ fn gap_change_beyond_displacement_gives_warning() {
 fn hardness_far_below_modulus_gives_warning() {
     let bodies = bodies(16);
     let ball = ball(&bodies);
-    let stated = |warnings: Vec<Warning>| {
-        let mut warnings = warnings.into_iter();
-        warnings.find(|warning| matches!(warning, Warning::LowHardness { .. }))
-    };
+    let stated =
+        |warnings: Vec<Warning>| first_of(warnings, |w| matches!(w, Warning::LowHardness { .. }));
     let modulus = kit::unit_pair(0.3).contact_modulus();
     let press = NormalLoad::Approach(1.0 / RADIUS);
     for (parts, is_low) in [
@@ -1141,8 +1135,7 @@ fn low_cap_of_friction_gives_warning_in_every_solution() {
     let ball = ball(&bodies);
     let normal = pressed(&bodies, &ball, load());
     let stated = |warnings: Vec<Warning>| {
-        let mut warnings = warnings.into_iter();
-        warnings.find(|warning| matches!(warning, Warning::LowShearStress { .. }))
+        first_of(warnings, |w| matches!(w, Warning::LowShearStress { .. }))
     };
     // The whole contact is capped, so that the ratio is that of the limit of the mean pressure to the cap.
     let mean = 0.5 * normal.mean_pressure();

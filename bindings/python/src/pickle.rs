@@ -119,7 +119,7 @@ impl Recipe {
         }
     }
 
-    /// Returns the warnings of the normal solution that is the argument by position with this index; none for another argument.
+    /// Returns the warnings of the normal solution at this index of the positional arguments. An argument of another type has none.
     pub(crate) fn warnings_of_normal(
         &self,
         py: Python<'_>,

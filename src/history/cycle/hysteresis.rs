@@ -392,7 +392,7 @@ mod tests {
                 .into_iter()
                 .fold(0.0, |m: f64, x| m.max(x.abs()))
         };
-        let product = |a: Scaled, b: Scaled| (0..6).map(|i| a[i] * b[i]).sum::<f64>();
+        let product = |a: Scaled, b: Scaled| (0..6).fold(0.0, |sum, i| sum + a[i] * b[i]);
         let last = points.len() - 1;
         (0..last).any(|start| {
             let mut has_left = false;

@@ -73,11 +73,12 @@ impl History {
     ///
     /// # Model
     /// The scalar model with one-way coupling omits the tractions across its axis. The stick radius of a pressed ball is then
-    /// too large, up to three times for a small friction coefficient:
+    /// too large, in the following cases by factors of 1.1 to 11:
     ///
     /// | $`\beta`$ | $`\mu`$ | stick radius over contact radius | exact ([`SpencePressing`](crate::analytical::SpencePressing)) |
     /// |---|---|---|---|
     /// | 0.5 | 0.3 | 0.833 | 0.627 |
+    /// | 0.5 | 0.1 | 0.295 | 0.027 |
     /// | 0.115 | 0.1 | 0.950 | 0.850 |
     /// | 0.115 | 0.05 | 0.718 | 0.375 |
     /// | 0.155 | 0.05 | 0.591 | 0.177 |

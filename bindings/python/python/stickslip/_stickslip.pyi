@@ -3305,7 +3305,7 @@ class History:
     model : TangentialModel or str, default "scalar"
         "scalar" computes the traction along the axis; "vector" computes both components and supports loads of any
         direction and twist. Give "vector" with the coupling "one_way": "scalar" omits the tractions across the axis, and the
-        stick radius of a pressed ball is then too large, up to three times for a small friction coefficient.
+        stick radius of a pressed ball is then too large, several times for a small friction coefficient.
     coupling : Coupling or str, default "full"
         Coupling for bodies of different materials: "full" solves pressure and traction simultaneously; "one_way" includes
         the tangential displacements due to pressure only; "neglected" omits both.
@@ -3458,7 +3458,7 @@ class History:
         Applies a load in steps with equal growth of the contact, as many as a tolerance requires. Press a contact of
         dissimilar bodies in this way or in several steps, because the stick and slip zones depend on the growth of the
         contact. A single step issues a warning. A history with the coupling "one_way" needs the model "vector", because the scalar
-        model omits the tractions across its axis. Its stick radius is too large, up to three times for a small friction
+        model omits the tractions across its axis. Its stick radius is too large, several times for a small friction
         coefficient.
 
         The load is applied in 1, 2, 4, 8, ... steps from the present state, until the tractions differ from the tractions

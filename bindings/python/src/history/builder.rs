@@ -39,7 +39,7 @@ use crate::work::unobserved_on;
 /// model : TangentialModel or str, default "scalar"
 ///     "scalar" computes the traction along the axis; "vector" computes both components and supports loads of any
 ///     direction and twist. Give "vector" with the coupling "one_way": "scalar" omits the tractions across the axis, and the
-///     stick radius of a pressed ball is then too large, up to three times for a small friction coefficient.
+///     stick radius of a pressed ball is then too large, several times for a small friction coefficient.
 /// coupling : Coupling or str, default "full"
 ///     Coupling for bodies of different materials: "full" solves pressure and traction simultaneously; "one_way" includes
 ///     the tangential displacements due to pressure only; "neglected" omits both.

@@ -100,7 +100,7 @@ impl History {
     /// Applies a load in steps with equal growth of the contact, as many as a tolerance requires. Press a contact of
     /// dissimilar bodies in this way or in several steps, because the stick and slip zones depend on the growth of the
     /// contact. A single step issues a warning. A history with the coupling "one_way" needs the model "vector", because the scalar
-    /// model omits the tractions across its axis. Its stick radius is too large, up to three times for a small friction
+    /// model omits the tractions across its axis. Its stick radius is too large, several times for a small friction
     /// coefficient.
     ///
     /// The load is applied in 1, 2, 4, 8, ... steps from the present state, until the tractions differ from the tractions
