@@ -8,7 +8,7 @@ use crate::cgm::law::state::Row;
 use crate::cgm::reduce::Reduction;
 use crate::error::Result;
 use crate::memory::fallible;
-use crate::numerics::cell_vector::{chunks, put};
+use crate::numerics::cell_vector::{Adjacent, Places, chunks, put};
 use crate::parallel::layout::Layout;
 use crate::parallel::ranks::WireFormat;
 use crate::parallel::{Blocks, Split, UnevenChunks};
@@ -39,16 +39,16 @@ pub(in crate::cgm) struct ChunkCells<'a> {
     offsets: &'a [u16],
 }
 
-/// Number of cells that a sweep over runs processes together, and number of its lanes.
+/// Number of cells that a sweep over groups processes together, and number of its lanes.
 const LANES: usize = 4;
 
-/// Work of a sweep on cells that are adjacent in their chunk.
-pub(in crate::cgm) trait RunWork {
+/// Work of a sweep on groups of cells.
+pub(in crate::cgm) trait GroupWork {
     type Sum: Reduction;
 
-    /// Processes `W` adjacent cells and returns the term of each. `k` is the position of the first cell in the compressed part,
-    /// and `place` is its position in the chunk.
-    fn run<const W: usize>(&mut self, k: usize, place: usize) -> [Self::Sum; W];
+    /// Processes `W` successive cells of the list and returns the term of each. `k` is the position of the first cell in the
+    /// compressed part, and `places` are the positions of the cells in the chunk.
+    fn group<P: Places<W>, const W: usize>(&mut self, k: usize, places: P) -> [Self::Sum; W];
 }
 
 impl ChunkCells<'_> {
@@ -105,10 +105,10 @@ impl ChunkCells<'_> {
         lanes.into_iter().fold(T::ZERO, T::plus)
     }
 
-    /// Sums the terms of the cells in the order of [`sums`](Self::sums). Adjacent cells of a group are processed together, so that
-    /// the compiler uses vector instructions.
+    /// Sums the terms of the cells in the order of [`sums`](Self::sums). The cells of a group are processed together, so that the
+    /// compiler uses vector instructions. Compressed vectors are always read in runs, full vectors if the cells are adjacent.
     #[inline]
-    pub(in crate::cgm) fn sums_of_runs<W: RunWork>(&self, work: &mut W) -> W::Sum {
+    pub(in crate::cgm) fn sums_of_groups<W: GroupWork>(&self, work: &mut W) -> W::Sum {
         let mut lanes = [W::Sum::ZERO; LANES];
         let groups = self.offsets.chunks_exact(LANES);
         let rest = groups.remainder();
@@ -116,19 +116,16 @@ impl ChunkCells<'_> {
         for group in groups {
             let place = |lane: usize| usize::from(group[lane]);
             // The offsets ascend, so the first and the last offset show whether the cells are adjacent.
-            let terms = if place(LANES - 1) - place(0) == LANES - 1 {
-                work.run::<LANES>(k, place(0))
+            let terms: [_; LANES] = if place(LANES - 1) - place(0) == LANES - 1 {
+                work.group(k, Adjacent(place(0)))
             } else {
-                from_fn(|lane| {
-                    let [term] = work.run(k + lane, place(lane));
-                    term
-                })
+                work.group(k, from_fn(place))
             };
             lanes = from_fn(|lane| lanes[lane].plus(terms[lane]));
             k += LANES;
         }
         for (number, &offset) in rest.iter().enumerate() {
-            let [term] = work.run(k + number, usize::from(offset));
+            let [term] = work.group(k + number, Adjacent(usize::from(offset)));
             lanes = from_fn(|lane| {
                 if lane == number {
                     lanes[lane].plus(term)
@@ -140,15 +137,16 @@ impl ChunkCells<'_> {
         lanes.into_iter().fold(W::Sum::ZERO, W::Sum::plus)
     }
 
-    /// Returns the rows of `W` adjacent cells, as [`row`](Self::row).
+    /// Returns the rows of `W` successive cells, as [`row`](Self::row).
     #[inline]
     pub(in crate::cgm) fn rows<R: Row<N>, const N: usize, const W: usize>(
         &self,
         rows: &[R],
         k: usize,
-        place: usize,
+        places: impl Places<W>,
     ) -> [R; W] {
-        from_fn(|lane| self.row(rows, k + lane, place + lane))
+        let places = places.all();
+        from_fn(|lane| self.row(rows, k + lane, places[lane]))
     }
 
     /// Sums `f(item, position in the compressed part, position in the chunk)` like [`sums`](Self::sums), where `items` are the
@@ -340,25 +338,26 @@ impl FreeCells {
 mod tests {
     use super::*;
 
-    /// Values of the listed cells, and the number of cells processed together.
+    /// Values of the cells, and the visited cells.
     struct Values<'a> {
         values: &'a [f64],
-        entries: Vec<[usize; 3]>,
+        visited: Vec<(usize, usize)>,
     }
 
-    impl RunWork for Values<'_> {
+    impl GroupWork for Values<'_> {
         type Sum = f64;
 
-        fn run<const W: usize>(&mut self, k: usize, place: usize) -> [f64; W] {
-            let cells = (0..W).map(|lane| [k + lane, place + lane, W]);
-            self.entries.extend(cells);
-            from_fn(|lane| self.values[place + lane])
+        fn group<P: Places<W>, const W: usize>(&mut self, k: usize, places: P) -> [f64; W] {
+            let cells = places.all().into_iter().enumerate();
+            self.visited
+                .extend(cells.map(|(lane, place)| (k + lane, place)));
+            places.values(self.values)
         }
     }
 
     /// The list has runs shorter than a group, runs across groups, and a last group with fewer cells.
     #[test]
-    fn sums_of_runs_visit_each_cell_once_in_the_order_of_sums() {
+    fn sums_of_groups_visit_each_cell_once_in_the_order_of_sums() {
         let values: Vec<f64> = (0..40_u32).map(|i| f64::from(i).sin()).collect();
         let offsets = [
             0, 1, 2, 3, 5, 6, 7, 9, 12, 13, 14, 15, 16, 17, 18, 19, 30, 31, 39,
@@ -370,19 +369,12 @@ mod tests {
         };
         let mut work = Values {
             values: &values,
-            entries: Vec::new(),
+            visited: Vec::new(),
         };
-        let sum = entries.sums_of_runs(&mut work);
+        let sum = entries.sums_of_groups(&mut work);
         let expected = entries.sums(|_, place| values[place]);
         assert_eq!(sum.to_bits(), expected.to_bits());
-        let visited: Vec<_> = work
-            .entries
-            .iter()
-            .map(|&[k, place, _]| (k, place))
-            .collect();
         let listed: Vec<_> = entries.places().enumerate().collect();
-        assert_eq!(visited, listed);
-        let together = work.entries.iter().filter(|entry| entry[2] == LANES);
-        assert_eq!(together.count(), 12);
+        assert_eq!(work.visited, listed);
     }
 }

@@ -68,13 +68,66 @@ pub(crate) fn run<T: Copy, const W: usize>(items: &[T], first: usize) -> [T; W] 
     std::array::from_fn(|k| items[k])
 }
 
-/// Returns the components of `W` adjacent cells.
+/// Positions of `W` cells in a vector.
+pub(crate) trait Places<const W: usize>: Copy {
+    /// Returns the positions.
+    fn all(self) -> [usize; W];
+
+    /// Returns the values at the positions.
+    fn values<T: Copy>(self, items: &[T]) -> [T; W];
+
+    /// Writes the values to the positions.
+    fn put<T: Copy>(self, items: &mut [T], values: [T; W]);
+}
+
+/// Adjacent cells. The field is the position of the first cell.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Adjacent(pub(crate) usize);
+
+impl<const W: usize> Places<W> for Adjacent {
+    #[inline]
+    fn all(self) -> [usize; W] {
+        std::array::from_fn(|k| self.0 + k)
+    }
+
+    #[inline]
+    fn values<T: Copy>(self, items: &[T]) -> [T; W] {
+        run(items, self.0)
+    }
+
+    #[inline]
+    fn put<T: Copy>(self, items: &mut [T], values: [T; W]) {
+        put_run(items, self.0, values);
+    }
+}
+
+/// Cells anywhere in the vector.
+impl<const W: usize> Places<W> for [usize; W] {
+    #[inline]
+    fn all(self) -> [usize; W] {
+        self
+    }
+
+    #[inline]
+    fn values<T: Copy>(self, items: &[T]) -> [T; W] {
+        self.map(|place| items[place])
+    }
+
+    #[inline]
+    fn put<T: Copy>(self, items: &mut [T], values: [T; W]) {
+        for (place, value) in self.into_iter().zip(values) {
+            items[place] = value;
+        }
+    }
+}
+
+/// Returns the components of `W` cells.
 #[inline]
-pub(crate) fn run_at<V: Deref<Target = [f64]>, const N: usize, const W: usize>(
+pub(crate) fn at_places<V: Deref<Target = [f64]>, const N: usize, const W: usize>(
     vector: &[V; N],
-    first: usize,
+    places: impl Places<W>,
 ) -> [[f64; N]; W] {
-    let parts: [[f64; W]; N] = std::array::from_fn(|c| run(&vector[c], first));
+    let parts: [[f64; W]; N] = std::array::from_fn(|c| places.values(&vector[c]));
     std::array::from_fn(|k| std::array::from_fn(|c| parts[c][k]))
 }
 
@@ -84,15 +137,15 @@ pub(crate) fn put_run<T: Copy, const W: usize>(items: &mut [T], first: usize, va
     items[first..first + W].copy_from_slice(&values);
 }
 
-/// Writes the components of `W` adjacent cells into the chunk of a vector that a task owns.
+/// Writes the components of `W` cells into the chunk of a vector that a task owns.
 #[inline]
-pub(crate) fn put_run_at<const N: usize, const W: usize>(
+pub(crate) fn put_at_places<const N: usize, const W: usize>(
     parts: &mut [&mut [f64]; N],
-    first: usize,
+    places: impl Places<W>,
     values: [[f64; N]; W],
 ) {
     for (c, part) in parts.iter_mut().enumerate() {
-        put_run(part, first, values.map(|value| value[c]));
+        places.put(part, values.map(|value| value[c]));
     }
 }
 

@@ -2,19 +2,19 @@
 
 #![expect(
     clippy::inline_always,
-    reason = "a call per run of cells takes as many instructions as the run"
+    reason = "a call per group of cells takes as many instructions as the group"
 )]
 
 use std::array::from_fn;
 use std::ops::ControlFlow;
 
 use crate::cgm::active_set_solve::{ActiveSetSolve, Precision};
-use crate::cgm::free_cells::{ChunkCells, RunWork};
+use crate::cgm::free_cells::{ChunkCells, GroupWork};
 use crate::cgm::law::state::Row;
 use crate::cgm::totals::TotalsSystem;
 use crate::cgm::{Constraint, MotionOf};
 use crate::numerics::cell_vector::{
-    chunks, dot, minus, norm, plus, put_run, put_run_at, run, run_at, slices, within,
+    Places, at_places, chunks, dot, minus, norm, plus, put_at_places, put_run, run, slices, within,
 };
 use crate::report::Status;
 
@@ -153,7 +153,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
                     }
                 }
                 let range = entries.range.clone();
-                entries.sums_of_runs(&mut StepWork {
+                entries.sums_of_groups(&mut StepWork {
                     entries: &entries,
                     motions,
                     step,
@@ -191,7 +191,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         let (sum, product, overlap): ([f64; N], f64, f64) =
             w.linear.moving.sweep((), |entries, ()| {
                 let image = within(&image, &entries.chunk);
-                entries.sums_of_runs(&mut CorrectionWork {
+                entries.sums_of_groups(&mut CorrectionWork {
                     entries: &entries,
                     motions,
                     image,
@@ -224,7 +224,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
         w.linear
             .moving
             .sweep(data, |entries, (mut full, compressed)| {
-                entries.sums_of_runs(&mut DirectionWork {
+                entries.sums_of_groups(&mut DirectionWork {
                     entries: &entries,
                     motions,
                     change: has_change.then_some(change),
@@ -248,7 +248,7 @@ impl<K: Constraint<N>, const N: usize> ActiveSetSolve<'_, '_, K, N> {
             slices(&w.linear.image),
         );
         w.linear.moving.sweep((), |entries, ()| {
-            entries.sums_of_runs(&mut CurvatureWork {
+            entries.sums_of_groups(&mut CurvatureWork {
                 entries: &entries,
                 motions,
                 image: within(&image, &entries.chunk),
@@ -274,23 +274,23 @@ struct StepWork<'a, R, const N: usize> {
     residual: &'a mut [[f64; N]],
 }
 
-impl<R: Row<N>, const N: usize> RunWork for StepWork<'_, R, N> {
+impl<R: Row<N>, const N: usize> GroupWork for StepWork<'_, R, N> {
     /// `r`, `r' r` and `w_a' r`.
     type Sum = ([f64; N], f64, [f64; N]);
 
     #[inline(always)]
-    fn run<const W: usize>(&mut self, k: usize, place: usize) -> [Self::Sum; W] {
-        let motions: [R; W] = self.entries.rows(self.motions, k, place);
-        let u: [[f64; N]; W] = run_at(&self.images, place);
+    fn group<P: Places<W>, const W: usize>(&mut self, k: usize, places: P) -> [Self::Sum; W] {
+        let motions: [R; W] = self.entries.rows(self.motions, k, places);
+        let u: [[f64; N]; W] = at_places(&self.images, places);
         let directions: [[f64; N]; W] = run(self.directions, k);
-        let mut g: [[f64; N]; W] = run_at(&self.gradient, place);
+        let mut g: [[f64; N]; W] = at_places(&self.gradient, places);
         if let Some(&DirectionStep { length, .. }) = self.step {
-            let held: [[f64; N]; W] = run_at(&self.x, place);
+            let held: [[f64; N]; W] = at_places(&self.x, places);
             let moved: [_; W] = from_fn(|k| plus(held[k], length, directions[k]));
-            put_run_at(&mut self.x, place, moved);
+            put_at_places(&mut self.x, places, moved);
             if R::IS_STEADY {
                 g = from_fn(|k| plus(g[k], length, u[k]));
-                put_run_at(&mut self.gradient, place, g);
+                put_at_places(&mut self.gradient, places, g);
             }
         }
         let r: [[f64; N]; W] = match self.step {
@@ -307,7 +307,7 @@ impl<R: Row<N>, const N: usize> RunWork for StepWork<'_, R, N> {
         };
         put_run(self.residual, k, r);
         let weighted: [_; W] = from_fn(|k| motions[k].weighted(r[k]));
-        put_run_at(&mut self.full, place, weighted);
+        put_at_places(&mut self.full, places, weighted);
         let spread: [_; W] = run(self.spread, k);
         from_fn(|k| (r[k], dot(r[k], r[k]), spread[k].map(|w| dot(w, r[k]))))
     }
@@ -322,14 +322,14 @@ struct CorrectionWork<'a, R, const N: usize> {
     last: &'a [[f64; N]],
 }
 
-impl<R: Row<N>, const N: usize> RunWork for CorrectionWork<'_, R, N> {
+impl<R: Row<N>, const N: usize> GroupWork for CorrectionWork<'_, R, N> {
     /// `z`, `z' r` and `z' r_last`.
     type Sum = ([f64; N], f64, f64);
 
     #[inline(always)]
-    fn run<const W: usize>(&mut self, k: usize, place: usize) -> [Self::Sum; W] {
-        let motions: [R; W] = self.entries.rows(self.motions, k, place);
-        let images: [[f64; N]; W] = run_at(&self.image, place);
+    fn group<P: Places<W>, const W: usize>(&mut self, k: usize, places: P) -> [Self::Sum; W] {
+        let motions: [R; W] = self.entries.rows(self.motions, k, places);
+        let images: [[f64; N]; W] = at_places(&self.image, places);
         let [residual, last]: [[_; W]; 2] = [self.residual, self.last].map(|part| run(part, k));
         from_fn(|k| {
             let z = motions[k].preconditioned(images[k], residual[k]);
@@ -352,14 +352,14 @@ struct DirectionWork<'a, R, const N: usize> {
     full: [&'a mut [f64]; N],
 }
 
-impl<R: Row<N>, const N: usize> RunWork for DirectionWork<'_, R, N> {
+impl<R: Row<N>, const N: usize> GroupWork for DirectionWork<'_, R, N> {
     /// `d' (r + at_once)`.
     type Sum = f64;
 
     #[inline(always)]
-    fn run<const W: usize>(&mut self, k: usize, place: usize) -> [f64; W] {
-        let motions: [R; W] = self.entries.rows(self.motions, k, place);
-        let images: [[f64; N]; W] = run_at(&self.image, place);
+    fn group<P: Places<W>, const W: usize>(&mut self, k: usize, places: P) -> [f64; W] {
+        let motions: [R; W] = self.entries.rows(self.motions, k, places);
+        let images: [[f64; N]; W] = at_places(&self.image, places);
         let residual: [[f64; N]; W] = run(self.residual, k);
         let mut d: [[f64; N]; W] = from_fn(|k| motions[k].preconditioned(images[k], residual[k]));
         if let Some(change) = self.change {
@@ -373,7 +373,7 @@ impl<R: Row<N>, const N: usize> RunWork for DirectionWork<'_, R, N> {
             d = from_fn(|k| plus(d[k], conjugation, previous[k]));
         }
         put_run(self.direction, k, d);
-        put_run_at(&mut self.full, place, d);
+        put_at_places(&mut self.full, places, d);
         from_fn(|k| dot(d[k], plus(residual[k], 1.0, self.at_once)))
     }
 }
@@ -386,14 +386,14 @@ struct CurvatureWork<'a, R, const N: usize> {
     direction: &'a [[f64; N]],
 }
 
-impl<R: Row<N>, const N: usize> RunWork for CurvatureWork<'_, R, N> {
+impl<R: Row<N>, const N: usize> GroupWork for CurvatureWork<'_, R, N> {
     /// `d' (C + K) d` and `d' d`.
     type Sum = (f64, f64);
 
     #[inline(always)]
-    fn run<const W: usize>(&mut self, k: usize, place: usize) -> [Self::Sum; W] {
-        let motions: [R; W] = self.entries.rows(self.motions, k, place);
-        let images: [[f64; N]; W] = run_at(&self.image, place);
+    fn group<P: Places<W>, const W: usize>(&mut self, k: usize, places: P) -> [Self::Sum; W] {
+        let motions: [R; W] = self.entries.rows(self.motions, k, places);
+        let images: [[f64; N]; W] = at_places(&self.image, places);
         let directions: [[f64; N]; W] = run(self.direction, k);
         from_fn(|k| {
             let (d, u) = (directions[k], images[k]);
