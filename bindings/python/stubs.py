@@ -50,7 +50,7 @@ def hints(text: str) -> str:
     text = re.sub(r"(\*\w+)(?=[,)])", r"\1: Any", text)
     text = re.sub(r"(?<!\w)ndarray", "NDArray[Any]", text)
     text = re.sub(r"^from (_typeshed|collections\.abc|numpy|numpy\.typing|typing) import .*\n", "", text, flags=re.M)
-    return re.sub(r"^def __getattr__.*\n", "", text, flags=re.M)
+    return re.sub(r"^ *def __getattr__.*\n", "", text, flags=re.M)
 
 
 def main() -> None:

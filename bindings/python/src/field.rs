@@ -21,6 +21,7 @@ use crate::real::{
     plane, shape_error, wrong_type,
 };
 use crate::unit::{Unit, factor, is_same, known, one_of};
+use crate::xarray::only_first_operand;
 
 /// Samples at the cells of a grid, one number per cell, such as gaps, heights or pressures. A field is immutable.
 ///
@@ -432,6 +433,8 @@ impl Field {
         )
     }
 }
+
+only_first_operand!(Field);
 
 impl Stored for Field {
     type Content = (stickslip::Field, Option<String>);

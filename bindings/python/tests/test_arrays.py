@@ -368,6 +368,34 @@ def test_operands_and_operators_recognise_axes_by_name(scene):
             call()
 
 
+def test_array_of_xarray_rejects_field_as_second_operand(scene):
+    xarray = pytest.importorskip("xarray")
+    field = ss.surface.ellipsoid(scene.grid, 3e-3, 6e-3)
+    turned = xarray.DataArray(field.array.T, dims=("x", "y"), coords={"x": scene.grid.x, "y": scene.grid.y})
+    dataset = turned.to_dataset(name="gap")
+    rough = ss.surface.SelfAffine(rms_slope=0.1, seed=1).generate(scene.grid)
+    levelled = ss.surface.level(rough.heights, "plane")
+    for operand in (field, rough, levelled):
+        name = type(operand).__name__
+        message = f"a {name} cannot be the second operand of an array of xarray.*: give the {name} as the first operand, or convert"
+        for call in (
+            lambda: turned + operand,
+            lambda: turned - operand,
+            lambda: turned > operand,
+            lambda: turned.where(turned > 0.0, operand),
+            lambda: dataset + operand,
+            lambda: np.add(turned, operand),
+            lambda: np.hypot(turned, operand),
+            lambda: turned.copy().__iadd__(operand),
+        ):
+            with pytest.raises(TypeError, match=message):
+                call()
+    assert np.array_equal(field + turned, 2.0 * field.array) and np.array_equal(ss.io.from_xarray(turned) + field, 2.0 * field.array)
+    with pytest.raises(AttributeError, match="'Field' object has no attribute 'arrray'"):
+        field.arrray
+    assert not hasattr(field, "coords") and "variable" not in dir(field)
+
+
 def test_axes_of_tables_are_recognised_by_name(scene):
     pandas = pytest.importorskip("pandas")
     grid, values = scene.grid, ss.surface.ellipsoid(scene.grid, 3e-3, 6e-3).array
