@@ -103,7 +103,7 @@ macro_rules! springs {
                 let due = concat!("the position of ", $keyword, " must be ", $position);
                 is_real(&position, named_in(due))?;
                 is_no_mask(&position, named_in(due))?;
-                let position = as_due(&position)
+                let position = as_due(&in_order(&position, due)?)
                     .map_err(|error: PyErr| refused(&position, &error, due, ""))?;
                 let stiffness: Real = stiffness.extract()?;
                 Ok(Self((position, stiffness.0)))

@@ -377,19 +377,23 @@ def test_array_of_xarray_rejects_field_as_second_operand(scene):
     levelled = ss.surface.level(rough.heights, "plane")
     for operand in (field, rough, levelled):
         name = type(operand).__name__
-        message = f"a {name} cannot be the second operand of an array of xarray.*: give the {name} as the first operand, or convert"
+        first = "the Field" if operand is field else r"its \.heights"
+        message = f"a {name} cannot be the second operand of an array of xarray.*: give {first} as the first operand, or convert"
         for call in (
             lambda: turned + operand,
             lambda: turned - operand,
             lambda: turned > operand,
             lambda: turned.where(turned > 0.0, operand),
             lambda: dataset + operand,
-            lambda: np.add(turned, operand),
-            lambda: np.hypot(turned, operand),
             lambda: turned.copy().__iadd__(operand),
         ):
             with pytest.raises(TypeError, match=message):
                 call()
+    # NumPy passes its functions to the field, whatever the order of the operands.
+    assert np.array_equal(np.add(turned, field), 2.0 * field.array)
+    assert np.array_equal(np.subtract(turned, levelled), field.array - levelled.heights.array)
+    with pytest.raises(TypeError):
+        np.add(turned, rough)
     assert np.array_equal(field + turned, 2.0 * field.array) and np.array_equal(ss.io.from_xarray(turned) + field, 2.0 * field.array)
     with pytest.raises(AttributeError, match="'Field' object has no attribute 'arrray'"):
         field.arrray

@@ -446,7 +446,7 @@ def test_number_as_relative_displacement_is_rejected(scene):
 
 
 def test_columns_of_tables_of_points_are_recognised_by_name(scene):
-    pandas = pytest.importorskip("pandas")
+    pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
     contact = scene.normal()
     solver = ss.rolling.RollingProblem(scene.bodies, contact, 0.3, creepage_x=1e-5).solver()
     table = pandas.DataFrame({"spin": [0.0], "creepage_x": [0.002], "creepage_y": [0.0]})
@@ -464,7 +464,10 @@ def test_columns_of_tables_of_points_are_recognised_by_name(scene):
     pairs = [(1.0, 2.0), (3.0, 4.0)]
     path = ss.history.LoadPath(pairs)
     assert ss.history.LoadPath(pandas.DataFrame(pairs)) == ss.history.LoadPath(pandas.DataFrame(pairs, columns=["x", "y"])) == path
-    assert ss.history.LoadPath(pandas.DataFrame(pairs, columns=["x", "y"])[["y", "x"]]) == path
+    named = pandas.DataFrame(pairs, columns=["x", "y"])
+    turned = xarray.DataArray(np.transpose(pairs), dims=("axis", "step"), coords={"axis": ["x", "y"]})
+    for table in (named[["y", "x"]], named.T, turned, turned.T, turned.assign_coords(step=[0.0, 1.0])):
+        assert ss.history.LoadPath(table) == path
     with pytest.raises(ss.errors.ArgumentType, match=r"steps must have the columns x, y, got u, v: rename them, or give \.to_numpy"):
         ss.history.LoadPath(pandas.DataFrame(pairs, columns=["u", "v"]))
 
@@ -494,6 +497,18 @@ def test_entries_of_labelled_pairs_are_recognised_by_name():
             ss.LoadStep(force=pandas.Series([2.0, 1.0], index=index))
     with pytest.raises(TypeError, match=r"force must be a pair \(x, y\), got list of length 3"):
         ss.LoadStep(force=pandas.Series([2.0, 1.0, 3.0]))
+
+
+def test_coordinates_of_closed_forms_are_combined_by_name():
+    xarray = pytest.importorskip("xarray")
+    ellipse = ss.analytical.HertzEllipse((ss.Material(213e9, 0.29),) * 2, radius_x=3e-3, radius_y=6e-3, load=FORCE)
+    x, y = xarray.DataArray([0.0, 5e-5], dims="x"), xarray.DataArray([0.0, 2e-5], dims="y")
+    with pytest.raises(ValueError, match=r"have the dimensions \(x\) and \(y\), .*: broadcast them by xarray.broadcast"):
+        ellipse.pressure(x, y)
+    both = ellipse.pressure(*xarray.broadcast(x, y))
+    assert both.shape == (2, 2) and both[1, 0] == ellipse.pressure(5e-5, 0.0) and ellipse.pressure(x, 0.0)[1] == both[1, 0]
+    with pytest.raises(TypeError, match="coordinates must be real numbers, got truth values"):
+        ellipse.pressure(np.array([True, False]), 0.0)
 
 
 def test_results_with_equal_content_are_equal(scene):

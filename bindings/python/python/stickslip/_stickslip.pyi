@@ -2373,6 +2373,7 @@ class Field:
     micrometres. Heights in micrometres on a grid in metres are converted by their factor, ``Field(grid, 1e-6 * heights, "m")``.
     An array of xarray whose attribute ``units`` differs from the attribute ``units`` of its coordinates raises an error;
     coordinates without this attribute have the unit of the array.
+    In sums with an array of xarray, the field must be the first operand, ``field + array``; the reverse order raises an error.
 
     Raises
     ------

@@ -63,12 +63,18 @@ def in_order(values: Any, quantity: str, names: list[str], is_sequence: bool) ->
     tuple or a structured array. Entries without labels, and entries that are only numbered, keep their positions."""
     labels: list[Any] | None = None
     if hasattr(values, "columns"):
+        if set(names) <= set(getattr(values, "index", ())):
+            values = values.T  # the names are those of the rows
         kind, labels = "columns", list(values.columns)
         entries = values.to_numpy()
     elif hasattr(values, "dims") and hasattr(values, "coords"):
+        of_axes = {name: values.coords[name].values.tolist() for name in values.dims if name in values.coords}
+        for name, along in of_axes.items():
+            if set(names) <= set(along):
+                values = values.transpose(..., name)
         kind, entries = "coordinates", values.values
-        if values.ndim == 1 + is_sequence and values.dims[-1] in values.coords:
-            labels = values.coords[values.dims[-1]].values.tolist()
+        if getattr(values, "ndim", 0) == 1 + is_sequence:  # datasets have no number of dimensions
+            labels = of_axes.get(values.dims[-1])
     elif is_sequence:
         return values
     elif hasattr(values, "index") and hasattr(values, "iloc"):
