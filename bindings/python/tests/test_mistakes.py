@@ -495,7 +495,7 @@ def test_entries_of_labelled_pairs_are_recognised_by_name():
         message = f"force must have the labels x, y, got {index[0]}, {index[1]}: rename them, or give a tuple"
         with pytest.raises(ss.errors.ArgumentType, match=message):
             ss.LoadStep(force=pandas.Series([2.0, 1.0], index=index))
-    with pytest.raises(TypeError, match=r"force must be a pair \(x, y\), got list of length 3"):
+    with pytest.raises(TypeError, match=r"force must be a pair \(x, y\), got Series of length 3"):
         ss.LoadStep(force=pandas.Series([2.0, 1.0, 3.0]))
 
 
