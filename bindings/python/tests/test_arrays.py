@@ -368,6 +368,30 @@ def test_operands_and_operators_recognise_axes_by_name(scene):
             call()
 
 
+def test_fields_on_different_grids_are_not_combined_by_numpy_operators_and_plots(scene):
+    pytest.importorskip("matplotlib").use("Agg")
+    other = ss.Field(ss.Grid.square(64, 1.0), scene.ball.array)
+    levelled = ss.surface.level(other, "mean")
+    product, tensor = scene.bodies.operator("zz"), scene.bodies.tensor_operator()
+    for call in (
+        lambda: np.add(scene.ball, other),
+        lambda: np.hypot(scene.ball, other),
+        lambda: np.multiply(scene.ball, levelled),
+        lambda: np.maximum(levelled, scene.ball),
+        lambda: np.where(scene.ball > 1e-6, scene.ball, other),
+        lambda: product(other),
+        lambda: scene.bodies.preconditioner("zz")(other),
+        lambda: ss.fft.Convolution(scene.grid, scene.bodies.pair, "zz").apply(other),
+        lambda: tensor.apply((scene.ball, scene.ball, other)),
+        lambda: ss.plot.field(scene.grid, other),
+        lambda: ss.plot.section(scene.grid, other),
+    ):
+        with pytest.raises(ss.errors.GridMismatch):
+            call()
+    assert np.array_equal(np.hypot(scene.ball, scene.ball.array), np.hypot(scene.ball.array, scene.ball.array))
+    assert np.concatenate([scene.ball, other]).shape == (128, 64) and np.array_equal(product(scene.ball), product(scene.ball.array))
+
+
 def test_array_of_xarray_rejects_field_as_second_operand(scene):
     xarray = pytest.importorskip("xarray")
     field = ss.surface.ellipsoid(scene.grid, 3e-3, 6e-3)
