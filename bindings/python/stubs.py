@@ -13,7 +13,8 @@ HEADER = "# Written by stubs.py from the hints of the module.\n"
 
 
 def readable(text: str) -> str:
-    """Returns the stubs with readable type hints and unchanged docstrings."""
+    """Returns the stubs with readable type hints and unchanged docstrings, without the signatures that precede some of them."""
+    text = re.sub(r'^( *"""\n) *\w+\(.*\)\n *--\n\s*?\n', r"\1", text, flags=re.M)
     parts = re.split(r'^( *"""\n.*?^ *"""\n)', text, flags=re.M | re.S)
     parts[::2] = [hints(part) for part in parts[::2]]
     imports = (
