@@ -13,7 +13,8 @@ HEADER = "# Written by stubs.py from the hints of the module.\n"
 
 
 def readable(text: str) -> str:
-    """Returns the stubs with readable type hints and unchanged docstrings."""
+    """Returns the stubs with readable type hints and unchanged docstrings, without the signatures that precede some of them."""
+    text = re.sub(r'^( *"""\n) *\w+\(.*\)\n *--\n\s*?\n', r"\1", text, flags=re.M)
     parts = re.split(r'^( *"""\n.*?^ *"""\n)', text, flags=re.M | re.S)
     parts[::2] = [hints(part) for part in parts[::2]]
     imports = (
@@ -50,7 +51,7 @@ def hints(text: str) -> str:
     text = re.sub(r"(\*\w+)(?=[,)])", r"\1: Any", text)
     text = re.sub(r"(?<!\w)ndarray", "NDArray[Any]", text)
     text = re.sub(r"^from (_typeshed|collections\.abc|numpy|numpy\.typing|typing) import .*\n", "", text, flags=re.M)
-    return re.sub(r"^def __getattr__.*\n", "", text, flags=re.M)
+    return re.sub(r"^ *def __getattr__.*\n", "", text, flags=re.M)
 
 
 def main() -> None:

@@ -1,11 +1,14 @@
 //! A sphere of a different material is pressed in steps. The tests compare with Spence's stick zone and with contact
 //! without slip.
 
+use std::ops::ControlFlow;
+
 use rayon::prelude::*;
 use stickslip::analytical::{HertzSphere, NoSlipSphere};
 use stickslip::history::Cycle;
 use stickslip::{
-    ElasticPair, Error, Grid, HalfSpace, History, LoadStep, Material, NormalLoad, Warning,
+    ElasticPair, Error, Grid, HalfSpace, History, Iteration, LoadStep, Material, NormalLoad,
+    Status, Warning,
 };
 
 const RADIUS: f64 = 10.0;
@@ -108,11 +111,22 @@ fn observer_of_pressing_receives_accepted_steps() {
     let (mut history, mut plain) = (build(), build());
     let mut cycle = Cycle::new(&history);
     let mut forces = vec![];
-    let count = history.press_steps_observed(&load, 0.05, |history| {
+    let mut iterations = [0; 2];
+    let iterate = |_: &Iteration| {
+        iterations[0] += 1;
+        ControlFlow::Continue(())
+    };
+    let count = history.press_steps_observed(&load, 0.05, iterate, |history| {
         forces.push(history.normal().force());
         cycle.add(history)
     });
-    assert_eq!(plain.press(&load, 0.05), count);
+    let iterate = |_: &Iteration| {
+        iterations[1] += 1;
+        ControlFlow::Continue(())
+    };
+    assert_eq!(plain.press_observed(&load, 0.05, iterate), count);
+    // The second taking of the accepted steps is observed too.
+    assert!(iterations[0] > iterations[1]);
     assert_eq!(history.state(), plain.state());
     let [last, other] = [&history, &plain].map(|history| history.last_step().unwrap());
     assert!(last.energy() == other.energy() && last.slip() == other.slip());
@@ -127,7 +141,8 @@ fn observer_of_pressing_receives_accepted_steps() {
 
     let mut failed = build();
     let mut seen = 0;
-    let outcome = failed.press_steps_observed(&load, 0.05, |_| {
+    let unobserved = |_: &Iteration| ControlFlow::Continue(());
+    let outcome = failed.press_steps_observed(&load, 0.05, unobserved, |_| {
         seen += 1;
         if seen == 2 {
             Err(Error::EmptyPath)
@@ -137,4 +152,22 @@ fn observer_of_pressing_receives_accepted_steps() {
     });
     assert_eq!(outcome, Err(Error::EmptyPath));
     assert_eq!(failed.state(), build().state());
+
+    // The observer of the iterations cancels the call after the first observed step, and before.
+    for limit in [1, iterations[1] + 1] {
+        let mut count = 0;
+        let cancel = |_: &Iteration| {
+            count += 1;
+            if count < limit {
+                ControlFlow::Continue(())
+            } else {
+                ControlFlow::Break(())
+            }
+        };
+        let outcome = failed.press_steps_observed(&load, 0.05, cancel, |_| Ok(()));
+        assert!(
+            matches!(&outcome, Err(Error::NotConverged(report)) if report.status == Status::Cancelled)
+        );
+        assert_eq!(failed.state(), build().state());
+    }
 }

@@ -245,9 +245,10 @@ pub unsafe extern "C" fn stickslip_history_press_stepwise(
         let (load, observer) = (input("load", load)?, optional("observer", observer)?);
         let (mut history, load) = (changing(history)?, load.checked()?);
         let cycle = (!cycle.is_null()).then(|| changing(cycle)).transpose()?;
-        let mut watch = StepWatch::new(observer, cycle);
-        let outcome =
-            history.press_steps_observed(&load, tolerance, |history| watch.receive(history));
+        let (unobserved, mut watch) = (watch(None), StepWatch::new(observer, cycle));
+        let outcome = history.press_steps_observed(&load, tolerance, unobserved, |history| {
+            watch.receive(history)
+        });
         let count = watch.outcome(outcome)?;
         if let Some(place) = place {
             place.put(count);

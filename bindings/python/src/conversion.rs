@@ -28,7 +28,7 @@ macro_rules! due {
                 let instead = concat!("" $(, ": ", $instead)?);
                 is_real(&object, named_in($due))?;
                 is_no_mask(&object, named_in($due))?;
-                as_due(&in_columns(&object, $due)?)
+                as_due(&in_order(&object, $due)?)
                     .map(Self)
                     .map_err(|error: PyErr| refused(&object, &error, $due, instead))
             }
@@ -103,7 +103,7 @@ macro_rules! springs {
                 let due = concat!("the position of ", $keyword, " must be ", $position);
                 is_real(&position, named_in(due))?;
                 is_no_mask(&position, named_in(due))?;
-                let position = as_due(&position)
+                let position = as_due(&in_order(&position, due)?)
                     .map_err(|error: PyErr| refused(&position, &error, due, ""))?;
                 let stiffness: Real = stiffness.extract()?;
                 Ok(Self((position, stiffness.0)))
@@ -158,18 +158,20 @@ fn named_in(due: &str) -> &str {
     verb.map_or(due, |verb| &due[..verb])
 }
 
-/// Returns a table of pandas as an array with the columns in the order of the expected form, such as (x, y). Other objects are
-/// returned unchanged.
-fn in_columns<'py>(object: &Bound<'py, PyAny>, due: &str) -> PyResult<Bound<'py, PyAny>> {
+/// Returns the entries of a labelled object, such as a table of pandas, in the order of the expected form, such as (x, y). Other
+/// objects are returned unchanged.
+fn in_order<'py>(object: &Bound<'py, PyAny>, due: &str) -> PyResult<Bound<'py, PyAny>> {
     let form = due.split_once('(').and_then(|(_, end)| end.split_once(')'));
-    match form {
-        Some((names, _)) if object.hasattr("columns")? => {
-            let names: Vec<_> = names.split(", ").collect();
-            let module = object.py().import("stickslip._tables")?;
-            module.call_method1("in_columns", (object, named_in(due), names))
-        }
-        _ => Ok(object.clone()),
+    let Some((names, _)) = form else {
+        return Ok(object.clone());
+    };
+    if object.is_exact_instance_of::<PyTuple>() || object.is_exact_instance_of::<PyList>() {
+        return Ok(object.clone());
     }
+    let names: Vec<_> = names.split(", ").collect();
+    let module = object.py().import("stickslip._tables")?;
+    let is_sequence = due.contains("a sequence of");
+    module.call_method1("in_order", (object, named_in(due), names, is_sequence))
 }
 
 /// Returns the entries of a tuple or a list; `None` for other objects.
@@ -233,7 +235,7 @@ fn triples(object: &Bound<'_, PyAny>, due: &str, instead: &str) -> PyResult<Vec<
         return Ok(Vec::new());
     }
     let refused = |error: &PyErr| refused(object, error, due, instead);
-    let given = filled(&in_columns(object, due)?)?;
+    let given = filled(&in_order(object, due)?)?;
     let rows: PyArrayLike2<'_, f64, AllowTypeChange> =
         given.extract().map_err(|error: PyErr| refused(&error))?;
     let rows = rows.as_array();

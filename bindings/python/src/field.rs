@@ -21,6 +21,7 @@ use crate::real::{
     plane, shape_error, wrong_type,
 };
 use crate::unit::{Unit, factor, is_same, known, one_of};
+use crate::xarray::only_first_operand;
 
 /// Samples at the cells of a grid, one number per cell, such as gaps, heights or pressures. A field is immutable.
 ///
@@ -58,6 +59,7 @@ use crate::unit::{Unit, factor, is_same, known, one_of};
 /// micrometres. Heights in micrometres on a grid in metres are converted by their factor, ``Field(grid, 1e-6 * heights, "m")``.
 /// An array of xarray whose attribute ``units`` differs from the attribute ``units`` of its coordinates raises an error;
 /// coordinates without this attribute have the unit of the array.
+/// In sums with an array of xarray, the field must be the first operand, ``field + array``; the reverse order raises an error.
 ///
 /// Raises
 /// ------
@@ -284,13 +286,15 @@ impl Field {
                 return slf.call_method1(reflected, (left,));
             }
         }
+        if method == "__call__" {
+            on_one_grid(slf.py(), &inputs)?;
+        }
         if !IGNORE_UNITS.contains(&&name[..]) {
-            let unit = |input: &Bound<'py, PyAny>| {
-                let heights = input.getattr("heights").ok();
-                let field = heights.as_ref().unwrap_or(input).cast::<Self>().ok()?;
-                field.get().1.clone()
-            };
-            one_of(inputs.iter().map(unit))?;
+            one_of(
+                inputs
+                    .iter()
+                    .map(|input| field_of(input).and_then(|field| field.1)),
+            )?;
         }
         let grid = slf.get().0.grid();
         let arrays = inputs.into_iter().map(|input| match input.cast::<Self>() {
@@ -433,6 +437,8 @@ impl Field {
     }
 }
 
+only_first_operand!(Field);
+
 impl Stored for Field {
     type Content = (stickslip::Field, Option<String>);
 
@@ -566,6 +572,25 @@ fn without_modulo(modulo: Option<&Bound<'_, PyAny>>) -> PyResult<()> {
     }
 }
 
+/// Returns a field, or the heights of a surface.
+fn field_of(object: &Bound<'_, PyAny>) -> Option<Field> {
+    let heights = object.getattr("heights").ok();
+    let field = heights.as_ref().unwrap_or(object).cast::<Field>();
+    field.ok().map(|field| field.get().clone())
+}
+
+/// Returns an error if fields or surfaces, which a NumPy function combines cell by cell, are on different grids.
+fn on_one_grid(py: Python<'_>, operands: &[Bound<'_, PyAny>]) -> PyResult<()> {
+    let mut grids = operands
+        .iter()
+        .filter_map(field_of)
+        .map(|field| field.0.grid());
+    let Some(first) = grids.next() else {
+        return Ok(());
+    };
+    grids.try_for_each(|grid| same_grid(first, grid, "operand").or_raise(py))
+}
+
 /// Applies a NumPy function to operands of which some have heights. Each is replaced by its heights, a field with a unit.
 pub(crate) fn apply_to_heights<'py>(
     ufunc: &Bound<'py, PyAny>,
@@ -590,13 +615,16 @@ pub(crate) fn apply_to_arrays<'py>(
     arguments: &Bound<'py, PyAny>,
     options: &Bound<'py, PyDict>,
 ) -> PyResult<Bound<'py, PyAny>> {
+    let name: String = function.getattr("__name__")?.extract()?;
+    if name == "where" {
+        on_one_grid(function.py(), &arguments.extract::<Vec<_>>()?)?;
+    }
     let mut units = Vec::new();
     let arguments = as_arrays(arguments, &mut units)?;
     let plain = PyDict::new(function.py());
     for (name, value) in options {
         plain.set_item(name, as_arrays(&value, &mut units)?)?;
     }
-    let name: String = function.getattr("__name__")?.extract()?;
     if !IGNORE_UNITS.contains(&&name[..]) {
         one_of(units)?;
     }

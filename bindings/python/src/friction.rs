@@ -56,20 +56,54 @@ impl Friction {
     }
 
     fn __repr__(&self) -> String {
-        // The limit under infinite pressure is the cap itself.
-        let (first, cap) = (self.0.limit(0, 1.0), self.0.limit(0, f64::INFINITY));
+        let first = self.0.limit(0, 1.0);
         let is_uniform = !self.0.limit(usize::MAX, 1.0).is_nan();
         let coefficient = if is_uniform {
             short(first)
         } else {
             "<per cell>".into()
         };
-        if cap.is_finite() {
-            format!("Friction({coefficient}, max_shear_stress={})", short(cap))
-        } else {
-            format!("Friction({coefficient})")
+        match self.cap() {
+            Some(cap) => format!("Friction({coefficient}, max_shear_stress={})", short(cap)),
+            None => format!("Friction({coefficient})"),
         }
     }
+}
+
+impl Friction {
+    /// Returns the largest shear stress; `None` without a limit.
+    pub(crate) fn cap(&self) -> Option<f64> {
+        cap(&self.0)
+    }
+}
+
+/// Returns the largest shear stress of a law; `None` without a limit, and without friction.
+pub(crate) fn cap(friction: &stickslip::Friction) -> Option<f64> {
+    let is_uniform = !friction.limit(usize::MAX, 1.0).is_nan();
+    let cells = if is_uniform { 1 } else { usize::MAX };
+    let limits = |cell| [1.0, f64::INFINITY].map(|pressure| friction.limit(cell, pressure));
+    // The limit of a cell with friction under infinite pressure is the cap itself.
+    (0..cells)
+        .map(limits)
+        .take_while(|[limit, _]| !limit.is_nan())
+        .find(|[limit, _]| *limit > 0.0)
+        .map(|[_, cap]| cap)
+        .filter(|cap| cap.is_finite())
+}
+
+/// Issues a warning if coefficients alone have replaced a law with a largest shear stress.
+pub(crate) fn warn_of_lost_cap(py: Python<'_>, last: Option<f64>, is_law: bool) -> PyResult<()> {
+    let Some(cap) = last.filter(|_| !is_law) else {
+        return Ok(());
+    };
+    let message = format!(
+        "the new friction has no max_shear_stress, but the last law had {0}: \
+         give Friction(coefficient, max_shear_stress={0}) to keep it, or Friction(coefficient) to remove it",
+        short(cap)
+    );
+    let module = py.import("stickslip._remarks")?;
+    module.call_method1("warn", (vec![("lost_max_shear_stress", message)],))?;
+    Ok(())
 }
 
 /// Returns the friction law of one coefficient, or of one coefficient per cell of a grid.
@@ -117,6 +151,11 @@ argument! {
 }
 
 impl AnyFriction<'_> {
+    /// Returns whether the argument is a law, not coefficients alone.
+    pub(crate) fn is_law(&self) -> bool {
+        self.0.is_instance_of::<Friction>()
+    }
+
     pub(crate) fn on(self, py: Python<'_>, grid: stickslip::Grid) -> PyResult<stickslip::Friction> {
         if let Ok(friction) = self.0.cast::<Friction>() {
             return Ok(friction.get().0.clone());

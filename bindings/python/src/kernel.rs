@@ -40,8 +40,8 @@ use crate::real::{Real, in_axes, is_real, named_by, wrong_type};
 /// ... )
 /// >>> abs(contact.approach / same.approach - 1) < 1e-6
 /// True
-#[pyclass(frozen, module = "stickslip")]
-#[derive(Clone)]
+#[pyclass(frozen, eq, module = "stickslip")]
+#[derive(Clone, PartialEq)]
 pub(crate) struct Kernel(pub(crate) stickslip::Kernel);
 
 by_value!(Kernel);

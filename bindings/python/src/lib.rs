@@ -47,6 +47,7 @@ mod surface;
 mod tangential;
 mod unit;
 mod work;
+mod xarray;
 
 use pyo3::prelude::*;
 

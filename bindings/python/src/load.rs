@@ -202,6 +202,24 @@ impl Keywords {
         self.load_or(object)
     }
 
+    /// Returns the load of the next solve: the object, or the last load with the axes and the twist that have keywords replaced.
+    pub(crate) fn load_after(
+        &self,
+        object: Option<TangentialArgument>,
+        last: Load,
+    ) -> PyResult<Load> {
+        let mut load = last;
+        for (axis, control) in [Axis::X, Axis::Y].into_iter().zip(self.controls()?) {
+            if let Some(control) = control {
+                load = load.along(axis, control);
+            }
+        }
+        if let Some(Real(twist)) = self.twist {
+            load = load.twist(twist);
+        }
+        one_of(object.map(|load| load.0.0), self.is_empty(), load)
+    }
+
     /// Returns the load from rest given as an object or by these keywords.
     pub(crate) fn load_or(&self, object: Option<TangentialArgument>) -> PyResult<Load> {
         one_of(object.map(|load| load.0.0), self.is_empty(), self.load()?)

@@ -9,6 +9,7 @@ use pyo3::prelude::*;
 use stickslip::{Iteration, Result};
 
 use crate::error::{OrRaise, with_iterate};
+use crate::friction::{AnyFriction, cap, warn_of_lost_cap};
 use crate::progress::Progress;
 use crate::report::warn;
 use crate::solution_pool::{Spare, lock};
@@ -92,19 +93,23 @@ fn finished<S: Solver>(
 pub(crate) struct Reused<S: Solver> {
     work: Mutex<(S, Spare<S::Solution>)>,
     grid: stickslip::Grid,
+    /// Largest shear stress of the friction law, if there is one.
+    cap: Mutex<Option<f64>>,
 }
 
 impl<S: Solver> Reused<S> {
-    /// Creates the solver of a problem on this grid.
+    /// Creates the solver of a problem on this grid, with the largest shear stress of its friction law.
     pub(crate) fn new(
         py: Python<'_>,
         grid: stickslip::Grid,
+        cap: Option<f64>,
         solver: impl FnOnce() -> Result<S> + Send,
     ) -> PyResult<Self> {
         let solver = unobserved_on(py, grid, solver)?;
         Ok(Self {
             work: Mutex::new((solver, Spare::new())),
             grid,
+            cap: Mutex::new(cap),
         })
     }
 
@@ -128,6 +133,20 @@ impl<S: Solver> Reused<S> {
         change: impl FnOnce(&mut S) -> Result<()> + Send,
     ) -> PyResult<()> {
         self.unobserved(py, change)
+    }
+
+    /// Sets the friction of the next solve. Coefficients alone that replace a law with a largest shear stress issue a warning.
+    pub(crate) fn set_friction(
+        &self,
+        py: Python<'_>,
+        friction: AnyFriction<'_>,
+        set: impl FnOnce(&mut S, &stickslip::Friction) -> Result<()> + Send,
+    ) -> PyResult<()> {
+        let is_law = friction.is_law();
+        let friction = friction.on(py, self.grid)?;
+        self.change(py, |solver| set(solver, &friction))?;
+        let last = std::mem::replace(&mut *lock(&self.cap, "solver")?, cap(&friction));
+        warn_of_lost_cap(py, last, is_law)
     }
 
     /// Runs long work with the solver that returns no solution.

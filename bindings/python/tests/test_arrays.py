@@ -368,6 +368,62 @@ def test_operands_and_operators_recognise_axes_by_name(scene):
             call()
 
 
+def test_fields_on_different_grids_are_not_combined_by_numpy_operators_and_plots(scene):
+    pytest.importorskip("matplotlib").use("Agg")
+    other = ss.Field(ss.Grid.square(64, 1.0), scene.ball.array)
+    levelled = ss.surface.level(other, "mean")
+    product, tensor = scene.bodies.operator("zz"), scene.bodies.tensor_operator()
+    for call in (
+        lambda: np.add(scene.ball, other),
+        lambda: np.hypot(scene.ball, other),
+        lambda: np.multiply(scene.ball, levelled),
+        lambda: np.maximum(levelled, scene.ball),
+        lambda: np.where(scene.ball > 1e-6, scene.ball, other),
+        lambda: product(other),
+        lambda: scene.bodies.preconditioner("zz")(other),
+        lambda: ss.fft.Convolution(scene.grid, scene.bodies.pair, "zz").apply(other),
+        lambda: tensor.apply((scene.ball, scene.ball, other)),
+        lambda: ss.plot.field(scene.grid, other),
+        lambda: ss.plot.section(scene.grid, other),
+    ):
+        with pytest.raises(ss.errors.GridMismatch):
+            call()
+    assert np.array_equal(np.hypot(scene.ball, scene.ball.array), np.hypot(scene.ball.array, scene.ball.array))
+    assert np.concatenate([scene.ball, other]).shape == (128, 64) and np.array_equal(product(scene.ball), product(scene.ball.array))
+
+
+def test_array_of_xarray_rejects_field_as_second_operand(scene):
+    xarray = pytest.importorskip("xarray")
+    field = ss.surface.ellipsoid(scene.grid, 3e-3, 6e-3)
+    turned = xarray.DataArray(field.array.T, dims=("x", "y"), coords={"x": scene.grid.x, "y": scene.grid.y})
+    dataset = turned.to_dataset(name="gap")
+    rough = ss.surface.SelfAffine(rms_slope=0.1, seed=1).generate(scene.grid)
+    levelled = ss.surface.level(rough.heights, "plane")
+    for operand in (field, rough, levelled):
+        name = type(operand).__name__
+        first = "the Field" if operand is field else r"its \.heights"
+        message = f"a {name} cannot be the second operand of an array of xarray.*: give {first} as the first operand, or convert"
+        for call in (
+            lambda: turned + operand,
+            lambda: turned - operand,
+            lambda: turned > operand,
+            lambda: turned.where(turned > 0.0, operand),
+            lambda: dataset + operand,
+            lambda: turned.copy().__iadd__(operand),
+        ):
+            with pytest.raises(TypeError, match=message):
+                call()
+    # NumPy passes its functions to the field, whatever the order of the operands.
+    assert np.array_equal(np.add(turned, field), 2.0 * field.array)
+    assert np.array_equal(np.subtract(turned, levelled), field.array - levelled.heights.array)
+    with pytest.raises(TypeError):
+        np.add(turned, rough)
+    assert np.array_equal(field + turned, 2.0 * field.array) and np.array_equal(ss.io.from_xarray(turned) + field, 2.0 * field.array)
+    with pytest.raises(AttributeError, match="'Field' object has no attribute 'arrray'"):
+        field.arrray
+    assert not hasattr(field, "coords") and "variable" not in dir(field)
+
+
 def test_axes_of_tables_are_recognised_by_name(scene):
     pandas = pytest.importorskip("pandas")
     grid, values = scene.grid, ss.surface.ellipsoid(scene.grid, 3e-3, 6e-3).array

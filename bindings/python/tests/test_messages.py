@@ -1,6 +1,7 @@
 """Texts of messages and representations: the argument, the location and the remedy."""
 
 import importlib
+import inspect
 import math
 import re
 import warnings
@@ -170,12 +171,22 @@ def test_object_of_wrong_class_message_names_argument(scene, call, argument, mes
 
 def test_closed_forms_reject_numbers_by_position(scene):
     pair = scene.bodies.pair
-    with pytest.raises(TypeError, match="positional"):
+    missing = "missing {} required keyword arguments: {}"
+    with pytest.raises(TypeError, match=missing.format(2, "'radius' and 'load'")):
         ss.analytical.HertzSphere(pair, 100.0, 3.5e-3)
-    with pytest.raises(TypeError, match="positional"):
+    with pytest.raises(TypeError, match=missing.format(2, "'friction' and 'force'")):
         ss.analytical.CattaneoMindlin(scene.hertz, 20.0, 0.5)
-    with pytest.raises(TypeError, match="positional"):
+    with pytest.raises(TypeError, match=missing.format(3, "'load', 'friction', and 'force'")):
         ss.analytical.linear_stick_ratio(100.0, 0.5, 20.0)
+    with pytest.raises(TypeError, match=r"HertzSphere takes its numbers by keyword, got 5\.0 by position: give radius=, load=$"):
+        ss.analytical.HertzSphere(pair, 5.0, radius=1.0, load=1.0)
+    with pytest.raises(TypeError, match=r"linear_stick_ratio takes its numbers by keyword, got 5\.0 by position: give load=, fri"):
+        ss.analytical.linear_stick_ratio(5.0, load=1.0, friction=0.5, force=0.1)
+    ellipse = ss.analytical.HertzEllipse(pair, radius_x=1.0, radius_y=1.0, load=1.0)
+    with pytest.raises(TypeError, match=r"got 0\.1 by position: give friction=, creepage=$"):
+        ss.analytical.VermeulenJohnson(ellipse, 0.1, friction=0.5, creepage=(0.1, 0.0))
+    signatures = {str(inspect.signature(form)) for form in (ss.analytical.HertzSphere, ss.analytical.HertzLine)}
+    assert signatures == {"(pair, *, radius, load)"} and ss.analytical.HertzSphere.__doc__.startswith("A sphere or")
 
 
 @pytest.mark.parametrize(

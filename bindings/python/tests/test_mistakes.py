@@ -1,5 +1,6 @@
 """Mistakes in calls that would compute a plausible result of a different problem."""
 
+import collections
 import copy
 import pickle
 import warnings
@@ -445,7 +446,7 @@ def test_number_as_relative_displacement_is_rejected(scene):
 
 
 def test_columns_of_tables_of_points_are_recognised_by_name(scene):
-    pandas = pytest.importorskip("pandas")
+    pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
     contact = scene.normal()
     solver = ss.rolling.RollingProblem(scene.bodies, contact, 0.3, creepage_x=1e-5).solver()
     table = pandas.DataFrame({"spin": [0.0], "creepage_x": [0.002], "creepage_y": [0.0]})
@@ -453,12 +454,121 @@ def test_columns_of_tables_of_points_are_recognised_by_name(scene):
     points = pandas.DataFrame({"depth": [5e-5], "x": [1e-5], "y": [0.0]})
     by_name, by_position = (ss.subsurface.at_points(scene.bodies, "one", contact, given) for given in (points, [(1e-5, 0.0, 5e-5)]))
     assert np.array_equal(by_name.von_mises, by_position.von_mises)
+    array = table.to_xarray().to_dataarray("name").transpose("index", "name")
+    assert array.coords["name"].values.tolist() == ["spin", "creepage_x", "creepage_y"]
+    assert solver.creep_forces(array).force[0][0] == pytest.approx(solver.creep_forces(table).force[0][0], rel=1e-6)
+    with pytest.raises(ss.errors.ArgumentType, match="points must have the coordinates creepage_x, creepage_y, spin, got a, b, c: rename them"):
+        solver.creep_forces(array.assign_coords(name=["a", "b", "c"]))
+    with pytest.raises(ss.errors.ArgumentType, match="points must have the columns creepage_x, creepage_y, spin, got .*: rename them"):
+        solver.creep_forces(table.rename(columns={"spin": "creepage_x"}))
     pairs = [(1.0, 2.0), (3.0, 4.0)]
     path = ss.history.LoadPath(pairs)
     assert ss.history.LoadPath(pandas.DataFrame(pairs)) == ss.history.LoadPath(pandas.DataFrame(pairs, columns=["x", "y"])) == path
-    assert ss.history.LoadPath(pandas.DataFrame(pairs, columns=["x", "y"])[["y", "x"]]) == path
+    named = pandas.DataFrame(pairs, columns=["x", "y"])
+    turned = xarray.DataArray(np.transpose(pairs), dims=("axis", "step"), coords={"axis": ["x", "y"]})
+    for table in (named[["y", "x"]], named.T, turned, turned.T, turned.assign_coords(step=[0.0, 1.0])):
+        assert ss.history.LoadPath(table) == path
     with pytest.raises(ss.errors.ArgumentType, match=r"steps must have the columns x, y, got u, v: rename them, or give \.to_numpy"):
         ss.history.LoadPath(pandas.DataFrame(pairs, columns=["u", "v"]))
+
+
+def test_entries_of_labelled_pairs_are_recognised_by_name():
+    pandas, xarray = pytest.importorskip("pandas"), pytest.importorskip("xarray")
+    expected = ss.LoadStep(shift=(1.0, 2.0))
+    pair = collections.namedtuple("pair", "y x")
+    for shift in (
+        pandas.Series([2.0, 1.0], index=["y", "x"]),
+        pandas.Series([1.0, 2.0]),
+        pandas.DataFrame({"y": [2.0], "z": [3.0], "x": [1.0]}).iloc[0],
+        xarray.DataArray([2.0, 1.0], dims="axis", coords={"axis": ["y", "x"]}),
+        xarray.DataArray([1.0, 2.0], dims="axis"),
+        np.array((2.0, 1.0), dtype=[("y", float), ("x", float)]),
+        np.array([1.0, 2.0]),
+        pair(2.0, 1.0),
+        [1.0, 2.0],
+    ):
+        assert ss.LoadStep(shift=shift) == expected, shift
+    labels = pandas.Series([2.0, 1.0], index=["y", "x"])
+    assert ss.LoadStep(spring=ss.Spring(position=labels, stiffness=1.0)) == ss.LoadStep(spring=ss.Spring(position=(1.0, 2.0), stiffness=1.0))
+    assert ss.history.LoadPath(pandas.Series([(1.0, 2.0), (3.0, 4.0)], index=[0.5, 1.0])) == ss.history.LoadPath([(1.0, 2.0), (3.0, 4.0)])
+    for index in (["a", "b"], [1, 0], ["x", "x"], ["X", "Y"]):
+        message = f"force must have the labels x, y, got {index[0]}, {index[1]}: rename them, or give a tuple"
+        with pytest.raises(ss.errors.ArgumentType, match=message):
+            ss.LoadStep(force=pandas.Series([2.0, 1.0], index=index))
+    with pytest.raises(TypeError, match=r"force must be a pair \(x, y\), got Series of length 3"):
+        ss.LoadStep(force=pandas.Series([2.0, 1.0, 3.0]))
+
+
+def test_coordinates_of_closed_forms_are_combined_by_name():
+    xarray = pytest.importorskip("xarray")
+    ellipse = ss.analytical.HertzEllipse((ss.Material(213e9, 0.29),) * 2, radius_x=3e-3, radius_y=6e-3, load=FORCE)
+    x, y = xarray.DataArray([0.0, 5e-5], dims="x"), xarray.DataArray([0.0, 2e-5], dims="y")
+    with pytest.raises(ValueError, match=r"have the dimensions \(x\) and \(y\), .*: broadcast them by xarray.broadcast"):
+        ellipse.pressure(x, y)
+    both = ellipse.pressure(*xarray.broadcast(x, y))
+    assert both.shape == (2, 2) and both[1, 0] == ellipse.pressure(5e-5, 0.0) and ellipse.pressure(x, 0.0)[1] == both[1, 0]
+    with pytest.raises(TypeError, match="coordinates must be real numbers, got truth values"):
+        ellipse.pressure(np.array([True, False]), 0.0)
+
+
+def test_results_with_equal_content_are_equal(scene):
+    history, other = scene.history(), scene.history()
+    for one in (history, other):
+        one.step(normal_force=FORCE, warn=False)
+    assert history.state() == other.state() == pickle.loads(pickle.dumps(history)).state() and history.state() != 1.0
+    other.step(force_x=10.0)
+    assert history.state() != other.state()
+    rolling = ss.rolling.RollingProblem(scene.bodies, scene.normal(), 0.3, creepage_x=1e-4).solve(warn=False)
+    rough = ss.surface.SelfAffine(rms_slope=0.1, seed=1).generate(scene.grid).heights
+    surfaces = [ss.surface.level(rough, "plane"), ss.surface.fill_missing(rough), ss.surface.gaussian_filter(rough, s=3e-5)]
+    for result in (rolling, *surfaces):
+        assert result == pickle.loads(pickle.dumps(result)) and result != history.state()
+    assert surfaces[0] != ss.surface.level(rough, "mean")
+
+
+def test_solver_keeps_axes_and_twist_without_keyword(scene):
+    normal, both = scene.normal(), {"model": "vector", "tolerance": 1e-9}
+    solver = ss.TangentialProblem(scene.bodies, normal, 0.5, force=(20.0, 10.0), twist=1e-4, **both).solver()
+    loads = [({"force_x": 5.0}, {"force": (5.0, 10.0)}), ({"shift_y": 2e-7}, {"force_x": 5.0, "shift_y": 2e-7})]
+    for change, whole in loads:
+        kept = solver.solve(**change)
+        cold = ss.TangentialProblem(scene.bodies, normal, 0.5, twist=1e-4, **whole, **both).solve()
+        assert kept.force == pytest.approx(cold.force, rel=1e-6) and kept.shift == pytest.approx(cold.shift, rel=1e-6)
+    assert solver.solve(twist=0.0).force == pytest.approx(kept.force, rel=0.2)
+    # A rejected load is not kept, and an object replaces the whole load.
+    with pytest.raises(ss.errors.BeyondFrictionCapacity):
+        solver.solve(force_x=60.0)
+    assert solver.solve().force[0] == pytest.approx(5.0)
+    assert solver.solve(ss.TangentialLoad(force_y=3.0)).force == pytest.approx((0.0, 3.0), abs=1e-9)
+    scalar = ss.TangentialProblem(scene.bodies, normal, 0.5, force_x=20.0).solver()
+    with pytest.raises(ss.errors.ObliqueLoad):
+        scalar.solve(force_y=10.0)
+    assert scalar.solve(force_x=0.0, force_y=10.0).force == pytest.approx((0.0, 10.0))
+
+
+def test_coefficient_that_replaces_a_capped_law_issues_a_warning(scene):
+    capped, normal = ss.Friction(0.5, max_shear_stress=8e8), scene.normal()
+    message = r"has no max_shear_stress, but the last law had 8e\+08: give Friction\(coefficient, max_shear_stress=8e\+08\) to keep it"
+    metals = ss.HalfSpace(scene.grid, (ss.Material(70e9, 0.33), ss.Material(210e9, 0.3)))
+    for target in (
+        ss.History(scene.bodies, scene.ball, capped),
+        ss.TangentialProblem(scene.bodies, normal, capped, force_x=1.0).solver(),
+        ss.CoupledProblem(metals, scene.ball, capped, normal_force=FORCE).solver(),
+        ss.rolling.RollingProblem(scene.bodies, normal, capped, creepage_x=1e-4).solver(),
+        ss.rolling.CoupledRollingProblem(scene.bodies, scene.ball, capped, normal_force=FORCE, creepage_x=1e-4).solver(),
+    ):
+        with pytest.warns(ss.ContactWarning, match=message):
+            target.set_friction(0.6)
+        coefficients = np.full(scene.grid.shape, 0.4)
+        coefficients[0, 0] = 0.0
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            target.set_friction(0.6)
+            target.set_friction(capped)
+            target.set_friction(ss.Friction(0.6))
+            target.set_friction(ss.Friction(coefficients, max_shear_stress=8e8, grid=scene.grid))
+        with pytest.warns(ss.ContactWarning, match=message):
+            target.set_friction(coefficients)
 
 
 def test_unstated_marks_of_missing_points_are_rejected():
@@ -516,6 +626,8 @@ def test_truth_values_instead_of_numbers_are_rejected(scene, truth):
             call()
     with pytest.raises(TypeError, match="force must be real numbers, got truth values"):
         ss.LoadStep(force=(truth, truth))
+    with pytest.raises(TypeError, match="form must be 'mean', 'plane' or the degree of a polynomial, got .*True"):
+        ss.surface.level(scene.ball, truth)
     for call in (lambda: ss.Grid(truth, 3, 1.0, 1.0), lambda: ss.set_num_threads(truth), lambda: ss.Settings(max_iterations=truth)):
         with pytest.raises(ss.errors.ArgumentType, match="must be a whole number, got a truth value"):
             call()

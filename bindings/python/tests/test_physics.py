@@ -1,6 +1,8 @@
 """Comparison of the solutions of all kinds of problems with closed-form solutions."""
 
+import itertools
 import math
+import signal
 import warnings
 
 import numpy as np
@@ -255,12 +257,22 @@ def test_press_with_tolerance_matches_spence():
         assert history.step(normal_force=60.0).stick_ratio == 1.0
     history = ss.History.from_bytes(bodies, before)
     cycle = ss.history.Cycle(history)
-    with pytest.raises(TypeError, match="cycle= or progress="):
-        history.press(normal_force=60.0, tolerance=0.03, cycle=cycle, progress=True)
-    steps = history.press(normal_force=60.0, tolerance=0.03, cycle=cycle)
+    iterations = []
+    steps = history.press(normal_force=60.0, tolerance=0.03, cycle=cycle, progress=iterations.append)
     assert cycle.steps == steps and cycle.energy.dissipated_energy > history.last_step.energy.dissipated_energy
-    pressed = ss.History.from_bytes(bodies, before)
-    assert pressed.press(normal_force=60.0, tolerance=0.03) == steps and pressed.to_bytes() == history.to_bytes()
+    pressed, alone = ss.History.from_bytes(bodies, before), []
+    assert pressed.press(normal_force=60.0, tolerance=0.03, progress=alone.append) == steps
+    assert pressed.to_bytes() == history.to_bytes()
+    # Ctrl-C and the callback end the call in the first and in the second taking of the steps.
+    assert len(iterations) > len(alone)
+    for last in (1, len(alone) + 1):
+        for exception, answer in ((ss.NotConverged, lambda: False), (KeyboardInterrupt, lambda: signal.raise_signal(signal.SIGINT))):
+            stopped, count = ss.History.from_bytes(bodies, before), itertools.count(1)
+            with pytest.raises(exception):
+                stopped.press(
+                    normal_force=60.0, tolerance=0.03, cycle=ss.history.Cycle(stopped), progress=lambda _: answer() if next(count) >= last else None
+                )
+            assert stopped.to_bytes() == before and next(count) == last + 1
     exact = ss.analytical.SpencePressing.round(bodies.pair, 0.1).stick_radius
     assert steps == 16 and history.last_step.stick_ratio**0.5 == pytest.approx(exact, abs=0.04)
     assert not [remark for remark in history.last_step.warnings if remark.kind == "single_load_step"]

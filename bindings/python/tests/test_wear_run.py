@@ -285,6 +285,14 @@ def test_axes_of_the_depth_of_a_law_are_recognised_by_name():
     assert np.array_equal(by_name, depth) and not np.array_equal(depth, depth.T)
 
 
+def test_depth_of_a_law_on_a_different_grid_is_rejected():
+    other = ss.Grid.square(32, 1.0)
+    with pytest.raises(ss.errors.GridMismatch):
+        ss.wear.run(history(), loop(), lambda history, cycle: ss.Field(other, LAW(history, cycle)), 100)
+    same = ss.wear.run(history(), loop(), lambda history, cycle: ss.Field(GRID, LAW(history, cycle)), 100)
+    assert np.array_equal(same.depth, ss.wear.run(history(), loop(), LAW, 100).depth)
+
+
 def test_arguments_of_wrong_type_are_named():
     worn = history()
     before = worn.to_bytes()

@@ -107,17 +107,19 @@ impl History {
         tolerance: f64,
         mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
     ) -> Result<usize> {
-        self.press_with(load, tolerance, &mut observer, |_, _, _| Ok(()))
+        self.press_with(load, tolerance, &mut observer, |_, _, _, _| Ok(()))
     }
 
-    /// Takes a load as [`History::press`] does, and calls an observer with the history after each step of the accepted attempt.
-    /// The observer can, for example, [add](crate::history::Cycle::add) the step to a cycle. If the call returns an error, all
-    /// observed steps have been undone.
+    /// Takes a load as [`History::press`] does, with two observers. The first observer receives every iteration of every step, as
+    /// that of [`History::press_observed`]. The second receives the history after each step of the accepted attempt, and can, for
+    /// example, [add](crate::history::Cycle::add) the step to a cycle. If the call returns an error, all observed steps have been
+    /// undone.
     ///
     /// The number of steps is known only after they have been taken. The history therefore takes the accepted steps a second time
-    /// for the observer, with bitwise identical results. For a load of n steps it solves 3n - 1 steps.
+    /// for the second observer, with bitwise identical results. For a load of n steps it solves 3n - 1 steps.
     ///
     /// ```
+    /// use std::ops::ControlFlow;
     /// use stickslip::{history::Cycle, *};
     /// # let grid = Grid::square(16, 0.30e-3)?;
     /// # let (aluminium, steel) = (Material::new(70e9, 0.33)?, Material::new(210e9, 0.3)?);
@@ -126,34 +128,38 @@ impl History {
     /// let mut history = History::builder(&bodies, &ball, Friction::coulomb(0.1)?).build()?;
     /// let load = LoadStep::hold().normal(NormalLoad::Force(60.0));
     /// let mut cycle = Cycle::new(&history);
-    /// let steps = history.press_steps_observed(&load, 0.05, |history| cycle.add(history))?;
+    /// let unobserved = |_: &Iteration| ControlFlow::Continue(());
+    /// let steps = history.press_steps_observed(&load, 0.05, unobserved, |history| cycle.add(history))?;
     /// assert_eq!(cycle.steps(), steps);
     /// assert!(cycle.energy().dissipated_energy > history.last_step()?.energy().dissipated_energy);
     /// # Ok::<(), Error>(())
     /// ```
     ///
     /// # Errors
-    /// - Errors of [`History::press`].
-    /// - Errors of the observer.
+    /// - Errors of [`History::press_observed`].
+    /// - Errors of the second observer.
     pub fn press_steps_observed(
         &mut self,
         load: &LoadStep,
         tolerance: f64,
-        mut observer: impl FnMut(&History) -> Result<()>,
+        mut observer: impl FnMut(&Iteration) -> ControlFlow<()> + Send,
+        mut after_step: impl FnMut(&History) -> Result<()>,
     ) -> Result<usize> {
-        let mut unobserved = |_: &Iteration| ControlFlow::Continue(());
-        self.press_with(load, tolerance, &mut unobserved, |ramp, history, steps| {
-            ramp.show(history, steps, &mut observer)
-        })
+        self.press_with(
+            load,
+            tolerance,
+            &mut observer,
+            |ramp, history, steps, observer| ramp.show(history, steps, observer, &mut after_step),
+        )
     }
 
     /// Takes a load as [`History::press`] does, then calls `show` with the accepted number of steps.
-    fn press_with(
+    fn press_with<O: FnMut(&Iteration) -> ControlFlow<()> + Send>(
         &mut self,
         load: &LoadStep,
         tolerance: f64,
-        observer: &mut (impl FnMut(&Iteration) -> ControlFlow<()> + Send),
-        show: impl FnOnce(&LoadRamp<'_>, &mut Self, usize) -> Result<()>,
+        observer: &mut O,
+        show: impl FnOnce(&LoadRamp<'_>, &mut Self, usize, &mut O) -> Result<()>,
     ) -> Result<usize> {
         let checked = load.check_still().and_then(|()| {
             let is_valid = tolerance > 0.0 && tolerance < 1.0;
@@ -170,7 +176,10 @@ impl History {
             coarse: try_each(|axis| self.traction()[axis].try_clone())?,
         };
         let outcome = pressing.refine(self, tolerance, observer);
-        let outcome = outcome.and_then(|steps| show(&pressing, self, steps).map(|()| steps));
+        let outcome = outcome.and_then(|steps| {
+            show(&pressing, self, steps, observer)?;
+            Ok(steps)
+        });
         if outcome.is_err() {
             self.go_back(&mut pressing.start)?;
         }
@@ -220,19 +229,20 @@ impl LoadRamp<'_> {
         }
     }
 
-    /// Takes the load in `steps` steps again, with an observer after each step.
+    /// Takes the load in `steps` steps again, and calls a function after each step.
     fn show(
         &self,
         history: &mut History,
         steps: usize,
-        observer: &mut impl FnMut(&History) -> Result<()>,
+        observer: &mut (impl FnMut(&Iteration) -> ControlFlow<()> + Send),
+        after_step: &mut impl FnMut(&History) -> Result<()>,
     ) -> Result<()> {
         history.set_state(&self.start)?;
         for step in 1..=steps {
             let part = self.course.part(step as f64 / steps as f64);
-            history.step(&self.load.part(&self.start, part))?;
+            history.step_observed(&self.load.part(&self.start, part), &mut *observer)?;
             history.step.remarks.is_pressed_at_once = false;
-            history.bodies.run_collectively(|| observer(history))?;
+            history.bodies.run_collectively(|| after_step(history))?;
         }
         Ok(())
     }

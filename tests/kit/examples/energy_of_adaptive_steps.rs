@@ -6,11 +6,12 @@
 #![allow(clippy::print_stdout, reason = "an example shows its numbers")]
 
 use std::fmt::Display;
+use std::ops::ControlFlow;
 
 use stickslip::history::{AdaptiveSteps, Cycle};
 use stickslip::{
-    ElasticPair, Field, Friction, Grid, HalfSpace, History, LoadStep, Material, NormalLoad, Result,
-    TangentialModel, surface,
+    ElasticPair, Field, Friction, Grid, HalfSpace, History, Iteration, LoadStep, Material,
+    NormalLoad, Result, TangentialModel, surface,
 };
 
 const REFERENCE: u32 = 1024;
@@ -126,7 +127,9 @@ fn main() -> Result<()> {
     let pressed = |tolerance: f64| -> Result<(usize, Cycle)> {
         let mut history = build(70e9, 0.1)?;
         let mut cycle = Cycle::new(&history);
-        let steps = history.press_steps_observed(&load, tolerance, |now| cycle.add(now))?;
+        let unobserved = |_: &Iteration| ControlFlow::Continue(());
+        let steps =
+            history.press_steps_observed(&load, tolerance, unobserved, |now| cycle.add(now))?;
         Ok((steps, cycle))
     };
     let mut history = build(70e9, 0.1)?;

@@ -1473,6 +1473,8 @@ class CoupledRollingSolution:
     """
     Normal and rolling solution of coupled steady rolling.
     """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -1520,7 +1522,8 @@ class CoupledRollingSolver:
         """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
-        Sets the friction of the next solve.
+        Sets the friction of the next solve. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A coefficient
+        alone has none; a warning is issued if the last law had one.
         """
     def set_gap(self, /, gap: Field | ArrayLike) -> None:
         """
@@ -1697,7 +1700,8 @@ class CoupledSolver:
         """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
-        Sets the friction of the next solve.
+        Sets the friction of the next solve. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A coefficient
+        alone has none; a warning is issued if the last law had one.
         """
     def set_gap(self, /, gap: Field | ArrayLike) -> None:
         """
@@ -2369,6 +2373,7 @@ class Field:
     micrometres. Heights in micrometres on a grid in metres are converted by their factor, ``Field(grid, 1e-6 * heights, "m")``.
     An array of xarray whose attribute ``units`` differs from the attribute ``units`` of its coordinates raises an error;
     coordinates without this attribute have the unit of the array.
+    In sums with an array of xarray, the field must be the first operand, ``field + array``; the reverse order raises an error.
 
     Raises
     ------
@@ -2496,6 +2501,8 @@ class Filled:
         """
         Implements NumPy functions of the heights. Operands of different units are rejected.
         """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -2523,6 +2530,8 @@ class Filtered:
         """
         Implements NumPy functions of the heights. Operands of different units are rejected.
         """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -3481,10 +3490,9 @@ class History:
             See :class:`LoadStep`.
         cycle : Cycle, optional
             A cycle to which each of these steps is added. It must start or end in the present state. The steps are taken a
-            second time for this purpose, with identical results, and Ctrl-C takes effect only then. After an exception, restart
-            the cycle by :meth:`Cycle.begin`.
+            second time for this purpose, with identical results. After an exception, restart the cycle by :meth:`Cycle.begin`.
         progress : callable or bool, optional
-            See :meth:`NormalProblem.solve`. Not available with ``cycle``.
+            See :meth:`NormalProblem.solve`.
         warn : bool, default True
             Whether the warnings of the last step are also issued through ``warnings``.
 
@@ -3560,7 +3568,8 @@ class History:
         """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
-        Sets the friction of later steps. Until the next step, :meth:`stiffness` and :meth:`edges` raise
+        Sets the friction of later steps. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A coefficient
+        alone has none; a warning is issued if the last law had one. Until the next step, :meth:`stiffness` and :meth:`edges` raise
         ``OutdatedSolution``.
         """
     def set_gap(self, /, gap: Field | ArrayLike) -> None:
@@ -3898,6 +3907,8 @@ class Kernel:
     >>> abs(contact.approach / same.approach - 1) < 1e-6
     True
     """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
     def __repr__(self, /) -> str: ...
     @staticmethod
     def isotropic(near: ElasticPair, thickness: float, response: Any) -> Kernel:
@@ -4077,6 +4088,8 @@ class Levelled:
         """
         Implements NumPy functions of the heights. Operands of different units are rejected.
         """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -6052,6 +6065,8 @@ class RollingSolution:
     Traction, slip, zones, creepage and dissipation of steady rolling. Vectors are (x, y). Arrays are read-only views of
     the memory of this object, except for the zones and the dissipation, which are read-only copies.
     """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -6187,7 +6202,8 @@ class RollingSolver:
         """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
-        Sets the friction of the next solve.
+        Sets the friction of the next solve. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A coefficient
+        alone has none; a warning is issued if the last law had one.
         """
     def set_normal_load(self, /, *, normal_force: float | None = None, approach: float | None = None) -> None:
         """
@@ -6734,6 +6750,8 @@ class State:
     the bodies. Arrays are read-only views of the memory of this object, except for the zones, which are read-only copies.
     Vectors are (x, y). The guide page ``embedding`` states the number of bytes per cell.
     """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
     def __reduce__(self, /) -> tuple[Any, tuple[type, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property
@@ -7675,7 +7693,8 @@ class TangentialSolver:
         """
     def set_friction(self, /, friction: Friction | float | ArrayLike) -> None:
         """
-        Sets the friction of the next solve.
+        Sets the friction of the next solve. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A coefficient
+        alone has none; a warning is issued if the last law had one.
         """
     def set_pressure(self, /, pressure: NormalSolution | Field | ArrayLike) -> None:
         """
@@ -7694,15 +7713,16 @@ class TangentialSolver:
     def settings(self, /, settings: Settings) -> None: ...
     def solve(self, /, load: TangentialLoad | None = None, *, force: Sequence[float] | NDArray[Any] | None = None, shift: Sequence[float] | NDArray[Any] | None = None, spring: Spring | None = None, force_x: float | None = None, force_y: float | None = None, shift_x: float | None = None, shift_y: float | None = None, spring_x: Spring | None = None, spring_y: Spring | None = None, twist: float | None = None, progress: Any | None = None, warn: bool = True) -> TangentialSolution:
         """
-        Solves for the given load, or for the last load if none is given.
+        Solves for the given load. Omitted arguments keep their last values.
 
         The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
         leave it unchanged.
 
         Parameters
         ----------
-        load, force, shift, spring, force_x, ... : optional
-            See :class:`TangentialProblem`.
+        load, force, shift, spring, force_x, ..., twist : optional
+            See :class:`TangentialProblem`. A force, shift or spring along an axis replaces the last one along that axis only, and a
+            twist replaces the last twist. A ``load`` replaces all of them.
         progress, warn : optional
             See :meth:`NormalProblem.solve`.
 
@@ -8116,6 +8136,8 @@ class WithoutOutliers:
         """
         Implements NumPy functions of the heights. Operands of different units are rejected.
         """
+    def __eq__(self, value: object, /) -> bool: ...
+    def __ne__(self, value: object, /) -> bool: ...
     def __reduce__(self, /) -> tuple[Any, tuple[str, str, bytes]]: ...
     def __repr__(self, /) -> str: ...
     @property

@@ -57,12 +57,39 @@ def to_series(values: Mapping[str, Any], name: str) -> Any:
     return _pandas().Series(dict(values), name=name, dtype=object)
 
 
-def in_columns(table: Any, quantity: str, names: list[str]) -> Any:
-    """Returns an array of the columns with these names, in this order. Columns that are only numbered keep their positions."""
-    labels = list(table.columns)
-    if labels == list(range(len(labels))):
-        return table.to_numpy()
-    if not set(names) <= set(labels):
-        remedy = "rename them, or give .to_numpy() for columns in this order"
-        refuse_type(quantity, f"must have the columns {', '.join(names)}, got {', '.join(map(str, labels))}: {remedy}")
-    return table[names].to_numpy()
+def in_order(values: Any, quantity: str, names: list[str], is_sequence: bool) -> Any:
+    """Returns the entries with these names, in this order, or the columns with these names of a sequence of such entries. Labels are
+    the columns of a table, the index of a Series, the last coordinate of an array of xarray, or the names of the parts of a named
+    tuple or a structured array. Entries without labels, and entries that are only numbered, keep their positions."""
+    labels: list[Any] | None = None
+    if hasattr(values, "columns"):
+        if set(names) <= set(getattr(values, "index", ())):
+            values = values.T  # the names are those of the rows
+        kind, labels = "columns", list(values.columns)
+        entries = values.to_numpy()
+    elif hasattr(values, "dims") and hasattr(values, "coords"):
+        of_axes = {name: values.coords[name].values.tolist() for name in values.dims if name in values.coords}
+        for name, along in of_axes.items():
+            if set(names) <= set(along):
+                values = values.transpose(..., name)
+        kind, entries = "coordinates", values.values
+        if getattr(values, "ndim", 0) == 1 + is_sequence:  # datasets have no number of dimensions
+            labels = of_axes.get(values.dims[-1])
+    elif is_sequence:
+        return values
+    elif hasattr(values, "index") and hasattr(values, "iloc"):
+        kind, labels, entries = "labels", list(values.index), values.to_numpy()
+    elif hasattr(values, "_fields"):
+        kind, labels, entries = "names", list(values._fields), np.array(values)
+    elif getattr(getattr(values, "dtype", None), "names", None):
+        kind, labels, entries = "names", list(values.dtype.names), np.array(values.tolist())
+    else:
+        return values
+    if labels is None or labels == list(range(len(labels))):
+        return entries
+    if not set(names) <= set(labels) or len(set(labels)) < len(labels):
+        remedy = "rename them, or give .to_numpy() for columns in this order" if kind == "columns" else "rename them, or give a tuple"
+        refuse_type(quantity, f"must have the {kind} {', '.join(names)}, got {', '.join(map(str, labels))}: {remedy}")
+    if kind == "columns":
+        return values[names].to_numpy()
+    return entries[..., [labels.index(name) for name in names]]

@@ -195,8 +195,8 @@ def _last(is_valid: Callable[[int], bool], first: int, end: int) -> int:
 
 def _checked(given: ArrayLike, history: History) -> NDArray[Any]:
     """Returns the depth that a wear law returned, an array of the shape of the grid."""
-    # A field reads the axes of labelled arrays.
-    is_labelled = hasattr(given, "dims") or hasattr(given, "columns")
+    # A field reads the axes of labelled arrays, and rejects a field on a different grid.
+    is_labelled = hasattr(given, "dims") or hasattr(given, "columns") or isinstance(given, Field)
     depth = np.asarray(Field(history.grid, given) if is_labelled else given, dtype=float)
     shape = history.grid.shape
     if depth.shape != shape:

@@ -111,8 +111,8 @@ def _spots_of(solution: Any) -> Any:
 
 def _samples(grid: Grid, values: Any) -> Any:
     """Returns the values of the cells of a grid, with their mask."""
-    if hasattr(values, "dims") or hasattr(values, "columns"):
-        values = Field(grid, values)  # checks the labels of xarray and pandas
+    if hasattr(values, "dims") or hasattr(values, "columns") or isinstance(values, Field):
+        values = Field(grid, values)  # checks the labels of xarray and pandas, and the grid of a field
     samples = values if np.ma.isMaskedArray(values) else np.asarray(values)
     if samples.shape != grid.shape:
         error = Shape(f"values has shape {samples.shape}, expected (ny, nx) = {grid.shape}")

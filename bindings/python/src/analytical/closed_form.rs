@@ -1,5 +1,9 @@
 //! Declaration of the classes of closed-form solutions from their arguments, numbers and functions.
 
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+
 /// Declares the class of a closed-form solution. The parts of the declaration are, in order: the object from which the
 /// solution is constructed; further keyword arguments, which are numbers unless a type is given; the objects, numbers and pairs
 /// of numbers of the solution; its functions of one and of two coordinates; and its additional methods.
@@ -18,6 +22,12 @@ macro_rules! closed_form {
         $(across { $($(#[$across_doc:meta])* $across:ident),* $(,)? })?
         $(also { $($also:item)* })?
     ) => {
+        // The docs of a class start with its signature for Python. The signature of the constructor accepts further positional
+        // arguments, which it rejects with the names of the keywords.
+        #[doc = concat!(
+            stringify!($class), "(", stringify!($subject), ", *"
+            $(, ", ", stringify!($number_argument))* $(, ", ", stringify!($other))?, ")\n--\n"
+        )]
         $(#[$doc])*
         #[pyo3::pyclass(frozen, eq, module = "stickslip.analytical")]
         #[derive(Clone, PartialEq)]
@@ -32,13 +42,19 @@ macro_rules! closed_form {
         #[pyo3::pymethods]
         impl $class {
             #[new]
-            #[pyo3(signature = ($subject, *, $($number_argument,)* $($other)?))]
+            #[pyo3(signature = ($subject, *positional, $($number_argument,)* $($other)?), text_signature = None)]
             fn new(
                 py: pyo3::Python<'_>,
                 $subject: $subject_type,
+                positional: &pyo3::Bound<'_, pyo3::types::PyTuple>,
                 $($number_argument: crate::real::Real,)*
                 $($other: $other_type,)?
             ) -> pyo3::PyResult<Self> {
+                crate::analytical::closed_form::by_keyword(
+                    stringify!($class),
+                    positional,
+                    &[$(stringify!($number_argument),)* $(stringify!($other))?],
+                )?;
                 let form = stickslip::analytical::$class::new(
                     $subject_value,
                     $($number_argument.0,)*
@@ -111,3 +127,21 @@ macro_rules! closed_form {
 }
 
 pub(super) use closed_form;
+
+/// Returns an error if numbers of a closed form are given by position, with their keywords. Closed forms have numbers of the same
+/// type, whose order differs between them.
+pub(super) fn by_keyword(
+    form: &str,
+    given: &Bound<'_, PyTuple>,
+    keywords: &[&str],
+) -> PyResult<()> {
+    if given.is_empty() {
+        return Ok(());
+    }
+    let keywords: Vec<_> = keywords.iter().map(|name| format!("{name}=")).collect();
+    Err(PyTypeError::new_err(format!(
+        "{form} takes its numbers by keyword, got {} by position: give {}",
+        given.get_item(0)?.repr()?,
+        keywords.join(", ")
+    )))
+}

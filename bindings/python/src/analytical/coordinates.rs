@@ -5,12 +5,12 @@ use numpy::{AllowTypeChange, IntoPyArray, PyArrayLikeDyn};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::real::{filled, is_real};
+use crate::real::{filled, is_no_mask, is_real};
 #[cfg(feature = "stubs")]
 use pyo3::{inspect::PyStaticExpr, type_hint_identifier};
 
-/// Coordinates: a number, or an array of any shape.
-pub(crate) struct Coordinates(ArrayD<f64>);
+/// Coordinates: a number, or an array of any shape, with the names of its axes if it has names.
+pub(crate) struct Coordinates(ArrayD<f64>, Option<Vec<String>>);
 
 impl FromPyObject<'_, '_> for Coordinates {
     type Error = PyErr;
@@ -20,9 +20,11 @@ impl FromPyObject<'_, '_> for Coordinates {
 
     fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
         is_real(&object, "coordinates")?;
+        is_no_mask(&object, "coordinates")?;
+        let names = object.getattr("dims").and_then(|names| names.extract());
         let object = filled(&object)?;
         let array: PyArrayLikeDyn<'_, f64, AllowTypeChange> = object.extract()?;
-        Ok(Self(array.as_array().to_owned()))
+        Ok(Self(array.as_array().to_owned(), names.ok()))
     }
 }
 
@@ -65,6 +67,15 @@ impl Coordinates {
         other: Self,
         functions: impl Fn(f64, f64) -> [f64; N],
     ) -> PyResult<[Values; N]> {
+        let names = self.1.as_ref().zip(other.1.as_ref());
+        if let Some((own, other)) = names.filter(|(own, other)| own != other) {
+            return Err(PyValueError::new_err(format!(
+                "the coordinates have the dimensions ({}) and ({}), but are combined by position: \
+                 broadcast them by xarray.broadcast(...), or give .values",
+                own.join(", "),
+                other.join(", ")
+            )));
+        }
         let (x, y) = (self.0, other.0);
         // Axes are counted from the last; a missing axis has length one.
         let length = |array: &ArrayD<f64>, axis: usize| {

@@ -1,9 +1,10 @@
 //! Contact area and stick ratio of rough surfaces.
 
 use pyo3::prelude::*;
+use pyo3::types::PyTuple;
 
 use crate::analytical::HertzSphere;
-use crate::analytical::closed_form::closed_form;
+use crate::analytical::closed_form::{by_keyword, closed_form};
 use crate::error::OrRaise;
 use crate::material::{ElasticPair, Pair};
 use crate::real::Real;
@@ -146,12 +147,15 @@ closed_form! {
 /// ------
 /// NotPositive, NegativeOrNotFinite, NotFinite, BeyondFrictionCapacity
 #[pyfunction]
-#[pyo3(signature = (*, load, friction, force))]
+#[pyo3(signature = (*positional, load, friction, force), text_signature = "(*, load, friction, force)")]
 pub(crate) fn linear_stick_ratio(
     py: Python<'_>,
+    positional: &Bound<'_, PyTuple>,
     load: Real,
     friction: Real,
     force: Real,
 ) -> PyResult<f64> {
+    let keywords = ["load", "friction", "force"];
+    by_keyword("linear_stick_ratio", positional, &keywords)?;
     stickslip::analytical::linear_stick_ratio(load.0, friction.0, force.0).or_raise(py)
 }

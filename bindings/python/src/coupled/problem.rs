@@ -155,7 +155,8 @@ impl CoupledProblem {
 
     /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
     fn solver(&self, py: Python<'_>) -> PyResult<CoupledSolver> {
-        CoupledSolver::of(py, self.1, || self.0.clone().into_solver())
+        let solver = || self.0.clone().into_solver();
+        CoupledSolver::of(py, self.1, self.2.cap(py)?, solver)
     }
 
     fn __getnewargs_ex__<'py>(

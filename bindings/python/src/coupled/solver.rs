@@ -20,9 +20,10 @@ impl CoupledSolver {
     pub(super) fn of(
         py: Python<'_>,
         grid: stickslip::Grid,
+        cap: Option<f64>,
         solver: impl FnOnce() -> stickslip::Result<stickslip::CoupledSolver> + Send,
     ) -> PyResult<Self> {
-        Reused::new(py, grid, solver).map(Self)
+        Reused::new(py, grid, cap, solver).map(Self)
     }
 }
 
@@ -71,9 +72,11 @@ impl CoupledSolver {
         self.0.change(py, |solver| solver.set_gap(&gap))
     }
 
-    /// Sets the friction of the next solve.
+    /// Sets the friction of the next solve. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A coefficient
+    /// alone has none; a warning is issued if the last law had one.
     fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
-        let friction = friction.on(py, self.0.grid())?;
-        self.0.change(py, |solver| solver.set_friction(&friction))
+        let set =
+            |solver: &mut stickslip::CoupledSolver, friction: &_| solver.set_friction(friction);
+        self.0.set_friction(py, friction, set)
     }
 }

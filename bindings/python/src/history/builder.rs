@@ -10,7 +10,7 @@ use stickslip::{Axis, Coupling, TangentialModel, cgm};
 use crate::argument::Object;
 use crate::choice::Choice;
 use crate::field::Samples;
-use crate::friction::AnyFriction;
+use crate::friction::{AnyFriction, cap, warn_of_lost_cap};
 use crate::half_space::HalfSpace;
 use crate::history::step::Numbers;
 use crate::normal::AnyHardness;
@@ -228,11 +228,18 @@ impl History {
         self.change(py, |history| history.set_gap(&gap))
     }
 
-    /// Sets the friction of later steps. Until the next step, :meth:`stiffness` and :meth:`edges` raise
+    /// Sets the friction of later steps. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A coefficient
+    /// alone has none; a warning is issued if the last law had one. Until the next step, :meth:`stiffness` and :meth:`edges` raise
     /// ``OutdatedSolution``.
     fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
+        let is_law = friction.is_law();
         let friction = friction.on(py, self.grid())?;
-        self.change(py, |history| history.set_friction(&friction))
+        let mut last = None;
+        self.change(py, |history| {
+            last = cap(history.state().friction());
+            history.set_friction(&friction)
+        })?;
+        warn_of_lost_cap(py, last, is_law)
     }
 
     /// Sets the pattern of the relative displacement.

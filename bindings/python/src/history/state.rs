@@ -25,7 +25,8 @@ type Saved<'py> = (Bound<'py, PyType>, Bound<'py, PyBytes>);
 /// A state of a history, which can be restored, continued or saved. It contains gap, friction and settings, but not
 /// the bodies. Arrays are read-only views of the memory of this object, except for the zones, which are read-only copies.
 /// Vectors are (x, y). The guide page ``embedding`` states the number of bytes per cell.
-#[pyclass(frozen, module = "stickslip.history")]
+#[pyclass(frozen, eq, module = "stickslip.history")]
+#[derive(PartialEq)]
 pub(crate) struct State(pub(crate) Arc<stickslip::history::State>);
 
 readers! { State.0:

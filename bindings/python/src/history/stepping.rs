@@ -18,7 +18,7 @@ use crate::progress::Progress;
 use crate::real::Real;
 use crate::report::warn;
 use crate::solution_pool::lock;
-use crate::work::{solve, unless_broken_off};
+use crate::work::{solve, watch};
 
 #[pymethods]
 impl History {
@@ -123,10 +123,9 @@ impl History {
     ///     See :class:`LoadStep`.
     /// cycle : Cycle, optional
     ///     A cycle to which each of these steps is added. It must start or end in the present state. The steps are taken a
-    ///     second time for this purpose, with identical results, and Ctrl-C takes effect only then. After an exception, restart
-    ///     the cycle by :meth:`Cycle.begin`.
+    ///     second time for this purpose, with identical results. After an exception, restart the cycle by :meth:`Cycle.begin`.
     /// progress : callable or bool, optional
-    ///     See :meth:`NormalProblem.solve`. Not available with ``cycle``.
+    ///     See :meth:`NormalProblem.solve`.
     /// warn : bool, default True
     ///     Whether the warnings of the last step are also issued through ``warnings``.
     ///
@@ -162,12 +161,6 @@ impl History {
             None => Some(load::needed_as("normal_force", normal_force, approach)?),
             Some(_) => load::normal(normal_force, approach)?,
         };
-        let is_followed = progress
-            .as_ref()
-            .map_or(Ok(false), PyAnyMethods::is_truthy)?;
-        if cycle.is_some() && is_followed {
-            return Err(PyTypeError::new_err("give cycle= or progress=, not both"));
-        }
         let load = Keywords::default().step_or(load, normal, None, None)?;
         let progress = Progress::of(progress.as_ref())?;
         let own = slf.get();
@@ -177,14 +170,14 @@ impl History {
         let mut cycle = locked.as_deref_mut();
         let outcome = solve(py, own.cells(), progress, |observer| {
             tried.tried(|history| {
-                let Some(cycle) = &mut cycle else {
-                    let seen = |iteration: &_| observer(Some(iteration));
-                    return history.press_observed(&load, tolerance.0, seen);
-                };
-                history.press_steps_observed(&load, tolerance.0, |history| {
-                    cycle.add(history)?;
-                    unless_broken_off(observer)
-                })
+                let seen = watch(observer);
+                match &mut cycle {
+                    None => history.press_observed(&load, tolerance.0, seen),
+                    Some(cycle) => {
+                        let add = |history: &_| cycle.add(history);
+                        history.press_steps_observed(&load, tolerance.0, seen, add)
+                    }
+                }
             })
         })?;
         let steps = outcome.or_raise(py)?;

@@ -88,7 +88,7 @@ impl NormalSolver {
         load: NormalLoad,
         gap: Arc<stickslip::Field>,
     ) -> PyResult<Self> {
-        let solver = Reused::new(py, gap.grid(), solver)?;
+        let solver = Reused::new(py, gap.grid(), None, solver)?;
         Ok(Self(solver, Mutex::new(SolverArguments { load, gap })))
     }
 

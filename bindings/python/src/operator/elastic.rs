@@ -13,7 +13,7 @@ use crate::choice::Choice;
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
 use crate::material::Pair;
-use crate::operator::{LinearOperator, numbers, target};
+use crate::operator::{LinearOperator, check_grid, numbers, target};
 use crate::solution_pool::lock;
 use crate::work::{unobserved, unobserved_on};
 
@@ -32,7 +32,8 @@ impl HalfSpace {
     fn operator(&self, py: Python<'_>, component: Choice<Component>) -> PyResult<LinearOperator> {
         let cells = self.0.grid().cells();
         let operator = unobserved(py, cells, || self.0.operator(component.0))?;
-        Ok(LinearOperator::of("ElasticOperator", operator))
+        let grid = self.0.grid();
+        Ok(LinearOperator::on("ElasticOperator", grid, operator))
     }
 
     /// Returns the circulant preconditioner of one component; ``None`` for all components except xx, yy and zz.
@@ -43,7 +44,8 @@ impl HalfSpace {
     ) -> PyResult<Option<LinearOperator>> {
         let cells = self.0.grid().cells();
         let made = unobserved(py, cells, || self.0.preconditioner(component.0))?;
-        Ok(made.map(|operator| LinearOperator::of("ElasticPreconditioner", operator)))
+        let grid = self.0.grid();
+        Ok(made.map(|operator| LinearOperator::on("ElasticPreconditioner", grid, operator)))
     }
 
     /// Returns the operator of all three directions: displacements along x, y and z due to tractions along x, y and z.
@@ -52,7 +54,12 @@ impl HalfSpace {
         let directions = [Direction::X, Direction::Y, Direction::Z];
         let operator = unobserved(py, cells, || self.0.tensor_operator(directions))?;
         let scratch = Mutex::new(operator.scratch().expect("memory for a product"));
-        Ok(TensorOperator { operator, scratch })
+        let grid = self.0.grid();
+        Ok(TensorOperator {
+            operator,
+            scratch,
+            grid,
+        })
     }
 }
 
@@ -64,6 +71,7 @@ type Three = stickslip::ElasticOperator<3>;
 pub(crate) struct TensorOperator {
     operator: Three,
     scratch: Mutex<Scratch>,
+    grid: stickslip::Grid,
 }
 
 #[pymethods]
@@ -82,6 +90,9 @@ impl TensorOperator {
         tractions: [Bound<'py, PyAny>; 3],
     ) -> PyResult<(Array<'py>, Array<'py>, Array<'py>)> {
         let cells = self.operator.cells();
+        tractions
+            .iter()
+            .try_for_each(|traction| check_grid(traction, Some(self.grid)))?;
         let [x, y, z] = tractions;
         let [x, y, z] = [
             numbers(&x, cells)?,
@@ -141,7 +152,7 @@ impl Convolution {
                 fft::Convolution::new(grid.0, &pair.0, component.0)
             }
         })?;
-        let operator = LinearOperator::of("Convolution", made);
+        let operator = LinearOperator::on("Convolution", grid.0, made);
         Ok(PyClassInitializer::from(operator).add_subclass(Self))
     }
 }

@@ -17,6 +17,8 @@ use crate::array::Array;
 use crate::choice::Choice;
 use crate::conversion::kind_of;
 use crate::digits::counted;
+use crate::error::OrRaise;
+use crate::field::{Field, same_grid};
 use crate::function::Function;
 use crate::real::{Count, in_axes, is_real};
 use crate::work::unobserved;
@@ -92,6 +94,8 @@ impl<O: Operator + Send> Product for Kept<O> {
 pub(crate) struct LinearOperator {
     pub(crate) product: Arc<dyn Product>,
     kind: &'static str,
+    /// Grid of the cells, unless the operator is independent of a grid.
+    grid: Option<stickslip::Grid>,
 }
 
 impl LinearOperator {
@@ -99,8 +103,23 @@ impl LinearOperator {
     where
         O: Operator + Send + 'static,
     {
-        let product = Kept::new(operator);
-        Self { product, kind }
+        let (product, grid) = (Kept::new(operator), None);
+        Self {
+            product,
+            kind,
+            grid,
+        }
+    }
+
+    /// Creates an operator of the cells of a grid, which rejects fields on a different grid.
+    pub(crate) fn on<O>(kind: &'static str, grid: stickslip::Grid, operator: O) -> Self
+    where
+        O: Operator + Send + 'static,
+    {
+        Self {
+            grid: Some(grid),
+            ..Self::of(kind, operator)
+        }
     }
 }
 
@@ -191,6 +210,16 @@ pub(crate) fn numbers<'py>(
     contiguous(&in_axes(object, "the array", None)?, cells)
 }
 
+/// Returns an error if an operand is a field on a grid other than that of the operator. Arrays have no grid.
+pub(crate) fn check_grid(object: &Bound<'_, PyAny>, grid: Option<stickslip::Grid>) -> PyResult<()> {
+    match (grid, object.cast::<Field>()) {
+        (Some(grid), Ok(field)) => {
+            same_grid(grid, field.get().0.grid(), "the field").or_raise(object.py())
+        }
+        _ => Ok(()),
+    }
+}
+
 /// Returns the given count of numbers as a contiguous array; an array of a different layout is copied.
 pub(crate) fn contiguous<'py>(
     object: &Bound<'py, PyAny>,
@@ -273,6 +302,7 @@ impl LinearOperator {
         x: Bound<'py, PyAny>,
         out: Option<Bound<'py, PyAny>>,
     ) -> PyResult<Array<'py>> {
+        check_grid(&x, self.grid)?;
         let x = numbers(&x, self.product.cells())?;
         let target = target(&x, out)?;
         {

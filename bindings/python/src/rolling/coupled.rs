@@ -196,7 +196,7 @@ impl CoupledRollingProblem {
     /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
     fn solver(&self, py: Python<'_>) -> PyResult<CoupledRollingSolver> {
         let solver = || self.problem.clone().into_solver();
-        let solver = Reused::new(py, self.grid, solver)?;
+        let solver = Reused::new(py, self.grid, self.recipe.cap(py)?, solver)?;
         Ok(CoupledRollingSolver(solver, Mutex::new(self.controls)))
     }
 
@@ -325,10 +325,13 @@ impl CoupledRollingSolver {
         self.0.change(py, |solver| solver.set_gap(&gap))
     }
 
-    /// Sets the friction of the next solve.
+    /// Sets the friction of the next solve. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A coefficient
+    /// alone has none; a warning is issued if the last law had one.
     fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
-        let friction = friction.on(py, self.0.grid())?;
-        self.0.change(py, |solver| solver.set_friction(&friction))
+        let set = |solver: &mut rolling::CoupledRollingSolver, friction: &_| {
+            solver.set_friction(friction)
+        };
+        self.0.set_friction(py, friction, set)
     }
 
     /// Returns the derivatives of the forces along x and y and the moment (rows) with respect to the creepages along x
@@ -355,7 +358,8 @@ impl CoupledRollingSolver {
 }
 
 /// Normal and rolling solution of coupled steady rolling.
-#[pyclass(frozen, module = "stickslip.rolling")]
+#[pyclass(frozen, eq, module = "stickslip.rolling")]
+#[derive(PartialEq)]
 pub(crate) struct CoupledRollingSolution(Arc<rolling::CoupledRollingSolution>);
 
 impl From<Arc<rolling::CoupledRollingSolution>> for CoupledRollingSolution {

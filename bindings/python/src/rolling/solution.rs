@@ -16,7 +16,8 @@ use crate::sequence::pair;
 
 /// Traction, slip, zones, creepage and dissipation of steady rolling. Vectors are (x, y). Arrays are read-only views of
 /// the memory of this object, except for the zones and the dissipation, which are read-only copies.
-#[pyclass(frozen, module = "stickslip.rolling")]
+#[pyclass(frozen, eq, module = "stickslip.rolling")]
+#[derive(PartialEq)]
 pub(crate) struct RollingSolution(Arc<rolling::RollingSolution>);
 
 impl From<Arc<rolling::RollingSolution>> for RollingSolution {

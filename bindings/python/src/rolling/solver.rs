@@ -35,9 +35,10 @@ impl RollingSolver {
         py: Python<'_>,
         grid: stickslip::Grid,
         controls: Controls,
+        cap: Option<f64>,
         solver: impl FnOnce() -> stickslip::Result<rolling::RollingSolver> + Send,
     ) -> PyResult<Self> {
-        let solver = Reused::new(py, grid, solver)?;
+        let solver = Reused::new(py, grid, cap, solver)?;
         Ok(Self(solver, Mutex::new(controls)))
     }
 }
@@ -106,10 +107,11 @@ impl RollingSolver {
         self.0.solve(py, set, progress, warn)
     }
 
-    /// Sets the friction of the next solve.
+    /// Sets the friction of the next solve. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A coefficient
+    /// alone has none; a warning is issued if the last law had one.
     fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
-        let friction = friction.on(py, self.0.grid())?;
-        self.0.change(py, |solver| solver.set_friction(&friction))
+        let set = |solver: &mut rolling::RollingSolver, friction: &_| solver.set_friction(friction);
+        self.0.set_friction(py, friction, set)
     }
 
     /// Sets the pressure of the next solve. A field contains no gap and therefore requires a solver with

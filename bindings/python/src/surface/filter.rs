@@ -12,7 +12,8 @@ use crate::unit::Unit;
 use crate::work::unobserved_on;
 
 /// A filtered surface and the removed components: the three add up to the given surface.
-#[pyclass(frozen, module = "stickslip.surface")]
+#[pyclass(frozen, eq, module = "stickslip.surface")]
+#[derive(PartialEq)]
 pub(crate) struct Filtered(surface::Filtered, Option<Unit>, [usize; 4]);
 
 processed! { Filtered: surface::Filtered, [usize; 4];

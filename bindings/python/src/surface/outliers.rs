@@ -12,7 +12,8 @@ use crate::unit::Unit;
 use crate::work::unobserved_on;
 
 /// A surface without its outliers.
-#[pyclass(frozen, module = "stickslip.surface")]
+#[pyclass(frozen, eq, module = "stickslip.surface")]
+#[derive(PartialEq)]
 pub(crate) struct WithoutOutliers(surface::WithoutOutliers, Option<Unit>);
 
 processed! { WithoutOutliers: surface::WithoutOutliers;

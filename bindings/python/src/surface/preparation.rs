@@ -12,6 +12,7 @@ use crate::field::{Field, Samples, one_unit};
 use crate::grid::Grid;
 use crate::progress::Progress;
 use crate::readers::readers;
+use crate::real::Count;
 use crate::surface::processed::processed;
 use crate::unit::Unit;
 use crate::work::{solve, unobserved_on};
@@ -121,7 +122,8 @@ pub(crate) fn resample(
 }
 
 /// A surface whose missing heights (NaN) are filled smoothly.
-#[pyclass(frozen, module = "stickslip.surface")]
+#[pyclass(frozen, eq, module = "stickslip.surface")]
+#[derive(PartialEq)]
 pub(crate) struct Filled(surface::Filled, Option<Unit>);
 
 processed! { Filled: surface::Filled;
@@ -157,7 +159,8 @@ pub(crate) fn fill_missing(py: Python<'_>, heights: Samples<'_>) -> PyResult<Fil
 }
 
 /// A surface without its form.
-#[pyclass(frozen, module = "stickslip.surface")]
+#[pyclass(frozen, eq, module = "stickslip.surface")]
+#[derive(PartialEq)]
 pub(crate) struct Levelled(surface::Levelled, Option<Unit>);
 
 processed! { Levelled: surface::Levelled;
@@ -180,7 +183,8 @@ impl Levelled {
 
 /// Returns the form to be removed: "mean", "plane", or the degree of a polynomial.
 fn form_of(form: &Bound<'_, PyAny>) -> PyResult<surface::Form> {
-    if let Ok(degree) = form.extract::<usize>() {
+    // A truth value is not a degree.
+    if let Ok(Count(degree)) = form.extract() {
         return Ok(surface::Form::Polynomial(degree));
     }
     match form.extract::<String>().as_deref() {

@@ -54,6 +54,8 @@ macro_rules! processed {
             }
         }
 
+        crate::xarray::only_first_operand!($class);
+
         impl $class {
             fn with_unit(&self, field: &stickslip::Field) -> crate::field::Field {
                 crate::field::Field::made(field.clone(), self.1.clone())

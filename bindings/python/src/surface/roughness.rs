@@ -15,6 +15,7 @@ use crate::pickle::{parts, picklable};
 use crate::real::{Real, Seed};
 use crate::surface::numbers;
 use crate::work::{observed_on, watch};
+use crate::xarray::only_first_operand;
 
 /// Parameters of self-affine roughness. With a given cut-off wavelength, the surface does not change when the grid is
 /// refined.
@@ -230,4 +231,5 @@ impl RoughSurface {
     }
 }
 
+only_first_operand!(RoughSurface);
 picklable!(RoughSurface: surface::RoughSurface);

@@ -68,7 +68,12 @@ use crate::work::unobserved_on;
 /// >>> abs(shear.stick_ratio - exact.stick_ratio) < 0.02
 /// True
 #[pyclass(frozen, module = "stickslip")]
-pub(crate) struct TangentialProblem(stickslip::TangentialProblem, stickslip::Grid, Recipe);
+pub(crate) struct TangentialProblem(
+    stickslip::TangentialProblem,
+    stickslip::Grid,
+    Recipe,
+    TangentialLoad,
+);
 
 #[pymethods]
 impl TangentialProblem {
@@ -141,7 +146,7 @@ impl TangentialProblem {
             }
             builder.build()
         })?;
-        Ok(Self(built, grid, recipe))
+        Ok(Self(built, grid, recipe, TangentialLoad(load)))
     }
 
     /// Largest tangential force that friction can carry: the integral of the friction limit.
@@ -166,7 +171,8 @@ impl TangentialProblem {
 
     /// Returns a solver of this problem, which keeps its buffers and starts each solve from the last solution.
     fn solver(&self, py: Python<'_>) -> PyResult<TangentialSolver> {
-        TangentialSolver::of(py, self.1, || self.0.clone().into_solver())
+        let solver = || self.0.clone().into_solver();
+        TangentialSolver::of(py, self.1, self.3, self.2.cap(py)?, solver)
     }
 
     fn __getnewargs_ex__<'py>(

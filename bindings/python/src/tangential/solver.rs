@@ -1,13 +1,16 @@
 //! Reusable solvers of tangential contacts.
 
+use std::sync::Mutex;
+
 use pyo3::prelude::*;
 
 use crate::conversion;
 use crate::error::OrRaise;
 use crate::friction::AnyFriction;
-use crate::load::{TangentialArgument, keywords};
+use crate::load::{TangentialArgument, TangentialLoad, keywords};
 use crate::real::Real;
 use crate::sensitivity::sensitive;
+use crate::solution_pool::lock;
 use crate::solver::{Reused, created_by, solver};
 use crate::tangential::pressure::Pressure;
 use crate::tangential::{RelativeDisplacement, TangentialSolution};
@@ -16,15 +19,22 @@ use crate::work::unobserved_on;
 /// Solves tangential contacts repeatedly, each time from the last solution; created by :meth:`TangentialProblem.solver`.
 /// Load, friction and pressure may change between calls. Slip is not carried over from one solve to the next.
 #[pyclass(frozen, module = "stickslip")]
-pub(crate) struct TangentialSolver(Reused<stickslip::TangentialSolver>);
+pub(crate) struct TangentialSolver(
+    Reused<stickslip::TangentialSolver>,
+    /// Load of the next solve, which the solver of the crate does not return.
+    Mutex<TangentialLoad>,
+);
 
 impl TangentialSolver {
     pub(super) fn of(
         py: Python<'_>,
         grid: stickslip::Grid,
+        load: TangentialLoad,
+        cap: Option<f64>,
         solver: impl FnOnce() -> stickslip::Result<stickslip::TangentialSolver> + Send,
     ) -> PyResult<Self> {
-        Reused::new(py, grid, solver).map(Self)
+        let solver = Reused::new(py, grid, cap, solver)?;
+        Ok(Self(solver, Mutex::new(load)))
     }
 }
 
@@ -34,15 +44,16 @@ sensitive!(TangentialSolver: TangentialSolution);
 
 #[pymethods]
 impl TangentialSolver {
-    /// Solves for the given load, or for the last load if none is given.
+    /// Solves for the given load. Omitted arguments keep their last values.
     ///
     /// The arguments set the problem of the solver. They remain set if the solve fails or is cancelled; invalid arguments
     /// leave it unchanged.
     ///
     /// Parameters
     /// ----------
-    /// load, force, shift, spring, force_x, ... : optional
-    ///     See :class:`TangentialProblem`.
+    /// load, force, shift, spring, force_x, ..., twist : optional
+    ///     See :class:`TangentialProblem`. A force, shift or spring along an axis replaces the last one along that axis only, and a
+    ///     twist replaces the last twist. A ``load`` replaces all of them.
     /// progress, warn : optional
     ///     See :meth:`NormalProblem.solve`.
     ///
@@ -79,20 +90,24 @@ impl TangentialSolver {
             force, shift, spring, force_x, force_y, shift_x, shift_y, spring_x, spring_y, twist
         ];
         let is_new = load.is_some() || !keywords.is_empty();
-        let load = keywords.load_or(load)?;
+        let mut last = lock(&self.1, "solver")?;
+        let load = keywords.load_after(load, last.0)?;
         let set = |solver: &mut stickslip::TangentialSolver| {
             if is_new {
                 unobserved_on(py, self.0.grid(), || solver.set_load(load))?;
+                *last = TangentialLoad(load);
             }
             Ok(())
         };
         self.0.solve(py, set, progress, warn)
     }
 
-    /// Sets the friction of the next solve.
+    /// Sets the friction of the next solve. A law or a coefficient replaces the last law, with its ``max_shear_stress``. A coefficient
+    /// alone has none; a warning is issued if the last law had one.
     fn set_friction(&self, py: Python<'_>, friction: AnyFriction<'_>) -> PyResult<()> {
-        let friction = friction.on(py, self.0.grid())?;
-        self.0.change(py, |solver| solver.set_friction(&friction))
+        let set =
+            |solver: &mut stickslip::TangentialSolver, friction: &_| solver.set_friction(friction);
+        self.0.set_friction(py, friction, set)
     }
 
     /// Sets the pressure of the next solve.
