@@ -24,6 +24,7 @@ use crate::warning::Warning;
 /// let capped = Friction::coulomb(0.5)?.max_shear_stress(300e6)?;
 /// assert_eq!(capped.limit(0, 400e6), 200e6);
 /// assert_eq!(capped.limit(0, 900e6), 300e6);
+/// assert_eq!(capped.cap(), Some(300e6));
 /// # Ok::<(), stickslip::Error>(())
 /// ```
 #[derive(Debug, PartialEq)]
@@ -103,6 +104,12 @@ impl Friction {
         Ok(self)
     }
 
+    /// Returns the cap of the limit (a pressure), or `None` without a cap.
+    #[must_use]
+    pub fn cap(&self) -> Option<f64> {
+        self.max_shear_stress
+    }
+
     /// Returns the owned field of coefficients, or `None` if the coefficient is uniform. A loop that changes the
     /// friction from step to step can thus reuse one array for all steps.
     ///
@@ -130,7 +137,10 @@ impl Friction {
     /// coefficients.
     #[must_use]
     pub fn limit(&self, index: usize, pressure: f64) -> f64 {
-        limited(self.coefficient_at(index) * pressure, self.cap())
+        limited(
+            self.coefficient_at(index) * pressure,
+            self.cap_or_infinity(),
+        )
     }
 
     /// Returns the friction of the cells of a region.
@@ -205,7 +215,7 @@ impl Friction {
         self.coefficient.map(Field::as_slice)
     }
 
-    fn cap(&self) -> f64 {
+    fn cap_or_infinity(&self) -> f64 {
         self.max_shear_stress.unwrap_or(f64::INFINITY)
     }
 
@@ -229,7 +239,7 @@ impl Friction {
     }
 
     fn is_capped(&self, index: usize, pressure: f64) -> bool {
-        self.coefficient_at(index) * pressure >= self.cap()
+        self.coefficient_at(index) * pressure >= self.cap_or_infinity()
     }
 
     /// Returns the coefficient and the cap (`None` without a cap) for restoring a saved state. A change must satisfy
@@ -276,7 +286,10 @@ impl FrictionWithin<'_> {
 
     /// Writes the limits of consecutive cells under these pressures. The first cell has the index `first`.
     pub(crate) fn write_limits(&self, first: usize, pressure: &[f64], limits: &mut [f64]) {
-        let (coefficients, cap) = (self.friction.coefficients(), self.friction.cap());
+        let (coefficients, cap) = (
+            self.friction.coefficients(),
+            self.friction.cap_or_infinity(),
+        );
         for (cell, (limit, pressure)) in limits.iter_mut().zip(pressure).enumerate() {
             *limit = if *pressure > 0.0 {
                 limited(coefficients.of(self.place(first + cell)) * pressure, cap)

@@ -50,6 +50,12 @@ impl Friction {
         }
     }
 
+    /// The shear strength tau_max (a pressure), or ``None`` without a limit.
+    #[getter]
+    fn max_shear_stress(&self) -> Option<f64> {
+        self.0.cap()
+    }
+
     /// Returns the friction limit of a cell (row-major index) under a pressure, or NaN if the index is out of range.
     fn limit(&self, index: usize, pressure: Real) -> f64 {
         self.0.limit(index, pressure.0)
@@ -63,32 +69,11 @@ impl Friction {
         } else {
             "<per cell>".into()
         };
-        match self.cap() {
+        match self.0.cap() {
             Some(cap) => format!("Friction({coefficient}, max_shear_stress={})", short(cap)),
             None => format!("Friction({coefficient})"),
         }
     }
-}
-
-impl Friction {
-    /// Returns the largest shear stress; `None` without a limit.
-    pub(crate) fn cap(&self) -> Option<f64> {
-        cap(&self.0)
-    }
-}
-
-/// Returns the largest shear stress of a law; `None` without a limit, and without friction.
-pub(crate) fn cap(friction: &stickslip::Friction) -> Option<f64> {
-    let is_uniform = !friction.limit(usize::MAX, 1.0).is_nan();
-    let cells = if is_uniform { 1 } else { usize::MAX };
-    let limits = |cell| [1.0, f64::INFINITY].map(|pressure| friction.limit(cell, pressure));
-    // The limit of a cell with friction under infinite pressure is the cap itself.
-    (0..cells)
-        .map(limits)
-        .take_while(|[limit, _]| !limit.is_nan())
-        .find(|[limit, _]| *limit > 0.0)
-        .map(|[_, cap]| cap)
-        .filter(|cap| cap.is_finite())
 }
 
 /// Issues a warning if coefficients alone have replaced a law with a largest shear stress.

@@ -137,7 +137,7 @@ impl Recipe {
     /// states no limit.
     pub(crate) fn cap(&self, py: Python<'_>) -> PyResult<Option<f64>> {
         let friction = self.arguments.bind(py).get_item(2)?;
-        Ok(friction.cast::<Friction>()?.get().cap())
+        Ok(friction.cast::<Friction>()?.get().0.cap())
     }
 
     /// Returns both kinds of arguments, for ``__getnewargs_ex__``.

@@ -9,7 +9,7 @@ use pyo3::prelude::*;
 use stickslip::{Iteration, Result};
 
 use crate::error::{OrRaise, with_iterate};
-use crate::friction::{AnyFriction, cap, warn_of_lost_cap};
+use crate::friction::{AnyFriction, warn_of_lost_cap};
 use crate::progress::Progress;
 use crate::report::warn;
 use crate::solution_pool::{Spare, lock};
@@ -145,7 +145,7 @@ impl<S: Solver> Reused<S> {
         let is_law = friction.is_law();
         let friction = friction.on(py, self.grid)?;
         self.change(py, |solver| set(solver, &friction))?;
-        let last = std::mem::replace(&mut *lock(&self.cap, "solver")?, cap(&friction));
+        let last = std::mem::replace(&mut *lock(&self.cap, "solver")?, friction.cap());
         warn_of_lost_cap(py, last, is_law)
     }
 

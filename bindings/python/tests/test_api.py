@@ -156,7 +156,7 @@ METHODS = {
         **dict.fromkeys(["along_x", "along_y"], "along="),
         "valid_range": "Filtered.valid_range",
     },
-    "tangential::Friction": {"coulomb": "the class", "per_cell": "the class"},
+    "tangential::Friction": {"cap": "max_shear_stress", "coulomb": "the class", "per_cell": "the class"},
     "tangential::TangentialLoad": {"along": "force_x= and others"},
 }  # fmt: skip
 

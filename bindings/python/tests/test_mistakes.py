@@ -507,6 +507,8 @@ def test_coordinates_of_closed_forms_are_combined_by_name():
         ellipse.pressure(x, y)
     both = ellipse.pressure(*xarray.broadcast(x, y))
     assert both.shape == (2, 2) and both[1, 0] == ellipse.pressure(5e-5, 0.0) and ellipse.pressure(x, 0.0)[1] == both[1, 0]
+    assert (ellipse.pressure(x, y[0]) == ellipse.pressure(x, 0.0)).all()
+    assert (ellipse.pressure(y[0], x) == ellipse.pressure(0.0, x)).all()
     with pytest.raises(TypeError, match="coordinates must be real numbers, got truth values"):
         ellipse.pressure(np.array([True, False]), 0.0)
 
@@ -548,6 +550,7 @@ def test_solver_keeps_axes_and_twist_without_keyword(scene):
 
 def test_coefficient_that_replaces_a_capped_law_issues_a_warning(scene):
     capped, normal = ss.Friction(0.5, max_shear_stress=8e8), scene.normal()
+    assert capped.max_shear_stress == 8e8 and ss.Friction(0.5).max_shear_stress is None
     message = r"has no max_shear_stress, but the last law had 8e\+08: give Friction\(coefficient, max_shear_stress=8e\+08\) to keep it"
     metals = ss.HalfSpace(scene.grid, (ss.Material(70e9, 0.33), ss.Material(210e9, 0.3)))
     for target in (

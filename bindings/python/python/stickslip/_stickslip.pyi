@@ -2669,6 +2669,11 @@ class Friction:
         """
         Returns the friction limit of a cell (row-major index) under a pressure, or NaN if the index is out of range.
         """
+    @property
+    def max_shear_stress(self, /) -> float | None:
+        """
+        The shear strength tau_max (a pressure), or ``None`` without a limit.
+        """
 
 @final
 class Functional:

@@ -67,8 +67,15 @@ impl Coordinates {
         other: Self,
         functions: impl Fn(f64, f64) -> [f64; N],
     ) -> PyResult<[Values; N]> {
+        // Axes are combined from the last.
+        let differ = |(own, other): &(&Vec<String>, &Vec<String>)| {
+            own.iter()
+                .rev()
+                .zip(other.iter().rev())
+                .any(|(a, b)| a != b)
+        };
         let names = self.1.as_ref().zip(other.1.as_ref());
-        if let Some((own, other)) = names.filter(|(own, other)| own != other) {
+        if let Some((own, other)) = names.filter(differ) {
             return Err(PyValueError::new_err(format!(
                 "the coordinates have the dimensions ({}) and ({}), but are combined by position: \
                  broadcast them by xarray.broadcast(...), or give .values",

@@ -10,7 +10,7 @@ use stickslip::{Axis, Coupling, TangentialModel, cgm};
 use crate::argument::Object;
 use crate::choice::Choice;
 use crate::field::Samples;
-use crate::friction::{AnyFriction, cap, warn_of_lost_cap};
+use crate::friction::{AnyFriction, warn_of_lost_cap};
 use crate::half_space::HalfSpace;
 use crate::history::step::Numbers;
 use crate::normal::AnyHardness;
@@ -236,7 +236,7 @@ impl History {
         let friction = friction.on(py, self.grid())?;
         let mut last = None;
         self.change(py, |history| {
-            last = cap(history.state().friction());
+            last = history.state().friction().cap();
             history.set_friction(&friction)
         })?;
         warn_of_lost_cap(py, last, is_law)
