@@ -7,7 +7,7 @@ mod tests;
 
 use crate::error::counted;
 
-use limits::{LARGEST_RESIDUAL, LOWEST_CAP, MANY_SPOTS, refinement};
+use limits::{LARGEST_RESIDUAL, LOWEST_CAP, LOWEST_PRESSURE, MANY_SPOTS, refinement};
 pub(crate) use limits::{LOWEST_HARDNESS, THICKEST_LAYER};
 pub(crate) use resolution::{RESOLVED, Resolution};
 use resolution::{RESOLVED_AREA, RESOLVED_LINE};
@@ -74,9 +74,14 @@ pub enum Warning {
     },
     /// The slip zone, a ring along the edge of the contact, is narrower than two cells. On a sphere the error of the
     /// energy dissipated by slip is at most 2 % for a width of two cells or more. It is at most 12 % for one cell or
-    /// more. Below half a cell the energy ranges from zero to several times the correct value. No warning is given if no
-    /// cell slips, which can happen if the ring is narrower than a cell. No warning is given either if the mean radius
+    /// more. Below half a cell the energy ranges from zero to several times the correct value. No warning is given if the mean radius
     /// of the contact spots is less than four cells. A ring of two cells does not fit into such spots.
+    ///
+    /// If the ring is narrower than a cell, no cell might slip, and the energy is then zero. The width in the warning is also zero.
+    /// A step without slipping cells has the warning if a cell at the edge has both of two properties. Its pressure is below half
+    /// the mean pressure. The change of its traction uses more than twice as much of its limit as the mean of all cells. Flat punches,
+    /// complete contacts, rolling steps and coefficients of friction above 5 do not have it. Steps that change the tractions by
+    /// less than a millionth of the friction capacity do not have it either.
     ///
     /// A rolling step has the warning only if the slip zone is narrower than one cell. The slip zone of rolling lies
     /// along the trailing edge, but its mean width is the mean over the whole edge. The error of forces and creepages of
@@ -86,7 +91,8 @@ pub enum Warning {
     /// 0.4 %.
     UnderresolvedSlipZone {
         /// Mean width of the zone in tenths of a cell. It is the number of cells of the zone divided by the number of
-        /// cell sides along the edge of the contact. On a grid of rows and columns each side counts as $`\pi/4`$.
+        /// cell sides along the edge of the contact. On a grid of rows and columns each side counts as $`\pi/4`$. It is zero
+        /// if no cell slips.
         tenths: usize,
     },
     /// The estimated discretisation error of the pressure or of the traction exceeds 5 %. The error is estimated by
@@ -161,6 +167,13 @@ pub enum Warning {
     /// such a coefficient with a largest shear stress also models a constant friction limit.
     LowShearStress {
         /// The friction capacity without the largest shear stress divided by the capacity.
+        parts: usize,
+    },
+    /// The largest pressure of a [prescribed field](crate::PressureSource::Prescribed) is less than 1e-7 of the contact modulus
+    /// ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus)). A common cause is a pressure in an inconsistent unit,
+    /// as a pressure in MPa with a modulus in Pa. Displacements and friction limits are then too small by the same factor.
+    LowPressure {
+        /// The contact modulus divided by the largest pressure.
         parts: usize,
     },
     /// The gap of contact cells changed between two pressures by more than the largest normal displacement due to the first
@@ -317,6 +330,9 @@ impl std::fmt::Display for Warning {
                 RESOLVED_AREA[1],
                 RESOLVED_LINE[1]
             ),
+            Self::UnderresolvedSlipZone { tenths: 0 } => formatter.write_str(
+                "no cell slips, because the slip zone is narrower than a cell, so that slip and dissipated energy are zero: check the unit of the tangential load, or refine the grid until the zone is two cells wide"
+            ),
             Self::UnderresolvedSlipZone { tenths } => write!(
                 formatter,
                 "the slip zone is only {}.{} cells wide on average, so that slip and dissipated energy are inaccurate: refine the grid until the zone is two cells wide",
@@ -381,6 +397,10 @@ impl std::fmt::Display for Warning {
             Self::LowShearStress { parts } => write!(
                 formatter,
                 "max_shear_stress lowers the friction capacity to 1/{parts}, expected at least 1/{LOWEST_CAP}: check the units of max_shear_stress and pressure, or prescribe the tangential force"
+            ),
+            Self::LowPressure { parts } => write!(
+                formatter,
+                "the largest prescribed pressure is 1/{parts} of the contact modulus, expected at least 1/{LOWEST_PRESSURE}: check the units of pressure and modulus"
             ),
             Self::LargeGapChange { tenths } => write!(
                 formatter,

@@ -6,7 +6,7 @@ use crate::warning::Warning;
 variants! { Warning:
     NoContact ContactAtEdge UnresolvedSpots SingleRowOfCells ContactSpansGrid BeyondHardness StalePressure StressAtEdge
     UnderresolvedContact UnderresolvedStickZone UnderresolvedSlipZone DiscretisationError SingleLoadStep
-    ApproachBeyondGrid ShiftBeyondGrid LargeTwist LargeCreepage LargeFriction LowHardness LowShearStress LargeGapChange
+    ApproachBeyondGrid ShiftBeyondGrid LargeTwist LargeCreepage LargeFriction LowHardness LowShearStress LowPressure LargeGapChange
     LargeContactRadius PressureBeyondModulus
     NotConverged SteepSurface HeldShiftLostForce
     UnusedRelativeDisplacement RepeatedLoop OpenCycle NeglectedLift CoatingBeyondGrid
@@ -93,6 +93,10 @@ fn every_warning_has_its_text() {
             "the slip zone is only 1.4 cells wide on average, so that slip and dissipated energy are inaccurate: refine the grid until the zone is two cells wide",
         ),
         (
+            Warning::UnderresolvedSlipZone { tenths: 0 },
+            "no cell slips, because the slip zone is narrower than a cell, so that slip and dissipated energy are zero: check the unit of the tangential load, or refine the grid until the zone is two cells wide",
+        ),
+        (
             Warning::DiscretisationError {
                 per_mille: 80,
                 cells_per_radius: 40,
@@ -143,6 +147,10 @@ fn every_warning_has_its_text() {
         (
             Warning::LowShearStress { parts: 650_000 },
             "max_shear_stress lowers the friction capacity to 1/650000, expected at least 1/100: check the units of max_shear_stress and pressure, or prescribe the tangential force",
+        ),
+        (
+            Warning::LowPressure { parts: 231_000_000 },
+            "the largest prescribed pressure is 1/231000000 of the contact modulus, expected at least 1/10000000: check the units of pressure and modulus",
         ),
         (
             Warning::OpenCycle { per_cent: 71 },
