@@ -8,7 +8,7 @@ mod tests;
 use crate::error::counted;
 
 use limits::{LARGEST_RESIDUAL, LOWEST_CAP, LOWEST_PRESSURE, MANY_SPOTS, refinement};
-pub(crate) use limits::{LOWEST_HARDNESS, THICKEST_LAYER};
+pub(crate) use limits::{LARGEST_SEAM, LOWEST_HARDNESS, THICKEST_LAYER};
 pub(crate) use resolution::{RESOLVED, Resolution};
 use resolution::{RESOLVED_AREA, RESOLVED_LINE};
 
@@ -206,6 +206,21 @@ pub enum Warning {
         /// The largest pressure divided by the contact modulus, in thousandths.
         per_mille: usize,
     },
+    /// The mean jump of the gap across the border of a periodic grid exceeds five times the largest mean step between neighbouring
+    /// columns or rows. A periodic surface has no border. A common cause is a tilt of the surface, which the grid repeats as a
+    /// sawtooth. [`surface::level`](crate::surface::level) removes a tilt.
+    ///
+    /// The warning requires contact within a sixteenth of the grid from the border, and a mean jump above three times the standard
+    /// deviation of the jumps along the border. Rough surfaces without a tilt therefore do not have it, periodic or not. Solutions
+    /// on distributed grids do not have it.
+    PeriodicSeam {
+        /// Whether the gap jumps between the last and the first column.
+        along_x: bool,
+        /// Whether the gap jumps between the last and the first row.
+        along_y: bool,
+        /// The larger of the mean jumps along x and along y divided by the largest mean step.
+        times: usize,
+    },
     /// The solve ended before it converged, so that the solution is its last feasible iterate.
     NotConverged,
     /// The rms slope of the gap before loading within the contact exceeds 0.5. Half-space theory assumes that slopes
@@ -294,11 +309,7 @@ impl std::fmt::Display for Warning {
                 "the grid is a single row of rectangular cells and not periodic, so it does not model a line contact in plane strain: use a row along x with a boundary that is periodic along y"
             ),
             Self::ContactSpansGrid { along_x, along_y } => {
-                let axes = match (along_x, along_y) {
-                    (true, false) => "x",
-                    (false, true) => "y",
-                    _ => "x and y",
-                };
+                let axes = axes(*along_x, *along_y);
                 write!(
                     formatter,
                     "a contact spot extends across the whole grid along {axes}, which causes pressure peaks at the edges: increase the gap towards the edges, or use a boundary that is periodic along y or along both axes"
@@ -418,6 +429,17 @@ impl std::fmt::Display for Warning {
                 "the largest pressure is {:.2} of the contact modulus, expected at most 0.5: check the units of modulus and load, and multiply a mean pressure by the area of the grid; half-spaces assume small strains",
                 1e-3 * *per_mille as f64
             ),
+            Self::PeriodicSeam {
+                along_x,
+                along_y,
+                times,
+            } => {
+                let axes = axes(*along_x, *along_y);
+                write!(
+                    formatter,
+                    "the gap jumps across the border of the grid along {axes} by {times} times the largest mean step between neighbouring cells, expected at most {LARGEST_SEAM}: level the surface, or use a boundary that is not periodic along {axes}"
+                )
+            }
             Self::NotConverged => formatter.write_str(
                 "the solve ended before it converged, so that the solution is its last iterate: check the status in the report, and solve again with a larger limit or tolerance"
             ),
@@ -451,6 +473,15 @@ impl std::fmt::Display for Warning {
             ),
             Self::AccuracyNotReached { tenths } => write_accuracy(formatter, *tenths),
         }
+    }
+}
+
+/// Returns the names of the axes to which a warning applies.
+fn axes(along_x: bool, along_y: bool) -> &'static str {
+    match (along_x, along_y) {
+        (true, false) => "x",
+        (false, true) => "y",
+        _ => "x and y",
     }
 }
 

@@ -38,6 +38,9 @@ pub(super) const LOWEST_CAP: usize = 100;
 /// Largest contact modulus without a warning, in largest prescribed pressures.
 pub(super) const LOWEST_PRESSURE: usize = 10_000_000;
 
+/// Largest mean jump of a gap across a periodic border without a warning, in largest mean steps between neighbouring cells.
+pub(crate) const LARGEST_SEAM: usize = 5;
+
 /// Largest residual of a cycle without a warning, in per cent.
 pub(super) const LARGEST_RESIDUAL: usize = 10;
 

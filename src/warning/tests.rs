@@ -7,7 +7,7 @@ variants! { Warning:
     NoContact ContactAtEdge UnresolvedSpots SingleRowOfCells ContactSpansGrid BeyondHardness StalePressure StressAtEdge
     UnderresolvedContact UnderresolvedStickZone UnderresolvedSlipZone DiscretisationError SingleLoadStep
     ApproachBeyondGrid ShiftBeyondGrid LargeTwist LargeCreepage LargeFriction LowHardness LowShearStress LowPressure LargeGapChange
-    LargeContactRadius PressureBeyondModulus
+    LargeContactRadius PressureBeyondModulus PeriodicSeam
     NotConverged SteepSurface HeldShiftLostForce
     UnusedRelativeDisplacement RepeatedLoop OpenCycle NeglectedLift CoatingBeyondGrid
     CoatingBelowCell AccuracyNotReached
@@ -167,6 +167,14 @@ fn every_warning_has_its_text() {
         (
             Warning::PressureBeyondModulus { per_mille: 750 },
             "the largest pressure is 0.75 of the contact modulus, expected at most 0.5: check the units of modulus and load, and multiply a mean pressure by the area of the grid; half-spaces assume small strains",
+        ),
+        (
+            Warning::PeriodicSeam {
+                along_x: true,
+                along_y: false,
+                times: 31,
+            },
+            "the gap jumps across the border of the grid along x by 31 times the largest mean step between neighbouring cells, expected at most 5: level the surface, or use a boundary that is not periodic along x",
         ),
         (
             Warning::NotConverged,
