@@ -57,7 +57,7 @@ pub(crate) struct TangentialBuffers {
 }
 
 impl TangentialSolver {
-    /// Changes the load of the next solve. A load along the other axis requires the operator of that axis. No other
+    /// Changes the load of the next solve. The new load replaces the earlier load along both axes and its twist. A load along the other axis requires the operator of that axis. No other
     /// change of the load allocates memory.
     ///
     /// # Errors
@@ -94,7 +94,7 @@ impl TangentialSolver {
         Ok(())
     }
 
-    /// Changes the friction of the next solve.
+    /// Changes the friction of the next solve. The new friction replaces the earlier coefficient and the earlier cap.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.

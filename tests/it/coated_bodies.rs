@@ -11,7 +11,7 @@ use stickslip::layers::{LIMIT, Layer};
 use stickslip::subsurface::{Body, Tractions, at_points};
 use stickslip::{
     Boundary, CellValue, ElasticPair, Error, Field, Grid, HalfSpace, Material, NormalLoad,
-    TangentialLoad, analytical,
+    NormalProblem, TangentialLoad, analytical,
 };
 
 /// Reference values from mpmath with 60 digits, computed from Papkovich-Neuber potentials. The factor of a cell and the
@@ -426,4 +426,37 @@ fn functions_of_a_single_modulus_reject_coated_bodies() {
     let gap = kit::sphere(grid, 5.0);
     let contact = press(&bodies, &gap, NormalLoad::Force(0.3), 1e-6);
     kit::assert_refused! { contact.edges() => Error::UnsupportedForCoatings { .. } }
+}
+
+/// On the same gap, a larger load increases the pressure of every cell, also for coatings. The check of
+/// [`JaegerSuperposition`](stickslip::tangential::JaegerSuperposition) uses this property for uncoated bodies.
+#[test]
+fn larger_load_increases_every_pressure_of_coated_bodies() {
+    let grid = kit::square(32, 2.8);
+    let (ball, rough) = (kit::sphere(grid, 20.0), kit::rough(grid, 5));
+    let rough = rough.map(|height| 0.01 * height);
+    let body = Material::from_shear_modulus(1.0, 0.3).unwrap();
+    for shear_modulus in [0.01, 0.1, 10.0, 100.0] {
+        for nu in [0.0, 0.3, 0.5] {
+            for thickness in [0.03, 0.3, 3.0] {
+                let coating = layer(shear_modulus, nu, thickness);
+                let bodies = against_rigid(body.coated(&[coating]).unwrap());
+                let bodies = HalfSpace::new(grid, bodies).unwrap();
+                for gap in [&ball, &rough] {
+                    let at = |approach: f64| {
+                        let load = NormalLoad::Approach(approach);
+                        kit::solve(NormalProblem::builder(&bodies, gap, load))
+                    };
+                    let (light, heavy) = (at(0.02), at(0.03));
+                    let excess = light.pressure().minus(heavy.pressure()).unwrap();
+                    let excess = excess.map(|p| p.max(0.0)).integral() / heavy.force();
+                    println!("{shear_modulus} {nu} {thickness}: {excess:e}");
+                    assert!(
+                        excess < 1e-3,
+                        "{shear_modulus} {nu} {thickness}: {excess:e}"
+                    );
+                }
+            }
+        }
+    }
 }
