@@ -451,6 +451,26 @@ fn hidden_slip_ring_in_history_gives_warning() {
     }
 }
 
+/// A cycle has the warning until one of its steps has a wide slip zone. The slip zone of a sliding contact is wide.
+#[test]
+fn hidden_slip_ring_in_cycle_gives_warning_until_contact_slides() {
+    let grid = kit::square(32, 2.8);
+    let pair = kit::unit_pair(0.3);
+    let load = 4.0 / 3.0 * pair.contact_modulus() / 20.0;
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let builder = History::builder(&bodies, kit::sphere(grid, 20.0), kit::coulomb(0.5));
+    let mut history = builder.build().unwrap();
+    let mut cycle = Cycle::new(&history);
+    let press = LoadStep::hold().normal(NormalLoad::Force(load));
+    let drag = LoadStep::force([1e-3 * 0.5 * load, 0.0]);
+    let slide = LoadStep::shift([1.0, 0.0]);
+    for (step, widths) in [(press, &[][..]), (drag, &[0]), (slide, &[])] {
+        history.step(&step).unwrap();
+        cycle.add(&history).unwrap();
+        assert_eq!(slip_widths(&cycle.warnings()), widths, "{step:?}");
+    }
+}
+
 /// The pressure of a flat punch does not fall to zero at its edge, so that a small force causes no slip.
 #[test]
 fn stuck_contact_without_slip_ring_gives_no_warning() {
