@@ -448,7 +448,7 @@ fn excess_of_smaller_load(coating: Layer, gap: &Field) -> f64 {
 fn larger_load_lowers_pressure_only_on_stiff_coatings() {
     let grid = kit::square(32, 2.8);
     let ball = kit::sphere(grid, 20.0);
-    let rough = kit::rough(grid, 5).map(|height| 0.01 * height);
+    let rough = rough(grid, 5).map(|height| 0.01 * height);
     for (index, gap) in [&ball, &rough].into_iter().enumerate() {
         for nu in [0.0, 0.5] {
             for thickness in [0.03, 0.3, 3.0] {

@@ -431,7 +431,7 @@ fn hidden_slip_ring_in_history_gives_warning() {
         let drag = |part: f64| LoadStep::force([part * 0.5 * load, 0.0]);
         let mut cycle = Cycle::new(&history);
         for (step, widths) in [
-            (press.clone(), &[][..]),
+            (press, &[][..]),
             (drag(1e-3), &[0]),
             (drag(1e-3), &[]),
             (drag(1e-3).normal(NormalLoad::Force(1.1 * load)), &[]),
