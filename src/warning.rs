@@ -210,7 +210,7 @@ pub enum Warning {
     /// columns or rows. A periodic surface has no border. A common cause is a tilt of the surface, which the grid repeats as a
     /// sawtooth. [`surface::level`](crate::surface::level) removes a tilt.
     ///
-    /// The warning requires contact within a sixteenth of the grid from the border, and a mean jump above three times the standard
+    /// The warning requires contact within a sixteenth of the grid from the border, and a mean jump above five times the standard
     /// deviation of the jumps along the border. Rough surfaces without a tilt therefore do not have it, periodic or not. Solutions
     /// on distributed grids do not have it.
     PeriodicSeam {

@@ -5,7 +5,7 @@ use crate::half_space::HalfSpace;
 
 /// Least mean jump across the border, over the standard deviation of the jumps along the border. The jumps of a level measured
 /// surface vary along the border as much as the heights.
-const LEAST_MEAN: f64 = 3.0;
+const LEAST_MEAN: f64 = 5.0;
 
 /// Fraction of the grid next to the border, in cells per cell. A gap whose contact is farther away is an array of separate contacts.
 const CELLS_PER_MARGIN: usize = 16;
