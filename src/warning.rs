@@ -7,8 +7,8 @@ mod tests;
 
 use crate::error::counted;
 
-use limits::{LARGEST_RESIDUAL, LOWEST_CAP, MANY_SPOTS, refinement};
-pub(crate) use limits::{LOWEST_HARDNESS, THICKEST_LAYER};
+use limits::{LARGEST_RESIDUAL, LOWEST_CAP, LOWEST_PRESSURE, MANY_SPOTS, refinement};
+pub(crate) use limits::{LARGEST_SEAM, LOWEST_HARDNESS, THICKEST_LAYER};
 pub(crate) use resolution::{RESOLVED, Resolution};
 use resolution::{RESOLVED_AREA, RESOLVED_LINE};
 
@@ -74,9 +74,14 @@ pub enum Warning {
     },
     /// The slip zone, a ring along the edge of the contact, is narrower than two cells. On a sphere the error of the
     /// energy dissipated by slip is at most 2 % for a width of two cells or more. It is at most 12 % for one cell or
-    /// more. Below half a cell the energy ranges from zero to several times the correct value. No warning is given if no
-    /// cell slips, which can happen if the ring is narrower than a cell. No warning is given either if the mean radius
+    /// more. Below half a cell the energy ranges from zero to several times the correct value. No warning is given if the mean radius
     /// of the contact spots is less than four cells. A ring of two cells does not fit into such spots.
+    ///
+    /// If the ring is narrower than a cell, no cell might slip, and the energy is then zero. The width in the warning is also zero.
+    /// A step without slipping cells has the warning if a cell at the edge has both of two properties. Its pressure is below half
+    /// the mean pressure. The change of its traction uses more than twice as much of its limit as the mean of all cells. Flat punches,
+    /// complete contacts, rolling steps and coefficients of friction above 5 do not have it. Steps that change the tractions by
+    /// less than a millionth of the friction capacity do not have it either.
     ///
     /// A rolling step has the warning only if the slip zone is narrower than one cell. The slip zone of rolling lies
     /// along the trailing edge, but its mean width is the mean over the whole edge. The error of forces and creepages of
@@ -86,7 +91,8 @@ pub enum Warning {
     /// 0.4 %.
     UnderresolvedSlipZone {
         /// Mean width of the zone in tenths of a cell. It is the number of cells of the zone divided by the number of
-        /// cell sides along the edge of the contact. On a grid of rows and columns each side counts as $`\pi/4`$.
+        /// cell sides along the edge of the contact. On a grid of rows and columns each side counts as $`\pi/4`$. It is zero
+        /// if no cell slips.
         tenths: usize,
     },
     /// The estimated discretisation error of the pressure or of the traction exceeds 5 %. The error is estimated by
@@ -163,6 +169,13 @@ pub enum Warning {
         /// The friction capacity without the largest shear stress divided by the capacity.
         parts: usize,
     },
+    /// The largest pressure of a [prescribed field](crate::PressureSource::Prescribed) is less than 1e-7 of the contact modulus
+    /// ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus)). A common cause is a pressure in an inconsistent unit,
+    /// as a pressure in MPa with a modulus in Pa. Displacements and friction limits are then too small by the same factor.
+    LowPressure {
+        /// The contact modulus divided by the largest pressure.
+        parts: usize,
+    },
     /// The gap of contact cells changed between two pressures by more than the largest normal displacement due to the first
     /// pressure. The contact after the change is then unrelated to the contact before it. Common causes are a wear
     /// coefficient in an inconsistent unit (1 mm3/(N m) is 1e-9 1/Pa) and too many cycles of wear in one update.
@@ -192,6 +205,21 @@ pub enum Warning {
     PressureBeyondModulus {
         /// The largest pressure divided by the contact modulus, in thousandths.
         per_mille: usize,
+    },
+    /// The mean jump of the gap across the border of a periodic grid exceeds five times the largest mean step between neighbouring
+    /// columns or rows. A periodic surface has no border. A common cause is a tilt of the surface, which the grid repeats as a
+    /// sawtooth. [`surface::level`](crate::surface::level) removes a tilt.
+    ///
+    /// The warning requires contact within a sixteenth of the grid from the border, and a mean jump above five times the standard
+    /// deviation of the jumps along the border. Rough surfaces without a tilt therefore do not have it, periodic or not. Solutions
+    /// on distributed grids do not have it.
+    PeriodicSeam {
+        /// Whether the gap jumps between the last and the first column.
+        along_x: bool,
+        /// Whether the gap jumps between the last and the first row.
+        along_y: bool,
+        /// The larger of the mean jumps along x and along y divided by the largest mean step.
+        times: usize,
     },
     /// The solve ended before it converged, so that the solution is its last feasible iterate.
     NotConverged,
@@ -281,11 +309,7 @@ impl std::fmt::Display for Warning {
                 "the grid is a single row of rectangular cells and not periodic, so it does not model a line contact in plane strain: use a row along x with a boundary that is periodic along y"
             ),
             Self::ContactSpansGrid { along_x, along_y } => {
-                let axes = match (along_x, along_y) {
-                    (true, false) => "x",
-                    (false, true) => "y",
-                    _ => "x and y",
-                };
+                let axes = axes(*along_x, *along_y);
                 write!(
                     formatter,
                     "a contact spot extends across the whole grid along {axes}, which causes pressure peaks at the edges: increase the gap towards the edges, or use a boundary that is periodic along y or along both axes"
@@ -316,6 +340,9 @@ impl std::fmt::Display for Warning {
                 counted(*cells, "cell"),
                 RESOLVED_AREA[1],
                 RESOLVED_LINE[1]
+            ),
+            Self::UnderresolvedSlipZone { tenths: 0 } => formatter.write_str(
+                "no cell slips, because the slip zone is narrower than a cell, so that slip and dissipated energy are zero: check the unit of the tangential load, or refine the grid until the zone is two cells wide"
             ),
             Self::UnderresolvedSlipZone { tenths } => write!(
                 formatter,
@@ -382,6 +409,10 @@ impl std::fmt::Display for Warning {
                 formatter,
                 "max_shear_stress lowers the friction capacity to 1/{parts}, expected at least 1/{LOWEST_CAP}: check the units of max_shear_stress and pressure, or prescribe the tangential force"
             ),
+            Self::LowPressure { parts } => write!(
+                formatter,
+                "the largest prescribed pressure is 1/{parts} of the contact modulus, expected at least 1/{LOWEST_PRESSURE}: check the units of pressure and modulus"
+            ),
             Self::LargeGapChange { tenths } => write!(
                 formatter,
                 "the gap of contact cells changed by {}.{} times the largest normal displacement of the last contact, expected at most 1: check the unit of the wear coefficient (1 mm3/(N m) is 1e-9 1/Pa), or change the gap in more updates",
@@ -398,6 +429,17 @@ impl std::fmt::Display for Warning {
                 "the largest pressure is {:.2} of the contact modulus, expected at most 0.5: check the units of modulus and load, and multiply a mean pressure by the area of the grid; half-spaces assume small strains",
                 1e-3 * *per_mille as f64
             ),
+            Self::PeriodicSeam {
+                along_x,
+                along_y,
+                times,
+            } => {
+                let axes = axes(*along_x, *along_y);
+                write!(
+                    formatter,
+                    "the gap jumps across the border of the grid along {axes} by {times} times the largest mean step between neighbouring cells, expected at most {LARGEST_SEAM}: level the surface, or use a boundary that is not periodic along {axes}"
+                )
+            }
             Self::NotConverged => formatter.write_str(
                 "the solve ended before it converged, so that the solution is its last iterate: check the status in the report, and solve again with a larger limit or tolerance"
             ),
@@ -431,6 +473,15 @@ impl std::fmt::Display for Warning {
             ),
             Self::AccuracyNotReached { tenths } => write_accuracy(formatter, *tenths),
         }
+    }
+}
+
+/// Returns the names of the axes to which a warning applies.
+fn axes(along_x: bool, along_y: bool) -> &'static str {
+    match (along_x, along_y) {
+        (true, false) => "x",
+        (false, true) => "y",
+        _ => "x and y",
     }
 }
 

@@ -68,6 +68,9 @@
 //!   the same material. Otherwise the error of the pressure under pressing alone is of the order of $`\beta^2`$. The errors of
 //!   the tractions and of the pressure under shear are of the order of $`\beta`$
 //!   ([`Coupling::Neglected`](crate::Coupling::Neglected)).
+//! - The formulas assume small strains, slopes, rotations and creepages. The constructors check signs and finite values only. They
+//!   accept a coefficient of friction above 5, a creepage above 0.1 and a pressure above half of the contact modulus, for which
+//!   numerical solutions have [warnings](crate::Warning). The units of all arguments must be consistent.
 //!
 //! # References
 //! - R. H. Bentall and K. L. Johnson, Slip in the rolling contact of two dissimilar elastic rollers, *Int. J. Mech. Sci.* 9

@@ -85,7 +85,7 @@ impl CoupledSolver {
         field::replace(&mut self.problem.gap, gap)
     }
 
-    /// Changes the friction of the next solve.
+    /// Changes the friction of the next solve. The new friction replaces the earlier coefficient and the earlier cap.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.

@@ -40,6 +40,7 @@ mod pressure_problem;
 mod pressure_solver;
 mod problem;
 mod scale;
+mod seam;
 mod solution;
 mod solver;
 mod window_solver;

@@ -3,7 +3,8 @@
 use crate::cgm::reduce::{self, Reduction};
 use crate::grid::Grid;
 use crate::half_space::HalfSpace;
-use crate::warning::Warning;
+use crate::normal::seam::mean_jumps;
+use crate::warning::{LARGEST_SEAM, Warning};
 
 /// Approach, contact radius, slope and pressure, stored as integers for warnings.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -21,6 +22,10 @@ pub(crate) struct Scale {
     /// Contact modulus divided by the largest pressure.
     #[cfg_attr(feature = "serde", serde(default))]
     modulus_parts: usize,
+    /// Mean jump of the gap across the border of a periodic grid along x and along y, over the largest mean step between
+    /// neighbouring columns or rows.
+    #[cfg_attr(feature = "serde", serde(default))]
+    seam_times: [usize; 2],
 }
 
 /// Largest value of each quantity for which no warning is given.
@@ -99,6 +104,7 @@ impl Scale {
             slope_per_mille: whole(1e3 * (squared[0] + squared[1]).sqrt()),
             pressure_per_mille: whole(1e3 * most / bodies.pair().contact_modulus()),
             modulus_parts: whole(bodies.pair().contact_modulus() / most),
+            seam_times: mean_jumps(bodies, gap, pressure).map(whole),
         }
     }
 
@@ -110,6 +116,7 @@ impl Scale {
             slope_per_mille: self.slope_per_mille.max(other.slope_per_mille),
             pressure_per_mille: self.pressure_per_mille.max(other.pressure_per_mille),
             modulus_parts: self.modulus_parts.max(other.modulus_parts),
+            seam_times: [0, 1].map(|axis| self.seam_times[axis].max(other.seam_times[axis])),
         }
     }
 
@@ -125,6 +132,7 @@ impl Scale {
             radius_per_mille,
             slope_per_mille,
             pressure_per_mille,
+            seam_times,
             ..
         } = self;
         let approach = Warning::ApproachBeyondGrid {
@@ -139,11 +147,18 @@ impl Scale {
         let pressure = Warning::PressureBeyondModulus {
             per_mille: pressure_per_mille,
         };
+        let [along_x, along_y] = seam_times.map(|times| times > LARGEST_SEAM);
+        let seam = Warning::PeriodicSeam {
+            along_x,
+            along_y,
+            times: seam_times[0].max(seam_times[1]),
+        };
         [
             (approach_tenths > LARGEST_APPROACH).then_some(approach),
             (radius_per_mille > LARGEST_RADIUS).then_some(radius),
             (slope_per_mille > LARGEST_SLOPE).then_some(slope),
             (pressure_per_mille > LARGEST_PRESSURE).then_some(pressure),
+            (along_x || along_y).then_some(seam),
         ]
         .into_iter()
         .flatten()

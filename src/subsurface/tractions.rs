@@ -28,7 +28,8 @@ use crate::tangential::TangentialSolution;
 /// On a free grid this holds only if the outermost cells carry no traction.
 ///
 /// The sign convention of the crate applies. A positive pressure is compression, and the tractions act on body 1 along
-/// x and y.
+/// x and y. A negative pressure is tension, such as adhesion or the difference of two contacts, and is not an error. A field of
+/// stresses, which are positive in tension, must change its sign.
 ///
 /// ```
 /// use stickslip::subsurface::{Body, Tractions, at_points};

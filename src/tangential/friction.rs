@@ -17,7 +17,8 @@ use crate::warning::Warning;
 
 /// Coulomb friction with a uniform coefficient or a coefficient per cell, and an optional cap.
 ///
-/// The friction limit of a cell is `m = min(mu p, tau_max)`, a pressure.
+/// The friction limit of a cell is `m = min(mu p, tau_max)`, a pressure. The cap is part of the friction. A function `set_friction`
+/// therefore keeps a cap only if the new friction has the same cap.
 ///
 /// ```
 /// use stickslip::Friction;

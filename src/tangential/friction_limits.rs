@@ -10,6 +10,7 @@ use crate::memory::fallible::{self, try_clone};
 use crate::parallel;
 use crate::parallel::layout::Layout;
 use crate::tangential::Friction;
+use crate::warning::Warning;
 
 /// Relative distance from the friction limit within which a force slides the contact, or a cell slips.
 pub(crate) const SLIDING: f64 = 1e-12;
@@ -53,6 +54,12 @@ impl PressureOnWindow {
     pub(crate) fn set(&mut self, pressure: &[f64], friction: &Friction) {
         self.region.gather(pressure, &mut self.pressure);
         self.limits.set(friction, &self.region, &self.pressure);
+    }
+
+    /// Returns the contact modulus of these bodies divided by the largest pressure, or `None` unless the pressure is low.
+    pub(crate) fn low_pressure(&self, bodies: &HalfSpace) -> Option<usize> {
+        let largest = reduce::max(self.region.layout(), |i| self.pressure[i]);
+        Warning::pressure_below(bodies.pair().contact_modulus() / largest)
     }
 
     /// Changes the friction and recomputes the limits.

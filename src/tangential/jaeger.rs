@@ -46,7 +46,8 @@ impl JaegerSuperposition {
     /// coupling between pressure and traction of dissimilar bodies is neglected.
     ///
     /// # Errors
-    /// - [`Error::UnsupportedForCoatings`] if a body is coated.
+    /// - [`Error::UnsupportedForCoatings`] if a body is coated. On a stiff coating, a larger load decreases the pressure of some
+    ///   cells.
     /// - [`Error::NegativeOrNotFinite`] if the coefficient is negative or `stick` carries more load than `full`.
     /// - [`Error::GridMismatch`], [`Error::BoundaryMismatch`] or [`Error::CellValueMismatch`] if the two contacts
     ///   differ in these properties.
@@ -98,7 +99,8 @@ impl JaegerSuperposition {
             .as_slice()
             .iter()
             .zip(stick.pressure().as_slice());
-        // On the same gap, a larger load increases the pressure of every cell.
+        // On the same gap, a larger load increases the pressure of every cell. Stiff coatings, which are rejected above, are an
+        // exception.
         let [heavy, light] = [full, stick].map(|contact| contact.pressure().as_slice());
         let excess = reduce::sum(&grid.layout(), |cell| (light[cell] - heavy[cell]).max(0.0));
         if excess * grid.cell_area() > LARGEST_EXCESS * full.force() {

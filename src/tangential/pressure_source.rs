@@ -32,7 +32,8 @@ use crate::normal::NormalSolution;
 pub enum PressureSource<'a> {
     /// Pressure of a converged normal contact on the same bodies and materials.
     Solved(&'a NormalSolution),
-    /// Pressure of each cell, non-negative and finite. The pressure may belong to any bodies.
+    /// Pressure of each cell, non-negative and finite. The pressure may belong to any bodies. Its unit must be the unit of their
+    /// moduli. A pressure far below the contact modulus has the warning [`LowPressure`](crate::Warning::LowPressure).
     Prescribed(&'a Field),
 }
 
@@ -49,6 +50,11 @@ impl<'a> From<&'a Field> for PressureSource<'a> {
 }
 
 impl<'a> PressureSource<'a> {
+    /// Returns whether the pressure is a field.
+    pub(crate) fn is_prescribed(self) -> bool {
+        matches!(self, Self::Prescribed(_))
+    }
+
     /// Returns the pressure of every cell, or an error if the pressure is not valid on these bodies.
     pub(crate) fn checked(self, bodies: &HalfSpace) -> Result<&'a [f64]> {
         match self {

@@ -41,6 +41,8 @@ use crate::tangential::{
 pub struct TangentialProblem {
     pub(crate) bodies: HalfSpace,
     pub(super) pressed: PressureOnWindow,
+    /// Whether the pressure is a field instead of a solved contact.
+    pub(super) is_prescribed: bool,
     pub(crate) friction: Friction,
     pub(crate) load: TangentialLoad,
     pub(super) model: TangentialModel,
@@ -65,7 +67,7 @@ pub struct TangentialProblemBuilder<'a, 'p> {
     settings: Settings,
 }
 
-try_clone!(TangentialProblem { pressed, friction, relative } { bodies, load, model, coupling, settings });
+try_clone!(TangentialProblem { pressed, friction, relative } { bodies, is_prescribed, load, model, coupling, settings });
 
 impl TangentialProblem {
     /// Starts a builder from the required input: bodies, pressure, friction and load. The pressure is a solved normal
@@ -213,6 +215,7 @@ impl<'p> TangentialProblemBuilder<'_, 'p> {
         Ok(TangentialProblem {
             bodies: self.bodies.clone(),
             pressed,
+            is_prescribed: self.pressure.is_prescribed(),
             friction: self.friction,
             load: self.load,
             model: self.model,

@@ -45,12 +45,18 @@ record! {
             /// Whether a contact of dissimilar bodies with friction was pressed to its size in one step.
             #[cfg_attr(feature = "serde", serde(default))]
             is_pressed_at_once: bool,
+            /// Whether no cell slips, but the outermost cells contain a slip zone.
+            #[cfg_attr(feature = "serde", serde(default))]
+            hides_slip: bool,
             /// Largest coefficient of friction that is not common, in tenths.
             #[cfg_attr(feature = "serde", serde(default))]
             friction_tenths: Option<usize>,
             /// Friction capacity without the cap divided by the capacity, if the cap is low.
             #[cfg_attr(feature = "serde", serde(default))]
             cap_parts: Option<usize>,
+            /// Contact modulus divided by the largest prescribed pressure, if this pressure is low.
+            #[cfg_attr(feature = "serde", serde(default))]
+            pressure_parts: Option<usize>,
             /// Largest relative displacement in the contact over the longest side of the grid, in tenths, if it is large.
             #[cfg_attr(feature = "serde", serde(default))]
             displacement_tenths: Option<usize>,
@@ -97,8 +103,10 @@ impl TangentialSolution {
             twist: 0.0,
             coupled: None,
             is_pressed_at_once: false,
+            hides_slip: false,
             friction_tenths: None,
             cap_parts: None,
+            pressure_parts: None,
             displacement_tenths: None,
             pressed: PressureFingerprint::default(),
             report: Report::with_room(),
@@ -134,6 +142,9 @@ impl TangentialSolution {
             Warning::shift_beyond(self.grid(), [largest, 0.0])
         });
         self.whole = ShearSums::of(bodies, &self.traction, &self.slip, &self.zones);
+        self.hides_slip = self.slip_cells() == 0
+            && self.friction_tenths.is_none()
+            && answer.with_held(|answer| answer.hides_slip(answer.traction));
     }
 
     /// Sets Dundurs' beta if the solution belongs to a coupled solution, in which the tractions have changed the
@@ -145,6 +156,11 @@ impl TangentialSolution {
     /// Sets whether a contact of dissimilar bodies with friction was pressed to its size in one step.
     pub(crate) fn set_pressed_at_once(&mut self, is_at_once: bool) {
         self.is_pressed_at_once = is_at_once;
+    }
+
+    /// Sets the contact modulus divided by the largest prescribed pressure, or `None` unless this pressure is low.
+    pub(crate) fn set_low_pressure(&mut self, parts: Option<usize>) {
+        self.pressure_parts = parts;
     }
 
     /// Returns the warning for a contact that was pressed in one step.
@@ -377,19 +393,22 @@ impl TangentialSolution {
     pub(crate) fn zone_warnings(&self) -> impl Iterator<Item = Warning> {
         let cells = [self.stick_cells(), self.slip_cells()];
         let contact = Resolution::of_contact(self.grid().whole(), cells[0] + cells[1]);
-        let zones = contact.with_zones(cells, || self.contact_map().switches());
+        let zones = contact.with_zones(cells, self.hides_slip, || self.contact_map().switches());
         zones.zone_warnings()
     }
 
     /// Returns the warnings about a shift or relative displacement that is larger than the grid, a large twist, a large coefficient
-    /// of friction and a low cap of the friction.
+    /// of friction, a low cap of the friction and a low prescribed pressure.
     pub(crate) fn load_warnings(&self) -> impl Iterator<Item = Warning> {
         let shift = Warning::shift_beyond(self.grid(), self.shift()).max(self.displacement_tenths);
         let twist = Warning::twist_beyond(self.twist());
         let shift = shift.map(|tenths| Warning::ShiftBeyondGrid { tenths });
         let twist = twist.map(|tenths| Warning::LargeTwist { tenths });
         let friction = Warning::of_friction(self.friction_tenths, self.cap_parts);
-        shift.into_iter().chain(twist).chain(friction)
+        let pressure = self.pressure_parts;
+        let pressure = pressure.map(|parts| Warning::LowPressure { parts });
+        let of_shift = shift.into_iter().chain(twist);
+        of_shift.chain(friction).chain(pressure)
     }
 
     fn contact_map(&self) -> ContactMap<'_, impl Fn(usize) -> bool + '_> {

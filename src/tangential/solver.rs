@@ -57,7 +57,7 @@ pub(crate) struct TangentialBuffers {
 }
 
 impl TangentialSolver {
-    /// Changes the load of the next solve. A load along the other axis requires the operator of that axis. No other
+    /// Changes the load of the next solve. The new load replaces the earlier load along both axes and its twist. A load along the other axis requires the operator of that axis. No other
     /// change of the load allocates memory.
     ///
     /// # Errors
@@ -94,7 +94,7 @@ impl TangentialSolver {
         Ok(())
     }
 
-    /// Changes the friction of the next solve.
+    /// Changes the friction of the next solve. The new friction replaces the earlier coefficient and the earlier cap.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.
@@ -131,13 +131,14 @@ impl TangentialSolver {
     ///
     /// The pressure is unchanged after an error.
     pub fn set_pressure<'a>(&mut self, pressure: impl Into<PressureSource<'a>>) -> Result<()> {
-        let bodies = &self.problem.bodies;
-        let samples = bodies.collective_result(pressure.into().checked(bodies))?;
+        let (bodies, source) = (&self.problem.bodies, pressure.into());
+        let samples = bodies.collective_result(source.checked(bodies))?;
         let contact = contact_window(bodies, samples)?;
         if self.engine.increment.pressed.window().covers(contact) {
             self.problem.pressed.set(samples, &self.problem.friction);
             self.check_load(&self.problem.pressed)?;
             self.take_candidate();
+            self.problem.is_prescribed = source.is_prescribed();
             self.engine.increment.draw(self.problem.relative.as_ref());
             return Ok(());
         }
@@ -150,6 +151,7 @@ impl TangentialSolver {
         let mut wider = self.problem.increment(axes, pressed)?;
         self.engine.increment.hand_over(&mut wider)?;
         (self.engine.increment, self.problem.pressed) = (wider, candidate);
+        self.problem.is_prescribed = source.is_prescribed();
         Ok(())
     }
 
@@ -265,6 +267,8 @@ impl Model<TangentialSolution> for TangentialProblem {
         solution.fill(bodies, input, &answer, &engine.report);
         let is_drawn = problem.coupling.is_one_way(bodies.pair());
         solution.set_pressed_at_once(is_drawn && engine.increment.pressed.limits.sum > 0.0);
+        let parts = || engine.increment.pressed.low_pressure(bodies);
+        solution.set_low_pressure(problem.is_prescribed.then(parts).flatten());
         engine.increment.rest();
         outcome.map_err(|_| Error::NotConverged(Box::new(engine.report.clone())))
     }

@@ -1,5 +1,6 @@
 //! Solution of a step in the cells of a window.
 
+use crate::cgm::reduce;
 use crate::contact::pressure_fingerprint::PressureFingerprint;
 use crate::grid::Grid;
 use crate::half_space::Region;
@@ -7,6 +8,15 @@ use crate::numerics::cell_vector::{dot, length, minus, slices};
 use crate::tangential::friction_limits::is_at_limit;
 use crate::tangential::traction_solver::at;
 use crate::tangential::{Axis, Friction, Offsets, PressureOnWindow, RigidMotion, Zone};
+
+/// Largest pressure of a cell at an edge at which the pressure falls to zero, over the mean pressure. At the centre of a flat punch
+/// the pressure is half of the mean pressure, without any slip.
+const LOW_PRESSURE: f64 = 0.5;
+/// Least use of the limit of such a cell, over the mean use. On a sphere, a cell with half of the mean pressure has a use of
+/// three.
+const STEEPER_USE: f64 = 2.0;
+/// Mean use of the limits below which the tractions may be round-off.
+const LEAST_USE: f64 = 1e-6;
 
 /// Pressure, limits, tractions and displacements at the end of a step, on the window of a contact. A component that the
 /// model omits is an empty slice.
@@ -106,6 +116,26 @@ impl<'a> StepSolution<'a> {
         friction
             .within(self.region)
             .low_cap(self.region.layout(), self.pressure)
+    }
+
+    /// Returns whether a step in which no cell slips has a slip zone inside its outermost cells. `change` is the change of the
+    /// tractions in the step. The pressure falls to zero at such an edge, whereas the tractions of full stick grow. The solution
+    /// must be in the local cells of the grid. The function is collective.
+    pub(crate) fn hides_slip(&self, change: [&[f64]; 2]) -> bool {
+        let layout = self.region.held_layout();
+        let size = |cell: usize| length(at(&change, cell));
+        let (traction, (capacity, pressure), cells) = reduce::sum(&layout, |cell| {
+            let (limit, pressure) = (self.limits[cell], self.pressure[cell]);
+            (size(cell), (limit, pressure), usize::from(pressure > 0.0))
+        });
+        let mean_use = traction / capacity;
+        let low_pressure = LOW_PRESSURE * pressure / cells as f64;
+        mean_use > LEAST_USE
+            && reduce::any(&layout, |cell| {
+                let limit = self.limits[cell];
+                let is_low = limit > 0.0 && self.pressure[cell] < low_pressure;
+                is_low && size(cell) > STEEPER_USE * mean_use * limit
+            })
     }
 
     /// Returns the traction of a cell.

@@ -35,6 +35,12 @@ pub(crate) const LOWEST_HARDNESS: usize = 10_000;
 /// Largest friction capacity without a cap for which no warning is given, in capacities with the cap.
 pub(super) const LOWEST_CAP: usize = 100;
 
+/// Largest contact modulus without a warning, in largest prescribed pressures.
+pub(super) const LOWEST_PRESSURE: usize = 10_000_000;
+
+/// Largest mean jump of a gap across a periodic border without a warning, in largest mean steps between neighbouring cells.
+pub(crate) const LARGEST_SEAM: usize = 5;
+
 /// Largest residual of a cycle without a warning, in per cent.
 pub(super) const LARGEST_RESIDUAL: usize = 10;
 
@@ -113,13 +119,13 @@ impl Warning {
 
     /// Returns the ratio of the friction capacity without a cap to the capacity, or `None` if the ratio is small or the capacity is
     /// zero.
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "the ratio is not negative, and a large one saturates"
-    )]
     pub(crate) fn cap_below(ratio: f64) -> Option<usize> {
-        (ratio > LOWEST_CAP as f64).then(|| ratio.round() as usize)
+        parts_beyond(ratio, LOWEST_CAP)
+    }
+
+    /// Returns the ratio of the contact modulus to the largest pressure, or `None` if the ratio is common.
+    pub(crate) fn pressure_below(ratio: f64) -> Option<usize> {
+        parts_beyond(ratio, LOWEST_PRESSURE)
     }
 
     /// Returns the warning about a large coefficient of friction, or about a low cap of the friction.
@@ -171,4 +177,14 @@ impl Warning {
 fn tenths_beyond(value: f64, limit: usize) -> Option<usize> {
     let tenths = (10.0 * value).round() as usize;
     (tenths > limit).then_some(tenths)
+}
+
+/// Returns the nearest integer to a non-negative ratio, or `None` if the ratio is at most the limit.
+#[expect(
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss,
+    reason = "the ratio is not negative, and a large one saturates"
+)]
+fn parts_beyond(ratio: f64, limit: usize) -> Option<usize> {
+    (ratio > limit as f64).then(|| ratio.round() as usize)
 }

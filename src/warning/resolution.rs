@@ -30,7 +30,7 @@ pub(crate) struct Resolution {
     /// Smallest number of cells in contact (`contact`) and of sticking cells (`stick`).
     contact: Option<usize>,
     stick: Option<usize>,
-    /// Width of the widest slip zone in tenths of a cell.
+    /// Width of the widest slip zone in tenths of a cell. It is zero if no cell slips, and large if all cells slip.
     slip_width: Option<usize>,
 }
 
@@ -46,10 +46,12 @@ impl Resolution {
     }
 
     /// Returns this resolution with the numbers of sticking and slipping cells. `edge` returns the number of cell sides
-    /// along the edge of the contact. This function is called only if both numbers are positive.
+    /// along the edge of the contact. This function is called only if cells stick. `hides_slip` states whether a contact without
+    /// slipping cells has a slip zone inside its outermost cells.
     pub(crate) fn with_zones(
         self,
         [stick, slip]: [usize; 2],
+        hides_slip: bool,
         edge: impl FnOnce() -> usize,
     ) -> Self {
         let width = || {
@@ -59,11 +61,19 @@ impl Resolution {
             let edge = length * edge();
             // The radius of a disc is twice its area divided by the length of its edge.
             let has_room = self.is_line || 2 * sides * (stick + slip) >= LEAST_RADIUS * edge;
-            (edge > 0 && has_room).then(|| (20 * sides * slip + edge) / (2 * edge))
+            let tenths = || (20 * sides * slip + edge) / (2 * edge);
+            (edge > 0 && has_room).then(|| tenths().max(usize::from(slip > 0)))
+        };
+        let slip_width = match (stick, slip) {
+            (0, 0) => None,
+            (0, _) => Some(RESOLVED_WIDTH),
+            _ => (slip > 0 || (hides_slip && self.contact.is_some()))
+                .then(width)
+                .flatten(),
         };
         Self {
             stick: (stick > 0).then_some(stick),
-            slip_width: (stick > 0 && slip > 0).then(width).flatten(),
+            slip_width,
             ..self
         }
     }

@@ -6,8 +6,8 @@ use crate::warning::Warning;
 variants! { Warning:
     NoContact ContactAtEdge UnresolvedSpots SingleRowOfCells ContactSpansGrid BeyondHardness StalePressure StressAtEdge
     UnderresolvedContact UnderresolvedStickZone UnderresolvedSlipZone DiscretisationError SingleLoadStep
-    ApproachBeyondGrid ShiftBeyondGrid LargeTwist LargeCreepage LargeFriction LowHardness LowShearStress LargeGapChange
-    LargeContactRadius PressureBeyondModulus
+    ApproachBeyondGrid ShiftBeyondGrid LargeTwist LargeCreepage LargeFriction LowHardness LowShearStress LowPressure LargeGapChange
+    LargeContactRadius PressureBeyondModulus PeriodicSeam
     NotConverged SteepSurface HeldShiftLostForce
     UnusedRelativeDisplacement RepeatedLoop OpenCycle NeglectedLift CoatingBeyondGrid
     CoatingBelowCell AccuracyNotReached
@@ -93,6 +93,10 @@ fn every_warning_has_its_text() {
             "the slip zone is only 1.4 cells wide on average, so that slip and dissipated energy are inaccurate: refine the grid until the zone is two cells wide",
         ),
         (
+            Warning::UnderresolvedSlipZone { tenths: 0 },
+            "no cell slips, because the slip zone is narrower than a cell, so that slip and dissipated energy are zero: check the unit of the tangential load, or refine the grid until the zone is two cells wide",
+        ),
+        (
             Warning::DiscretisationError {
                 per_mille: 80,
                 cells_per_radius: 40,
@@ -145,6 +149,10 @@ fn every_warning_has_its_text() {
             "max_shear_stress lowers the friction capacity to 1/650000, expected at least 1/100: check the units of max_shear_stress and pressure, or prescribe the tangential force",
         ),
         (
+            Warning::LowPressure { parts: 231_000_000 },
+            "the largest prescribed pressure is 1/231000000 of the contact modulus, expected at least 1/10000000: check the units of pressure and modulus",
+        ),
+        (
             Warning::OpenCycle { per_cent: 71 },
             "the cycle deviates by 71 % from a closed loop, expected at most 10 %, so that energies and slip distances are not those of a steady cycle: begin the cycle anew and repeat the loop until it closes",
         ),
@@ -159,6 +167,14 @@ fn every_warning_has_its_text() {
         (
             Warning::PressureBeyondModulus { per_mille: 750 },
             "the largest pressure is 0.75 of the contact modulus, expected at most 0.5: check the units of modulus and load, and multiply a mean pressure by the area of the grid; half-spaces assume small strains",
+        ),
+        (
+            Warning::PeriodicSeam {
+                along_x: true,
+                along_y: false,
+                times: 31,
+            },
+            "the gap jumps across the border of the grid along x by 31 times the largest mean step between neighbouring cells, expected at most 5: level the surface, or use a boundary that is not periodic along x",
         ),
         (
             Warning::NotConverged,

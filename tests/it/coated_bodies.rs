@@ -11,7 +11,7 @@ use stickslip::layers::{LIMIT, Layer};
 use stickslip::subsurface::{Body, Tractions, at_points};
 use stickslip::{
     Boundary, CellValue, ElasticPair, Error, Field, Grid, HalfSpace, Material, NormalLoad,
-    TangentialLoad, analytical,
+    NormalProblem, TangentialLoad, analytical,
 };
 
 /// Reference values from mpmath with 60 digits, computed from Papkovich-Neuber potentials. The factor of a cell and the
@@ -426,4 +426,44 @@ fn functions_of_a_single_modulus_reject_coated_bodies() {
     let gap = kit::sphere(grid, 5.0);
     let contact = press(&bodies, &gap, NormalLoad::Force(0.3), 1e-6);
     kit::assert_refused! { contact.edges() => Error::UnsupportedForCoatings { .. } }
+}
+
+/// Returns the force by which the pressure under a smaller load exceeds the pressure under a larger load on the same gap, relative
+/// to the larger load.
+fn excess_of_smaller_load(coating: Layer, gap: &Field) -> f64 {
+    let body = Material::from_shear_modulus(1.0, 0.3).unwrap();
+    let bodies = against_rigid(body.coated(&[coating]).unwrap());
+    let bodies = HalfSpace::new(gap.grid(), bodies).unwrap();
+    let [light, heavy] = [0.02, 0.03].map(|approach| {
+        let load = NormalLoad::Approach(approach);
+        kit::solve(NormalProblem::builder(&bodies, gap, load))
+    });
+    let excess = light.pressure().minus(heavy.pressure()).unwrap();
+    excess.map(|p| p.max(0.0)).integral() / heavy.force()
+}
+
+/// On the same gap, a larger load increases the pressure of every cell of bodies with a soft coating. A stiff coating bends
+/// like a plate, so that the contact moves outwards under a growing load. Jaeger's superposition therefore does not apply to it.
+#[test]
+fn larger_load_lowers_pressure_only_on_stiff_coatings() {
+    let grid = kit::square(32, 2.8);
+    let ball = kit::sphere(grid, 20.0);
+    let rough = rough(grid, 5).map(|height| 0.01 * height);
+    for (index, gap) in [&ball, &rough].into_iter().enumerate() {
+        for nu in [0.0, 0.5] {
+            for thickness in [0.03, 0.3, 3.0] {
+                for shear_modulus in [0.01, 0.1, 1.0] {
+                    let soft = excess_of_smaller_load(layer(shear_modulus, nu, thickness), gap);
+                    assert!(soft < 1e-6, "{index} {nu} {thickness}: {soft:e}");
+                }
+            }
+        }
+    }
+    for (stiff, thickness, gap) in [
+        (10.0, 0.3, &ball),
+        (100.0, 0.3, &ball),
+        (100.0, 0.03, &rough),
+    ] {
+        assert!(excess_of_smaller_load(layer(stiff, 0.5, thickness), gap) > 1e-2);
+    }
 }

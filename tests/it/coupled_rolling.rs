@@ -354,6 +354,11 @@ fn one_way_rolling_of_dissimilar_bodies_warns_of_neglected_lift() {
         lift > 0.3 * change && lift < 10.0 * change,
         "{lift} {change}"
     );
+    // A point of a creep curve has the warning too.
+    let problem = RollingProblem::builder(&bodies, &normal, kit::coulomb(0.3)).build();
+    let mut solver = problem.unwrap().into_solver().unwrap();
+    let points = solver.creep_forces([[0.05, 0.0, 0.0]]).unwrap();
+    assert_eq!(points[0].warnings(), warned);
     // The neglected lift is within the tolerance.
     assert_eq!(one_way(1e-5, 1e-2).warnings(), []);
 

@@ -464,6 +464,13 @@ fn first_of(warnings: Vec<Warning>, is_of_kind: impl Fn(&Warning) -> bool) -> Op
     warnings.into_iter().find(is_of_kind)
 }
 
+/// Returns the warnings of a point of a creep curve.
+fn point_warnings(problem: RollingProblem) -> Vec<Warning> {
+    let mut solver = problem.into_solver().unwrap();
+    let points = solver.creep_forces([[1e-3, 0.0, 0.0]]).unwrap();
+    points[0].warnings()
+}
+
 /// Returns the ratio of contact radius to radius of curvature that a warning states.
 fn stated_radius(warnings: &[Warning]) -> Option<f64> {
     warnings.iter().find_map(|warning| match warning {
@@ -669,6 +676,10 @@ fn relative_displacement_larger_than_grid_gives_warning() {
             stated(problem.unwrap().solve().unwrap().warnings()),
             expected
         );
+        let coupled =
+            CoupledProblem::builder(&bodies, &ball, friction(), NormalLoad::Force(load()), held);
+        let coupled = kit::solve(coupled.relative_displacement(moved.clone()));
+        assert_eq!(stated(coupled.warnings()), expected);
         let mut history = History::builder(&bodies, &ball, friction())
             .relative_displacement(moved)
             .build()
@@ -1015,6 +1026,7 @@ fn friction_above_five_gives_warning_in_every_solution() {
         let rolling = RollingProblem::builder(&bodies, &normal, friction.clone());
         let rolling = rolling.creepage([1e-3, 0.0]).build().unwrap();
         assert_eq!(stated(rolling.solve().unwrap().warnings()), expected);
+        assert_eq!(stated(point_warnings(rolling)), expected);
         let rolling = CoupledRollingProblem::builder(
             &bodies,
             &ball,
@@ -1159,6 +1171,7 @@ fn low_cap_of_friction_gives_warning_in_every_solution() {
         let rolling = RollingProblem::builder(&bodies, &normal, friction.clone());
         let rolling = rolling.creepage([1e-3, 0.0]).build().unwrap();
         assert_eq!(stated(rolling.solve().unwrap().warnings()), expected);
+        assert_eq!(stated(point_warnings(rolling)), expected);
         let mut history = History::builder(&bodies, &ball, friction).build().unwrap();
         let mut cycle = Cycle::new(&history);
         let slide = LoadStep::shift([1e-3, 0.0]).normal(press);
@@ -1168,5 +1181,47 @@ fn low_cap_of_friction_gives_warning_in_every_solution() {
         assert_eq!(stated(history.step(&slide).unwrap().warnings()), None);
         cycle.add(&history).unwrap();
         assert_eq!(stated(cycle.warnings()), expected);
+    }
+}
+
+/// A pressure in MPa with moduli in Pa has the warning. The same pressure of a solved contact does not.
+#[test]
+fn low_prescribed_pressure_gives_warning() {
+    let bodies = bodies(16);
+    let ball = ball(&bodies);
+    let normal = pressed(&bodies, &ball, load());
+    let stated =
+        |warnings: Vec<Warning>| first_of(warnings, |w| matches!(w, Warning::LowPressure { .. }));
+    let modulus = bodies.pair().contact_modulus();
+    let scaled = |parts: f64| {
+        let factor = modulus / parts / normal.pressure().max();
+        let mut pressure = normal.pressure().clone();
+        for p in pressure.as_mut_slice() {
+            *p *= factor;
+        }
+        pressure
+    };
+    let shift = TangentialLoad::shift([1e-12, 0.0]);
+    let start = |pressure: &Field| {
+        let problem = TangentialProblem::builder(&bodies, pressure, friction(), shift);
+        problem.build().unwrap().into_solver().unwrap()
+    };
+    for (parts, is_low) in [(0.9e7, false), (1.2e7, true), (2e8, true)] {
+        let mut solver = start(&scaled(parts));
+        let found = stated(kit::solved(&mut solver).warnings());
+        assert_eq!(found.is_some(), is_low);
+        if let Some(Warning::LowPressure { parts: found }) = found {
+            assert!((found as f64 / parts - 1.0).abs() < 1e-6);
+        }
+        // The source of the last pressure counts.
+        let light = pressed(&bodies, &ball, 1e-24 * load());
+        assert!(light.pressure().max() < 1e-7 * modulus);
+        solver.set_pressure(&light).unwrap();
+        assert_eq!(stated(kit::solved(&mut solver).warnings()), None);
+        solver.set_pressure(&scaled(parts)).unwrap();
+        assert_eq!(
+            stated(kit::solved(&mut solver).warnings()).is_some(),
+            is_low
+        );
     }
 }

@@ -7,10 +7,11 @@ use kit::{l2_difference, max_abs, max_difference, press, rough, shear, unit_bodi
 use proptest::prelude::*;
 use stickslip::Scratch;
 use stickslip::cgm::Method;
+use stickslip::surface::{Form, SelfAffine};
 use stickslip::tangential::JaegerSuperposition;
 use stickslip::{
     Boundary, Error, Field, Grid, HalfSpace, NormalLoad, NormalProblem, NormalSolution,
-    TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution,
+    TangentialLoad, TangentialModel, TangentialProblem, TangentialSolution, Warning, surface,
 };
 
 const METHODS: [Method; 2] = [Method::ActiveSet, Method::PolonskyKeer];
@@ -426,4 +427,85 @@ fn spot_sizes(contact: &NormalSolution) -> Vec<usize> {
     let mut sizes: Vec<_> = spots.as_slice().iter().map(|spot| spot.cells).collect();
     sizes.sort_unstable_by(|a, b| b.cmp(a));
     sizes
+}
+
+/// Returns the warning of a seam of a gap under a light load on a periodic grid.
+fn seam(gap: &Field) -> Option<Warning> {
+    let bodies = periodic_bodies(gap.grid(), 0.3);
+    let (grid, range) = (gap.grid(), gap.max() - gap.min());
+    let load = NormalLoad::Force(0.02 * range * grid.dx() * grid.nx() as f64);
+    let contact = kit::solve(NormalProblem::builder(&bodies, gap, load));
+    let is_seam = |warning: &Warning| matches!(warning, Warning::PeriodicSeam { .. });
+    contact.warnings().into_iter().find(is_seam)
+}
+
+/// Returns a gap plus a tilt along x and along y, by these heights over the sides of the grid.
+fn tilted(gap: &Field, [x, y]: [f64; 2]) -> Field {
+    let grid = gap.grid();
+    let plane = Field::from_fn(grid, |along, across| x * along + y * across);
+    surface::sum(&[gap, &plane]).unwrap()
+}
+
+/// A tilt of a periodic surface is a jump at the border. Surfaces without a tilt do not have the warning, even if they are not
+/// periodic.
+#[test]
+fn tilted_periodic_surface_gives_warning() {
+    let grid = kit::square(64, 1.0);
+    for seed in 0..kit::thorough(6, 100) {
+        let rough = SelfAffine::with_rms_height(1e-3).seed(seed);
+        let rough = rough.cut_off_wavelength(8.0 / 64.0);
+        let periodic = rough.generate(grid).unwrap();
+        let gap = surface::gap_from_heights(periodic.heights()).unwrap();
+        assert_eq!(seam(&gap), None, "{seed}");
+        let measured = rough.cropped().generate(grid).unwrap();
+        let measured = surface::level(measured.heights(), Form::Plane).unwrap();
+        let measured = surface::gap_from_heights(measured.heights()).unwrap();
+        assert_eq!(seam(&measured), None, "{seed}");
+        for tilt in [[0.02, 0.0], [0.0, -0.02], [0.02, 0.02]] {
+            let found = seam(&tilted(&gap, tilt));
+            let Some(Warning::PeriodicSeam {
+                along_x, along_y, ..
+            }) = found
+            else {
+                panic!("{seed} {tilt:?}: {found:?}");
+            };
+            assert_eq!([along_x, along_y], tilt.map(|tilt| tilt != 0.0), "{seed}");
+        }
+    }
+}
+
+/// Symmetric shapes, off-centre balls, waves and grooves have no seam. A tilted flat body has one.
+#[test]
+fn periodic_shapes_without_tilt_give_no_warning() {
+    let grid = kit::square(64, 1.0);
+    let ball = |x: f64, y: f64| x * x + y * y;
+    let shapes = [
+        Field::from_fn(grid, ball),
+        Field::from_fn(grid, |x, y| ball(x - 0.2, y + 0.1)),
+        Field::from_fn(grid, |x, _| 0.01 * (TAU * x).sin()),
+        Field::from_fn(grid, |x, _| if x < 0.0 { 0.0 } else { 0.01 }),
+        Field::zeros(grid),
+    ];
+    for (index, shape) in shapes.iter().enumerate() {
+        assert_eq!(seam(shape), None, "{index}");
+    }
+    let flat = tilted(&Field::zeros(grid), [0.01, 0.0]);
+    let (along_x, along_y, times) = (true, false, 63);
+    assert_eq!(
+        seam(&flat),
+        Some(Warning::PeriodicSeam {
+            along_x,
+            along_y,
+            times
+        })
+    );
+    // A free boundary has no seam.
+    let bodies = HalfSpace::new(grid, unit_pair(0.3)).unwrap();
+    let contact = kit::solve(NormalProblem::builder(
+        &bodies,
+        &flat,
+        NormalLoad::Force(1e-4),
+    ));
+    let is_seam = |warning: &Warning| matches!(warning, Warning::PeriodicSeam { .. });
+    assert!(!contact.warnings().iter().any(is_seam));
 }

@@ -2,9 +2,11 @@
 
 use kit::unit_bodies;
 use stickslip::normal::Hardness;
+use stickslip::rolling::RollingProblem;
 use stickslip::tangential::RelativeDisplacement;
 use stickslip::{
-    CoupledProblem, Error, Field, Grid, HalfSpace, NormalLoad, NormalProblem, TangentialLoad,
+    CoupledProblem, Error, Field, Grid, HalfSpace, History, LoadStep, NormalLoad, NormalProblem,
+    TangentialLoad, TangentialProblem,
 };
 
 fn dissimilar(grid: Grid) -> (HalfSpace, Field) {
@@ -95,4 +97,40 @@ fn coupled_solver_with_new_fields_has_solution_of_new_problem() {
         matches!(refused, Err(Error::BeyondHardness { .. })),
         "{refused:?}"
     );
+}
+
+/// A new friction without a cap replaces the earlier friction with its cap.
+#[test]
+fn new_friction_without_cap_removes_cap() {
+    let grid = kit::square(16, 2.8);
+    let (bodies, gap) = (unit_bodies(grid, 0.3), kit::sphere(grid, 20.0));
+    let press = NormalLoad::Force(0.05);
+    let normal = kit::solve(NormalProblem::builder(&bodies, &gap, press));
+    let uncapped = kit::coulomb(0.3);
+    let cap = 0.03 * normal.pressure().max();
+    let capped = uncapped.clone().max_shear_stress(cap).unwrap();
+    let slide = TangentialLoad::shift([0.5, 0.0]);
+    let check = |force: f64| assert!((force / (0.3 * 0.05) - 1.0).abs() < 1e-6, "{force}");
+
+    let problem = TangentialProblem::builder(&bodies, &normal, capped.clone(), slide);
+    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    assert!(solver.friction_capacity() < 0.5 * 0.3 * 0.05);
+    solver.set_friction(&uncapped).unwrap();
+    check(kit::solved(&mut solver).force()[0]);
+
+    let problem = CoupledProblem::builder(&bodies, &gap, capped.clone(), press, slide);
+    let mut solver = problem.build().unwrap().into_solver().unwrap();
+    solver.set_friction(&uncapped).unwrap();
+    check(kit::solved(&mut solver).tangential().force()[0]);
+
+    let problem = RollingProblem::builder(&bodies, &normal, capped.clone());
+    let problem = problem.creepage([0.5, 0.0]).build().unwrap();
+    let mut solver = problem.into_solver().unwrap();
+    solver.set_friction(&uncapped).unwrap();
+    check(kit::solved(&mut solver).force()[0]);
+
+    let mut history = History::builder(&bodies, &gap, capped).build().unwrap();
+    history.set_friction(&uncapped).unwrap();
+    let slide = LoadStep::shift([0.5, 0.0]).normal(press);
+    check(history.step(&slide).unwrap().tangential_force()[0]);
 }

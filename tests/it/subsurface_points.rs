@@ -407,3 +407,21 @@ proptest! {
         prop_assert!((turned.hydrostatic() - stress.hydrostatic() - pressure).abs() < 1e-14);
     }
 }
+
+/// A negative pressure is tension. The stress of a pair of contacts is the sum of their stresses.
+#[test]
+fn negative_pressure_is_tension() {
+    let grid = Grid::square(8, 1.0).unwrap();
+    let bodies = on_rigid(grid, 0.3);
+    let points = [[0.1, 0.2, 0.0], [0.3, -0.1, 0.4]];
+    let [push, pull] = [0.5, -0.5].map(|p| {
+        let pressure = Field::constant(grid, p);
+        at_points(&bodies, Body::One, Tractions::new(&pressure), &points).unwrap()
+    });
+    assert!(push[0].stress.zz < 0.0 && pull[0].stress.zz > 0.0);
+    for (push, pull) in push.iter().zip(&pull) {
+        let [push, pull] = [push, pull].map(components);
+        let sums = push.iter().zip(pull).map(|(a, b)| a + b);
+        assert!(sums.into_iter().all(|sum| sum.abs() < 1e-14));
+    }
+}

@@ -391,3 +391,107 @@ fn layer_far_from_the_scale_of_the_grid_has_a_warning() {
     assert!(coated(steel, 2e3, 1e-6 * cell * 101.0).0.is_empty());
     assert!(coated(Material::rigid(), 0.5, 1e-6).0.is_empty());
 }
+
+/// Returns the widths of slip zones in these warnings, in tenths of a cell.
+fn slip_widths(warnings: &[Warning]) -> Vec<usize> {
+    let width = |warning: &Warning| match warning {
+        Warning::UnderresolvedSlipZone { tenths } => Some(*tenths),
+        _ => None,
+    };
+    warnings.iter().filter_map(width).collect()
+}
+
+/// A small force on a ball causes a slip ring inside the outermost cells. No cell slips, and the solution has a warning.
+#[test]
+fn hidden_slip_ring_gives_warning() {
+    for cells in [6, 10, 16, 24] {
+        for part in [1e-5, 1e-3] {
+            let (_, _, shear) = ball(cells, part);
+            assert_eq!(shear.stick_ratio(), 1.0);
+            assert_eq!(shear.dissipated_energy(), 0.0);
+            assert_eq!(slip_widths(&shear.warnings()), [0], "{cells} {part}");
+        }
+        let (_, _, shear) = ball(cells, 0.0);
+        assert!(slip_widths(&shear.warnings()).is_empty());
+    }
+}
+
+/// Steps that change the tractions have the warning too. Steps that hold or press do not.
+#[test]
+fn hidden_slip_ring_in_history_gives_warning() {
+    let grid = kit::square(32, 2.8);
+    let pair = kit::unit_pair(0.3);
+    let load = 4.0 / 3.0 * pair.contact_modulus() / 20.0;
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let gap = kit::sphere(grid, 20.0);
+    for model in [TangentialModel::Scalar, TangentialModel::Vector] {
+        let builder = History::builder(&bodies, &gap, kit::coulomb(0.5));
+        let mut history = builder.model(model).build().unwrap();
+        let press = LoadStep::hold().normal(NormalLoad::Force(load));
+        let drag = |part: f64| LoadStep::force([part * 0.5 * load, 0.0]);
+        let mut cycle = Cycle::new(&history);
+        for (step, widths) in [
+            (press, &[][..]),
+            (drag(1e-3), &[0]),
+            (drag(1e-3), &[]),
+            (drag(1e-3).normal(NormalLoad::Force(1.1 * load)), &[]),
+            (drag(-1e-3), &[0]),
+            (drag(0.7), &[]),
+            (drag(0.699), &[0]),
+        ] {
+            let result = history.step(&step).unwrap();
+            assert_eq!(
+                slip_widths(&result.warnings()),
+                widths,
+                "{model:?} {step:?}"
+            );
+            cycle.add(&history).unwrap();
+        }
+        assert!(slip_widths(&cycle.warnings()).is_empty());
+    }
+}
+
+/// A cycle has the warning until one of its steps has a wide slip zone. The slip zone of a sliding contact is wide.
+#[test]
+fn hidden_slip_ring_in_cycle_gives_warning_until_contact_slides() {
+    let grid = kit::square(32, 2.8);
+    let pair = kit::unit_pair(0.3);
+    let load = 4.0 / 3.0 * pair.contact_modulus() / 20.0;
+    let bodies = HalfSpace::new(grid, pair).unwrap();
+    let builder = History::builder(&bodies, kit::sphere(grid, 20.0), kit::coulomb(0.5));
+    let mut history = builder.build().unwrap();
+    let mut cycle = Cycle::new(&history);
+    let press = LoadStep::hold().normal(NormalLoad::Force(load));
+    let drag = LoadStep::force([1e-3 * 0.5 * load, 0.0]);
+    let slide = LoadStep::shift([1.0, 0.0]);
+    for (step, widths) in [(press, &[][..]), (drag, &[0]), (slide, &[])] {
+        history.step(&step).unwrap();
+        cycle.add(&history).unwrap();
+        assert_eq!(slip_widths(&cycle.warnings()), widths, "{step:?}");
+    }
+}
+
+/// The pressure of a flat punch does not fall to zero at its edge, so that a small force causes no slip.
+#[test]
+fn stuck_contact_without_slip_ring_gives_no_warning() {
+    let grid = kit::square(32, 2.8);
+    let bodies = HalfSpace::new(grid, kit::unit_pair(0.3)).unwrap();
+    let inside = |x: f64, y: f64| x.hypot(y) < 1.0;
+    let flat = Field::from_fn(grid, |x, y| if inside(x, y) { 0.0 } else { 1.0 });
+    let punch = NormalProblem::builder(&bodies, flat, NormalLoad::Force(1e-3));
+    let punch = kit::solve(punch).pressure().clone();
+    let uniform = Field::from_fn(grid, |x, y| f64::from(u8::from(inside(x, y))));
+    for pressure in [punch, uniform] {
+        let force = TangentialLoad::force([0.01 * pressure.integral(), 0.0]);
+        let shear = TangentialProblem::builder(&bodies, &pressure, kit::coulomb(0.5), force);
+        let shear = kit::solve(shear);
+        assert_eq!(shear.stick_ratio(), 1.0);
+        assert!(slip_widths(&shear.warnings()).is_empty());
+    }
+    // Bodies that must stick everywhere have a large coefficient of friction.
+    let (_, normal, _) = ball(10, 0.1);
+    let bodies = HalfSpace::new(normal.grid(), kit::unit_pair(0.3)).unwrap();
+    let force = TangentialLoad::force([0.001 * normal.force(), 0.0]);
+    let stuck = TangentialProblem::builder(&bodies, &normal, kit::coulomb(6.0), force);
+    assert!(slip_widths(&kit::solve(stuck).warnings()).is_empty());
+}

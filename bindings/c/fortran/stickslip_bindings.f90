@@ -412,6 +412,10 @@ module stickslip_bindings
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LOW_SHEAR_STRESS = 30
     ! Warning: the loads of a cycle return to their start, but the cycle does not close.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_OPEN_CYCLE = 31
+    ! Warning: the largest prescribed pressure is below 1e-7 of the contact modulus.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_LOW_PRESSURE = 32
+    ! Warning: the gap jumps across the border of a periodic grid, as a tilted surface.
+    integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_PERIODIC_SEAM = 33
     ! Any other warning, described by its message.
     integer(c_int32_t), parameter, public :: STICKSLIP_WARNING_OTHER = 127
     ! Size of the message of a warning in bytes.

@@ -349,6 +349,12 @@
 // Warning: the loads of a cycle return to their start, but the cycle does not close.
 #define STICKSLIP_WARNING_OPEN_CYCLE 31
 
+// Warning: the largest prescribed pressure is below 1e-7 of the contact modulus.
+#define STICKSLIP_WARNING_LOW_PRESSURE 32
+
+// Warning: the gap jumps across the border of a periodic grid, as a tilted surface.
+#define STICKSLIP_WARNING_PERIODIC_SEAM 33
+
 // Any other warning, described by its message.
 #define STICKSLIP_WARNING_OTHER 127
 

@@ -173,6 +173,10 @@ pub const STICKSLIP_WARNING_LOW_HARDNESS: i32 = 29;
 pub const STICKSLIP_WARNING_LOW_SHEAR_STRESS: i32 = 30;
 /// Warning: the loads of a cycle return to their start, but the cycle does not close.
 pub const STICKSLIP_WARNING_OPEN_CYCLE: i32 = 31;
+/// Warning: the largest prescribed pressure is below 1e-7 of the contact modulus.
+pub const STICKSLIP_WARNING_LOW_PRESSURE: i32 = 32;
+/// Warning: the gap jumps across the border of a periodic grid, as a tilted surface.
+pub const STICKSLIP_WARNING_PERIODIC_SEAM: i32 = 33;
 /// Any other warning, described by its message.
 pub const STICKSLIP_WARNING_OTHER: i32 = 127;
 
@@ -241,6 +245,8 @@ impl From<&Warning> for stickslip_warning {
             Warning::LargeGapChange { .. } => (STICKSLIP_WARNING_LARGE_GAP_CHANGE, 0, 0),
             Warning::LowHardness { .. } => (STICKSLIP_WARNING_LOW_HARDNESS, 0, 0),
             Warning::LowShearStress { .. } => (STICKSLIP_WARNING_LOW_SHEAR_STRESS, 0, 0),
+            Warning::LowPressure { .. } => (STICKSLIP_WARNING_LOW_PRESSURE, 0, 0),
+            Warning::PeriodicSeam { .. } => (STICKSLIP_WARNING_PERIODIC_SEAM, 0, 0),
             Warning::OpenCycle { .. } => (STICKSLIP_WARNING_OPEN_CYCLE, 0, 0),
             Warning::NotConverged => (STICKSLIP_WARNING_NOT_CONVERGED, 0, 0),
             _ => (STICKSLIP_WARNING_OTHER, 0, 0),

@@ -120,10 +120,10 @@ record!(Report: status, iterations, double_precision_products, single_precision_
 /// ``single_row_of_cells``, ``contact_spans_grid``, ``beyond_hardness``, ``stale_pressure``, ``underresolved_contact``,
 /// ``underresolved_stick_zone``, ``underresolved_slip_zone``, ``single_load_step``, ``stress_at_edge``,
 /// ``discretisation_error``, ``approach_beyond_grid``, ``shift_beyond_grid``, ``large_twist``, ``large_creepage``,
-/// ``large_friction``, ``low_hardness``, ``low_shear_stress``, ``large_gap_change``, ``large_contact_radius``,
-/// ``pressure_beyond_modulus``, ``not_converged``, ``steep_surface``, ``held_shift_lost_force``,
-/// ``unused_relative_displacement``, ``repeated_loop``, ``open_cycle``, ``neglected_lift``, ``coating_beyond_grid``,
-/// ``coating_below_cell`` or ``accuracy_not_reached``. The names of the warnings of a solution are
+/// ``large_friction``, ``low_hardness``, ``low_shear_stress``, ``low_pressure``, ``large_gap_change``,
+/// ``large_contact_radius``, ``pressure_beyond_modulus``, ``periodic_seam``, ``not_converged``, ``steep_surface``,
+/// ``held_shift_lost_force``, ``unused_relative_displacement``, ``repeated_loop``, ``open_cycle``, ``neglected_lift``,
+/// ``coating_beyond_grid``, ``coating_below_cell`` or ``accuracy_not_reached``. The names of the warnings of a solution are
 /// ``[warning.kind for warning in solution.warnings]``. A comparison of a warning with a string raises a ``ValueError``.
 #[pyclass(frozen, module = "stickslip")]
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -162,9 +162,11 @@ impl Warning {
             W::LargeFriction { .. } => "large_friction",
             W::LowHardness { .. } => "low_hardness",
             W::LowShearStress { .. } => "low_shear_stress",
+            W::LowPressure { .. } => "low_pressure",
             W::LargeGapChange { .. } => "large_gap_change",
             W::LargeContactRadius { .. } => "large_contact_radius",
             W::PressureBeyondModulus { .. } => "pressure_beyond_modulus",
+            W::PeriodicSeam { .. } => "periodic_seam",
             W::NotConverged => "not_converged",
             W::SteepSurface { .. } => "steep_surface",
             W::HeldShiftLostForce { .. } => "held_shift_lost_force",

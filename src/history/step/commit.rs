@@ -93,7 +93,7 @@ impl History {
         commit_tractions(found, motion, travel.as_ref(), state, step);
         let rolled = load.rolling().zip(*travel);
         step.creepage = rolled.map(|(rolling, travel)| rolling.reached(load, moved, travel.length));
-        step.remarks.resolution = resolution_of_zones(state, step, travel.is_some());
+        step.remarks.resolution = resolution_of_zones(found, state, step, travel.is_some());
         if let (Some(before), None) = (before, travel) {
             let layout = bodies.grid_layout();
             step.remarks.is_pressed_at_once = state.has_grown_at_once(before, &layout);
@@ -124,10 +124,24 @@ impl History {
 }
 
 /// Returns the resolution of the contact and of its stick and slip zones.
-fn resolution_of_zones(state: &State, step: &StepResult, is_rolling: bool) -> Resolution {
+fn resolution_of_zones(
+    found: Option<StepSolution<'_>>,
+    state: &State,
+    step: &StepResult,
+    is_rolling: bool,
+) -> Resolution {
     let zones = [step.stick_cells, step.slip_cells];
-    let resolution = Resolution::of_contact(state.grid().whole(), zones[0] + zones[1])
-        .with_zones(zones, || state.normal.edge_sides());
+    // A rolled contact without slipping cells has almost the forces of full stick.
+    let can_hide_slip = !is_rolling && zones[1] == 0 && step.remarks.friction_tenths.is_none();
+    let stuck = found.zip(state.contact.as_ref()).filter(|_| can_hide_slip);
+    let hides_slip = stuck.is_some_and(|(found, memory)| {
+        found.with_held(|found| found.hides_slip(slices(&memory.trend.change)))
+    });
+    let resolution = Resolution::of_contact(state.grid().whole(), zones[0] + zones[1]).with_zones(
+        zones,
+        hides_slip,
+        || state.normal.edge_sides(),
+    );
     if is_rolling {
         resolution.of_rolling()
     } else {

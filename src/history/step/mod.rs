@@ -357,8 +357,9 @@ impl History {
         Ok(())
     }
 
-    /// Changes the friction of the following steps. All other quantities are kept. The tractions follow in the next step. Until
-    /// then, [`stiffness`](Self::stiffness) and [`edges`](Self::edges) return an error.
+    /// Changes the friction of the following steps. The new friction replaces the earlier coefficient and the earlier cap. All other
+    /// quantities are kept. The tractions follow in the next step. Until then, [`stiffness`](Self::stiffness) and
+    /// [`edges`](Self::edges) return an error.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.

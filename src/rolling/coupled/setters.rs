@@ -113,7 +113,7 @@ impl CoupledRollingSolver {
         Ok(())
     }
 
-    /// Sets the friction for the next solve.
+    /// Sets the friction for the next solve. The new friction replaces the earlier coefficient and the earlier cap.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`](crate::Error::GridMismatch) or [`Error::Memory`](crate::Error::Memory).

@@ -281,7 +281,8 @@ impl Model<RollingSolution> for RollingProblem {
 }
 
 impl RollingSolver {
-    /// Sets the controls of the next solve: forces or creepages along x and y, and the spin or moment.
+    /// Sets the controls of the next solve: forces or creepages along x and y, and the spin or moment. They replace all earlier
+    /// controls.
     ///
     /// # Errors
     /// - [`Error::NotFinite`], [`Error::UnsupportedByModel`], [`Error::BeyondFrictionCapacity`] or
@@ -294,7 +295,7 @@ impl RollingSolver {
         Ok(())
     }
 
-    /// Sets the friction of the next solve.
+    /// Sets the friction of the next solve. The new friction replaces the earlier coefficient and the earlier cap.
     ///
     /// # Errors
     /// - [`Error::GridMismatch`] if the grid differs.
