@@ -255,6 +255,8 @@ class FrettingLoop:
         remarks = {remark.kind: remark.message for remark in cycle.warnings if remark.kind != "open_cycle"}
         # The warning of large friction already states that the bodies stick everywhere.
         if cycle.regime == Regime.FULL_STICK and history.contact.any() and "large_friction" not in remarks:
+            # This warning includes the cause that the slip zone is narrower than a cell.
+            remarks.pop("underresolved_slip_zone", None)
             remarks["no_slip"] = _NO_SLIP
         warn(list(remarks.items()))
         return True
