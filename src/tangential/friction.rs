@@ -84,7 +84,8 @@ impl Friction {
         })
     }
 
-    /// Creates friction with a coefficient mu >= 0 for each cell.
+    /// Creates friction with a coefficient mu >= 0 for each cell. Cells with a large coefficient, such as 1e6, stick under any load.
+    /// A solve limits their tractions to 1e20 of the largest pressure.
     ///
     /// # Errors
     /// - [`Error::Sample`](crate::Error::Sample) at the first coefficient that is negative or not finite.
@@ -184,10 +185,15 @@ impl Friction {
         }
     }
 
+    /// Returns whether all cells have the same coefficient.
+    pub(super) fn is_uniform(&self) -> bool {
+        matches!(self.coefficient, PerCell::Uniform(_))
+    }
+
     /// Returns whether the sum of the limits is a fixed multiple of the normal force for any distribution of the
     /// pressure.
     pub(crate) fn is_proportional(&self) -> bool {
-        matches!(self.coefficient, PerCell::Uniform(_)) && self.max_shear_stress.is_none()
+        self.is_uniform() && self.max_shear_stress.is_none()
     }
 
     /// Returns the remedy for a force beyond the sum of the limits.

@@ -19,7 +19,11 @@ pub(crate) const SLIDING: f64 = 1e-12;
 const ORDINARY: RangeInclusive<f64> = 1e-100..=1e100;
 
 /// Fraction of the largest limit below which a limit counts as zero.
-pub(super) const NEGLIGIBLE: f64 = 1e-30;
+pub(super) const NEGLIGIBLE: f64 = 1e-90;
+
+/// Largest ratio of a limit to the largest pressure if the coefficient varies. No traction reaches a larger limit. The limits of
+/// the other cells would be negligible compared with it.
+const LARGEST_RATIO: f64 = 1e20;
 
 /// Normal contact for the tangential solver: a window around the contact, with pressure and friction limits.
 #[derive(Debug, Clone)]
@@ -109,15 +113,28 @@ pub(crate) fn is_at_limit(size: f64, limit: f64) -> bool {
 impl Limits {
     fn set(&mut self, friction: &Friction, region: &Region, pressure: &[f64]) {
         self.remedy = friction.remedy();
+        let most = if friction.is_uniform() {
+            f64::INFINITY
+        } else {
+            LARGEST_RATIO * reduce::max(&self.layout, |i| pressure[i])
+        };
         let friction = &friction.within(region);
         parallel::update(&mut self.cells, |first, chunk| {
             friction.write_limits(first, &pressure[first..], chunk);
         });
+        // An infinite limit remains infinite, so that the check of the sum rejects it.
+        let clipped = |limit: f64| {
+            if limit.is_finite() {
+                limit.min(most)
+            } else {
+                limit
+            }
+        };
         // Negligible limits carry no load, and their squares would underflow.
-        let least = NEGLIGIBLE * self.largest();
+        let least = NEGLIGIBLE * reduce::max(&self.layout, |i| clipped(self.cells[i]));
         parallel::update(&mut self.cells, |_, chunk| {
             for limit in chunk {
-                *limit = if *limit < least { 0.0 } else { *limit };
+                *limit = if *limit < least { 0.0 } else { clipped(*limit) };
             }
         });
         self.sum = reduce::total(&self.layout, &self.cells);

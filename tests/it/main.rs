@@ -54,6 +54,7 @@ mod file_round_trip;
 mod fretting_loops;
 mod frozen_scenes;
 mod gaussian_filters;
+mod glued_cells;
 #[cfg(feature = "dense")]
 mod grid_error_estimate;
 mod growing_contact_step_size;
