@@ -200,8 +200,8 @@ pub enum Warning {
     },
     /// The largest pressure exceeds half of the contact modulus
     /// ([`ElasticPair::contact_modulus`](crate::ElasticPair::contact_modulus), for coated bodies the modulus of the outermost
-    /// layers). Half-space theory assumes that strains are small. Common causes are an inconsistent unit of the modulus or the
-    /// load, and a mean pressure given as a force on a periodic grid.
+    /// layers). Half-space theory assumes that strains are small. Common causes are an inconsistent unit of the modulus, the
+    /// load or a [prescribed pressure](crate::PressureSource::Prescribed), and a mean pressure given as a force on a periodic grid.
     PressureBeyondModulus {
         /// The largest pressure divided by the contact modulus, in thousandths.
         per_mille: usize,
@@ -426,7 +426,7 @@ impl std::fmt::Display for Warning {
             ),
             Self::PressureBeyondModulus { per_mille } => write!(
                 formatter,
-                "the largest pressure is {:.2} of the contact modulus, expected at most 0.5: check the units of modulus and load, and multiply a mean pressure by the area of the grid; half-spaces assume small strains",
+                "the largest pressure is {:.2} of the contact modulus, expected at most 0.5: check the units of modulus and load (or prescribed pressure), and multiply a mean pressure by the area of the grid; half-spaces assume small strains",
                 1e-3 * *per_mille as f64
             ),
             Self::PeriodicSeam {

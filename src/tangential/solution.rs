@@ -54,9 +54,9 @@ record! {
             /// Friction capacity without the cap divided by the capacity, if the cap is low.
             #[cfg_attr(feature = "serde", serde(default))]
             cap_parts: Option<usize>,
-            /// Contact modulus divided by the largest prescribed pressure, if this pressure is low.
+            /// Warning about a prescribed pressure far below or above the contact modulus.
             #[cfg_attr(feature = "serde", serde(default))]
-            pressure_parts: Option<usize>,
+            pressure_warning: Option<Warning>,
             /// Largest relative displacement in the contact over the longest side of the grid, in tenths, if it is large.
             #[cfg_attr(feature = "serde", serde(default))]
             displacement_tenths: Option<usize>,
@@ -106,7 +106,7 @@ impl TangentialSolution {
             hides_slip: false,
             friction_tenths: None,
             cap_parts: None,
-            pressure_parts: None,
+            pressure_warning: None,
             displacement_tenths: None,
             pressed: PressureFingerprint::default(),
             report: Report::with_room(),
@@ -158,9 +158,9 @@ impl TangentialSolution {
         self.is_pressed_at_once = is_at_once;
     }
 
-    /// Sets the contact modulus divided by the largest prescribed pressure, or `None` unless this pressure is low.
-    pub(crate) fn set_low_pressure(&mut self, parts: Option<usize>) {
-        self.pressure_parts = parts;
+    /// Sets the warning about the prescribed pressure, or `None` for the pressure of a solved contact.
+    pub(crate) fn set_pressure_warning(&mut self, warning: Option<Warning>) {
+        self.pressure_warning = warning;
     }
 
     /// Returns the warning for a contact that was pressed in one step.
@@ -398,17 +398,15 @@ impl TangentialSolution {
     }
 
     /// Returns the warnings about a shift or relative displacement that is larger than the grid, a large twist, a large coefficient
-    /// of friction, a low cap of the friction and a low prescribed pressure.
+    /// of friction, a low cap of the friction and a low or high prescribed pressure.
     pub(crate) fn load_warnings(&self) -> impl Iterator<Item = Warning> {
         let shift = Warning::shift_beyond(self.grid(), self.shift()).max(self.displacement_tenths);
         let twist = Warning::twist_beyond(self.twist());
         let shift = shift.map(|tenths| Warning::ShiftBeyondGrid { tenths });
         let twist = twist.map(|tenths| Warning::LargeTwist { tenths });
         let friction = Warning::of_friction(self.friction_tenths, self.cap_parts);
-        let pressure = self.pressure_parts;
-        let pressure = pressure.map(|parts| Warning::LowPressure { parts });
         let of_shift = shift.into_iter().chain(twist);
-        of_shift.chain(friction).chain(pressure)
+        of_shift.chain(friction).chain(self.pressure_warning)
     }
 
     fn contact_map(&self) -> ContactMap<'_, impl Fn(usize) -> bool + '_> {

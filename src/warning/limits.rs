@@ -38,6 +38,9 @@ pub(super) const LOWEST_CAP: usize = 100;
 /// Largest contact modulus without a warning, in largest prescribed pressures.
 pub(super) const LOWEST_PRESSURE: usize = 10_000_000;
 
+/// Largest pressure without a warning, in thousandths of the contact modulus.
+const LARGEST_PRESSURE: usize = 500;
+
 /// Largest mean jump of a gap across a periodic border without a warning, in largest mean steps between neighbouring cells.
 pub(crate) const LARGEST_SEAM: usize = 5;
 
@@ -123,9 +126,22 @@ impl Warning {
         parts_beyond(ratio, LOWEST_CAP)
     }
 
-    /// Returns the ratio of the contact modulus to the largest pressure, or `None` if the ratio is common.
-    pub(crate) fn pressure_below(ratio: f64) -> Option<usize> {
-        parts_beyond(ratio, LOWEST_PRESSURE)
+    /// Returns the warning for a prescribed pressure with this ratio of its largest value to the contact modulus, or `None` if
+    /// the ratio is common.
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "the ratio is not negative, and a large one saturates"
+    )]
+    pub(crate) fn of_pressure(ratio: f64) -> Option<Self> {
+        let low = parts_beyond(1.0 / ratio, LOWEST_PRESSURE);
+        let low = low.map(|parts| Self::LowPressure { parts });
+        low.or_else(|| Self::pressure_beyond((1e3 * ratio).round() as usize))
+    }
+
+    /// Returns the warning for a largest pressure in thousandths of the contact modulus, or `None` if the pressure is common.
+    pub(crate) fn pressure_beyond(per_mille: usize) -> Option<Self> {
+        (per_mille > LARGEST_PRESSURE).then_some(Self::PressureBeyondModulus { per_mille })
     }
 
     /// Returns the warning about a large coefficient of friction, or about a low cap of the friction.

@@ -166,7 +166,7 @@ fn every_warning_has_its_text() {
         ),
         (
             Warning::PressureBeyondModulus { per_mille: 750 },
-            "the largest pressure is 0.75 of the contact modulus, expected at most 0.5: check the units of modulus and load, and multiply a mean pressure by the area of the grid; half-spaces assume small strains",
+            "the largest pressure is 0.75 of the contact modulus, expected at most 0.5: check the units of modulus and load (or prescribed pressure), and multiply a mean pressure by the area of the grid; half-spaces assume small strains",
         ),
         (
             Warning::PeriodicSeam {
