@@ -392,6 +392,32 @@ fn relative_displacement_on_wrong_grid_or_axis_is_rejected() {
     kit::assert_refused! { RelativeDisplacement::new(fields) => Error::GridMismatch { .. } }
 }
 
+/// Round-off is accepted. Half of the engineering shear strain belongs into both corners.
+#[test]
+fn strain_that_is_not_symmetric_is_rejected() {
+    let grid = kit::square(8, 4.0);
+    for (strain, value) in [
+        ([[0.0, 2e-3], [0.0, 0.0]], 0.0),
+        ([[0.0, 0.0], [2e-3, 0.0]], 2e-3),
+        ([[0.0, 1e-3], [-1e-3, 0.0]], -1e-3),
+        ([[1.0, 1e-3], [1e-3 + 1e-11, 1.0]], 1e-3 + 1e-11),
+    ] {
+        let error = RelativeDisplacement::bulk_strain(grid, strain).unwrap_err();
+        let Error::Sample {
+            quantity: "bulk strain",
+            index: 2,
+            value: found,
+            rule,
+        } = error
+        else {
+            panic!("{error:?}");
+        };
+        assert!(found == value && rule.contains("half of the engineering shear strain"));
+    }
+    let rounded = [[1.0, 1e-3], [1e-3 + 1e-13, 1.0]];
+    assert!(RelativeDisplacement::bulk_strain(grid, rounded).is_ok());
+}
+
 /// On a periodic axis, a strain along the axis would make the displacement discontinuous between periods.
 #[test]
 fn strain_along_periodic_axis_is_rejected() {
@@ -409,9 +435,12 @@ fn strain_along_periodic_axis_is_rejected() {
             Boundary::PeriodicAlongY { .. } => [false, true],
             _ => [true; 2],
         };
-        for index in 0..4 {
-            let mut strain = [[0.0; 2]; 2];
-            strain.as_flattened_mut()[index] = 0.25;
+        // The first component along a periodic axis has this index.
+        for (strain, index) in [
+            ([[0.25, 0.0], [0.0, 0.0]], 0),
+            ([[0.0, 0.25], [0.25, 0.0]], if repeats[1] { 1 } else { 2 }),
+            ([[0.0, 0.0], [0.0, 0.25]], 3),
+        ] {
             let bulk = RelativeDisplacement::bulk_strain(grid, strain).unwrap();
             let history = History::builder(&bodies, &gap, kit::coulomb(FRICTION))
                 .model(TangentialModel::Vector)
@@ -427,7 +456,13 @@ fn strain_along_periodic_axis_is_rejected() {
                     .relative_displacement(bulk)
                     .build();
             for error in [history.err(), shear.err(), coupled.err()] {
-                if repeats[index % 2] {
+                let is_refused = strain.iter().any(|row| {
+                    let parts = row.iter().zip(repeats);
+                    parts
+                        .into_iter()
+                        .any(|(part, repeats)| *part != 0.0 && repeats)
+                });
+                if is_refused {
                     let Some(Error::Sample {
                         quantity,
                         index: at,
