@@ -134,6 +134,13 @@ pub enum Warning {
         /// The larger of shift and relative displacement of the step, divided by the longest side of the grid, in tenths.
         tenths: usize,
     },
+    /// A component of a [bulk strain](crate::tangential::RelativeDisplacement::bulk_strain) times its amount exceeds 0.02 in magnitude,
+    /// whereas the model assumes small strains. Common causes are a strain in per cent and an amount in an inconsistent unit.
+    /// Relative displacements that were created from fields, and histories that were restored from bytes, do not have this warning.
+    LargeBulkStrain {
+        /// The largest magnitude of a component at the end of the step, in thousandths.
+        per_mille: usize,
+    },
     /// The twist of a step exceeds 0.2 rad, whereas the model assumes small rotations. A common cause is a twist in degrees.
     LargeTwist {
         /// The magnitude of the twist of the step, in tenths of a radian.
@@ -385,6 +392,12 @@ impl std::fmt::Display for Warning {
                 "the shift or relative displacement of the step is {}.{} times the longest side of the grid, expected less than 1: check the units of displacements and grid",
                 tenths / 10,
                 tenths % 10
+            ),
+            Self::LargeBulkStrain { per_mille } => write!(
+                formatter,
+                "the bulk strain of the relative displacement is {}.{} %, expected at most 2 %: give a strain of 0.05 % as 0.0005, and check its amount; the model assumes small strains",
+                per_mille / 10,
+                per_mille % 10
             ),
             Self::LargeTwist { tenths } => write!(
                 formatter,

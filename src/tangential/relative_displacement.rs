@@ -7,6 +7,7 @@ use crate::half_space::HalfSpace;
 use crate::memory::fallible::try_clone;
 use crate::parallel::reduce;
 use crate::tangential::{Axis, TangentialModel};
+use crate::warning::Warning;
 
 /// Tangential displacement w of body 1 relative to body 2 in each cell, which the contact does not cause (lengths,
 /// `[x, y]`). Examples are bulk strain, thermal expansion and the deformation due to a nearby contact.
@@ -112,7 +113,8 @@ impl RelativeDisplacement {
     /// Creates the displacements $`w_i = \sum_j \varepsilon_{ij} x_j`$ of a uniform strain, zero at the origin of the
     /// grid. `strain` is the strain of body 1 minus the strain of body 2, with the components `[[xx, xy], [yx, yy]]`.
     /// It is positive if body 1 is stretched. The components xy and yx are equal, each half of the engineering shear strain. A
-    /// rotation is a twist.
+    /// rotation is a twist. A component that exceeds 0.02 with its amount has the warning
+    /// [`LargeBulkStrain`](crate::Warning::LargeBulkStrain).
     ///
     /// If the grid is periodic along an axis of the strain, the displacement would jump from one period to the next.
     /// Problems and histories then return [`Error::Sample`]. For an antiplane strain on a grid that is periodic along y, create the
@@ -140,6 +142,11 @@ impl RelativeDisplacement {
     #[must_use]
     pub fn fields(&self) -> [&Field; 2] {
         self.fields.each_ref()
+    }
+
+    /// Returns the largest component of the uniform strain times an amount, in thousandths, or `None` if it is small.
+    pub(crate) fn large_strain(&self, amount: f64) -> Option<usize> {
+        Warning::strain_beyond(amount.abs() * largest_component(self.strain))
     }
 
     /// Returns the largest magnitude along an axis (a length).

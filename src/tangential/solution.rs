@@ -60,6 +60,9 @@ record! {
             /// Largest relative displacement in the contact over the longest side of the grid, in tenths, if it is large.
             #[cfg_attr(feature = "serde", serde(default))]
             displacement_tenths: Option<usize>,
+            /// Largest component of the bulk strain in thousandths, if it is large.
+            #[cfg_attr(feature = "serde", serde(default))]
+            strain_per_mille: Option<usize>,
         }
         ignored {
             /// Sums that identify the pressure of the problem.
@@ -108,6 +111,7 @@ impl TangentialSolution {
             cap_parts: None,
             pressure_warning: None,
             displacement_tenths: None,
+            strain_per_mille: None,
             pressed: PressureFingerprint::default(),
             report: Report::with_room(),
             whole: None,
@@ -135,6 +139,7 @@ impl TangentialSolution {
             self.enter(answer);
             self.pressed = answer.pressure_fingerprint(self.grid());
         });
+        self.strain_per_mille = relative.and_then(|relative| relative.large_strain(1.0));
         self.displacement_tenths = relative.and_then(|relative| {
             let contains = |cell: usize| self.zones[cell] != Zone::Separated;
             let displacement = |axis, cell| relative.at(axis, cell);
@@ -397,7 +402,7 @@ impl TangentialSolution {
         zones.zone_warnings()
     }
 
-    /// Returns the warnings about a shift or relative displacement that is larger than the grid, a large twist, a large coefficient
+    /// Returns the warnings about a shift or relative displacement that is larger than the grid, a large bulk strain, a large twist, a large coefficient
     /// of friction, a low cap of the friction and a low or high prescribed pressure.
     pub(crate) fn load_warnings(&self) -> impl Iterator<Item = Warning> {
         let shift = Warning::shift_beyond(self.grid(), self.shift()).max(self.displacement_tenths);
@@ -405,7 +410,8 @@ impl TangentialSolution {
         let shift = shift.map(|tenths| Warning::ShiftBeyondGrid { tenths });
         let twist = twist.map(|tenths| Warning::LargeTwist { tenths });
         let friction = Warning::of_friction(self.friction_tenths, self.cap_parts);
-        let of_shift = shift.into_iter().chain(twist);
+        let strain = Warning::of_strain(self.strain_per_mille);
+        let of_shift = shift.into_iter().chain(strain).chain(twist);
         of_shift.chain(friction).chain(self.pressure_warning)
     }
 

@@ -17,6 +17,9 @@ pub(crate) const THICKEST_LAYER: usize = 10;
 /// Largest shift of a step without a warning, in tenths of the longest side of the grid.
 const LARGEST_SHIFT: usize = 10;
 
+/// Largest component of a bulk strain without a warning, in tenths of a per cent.
+const LARGEST_STRAIN: usize = 20;
+
 /// Largest twist of a step without a warning, in tenths of a radian.
 const LARGEST_TWIST: usize = 2;
 
@@ -96,6 +99,16 @@ impl Warning {
     /// Returns a shift over the longest side of the whole grid, in tenths, or `None` if the shift is small.
     pub(crate) fn shift_beyond(grid: Grid, [x, y]: [f64; 2]) -> Option<usize> {
         tenths_beyond(x.hypot(y) / grid.whole().longest_side(), LARGEST_SHIFT)
+    }
+
+    /// Returns the warning for the magnitude of a bulk strain in thousandths, or `None` if the strain is small.
+    pub(crate) fn of_strain(per_mille: Option<usize>) -> Option<Self> {
+        per_mille.map(|per_mille| Self::LargeBulkStrain { per_mille })
+    }
+
+    /// Returns the magnitude of a bulk strain in thousandths, or `None` if the strain is small.
+    pub(crate) fn strain_beyond(strain: f64) -> Option<usize> {
+        tenths_beyond(100.0 * strain, LARGEST_STRAIN)
     }
 
     /// Returns a twist in tenths of a radian, or `None` if the twist is small.

@@ -6,7 +6,7 @@ use crate::warning::Warning;
 variants! { Warning:
     NoContact ContactAtEdge UnresolvedSpots SingleRowOfCells ContactSpansGrid BeyondHardness StalePressure StressAtEdge
     UnderresolvedContact UnderresolvedStickZone UnderresolvedSlipZone DiscretisationError SingleLoadStep
-    ApproachBeyondGrid ShiftBeyondGrid LargeTwist LargeCreepage LargeFriction LowHardness LowShearStress LowPressure LargeGapChange
+    ApproachBeyondGrid ShiftBeyondGrid LargeBulkStrain LargeTwist LargeCreepage LargeFriction LowHardness LowShearStress LowPressure LargeGapChange
     LargeContactRadius PressureBeyondModulus PeriodicSeam
     NotConverged SteepSurface HeldShiftLostForce
     UnusedRelativeDisplacement RepeatedLoop OpenCycle NeglectedLift CoatingBeyondGrid
@@ -123,6 +123,10 @@ fn every_warning_has_its_text() {
         (
             Warning::ShiftBeyondGrid { tenths: 25 },
             "the shift or relative displacement of the step is 2.5 times the longest side of the grid, expected less than 1: check the units of displacements and grid",
+        ),
+        (
+            Warning::LargeBulkStrain { per_mille: 52 },
+            "the bulk strain of the relative displacement is 5.2 %, expected at most 2 %: give a strain of 0.05 % as 0.0005, and check its amount; the model assumes small strains",
         ),
         (
             Warning::LargeTwist { tenths: 20 },

@@ -418,6 +418,59 @@ fn strain_that_is_not_symmetric_is_rejected() {
     assert!(RelativeDisplacement::bulk_strain(grid, rounded).is_ok());
 }
 
+/// A strain in per cent has the warning. A strain of 0.02 and arbitrary fields do not have it.
+#[test]
+fn bulk_strain_in_per_cent_gives_warning() {
+    let grid = Grid::square(16, 2.8).unwrap();
+    let bodies = unit_bodies(grid, 0.3);
+    let gap = kit::sphere(grid, 20.0);
+    let force = NormalLoad::Force(0.07);
+    let normal = kit::solve(NormalProblem::builder(&bodies, &gap, force));
+    let friction = || kit::coulomb(FRICTION);
+    let stated = |warnings: Vec<Warning>| {
+        let mut warnings = warnings.into_iter();
+        warnings.find(|warning| matches!(warning, Warning::LargeBulkStrain { .. }))
+    };
+    for (strain, per_mille) in [
+        ([[0.02, 0.0], [0.0, -0.01]], None),
+        ([[0.05, 0.0], [0.0, 0.0]], Some(50)),
+        ([[0.0, -0.03], [-0.03, 0.01]], Some(30)),
+        ([[0.0, 0.0], [0.0, 1.0]], Some(1000)),
+    ] {
+        let expected = per_mille.map(|per_mille| Warning::LargeBulkStrain { per_mille });
+        let bulk = RelativeDisplacement::bulk_strain(grid, strain).unwrap();
+        let load = TangentialLoad::force([0.0; 2]);
+        let shear = |bulk: &RelativeDisplacement| {
+            let shear = TangentialProblem::builder(&bodies, &normal, friction(), load);
+            kit::solve(
+                shear
+                    .model(TangentialModel::Vector)
+                    .relative_displacement(bulk.clone()),
+            )
+        };
+        assert_eq!(stated(shear(&bulk).warnings()), expected);
+        let fields = bulk.fields().map(Field::clone);
+        let fields = RelativeDisplacement::new(fields).unwrap();
+        assert_eq!(stated(shear(&fields).warnings()), None);
+        let coupled = CoupledProblem::builder(&bodies, &gap, friction(), force, load);
+        let coupled = kit::solve(coupled.relative_displacement(bulk.clone()));
+        assert_eq!(stated(coupled.warnings()), expected);
+
+        let mut history = History::builder(&bodies, &gap, friction())
+            .model(TangentialModel::Vector)
+            .relative_displacement(RelativeDisplacement::bulk_strain(grid, strain).unwrap())
+            .build()
+            .unwrap();
+        let press = LoadStep::force([0.0; 2]).normal(force);
+        let mut stated = |load: &LoadStep| stated(history.step(load).unwrap().warnings());
+        assert_eq!(stated(&press), None);
+        assert_eq!(stated(&press.relative_displacement(0.01)), None);
+        assert_eq!(stated(&press.relative_displacement(-1.0)), expected);
+        // The amount is kept.
+        assert_eq!(stated(&LoadStep::hold()), expected);
+    }
+}
+
 /// On a periodic axis, a strain along the axis would make the displacement discontinuous between periods.
 #[test]
 fn strain_along_periodic_axis_is_rejected() {
